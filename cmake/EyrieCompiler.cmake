@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# How every target is compiled. The floating-point flags are part of the determinism contract:
+# no contraction, no fast-math, no -march beyond the x86-64 baseline, and no folding of libm calls
+# at compile time (the compiler folds with MPFR, whose last bit differs from the run-time library).
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_library(eyrie_options INTERFACE)
+target_include_directories(eyrie_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_options(eyrie_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  -ffp-contract=off -fno-fast-math)
+foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log log2 log10 pow cbrt)
+  target_compile_options(eyrie_options INTERFACE -fno-builtin-${function})
+endforeach()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # false positives of GCC 12 in std::string and std::vector at -O2 and above
+  target_compile_options(eyrie_options INTERFACE -Wno-restrict -Wno-stringop-overflow
+                         -Wno-array-bounds -Wno-maybe-uninitialized)
+endif()
+if(EYRIE_SANITIZE)
+  target_compile_options(eyrie_options INTERFACE -fsanitize=${EYRIE_SANITIZE}
+                         -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(eyrie_options INTERFACE -fsanitize=${EYRIE_SANITIZE})
+  target_compile_definitions(eyrie_options INTERFACE EYRIE_SANITIZED=1)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "support/no_allocation.hpp"
+
+namespace eyrie {
+}
