@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What the pilot asked of the aircraft: written in decide, read in act and move.
+#include <cstdint>
+
+#include "core/id.hpp"
+#include "core/vec.hpp"
+
+namespace eyrie::model {
+
+/// What the autopilot does with a Command.
+enum class AutopilotMode : std::uint8_t { hold, route, follow, loiter };
+
+/// The flight command of one aircraft, executed by the autopilot at the rate of the kinematics.
+struct Command {
+  double heading = 0;      ///< rad, true: hold
+  double altitude = 0;     ///< m: hold, loiter, follow (the reference's altitude + offset)
+  double speed = 0;        ///< m/s true airspeed: hold, route, loiter
+  double load_factor = 5;  ///< g, the most that turning may use
+  /// follow: last known position of who is followed (local frame, m), valid at reference_time.
+  /// loiter: the center.
+  Vec3 reference_position;
+  Vec3 reference_velocity;    ///< m/s, local frame
+  double reference_time = 0;  ///< s
+  Vec3 offset;                ///< follow: m, forward / right / down of the reference's heading
+  double loiter_radius = 0;   ///< m
+  AutopilotMode mode = AutopilotMode::hold;
+  std::uint8_t reserved[7] = {};
+};
+
+/// Everything an aircraft is asked to do besides flying. Zero means nothing is asked.
+struct Request {
+  TrackId target;               ///< the chosen target: radar lock, Tacview, first shooter rule
+  TrackId shoot_at;             ///< release a weapon at this track
+  std::uint8_t store = 0;       ///< 1 + index of the store type to release
+  std::uint8_t trigger = 0;     ///< 1: gun trigger pressed
+  std::uint8_t radar_off = 0;   ///< 1: silent
+  std::uint8_t reserved[5] = {};
+};
+
+}  // namespace eyrie::model
