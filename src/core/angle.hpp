@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+
+namespace eyrie {
+
+inline constexpr double kPi = 0x1.921fb54442d18p+1;
+inline constexpr double kTau = 2 * kPi;
+
+/// Degrees to radians.
+[[nodiscard]] constexpr double radians(double degrees) {
+  return degrees * (kPi / 180);
+}
+/// Radians to degrees.
+[[nodiscard]] constexpr double degrees(double radians) {
+  return radians * (180 / kPi);
+}
+
+/// The same direction in (-pi, pi]. An angle that is already there comes back unchanged, bit for
+/// bit. Not a number, and infinity, give NaN.
+[[nodiscard]] inline double wrap_pi(double x) {
+  if (x > -kPi && x <= kPi)
+    return x;
+  const double turned = x - kTau * std::ceil((x - kPi) / kTau);
+  if (turned <= -kPi)
+    return kPi;  // rounding may land on the open end, which is the same direction as the closed one
+  return turned > kPi ? kPi : turned;
+}
+
+/// The same direction in [0, 2 pi). An angle that is already there comes back unchanged.
+[[nodiscard]] inline double wrap_tau(double x) {
+  if (x >= 0 && x < kTau)
+    return x;
+  const double turned = x - kTau * std::floor(x / kTau);
+  return turned < 0 || turned >= kTau ? 0 : turned;
+}
+
+/// The signed shortest turn that leads from one heading to another, in (-pi, pi]; positive is
+/// clockwise seen from above, as headings are counted.
+[[nodiscard]] inline double angle_between(double from, double to) {
+  return wrap_pi(to - from);
+}
+
+}  // namespace eyrie
