@@ -19,9 +19,8 @@ function(eyrie_layer name)
   if(EYRIE_TESTS AND tests)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE eyrie_${name} eyrie_test_main ${ARG_PRIVATE})
-    target_compile_definitions(${name}_test PRIVATE EYRIE_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
     gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
-                         PROPERTIES TIMEOUT 300)
+                         WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
   endif()
 endfunction()
 
