@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "core/vec.hpp"
+
+namespace eyrie {
+
+/// A place on or above the WGS-84 ellipsoid: radians, metres above the ellipsoid.
+struct Geodetic {
+  double latitude = 0, longitude = 0, altitude = 0;
+
+  friend constexpr bool operator==(const Geodetic&, const Geodetic&) = default;
+};
+
+/// The geodetic frame at one place, its axes written in local axes: unit vectors, `down` along the
+/// normal of the ellipsoid. `altitude` is metres above the ellipsoid.
+struct Vertical {
+  Vec3 north{1, 0, 0}, east{0, 1, 0}, down{0, 0, 1};
+  double altitude = 0;
+};
+
+/// Local axes to the geodetic NED axes at a place.
+[[nodiscard]] constexpr Vec3 to_ned(const Vertical& at, const Vec3& local) {
+  return {dot(at.north, local), dot(at.east, local), dot(at.down, local)};
+}
+/// The geodetic NED axes at a place to local axes.
+[[nodiscard]] constexpr Vec3 from_ned(const Vertical& at, const Vec3& ned) {
+  return ned.x * at.north + ned.y * at.east + ned.z * at.down;
+}
+
+/// The place that a scenario is flown around. Local axes are north, east and down at that place, a
+/// rigid rotation and shift of the Earth-centred axes: distances and angles are true, and the Earth
+/// curves away below the plane. docs/models/frames.md has the model and what it is worth.
+class Reference {
+ public:
+  /// At latitude 0, longitude 0, altitude 0.
+  Reference();
+  /// Latitude in [-pi/2, pi/2], altitude in [-10 km, 100 km], all finite; otherwise
+  /// std::logic_error.
+  explicit Reference(const Geodetic& origin);
+
+  [[nodiscard]] const Geodetic& origin() const { return origin_; }
+
+  /// For the boundary only, never in a step: GeographicLib with libm inside. Results of to_local
+  /// are snapped to a grid of 2^-10 m, which keeps libm's last bit out of a run.
+  [[nodiscard]] Geodetic to_geodetic(const Vec3& local) const;
+  [[nodiscard]] Vec3 to_local(const Geodetic& place) const;
+
+  /// Positions, Earth-centred and Earth-fixed, metres. Exactly rounded arithmetic only.
+  [[nodiscard]] Vec3 to_ecef(const Vec3& local) const;
+  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const;
+  /// Directions (velocities, accelerations) likewise.
+  [[nodiscard]] Vec3 rotate_to_ecef(const Vec3& local) const { return to_ecef_ * local; }
+  [[nodiscard]] Vec3 rotate_from_ecef(const Vec3& ecef) const { return from_ecef_ * ecef; }
+
+  /// Height above the ellipsoid and the geodetic axes at a place: the same bits everywhere.
+  [[nodiscard]] Vertical vertical_at(const Vec3& local) const;
+  /// The height alone, by the same formula.
+  [[nodiscard]] double altitude_at(const Vec3& local) const;
+
+ private:
+  Geodetic origin_;
+  Vec3 origin_ecef_;
+  Mat3 to_ecef_, from_ecef_;
+};
+
+}  // namespace eyrie
