@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eyrie::scenario {
+
+/// Reads text files and remembers each one, so that a run can carry everything it was made from.
+/// File names are kept as the user wrote them, with '/' between folders.
+class Source {
+ public:
+  /// Reads from the disk; names in data/ are looked up below `home`.
+  [[nodiscard]] static Source disk(std::string home);
+  /// Serves only these texts: a replay must not read what has changed on the disk since.
+  [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);
+
+  /// The text of a file, or nothing when it is missing or unreadable.
+  [[nodiscard]] std::optional<std::string> read(const std::string& name);
+  /// The name under which `data/<kind>/<name>.yaml` is read.
+  [[nodiscard]] std::string data_name(std::string_view kind, std::string_view name) const;
+  /// Every name in data/<kind>, sorted: for "did you mean".
+  [[nodiscard]] std::vector<std::string> data_names(std::string_view kind) const;
+
+  /// Every file read so far: name -> text.
+  [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
+
+ private:
+  std::string home_;
+  bool from_disk_ = false;
+  std::map<std::string, std::string> files_;
+};
+
+/// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
+[[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);
+
+}  // namespace eyrie::scenario

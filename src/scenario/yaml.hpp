@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  YAML text -> the neutral document tree. The only place that knows yaml-cpp.
+#include <cstddef>
+#include <string_view>
+
+#include "core/diagnostics.hpp"
+#include "core/value.hpp"
+
+namespace eyrie::scenario {
+
+/// Limits against files that are built to hurt: they are far above what a scenario needs.
+struct YamlLimits {
+  std::size_t bytes = std::size_t{16} << 20;
+  std::size_t nodes = 200'000;  ///< after aliases are expanded
+  std::size_t depth = 100;
+};
+
+/// Reads one YAML document. `file` is the name that errors carry. Aliases are expanded (counted
+/// against the limits); merge keys `<<`, a second document, NUL bytes and keys that are not scalars
+/// are refused. On a mistake the diagnostics hold it and the result is a null value.
+[[nodiscard]] Value parse_yaml(std::string_view text, std::string_view file,
+                               Diagnostics& diagnostics, const YamlLimits& limits = {});
+
+}  // namespace eyrie::scenario

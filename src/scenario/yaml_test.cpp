@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/yaml.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace eyrie::scenario {
+namespace {
+
+std::string mistakes(std::string_view text, const YamlLimits& limits = {}) {
+  Diagnostics d;
+  const Value v = parse_yaml(text, "a.yaml", d, limits);
+  EXPECT_EQ(d.ok(), !v.is_null());
+  return d.text();
+}
+
+TEST(Yaml, KeepsOrderPlacesQuotesAndDuplicates) {
+  Diagnostics d;
+  const Value v = parse_yaml("b: 1\na: ['2', x]\nb: 3\n", "a.yaml", d);
+  ASSERT_TRUE(d.ok()) << d.text();
+  ASSERT_EQ(v.entries.size(), 3u);
+  EXPECT_EQ(v.entries[0].key, "b");
+  EXPECT_EQ(v.entries[2].where, (Location{"a.yaml", 3, 1}));
+  const Value& list = v.entries[1].value;
+  EXPECT_TRUE(list.items[0].quoted);
+  EXPECT_FALSE(list.items[1].quoted);
+  EXPECT_EQ(list.items[1].where, (Location{"a.yaml", 2, 10}));
+}
+
+TEST(Yaml, ExpandsAliases) {
+  Diagnostics d;
+  const Value v = parse_yaml("a: &x [1, 2]\nb: *x\n", "a.yaml", d);
+  ASSERT_TRUE(d.ok()) << d.text();
+  EXPECT_EQ(v.find("b")->items.size(), 2u);
+}
+
+TEST(Yaml, RefusesAnAliasBomb) {
+  std::string text = "a0: &a0 [1,1,1,1,1,1,1,1,1,1]\n";
+  for (int i = 1; i < 10; ++i) {
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [";
+    for (int k = 0; k < 10; ++k)
+      text += std::string(k ? "," : "") + "*a" + std::to_string(i - 1);
+    text += "]\n";
+  }
+  EXPECT_EQ(mistakes(text), "a.yaml:6:10: more than 200000 values, aliases expanded");
+}
+
+TEST(Yaml, RefusesAnAliasInsideItsOwnAnchor) {
+  EXPECT_EQ(mistakes("a: &x [1, *x]\n"), "a.yaml:1:11: this alias stands inside what it refers to");
+}
+
+TEST(Yaml, RefusesWhatItWouldOtherwiseSilentlyIgnore) {
+  EXPECT_EQ(mistakes("a: &x {b: 1}\nc: {<<: *x}\n"),
+            "a.yaml:2:5: merge keys ('<<') are not supported; use include or base");
+  EXPECT_EQ(mistakes("a: 1\n---\nb: 2\n"), "a.yaml:3:1: a second document in one file");
+  EXPECT_EQ(mistakes(std::string_view("a: 1\nb: \0 2\n", 12)),
+            "a.yaml:2:4: a NUL byte: this is not a text file");
+  EXPECT_EQ(mistakes("? [a, b]\n: 1\n"), "a.yaml:1:3: a key must be a plain word, not a list");
+  EXPECT_EQ(mistakes(""), "a.yaml:1:1: the file is empty");
+}
+
+TEST(Yaml, RefusesDeepNesting) {
+  EXPECT_EQ(mistakes(std::string(101, '[') + std::string(101, ']')),
+            "a.yaml:1:101: nested deeper than 100 levels");
+  EXPECT_NE(mistakes(std::string(200'000, '[')), "");
+}
+
+TEST(Yaml, RefusesFilesThatAreTooLarge) {
+  EXPECT_EQ(mistakes("abcdef", {.bytes = 5}), "a.yaml:1:1: the file is larger than 5 bytes");
+}
+
+TEST(Yaml, PointsAtTheLineOfASyntaxError) {
+  const std::string said = mistakes("a: 1\nb: [1, 2\nc: 3\n");
+  EXPECT_TRUE(said.starts_with("a.yaml:3:")) << said;
+  EXPECT_NE(said.find("not YAML: "), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace eyrie::scenario
