@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What happened in a step, and where parallel phases write it down.
+#include <array>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "core/id.hpp"
+#include "core/vec.hpp"
+#include "sim/kind.hpp"
+
+namespace eyrie::sim {
+
+/// Something that happened. Plain bytes without padding; what `aux`, `detail` and `values` mean is
+/// said once per kind, by the domain and in the schema. The units of `place` are the domain's
+/// (Eyrie: metres in the scenario's local frame).
+struct Event {
+  static constexpr std::size_t kValues = 6;
+
+  EventKind kind;
+  std::uint16_t aux = 0;
+  std::uint32_t detail = 0;
+  PlayerId who;   ///< who does it
+  PlayerId whom;  ///< whom it is done to; none if nobody
+  Vec3 place;
+  std::array<float, kValues> values{};
+};
+static_assert(std::is_trivially_copyable_v<Event>);
+static_assert(sizeof(Event) == 64, "one cache line, no padding");
+
+/// Where the rows of one chunk write their events during a parallel phase. Never drops one: when
+/// the room kept for it is used up it allocates, and the growth is counted.
+class alignas(64) Outbox {
+ public:
+  Outbox() = default;
+  explicit Outbox(std::size_t room) { events_.reserve(room); }
+
+  void emit(const Event& event) {
+    if (events_.size() == events_.capacity())
+      ++growths_;
+    events_.push_back(event);
+  }
+
+  [[nodiscard]] std::span<const Event> events() const { return events_; }
+  /// How often emit() had to allocate since the outbox was made.
+  [[nodiscard]] std::uint64_t growths() const { return growths_; }
+  void clear() { events_.clear(); }
+
+ private:
+  std::vector<Event> events_;
+  std::uint64_t growths_ = 0;
+};
+
+}  // namespace eyrie::sim

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Small numbers that say what kind an event or an order is.
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+namespace eyrie::sim {
+
+/// The kind of an event or an order. The kernel only counts and names kinds; a domain keeps its
+/// own `enum class ... : std::uint16_t` and converts without a cast. Kind 0 means none.
+template <class Tag>
+struct Kind {
+  std::uint16_t value = 0;
+
+  constexpr Kind() = default;
+  constexpr explicit Kind(std::uint16_t v) : value(v) {}
+  template <class Enum>
+  requires std::is_enum_v<Enum> && std::same_as<std::underlying_type_t<Enum>, std::uint16_t>
+  constexpr Kind(Enum e) : value(static_cast<std::uint16_t>(e)) {}  // NOLINT: implicit on purpose
+
+  /// The kind as the domain's own enumeration, for a switch.
+  template <class Enum>
+  [[nodiscard]] constexpr Enum as() const {
+    return static_cast<Enum>(value);
+  }
+  constexpr explicit operator bool() const { return value != 0; }
+  friend constexpr auto operator<=>(const Kind&, const Kind&) = default;
+};
+
+using EventKind = Kind<struct EventTag>;
+using OrderKind = Kind<struct OrderTag>;
+
+}  // namespace eyrie::sim

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "sim/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <set>
+#include <stdexcept>
+
+#include "core/hash.hpp"
+#include "sim/event.hpp"
+#include "sim/order.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::sim {
+
+namespace {
+
+constexpr std::uint32_t kMostRows = 1u << 24;
+constexpr std::uint32_t kWidestSlab = 1u << 20;
+
+[[noreturn]] void misuse(const std::string& words) {
+  throw std::logic_error("schema: " + words);
+}
+
+void demand_identifier(std::string_view name) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const bool good =
+      !name.empty() && letter(name[0]) &&
+      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+  if (!good)
+    misuse(fmt::format("'{}' is not a lower-case identifier", name));
+}
+
+/// The fields must name every byte of a row once: a byte that nobody describes is padding, and
+/// padding would make equal worlds look different.
+void demand_cover(std::string_view row, std::size_t size, std::span<const FieldInfo> fields) {
+  std::vector<FieldInfo> sorted(fields.begin(), fields.end());
+  std::sort(sorted.begin(), sorted.end(),
+            [](const FieldInfo& a, const FieldInfo& b) { return a.offset < b.offset; });
+  std::set<std::string_view> names;
+  std::size_t end = 0;
+  for (const FieldInfo& field : sorted) {
+    if (!names.insert(field.name).second)
+      misuse(fmt::format("{}: field '{}' is described twice", row, field.name));
+    if (field.offset != end)
+      misuse(fmt::format("{}: field '{}' begins at byte {}, but the one before ends at {}", row,
+                         field.name, field.offset, end));
+    end += field_bytes(field);
+  }
+  if (end != size)
+    misuse(fmt::format("{}: the fields end at byte {}, the row at {}", row, end, size));
+}
+
+void add_text(Hasher& hasher, std::string_view text) {
+  hasher.word(text.size());
+  hasher.bytes(text.data(), text.size());
+}
+
+std::uint64_t hash_layout(const Schema& schema) {
+  Hasher hasher;
+  for (const TableInfo& table : schema.tables()) {
+    add_text(hasher, table.name);
+    hasher.word(table.columns.size());
+    for (const std::uint32_t index : table.columns) {
+      const ColumnInfo& column = schema.column(index);
+      add_text(hasher, column.name);
+      hasher.word(column.stride);
+      hasher.word(column.fields.size());
+      for (const FieldInfo& field : column.fields) {
+        add_text(hasher, field.name);
+        hasher.word(field.offset);
+        hasher.word(static_cast<std::uint64_t>(field.type));
+        hasher.word(field.count);
+      }
+    }
+  }
+  return hasher.value();
+}
+
+std::uint64_t round_up(std::uint64_t bytes) {
+  return (bytes + Buffer::kAlignment - 1) / Buffer::kAlignment * Buffer::kAlignment;
+}
+
+}  // namespace
+
+TableId Schema::find_table(std::string_view name) const {
+  for (std::uint32_t i = 0; i < tables_.size(); ++i)
+    if (tables_[i].name == name)
+      return TableId{i + 1};
+  return {};
+}
+
+std::uint32_t Schema::find_column(TableId table, std::string_view name) const {
+  for (const std::uint32_t index : this->table(table).columns)
+    if (columns_[index].name == name)
+      return index;
+  return kNoColumn;
+}
+
+const EventInfo* Schema::event(EventKind kind) const {
+  const auto it = std::find_if(events_.begin(), events_.end(),
+                               [&](const EventInfo& info) { return info.kind == kind; });
+  return it == events_.end() ? nullptr : &*it;
+}
+
+const OrderInfo* Schema::order(OrderKind kind) const {
+  const auto it = std::find_if(orders_.begin(), orders_.end(),
+                               [&](const OrderInfo& info) { return info.kind == kind; });
+  return it == orders_.end() ? nullptr : &*it;
+}
+
+SchemaBuilder::SchemaBuilder() : schema_(std::make_unique<Schema>()) {}
+SchemaBuilder::~SchemaBuilder() = default;
+
+TableId SchemaBuilder::add_table(std::string_view name, std::uint32_t capacity) {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  demand_identifier(name);
+  if (schema_->find_table(name))
+    misuse(fmt::format("table '{}' is added twice", name));
+  if (capacity == 0 || capacity > kMostRows)
+    misuse(fmt::format("table '{}' must have room for 1 to {} rows, not {}", name, kMostRows,
+                       capacity));
+  schema_->tables_.push_back({std::string(name), capacity, {}});
+  const TableId table{static_cast<std::uint32_t>(schema_->tables_.size())};
+
+  constexpr FieldInfo kId{.name = "id", .offset = 0, .type = Scalar::u32, .count = 1, .unit = ""};
+  constexpr FieldInfo kMark{
+      .name = "leaving", .offset = 0, .type = Scalar::u8, .count = 1, .unit = ""};
+  add(table, "id", sizeof(PlayerId), alignof(PlayerId), {&kId, 1});
+  add(table, "leaving", 1, 1, {&kMark, 1});
+  return table;
+}
+
+ByteColumn SchemaBuilder::add_bytes(TableId table, std::string_view name, std::uint32_t stride,
+                                    std::uint32_t alignment) {
+  if (!std::has_single_bit(alignment) || alignment > Buffer::kAlignment)
+    misuse(fmt::format("'{}': {} is no alignment", name, alignment));
+  if (stride == 0 || stride > kWidestSlab || stride % alignment != 0)
+    misuse(fmt::format("'{}': a stride of {} bytes is not in [1, {}] or no multiple of {}", name,
+                       stride, kWidestSlab, alignment));
+  const FieldInfo bytes{
+      .name = "bytes", .offset = 0, .type = Scalar::bytes, .count = stride, .unit = ""};
+  return {add(table, name, stride, alignment, {&bytes, 1})};
+}
+
+std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size_t stride,
+                                 std::size_t alignment, std::span<const FieldInfo> fields) {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  demand_identifier(name);
+  if (!table || table.value > schema_->tables_.size())
+    misuse(fmt::format("column '{}' is added to an unknown table", name));
+  TableInfo& info = schema_->tables_[table.value - 1];
+  if (schema_->find_column(table, name) != kNoColumn)
+    misuse(fmt::format("column '{}' is added twice to table '{}'", name, info.name));
+  demand_cover(fmt::format("{}.{}", info.name, name), stride, fields);
+
+  const auto index = static_cast<std::uint32_t>(schema_->columns_.size());
+  schema_->columns_.push_back({.name = std::string(name),
+                               .table = table,
+                               .stride = static_cast<std::uint32_t>(stride),
+                               .alignment = static_cast<std::uint32_t>(alignment),
+                               .offset = 0,
+                               .fields = {fields.begin(), fields.end()}});
+  info.columns.push_back(index);
+  return index;
+}
+
+EventKind SchemaBuilder::add_event(EventKind kind, std::string_view name,
+                                   std::initializer_list<NamedValue> values) {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  demand_identifier(name);
+  const bool taken = std::any_of(schema_->events_.begin(), schema_->events_.end(),
+                                 [&](const EventInfo& e) { return e.name == name; });
+  if (!kind || taken || schema_->event(kind) != nullptr)
+    misuse(fmt::format("event '{}' is of kind 0, or its kind or name is taken", name));
+  if (values.size() > Event::kValues)
+    misuse(fmt::format("event '{}' has {} values, an event carries {}", name, values.size(),
+                       Event::kValues));
+  schema_->events_.push_back({kind, std::string(name), values});
+  return kind;
+}
+
+OrderKind SchemaBuilder::add(OrderKind kind, std::string_view name, std::size_t bytes,
+                             std::span<const FieldInfo> fields) {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  demand_identifier(name);
+  const bool taken = std::any_of(schema_->orders_.begin(), schema_->orders_.end(),
+                                 [&](const OrderInfo& o) { return o.name == name; });
+  if (!kind || taken || schema_->order(kind) != nullptr)
+    misuse(fmt::format("order '{}' is of kind 0, or its kind or name is taken", name));
+  if (bytes > Order::kPayload)
+    misuse(
+        fmt::format("order '{}' has {} bytes, an order carries {}", name, bytes, Order::kPayload));
+  demand_cover(fmt::format("order {}", name), bytes, fields);
+  schema_->orders_.push_back({kind, std::string(name), {fields.begin(), fields.end()}});
+  return kind;
+}
+
+std::shared_ptr<const Schema> SchemaBuilder::build() {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  if (schema_->tables_.empty())
+    misuse("it has no table");
+  std::uint64_t bytes = round_up(World::header_bytes(schema_->tables_.size()));
+  for (const TableInfo& table : schema_->tables_)
+    for (const std::uint32_t index : table.columns) {
+      ColumnInfo& column = schema_->columns_[index];
+      column.offset = bytes;
+      bytes = round_up(bytes + std::uint64_t{column.stride} * table.capacity);
+    }
+  schema_->bytes_ = bytes;
+  schema_->layout_hash_ = hash_layout(*schema_);
+  return std::shared_ptr<const Schema>(std::move(schema_));
+}
+
+}  // namespace eyrie::sim

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a World is made of: tables of typed columns, described once, fixed at load.
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "core/field.hpp"
+#include "core/id.hpp"
+#include "sim/kind.hpp"
+
+namespace eyrie::sim {
+
+inline constexpr std::uint32_t kNoColumn = std::numeric_limits<std::uint32_t>::max();
+
+/// Typed key of one column: hands out `std::span<Row>` in a World of the schema it came from.
+template <class Row>
+struct Column {
+  std::uint32_t index = kNoColumn;
+  explicit operator bool() const { return index != kNoColumn; }
+};
+
+/// Key of a column of raw bytes: a slab of constant size per row, such as the memory of a brain.
+struct ByteColumn {
+  std::uint32_t index = kNoColumn;
+  explicit operator bool() const { return index != kNoColumn; }
+};
+
+/// One column as the kernel sees it.
+struct ColumnInfo {
+  std::string name;
+  TableId table;
+  std::uint32_t stride = 0;     ///< bytes per row
+  std::uint32_t alignment = 0;  ///< bytes
+  std::uint64_t offset = 0;     ///< of row 0 in the World's buffer, a multiple of 64
+  std::vector<FieldInfo> fields;
+};
+
+/// One table: its columns share one row order, which is spawn order.
+struct TableInfo {
+  std::string name;
+  std::uint32_t capacity = 0;
+  std::vector<std::uint32_t> columns;  ///< [0] the ids, [1] the leaving marks, then as added
+};
+
+/// A number an event or an order carries, and its unit ("" for none).
+struct NamedValue {
+  std::string name;
+  std::string unit;
+};
+
+/// What an event's members mean for one kind.
+struct EventInfo {
+  EventKind kind;
+  std::string name;
+  std::vector<NamedValue> values;  ///< of Event::values, first one first; the rest are unused
+};
+
+/// What an order's payload holds for one kind.
+struct OrderInfo {
+  OrderKind kind;
+  std::string name;
+  std::vector<FieldInfo> fields;
+};
+
+/// The const description of a World. Immutable once built and shared by every World of a run.
+class Schema {
+ public:
+  [[nodiscard]] std::span<const TableInfo> tables() const { return tables_; }
+  [[nodiscard]] std::span<const ColumnInfo> columns() const { return columns_; }
+  [[nodiscard]] const TableInfo& table(TableId t) const { return tables_[t.value - 1]; }
+  [[nodiscard]] const ColumnInfo& column(std::uint32_t index) const { return columns_[index]; }
+
+  /// The table of that name, or an empty id.
+  [[nodiscard]] TableId find_table(std::string_view name) const;
+  /// Index of the column of that name in a table, or kNoColumn.
+  [[nodiscard]] std::uint32_t find_column(TableId table, std::string_view name) const;
+
+  [[nodiscard]] std::span<const EventInfo> events() const { return events_; }
+  [[nodiscard]] std::span<const OrderInfo> orders() const { return orders_; }
+  /// Null when that kind was never described.
+  [[nodiscard]] const EventInfo* event(EventKind kind) const;
+  [[nodiscard]] const OrderInfo* order(OrderKind kind) const;
+
+  /// Size of a World's buffer in bytes, a multiple of 64.
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// Names, types, offsets and strides of everything in a row. Two builds whose hashes agree read
+  /// each other's saved worlds. Capacities are left out on purpose: a saved world may be loaded
+  /// where there is more room, and it hashes the same there.
+  [[nodiscard]] std::uint64_t layout_hash() const { return layout_hash_; }
+
+ private:
+  friend class SchemaBuilder;
+  std::vector<TableInfo> tables_;
+  std::vector<ColumnInfo> columns_;
+  std::vector<EventInfo> events_;
+  std::vector<OrderInfo> orders_;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t layout_hash_ = 0;
+};
+
+/// A row is plain bytes whose scalars Row::fields() lists completely.
+template <class Row>
+concept DescribedRow = std::is_trivially_copyable_v<Row> && std::is_standard_layout_v<Row> &&
+                           alignof(Row) <= 64 &&
+                       requires {
+  std::span<const FieldInfo>(Row::fields());
+};
+
+/// Collects tables and columns, then builds the Schema. Misuse (a name given twice, a name that is
+/// not an identifier, a capacity of zero, fields that leave bytes of a row undescribed, an unknown
+/// table) is a mistake of the program and throws std::logic_error.
+class SchemaBuilder {
+ public:
+  SchemaBuilder();
+  ~SchemaBuilder();
+  SchemaBuilder(const SchemaBuilder&) = delete;
+  SchemaBuilder& operator=(const SchemaBuilder&) = delete;
+
+  /// A table of at most `capacity` rows, in [1, 2^24].
+  TableId add_table(std::string_view name, std::uint32_t capacity);
+
+  template <DescribedRow Row>
+  Column<Row> add_column(TableId table, std::string_view name) {
+    const auto fields = Row::fields();
+    return {add(table, name, sizeof(Row), alignof(Row), fields)};
+  }
+
+  /// `stride` bytes per row, in [1, 2^20] and a multiple of `alignment`, a power of two up to 64.
+  ByteColumn add_bytes(TableId table, std::string_view name, std::uint32_t stride,
+                       std::uint32_t alignment = 8);
+
+  /// Names one kind of event and its values (at most Event::kValues). Kind 0 means "no event".
+  EventKind add_event(EventKind kind, std::string_view name,
+                      std::initializer_list<NamedValue> values = {});
+
+  /// Names one kind of order without payload. Kind 0 means "no order".
+  OrderKind add_order(OrderKind kind, std::string_view name) { return add(kind, name, 0, {}); }
+
+  /// Names one kind of order whose payload is a described row of at most Order::kPayload bytes.
+  template <DescribedRow Payload>
+  OrderKind add_order(OrderKind kind, std::string_view name) {
+    const auto fields = Payload::fields();
+    return add(kind, name, sizeof(Payload), fields);
+  }
+
+  /// The finished schema. The builder is empty afterwards.
+  [[nodiscard]] std::shared_ptr<const Schema> build();
+
+ private:
+  std::uint32_t add(TableId table, std::string_view name, std::size_t stride, std::size_t alignment,
+                    std::span<const FieldInfo> fields);
+  OrderKind add(OrderKind kind, std::string_view name, std::size_t bytes,
+                std::span<const FieldInfo> fields);
+
+  std::unique_ptr<Schema> schema_;
+};
+
+}  // namespace eyrie::sim

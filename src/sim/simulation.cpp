@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "sim/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.hpp"
+
+namespace eyrie::sim {
+
+namespace {
+
+std::size_t index_of(Phase phase) {
+  return static_cast<std::size_t>(phase);
+}
+
+std::uint32_t largest_capacity(const Schema& schema) {
+  std::uint32_t most = 0;
+  for (const TableInfo& table : schema.tables())
+    most = std::max(most, table.capacity);
+  return most;
+}
+
+}  // namespace
+
+Workspace::Workspace(const Simulation& simulation, unsigned workers, std::size_t room)
+    : executor_(workers), emitted_(room), events_(4 * room) {
+  const std::size_t chunks = chunk_count(largest_capacity(simulation.schema()));
+  by_chunk_.reserve(chunks);
+  for (std::size_t i = 0; i < chunks; ++i)
+    by_chunk_.emplace_back(room);
+}
+
+std::uint64_t Workspace::growths() const {
+  std::uint64_t sum = events_.growths() + emitted_.growths();
+  for (const Outbox& outbox : by_chunk_)
+    sum += outbox.growths();
+  return sum;
+}
+
+void Workspace::collect(std::size_t chunks) {
+  for (std::size_t i = 0; i < chunks; ++i) {
+    for (const Event& event : by_chunk_[i].events())
+      events_.emit(event);
+    by_chunk_[i].clear();
+  }
+}
+
+const System* Simulation::handler(OrderKind kind) const {
+  return kind.value < by_order_.size() ? by_order_[kind.value] : nullptr;
+}
+
+std::span<const Event> Simulation::step(World& world, Workspace& work,
+                                        std::span<const Order> orders) const {
+  EYRIE_THROW_UNLESS(&world.schema() == schema_.get(), "the world belongs to another simulation");
+  EYRIE_THROW_UNLESS(work.by_chunk_.size() >= chunk_count(largest_capacity(*schema_)),
+                     "the workspace was made for another simulation");
+  const StepInfo info{.step = world.step(), .seed = world.seed(), .dt = dt_};
+  work.events_.clear();
+
+  apply_orders(world, info, work, orders);
+  run(Phase::perceive, &System::perceive, world, info, work);
+  run(Phase::decide, &System::decide, world, info, work);
+  run(Phase::act, &System::act, world, info, work);
+  run(Phase::move, &System::move, world, info, work);
+  run(Phase::interact, &System::interact, world, info, work);
+  commit(world, info, work);
+  ++world.header().step;
+  return work.events();
+}
+
+void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& work,
+                              std::span<const Order> orders) const {
+  for (const Order& order : orders) {
+    const System* system = handler(order.kind);
+    EYRIE_DEMAND(order.step == info.step, "an order is applied in the step it names");
+    EYRIE_DEMAND(system != nullptr, "an order needs a system that accepts its kind");
+    system->apply_order(world, info, order, work.events_);
+  }
+}
+
+void Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
+                     Workspace& work) const {
+  for (const System* system : by_phase_[index_of(phase)]) {
+    const std::uint32_t rows = world.rows(system->table());
+    work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      (system->*part)(world, info, Chunk{begin, end}, work.by_chunk_[chunk]);
+    });
+    work.collect(chunk_count(rows));
+  }
+}
+
+void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {
+  for (const System* system : by_phase_[index_of(Phase::commit)]) {
+    CommitContext context(world, work.emitted_);
+    system->commit(world, info, work.events(), context);
+    // appended only now: the system was reading the events it was given
+    for (const Event& event : work.emitted_.events())
+      work.events_.emit(event);
+    work.emitted_.clear();
+  }
+  world.compact();
+}
+
+SimulationBuilder::SimulationBuilder(std::shared_ptr<const Schema> schema, double dt) {
+  EYRIE_THROW_UNLESS(schema != nullptr, "a simulation needs a schema");
+  EYRIE_THROW_UNLESS(std::isfinite(dt) && dt > 0, "dt must be positive and finite");
+  simulation_.reset(new Simulation(std::move(schema), dt));
+  std::size_t kinds = 0;
+  for (const OrderInfo& order : simulation_->schema_->orders())
+    kinds = std::max<std::size_t>(kinds, order.kind.value + 1u);
+  simulation_->by_order_.resize(kinds, nullptr);
+}
+
+void SimulationBuilder::add(std::unique_ptr<const System> system,
+                            const std::array<bool, kPhases>& phases) {
+  EYRIE_THROW_UNLESS(simulation_ != nullptr, "the simulation was built already");
+  EYRIE_THROW_UNLESS(system != nullptr, "a system is missing");
+  const TableId table = system->table();
+  EYRIE_THROW_UNLESS(table && table.value <= simulation_->schema_->tables().size(),
+                     "a system needs a table of this schema");
+  for (std::size_t i = 0; i < kPhases; ++i)
+    if (phases[i])
+      simulation_->by_phase_[i].push_back(system.get());
+  for (const OrderKind kind : system->accepts()) {
+    EYRIE_THROW_UNLESS(simulation_->schema_->order(kind) != nullptr,
+                       "a system accepts a kind of order that the schema does not describe");
+    EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
+                       "a system that accepts orders must override apply_order");
+    const System*& slot = simulation_->by_order_[kind.value];
+    EYRIE_THROW_UNLESS(slot == nullptr, "two systems accept the same kind of order");
+    slot = system.get();
+  }
+  simulation_->systems_.push_back(std::move(system));
+}
+
+std::shared_ptr<const Simulation> SimulationBuilder::build() {
+  EYRIE_THROW_UNLESS(simulation_ != nullptr, "the simulation was built already");
+  for (const OrderInfo& order : simulation_->schema_->orders())
+    EYRIE_THROW_UNLESS(simulation_->handler(order.kind) != nullptr,
+                       "nobody accepts a kind of order that the schema describes");
+  return std::shared_ptr<const Simulation>(std::move(simulation_));
+}
+
+}  // namespace eyrie::sim

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The step: const systems in order, six phases, one world at a time.
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/executor.hpp"
+#include "sim/event.hpp"
+#include "sim/order.hpp"
+#include "sim/schema.hpp"
+#include "sim/system.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::sim {
+
+class Simulation;
+
+/// 50 steps per second.
+inline constexpr double kDefaultDt = 1.0 / 50;
+
+/// What a step needs besides the world and keeps nothing in between: threads, and room for events.
+/// One per thread that steps worlds; reuse it, also for several worlds in turn.
+class Workspace {
+ public:
+  /// `workers` as for Executor, the calling thread included. They change the speed of a step,
+  /// never its result. `room`: events per chunk of 256 rows that fit without an allocation.
+  explicit Workspace(const Simulation& simulation, unsigned workers = 1, std::size_t room = 256);
+
+  [[nodiscard]] unsigned workers() const { return executor_.workers(); }
+  /// The events of the last step, in (phase, system, row, emission) order, then secondary ones.
+  [[nodiscard]] std::span<const Event> events() const { return events_.events(); }
+  /// How often a step had to allocate because more happened than ever before.
+  [[nodiscard]] std::uint64_t growths() const;
+
+ private:
+  friend class Simulation;
+  void collect(std::size_t chunks);
+
+  Executor executor_;
+  std::vector<Outbox> by_chunk_;
+  Outbox emitted_;
+  Outbox events_;
+};
+
+/// Everything that does not change: the schema, the systems in their order and the length of a
+/// step. Shared by any number of worlds and threads.
+class Simulation {
+ public:
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  [[nodiscard]] const Schema& schema() const { return *schema_; }
+  [[nodiscard]] const std::shared_ptr<const Schema>& shared_schema() const { return schema_; }
+  [[nodiscard]] double dt() const { return dt_; }
+  [[nodiscard]] std::span<const std::unique_ptr<const System>> systems() const { return systems_; }
+  /// An empty world of this simulation's schema.
+  [[nodiscard]] World world(std::uint64_t seed) const { return World(schema_, seed); }
+  /// The system that carries out this kind of order; null if nobody does.
+  [[nodiscard]] const System* handler(OrderKind kind) const;
+
+  /// One step of `dt` seconds: orders, perceive, decide, act, move, interact, commit. Gives the
+  /// events of the step, good until the workspace is used again. The result depends on the world
+  /// and the orders alone. `orders` are applied in the order given; each must name this step and
+  /// a kind that has a handler (Run sees to it). A world of another schema throws std::logic_error.
+  std::span<const Event> step(World& world, Workspace& work,
+                              std::span<const Order> orders = {}) const;
+
+ private:
+  friend class SimulationBuilder;
+  using Part = void (System::*)(World&, const StepInfo&, Chunk, Outbox&) const;
+
+  Simulation(std::shared_ptr<const Schema> schema, double dt)
+      : schema_(std::move(schema)), dt_(dt) {}
+  void apply_orders(World& world, const StepInfo& info, Workspace& work,
+                    std::span<const Order> orders) const;
+  void run(Phase phase, Part part, World& world, const StepInfo& info, Workspace& work) const;
+  void commit(World& world, const StepInfo& info, Workspace& work) const;
+
+  std::shared_ptr<const Schema> schema_;
+  double dt_;
+  std::vector<std::unique_ptr<const System>> systems_;
+  std::array<std::vector<const System*>, kPhases> by_phase_;
+  std::vector<const System*> by_order_;  ///< index: kind
+};
+
+/// Which phases a system takes part in: those whose function it overrides.
+template <class S>
+[[nodiscard]] constexpr std::array<bool, kPhases> phases_of() {
+  const auto overrides = []<class Mine, class Base>(Mine, Base) {
+    return !std::same_as<Mine, Base>;
+  };
+  return {overrides(&S::apply_order, &System::apply_order),
+          overrides(&S::perceive, &System::perceive),
+          overrides(&S::decide, &System::decide),
+          overrides(&S::act, &System::act),
+          overrides(&S::move, &System::move),
+          overrides(&S::interact, &System::interact),
+          overrides(&S::commit, &System::commit)};
+}
+
+/// Collects systems, then builds the Simulation. Misuse (dt not positive and finite, a system of an
+/// unknown table, an order kind that is unknown, taken twice or by nobody) throws std::logic_error.
+class SimulationBuilder {
+ public:
+  explicit SimulationBuilder(std::shared_ptr<const Schema> schema, double dt = kDefaultDt);
+
+  /// Adds a system after the ones before it. `S` must be its final type, because the phases it
+  /// takes part in are read off its overrides, which must be public.
+  template <std::derived_from<System> S>
+  S& add(std::unique_ptr<S> system) {
+    static_assert(!std::is_abstract_v<S>, "add a system by its own type, not by a base");
+    S& added = *system;
+    add(std::move(system), phases_of<S>());
+    return added;
+  }
+  template <std::derived_from<System> S, class... Args>
+  S& add(Args&&... args) {
+    return add(std::make_unique<S>(std::forward<Args>(args)...));
+  }
+
+  /// The finished simulation. The builder is empty afterwards.
+  [[nodiscard]] std::shared_ptr<const Simulation> build();
+
+ private:
+  void add(std::unique_ptr<const System> system, const std::array<bool, kPhases>& phases);
+
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace eyrie::sim

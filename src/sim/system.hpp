@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A system: one const model's share of the step, over the rows of one table.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "sim/event.hpp"
+#include "sim/order.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::sim {
+
+/// The parts of a step, in the order in which they run and in which their events are sorted.
+enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };
+inline constexpr std::size_t kPhases = 7;
+[[nodiscard]] std::string_view phase_name(Phase phase);
+
+/// What is the same for everybody during one step.
+struct StepInfo {
+  std::uint64_t step = 0;  ///< number of the step being made, counted from 0
+  std::uint64_t seed = 0;  ///< of the run: key of every Draw
+  double dt = 0;           ///< s, length of a step
+  /// s, at the beginning of the step.
+  [[nodiscard]] double time() const { return static_cast<double>(step) * dt; }
+};
+
+/// Rows [begin, end) of a table.
+struct Chunk {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// The only place where players are born and removed: handed to System::commit.
+class CommitContext {
+ public:
+  /// A new player in a row of zeros at the end of the table; its id is the highest so far. Nothing
+  /// when the table is full: the caller must cope, and World::refused_births() counts it.
+  [[nodiscard]] std::optional<Born> spawn(TableId table) { return world_.spawn(table); }
+
+  /// Marks a row for removal at the end of the commit; until then everybody still finds it, so a
+  /// second event about the same player counts too. Marking twice is harmless.
+  void remove(TableId table, std::uint32_t row) { world_.remove(table, row); }
+  /// The same by id; false when there is no such player.
+  bool remove(PlayerId who);
+
+  /// A secondary event (a kill that follows from hits). Observers see it after the events of the
+  /// parallel phases, and so do the systems whose commit comes later in this step.
+  void emit(const Event& event) { emitted_.emit(event); }
+
+ private:
+  friend class Simulation;
+  CommitContext(World& world, Outbox& emitted) : world_(world), emitted_(emitted) {}
+  World& world_;
+  Outbox& emitted_;
+};
+
+/// One const model's share of the step. It keeps nothing: everything that changes is in the World.
+///
+/// In perceive … interact a call gets a chunk of rows of table(); chunks run on any thread in any
+/// order, so a row writes only itself and reads only columns that nobody writes in that phase.
+/// commit and apply_order run alone. Override what you need; the rest is never called.
+class System {
+ public:
+  System() = default;
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
+  virtual ~System() = default;
+
+  /// For messages and profiles, such as "radar".
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// Whose rows the parallel phases are cut from.
+  [[nodiscard]] virtual TableId table() const = 0;
+  /// The kinds of orders that go to apply_order. Each kind has one system.
+  [[nodiscard]] virtual std::span<const OrderKind> accepts() const { return {}; }
+
+  /// At the step boundary, before perceive. An order about a player that is gone is to be ignored.
+  virtual void apply_order(World&, const StepInfo&, const Order&, Outbox&) const {}
+
+  virtual void perceive(World&, const StepInfo&, Chunk, Outbox&) const {}
+  virtual void decide(World&, const StepInfo&, Chunk, Outbox&) const {}
+  virtual void act(World&, const StepInfo&, Chunk, Outbox&) const {}
+  virtual void move(World&, const StepInfo&, Chunk, Outbox&) const {}
+  virtual void interact(World&, const StepInfo&, Chunk, Outbox&) const {}
+
+  /// `events`: everything of this step's orders and parallel phases in (phase, system, row,
+  /// emission) order, then what the commits of earlier systems emitted.
+  virtual void commit(World&, const StepInfo&, std::span<const Event>, CommitContext&) const {}
+};
+
+/// Sees every committed step. It gets a const World: it can never change a run.
+class Observer {
+ public:
+  Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+  virtual ~Observer() = default;
+
+  /// Once, before the first step that is observed. `dt` in s.
+  virtual void begin(const World&, double /*dt*/) {}
+  /// After each step: `info` is the step just made, so world.step() == info.step + 1 and the time
+  /// of `world` is info.time() + info.dt. The events belong to the caller and are gone afterwards.
+  virtual void observe(const World& world, const StepInfo& info, std::span<const Event> events) = 0;
+  /// Once, after the last step.
+  virtual void finish(const World&) {}
+};
+
+}  // namespace eyrie::sim

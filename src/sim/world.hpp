@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Everything that changes, in one block of bytes: copy it, assign it, hash it.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "core/assert.hpp"
+#include "core/id.hpp"
+#include "sim/buffer.hpp"
+#include "sim/schema.hpp"
+
+namespace eyrie::sim {
+
+/// Where a player is.
+struct Place {
+  TableId table;
+  std::uint32_t row = 0;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// A player that was just made.
+struct Born {
+  PlayerId id;
+  std::uint32_t row = 0;
+};
+
+/// Everything that changes in a run. A value: copy it to take a snapshot, assign it to roll back,
+/// hash it to compare runs.
+///
+/// All columns of all tables lie at fixed capacity in one buffer, behind a header with the step,
+/// the seed, the next id and the number of rows of each table; so a copy is one memcpy, and between
+/// worlds of one schema an assignment allocates nothing. The rows of a table are in spawn order,
+/// which is the order of ids. Unused rows are zero, so equal worlds have equal bytes.
+///
+/// A moved-from World may only be assigned to or destroyed.
+class World {
+  struct Header {
+    std::uint64_t step;
+    std::uint64_t seed;
+    std::uint64_t refused_births;
+    std::uint32_t next_id;
+    std::uint32_t tables;
+  };
+
+ public:
+  /// Empty tables, step 0. The first player will get id 1.
+  World(std::shared_ptr<const Schema> schema, std::uint64_t seed);
+
+  [[nodiscard]] const Schema& schema() const { return *schema_; }
+  [[nodiscard]] const std::shared_ptr<const Schema>& shared_schema() const { return schema_; }
+
+  /// Number of steps made.
+  [[nodiscard]] std::uint64_t step() const { return header().step; }
+  [[nodiscard]] std::uint64_t seed() const { return header().seed; }
+  /// The id that the next player will get.
+  [[nodiscard]] PlayerId next_id() const { return PlayerId{header().next_id}; }
+  /// How many players could not be born because their table was full.
+  [[nodiscard]] std::uint64_t refused_births() const { return header().refused_births; }
+
+  /// Live rows of a table.
+  [[nodiscard]] std::uint32_t rows(TableId table) const {
+    EYRIE_ASSERT(table.value != 0 && table.value <= schema_->tables().size());
+    return counts()[table.value - 1];
+  }
+  /// The ids of a table, ascending.
+  [[nodiscard]] std::span<const PlayerId> ids(TableId table) const;
+
+  /// The live rows of a column, in spawn order.
+  template <class Row>
+  [[nodiscard]] std::span<Row> rows(Column<Row> column) {
+    const ColumnInfo& c = checked(column.index, sizeof(Row));
+    return {reinterpret_cast<Row*>(buffer_.data() + c.offset), rows(c.table)};
+  }
+  template <class Row>
+  [[nodiscard]] std::span<const Row> rows(Column<Row> column) const {
+    const ColumnInfo& c = checked(column.index, sizeof(Row));
+    return {reinterpret_cast<const Row*>(buffer_.data() + c.offset), rows(c.table)};
+  }
+  /// The bytes of one row of a byte column.
+  [[nodiscard]] std::span<std::byte> bytes(ByteColumn column, std::size_t row) {
+    const ColumnInfo& c = schema_->column(column.index);
+    EYRIE_ASSERT(row < rows(c.table));
+    return {buffer_.data() + c.offset + row * c.stride, c.stride};
+  }
+  [[nodiscard]] std::span<const std::byte> bytes(ByteColumn column, std::size_t row) const {
+    const ColumnInfo& c = schema_->column(column.index);
+    EYRIE_ASSERT(row < rows(c.table));
+    return {buffer_.data() + c.offset + row * c.stride, c.stride};
+  }
+  /// The live rows of any column as bytes, by its index in the schema.
+  [[nodiscard]] std::span<const std::byte> column_bytes(std::uint32_t index) const;
+
+  /// The row of a player in a table, by binary search.
+  [[nodiscard]] std::optional<std::uint32_t> row(TableId table, PlayerId who) const;
+  /// The table and row of a player.
+  [[nodiscard]] std::optional<Place> find(PlayerId who) const;
+
+  /// Appends a row of zeros with the next id. Nothing when the table is full or the ids are used
+  /// up; that is counted, and the caller must cope. In a step only the commit may do this.
+  [[nodiscard]] std::optional<Born> spawn(TableId table);
+  /// Marks a row for removal; compact() carries it out. Idempotent. `row` must exist.
+  void remove(TableId table, std::uint32_t row);
+  /// Whether a row is marked for removal.
+  [[nodiscard]] bool leaving(TableId table, std::uint32_t row) const;
+  /// Takes the marked rows out, keeps the order of the rest and zeroes what is freed. The step
+  /// calls it at the end of its commit.
+  void compact();
+
+  /// XXH3 over the header and the live rows of all columns. Independent of capacities.
+  [[nodiscard]] std::uint64_t hash() const;
+  /// Byte-wise equality of worlds of one schema object or of equal layout and capacities.
+  [[nodiscard]] bool same_bytes(const World& other) const;
+  /// Whether the invariants hold: counts within capacity, ids ascending, below next_id and in one
+  /// table only, no row marked for removal, unused rows zero. For tests, loading and paranoia.
+  [[nodiscard]] bool canonical() const;
+
+  /// Bytes that step, seed, next id and the row counts of so many tables take up in the buffer.
+  [[nodiscard]] static constexpr std::size_t header_bytes(std::size_t tables) {
+    return sizeof(Header) + tables * sizeof(std::uint32_t);
+  }
+
+ private:
+  friend class Simulation;
+  friend class WorldReader;
+
+  [[nodiscard]] Header& header() { return *reinterpret_cast<Header*>(buffer_.data()); }
+  [[nodiscard]] const Header& header() const {
+    return *reinterpret_cast<const Header*>(buffer_.data());
+  }
+  [[nodiscard]] std::uint32_t* counts() {
+    return reinterpret_cast<std::uint32_t*>(buffer_.data() + sizeof(Header));
+  }
+  [[nodiscard]] const std::uint32_t* counts() const {
+    return reinterpret_cast<const std::uint32_t*>(buffer_.data() + sizeof(Header));
+  }
+  [[nodiscard]] const ColumnInfo& checked(std::uint32_t index, std::size_t row_size) const {
+    EYRIE_ASSERT(index < schema_->columns().size());
+    const ColumnInfo& c = schema_->column(index);
+    EYRIE_ASSERT(c.stride == row_size);
+    static_cast<void>(row_size);
+    return c;
+  }
+  [[nodiscard]] std::byte* marks(TableId table);
+  [[nodiscard]] const std::byte* marks(TableId table) const;
+  void compact(TableId table);
+
+  std::shared_ptr<const Schema> schema_;
+  Buffer buffer_;
+};
+
+}  // namespace eyrie::sim
