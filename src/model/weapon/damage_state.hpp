@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  How badly one aircraft has been hit.
+#include <cstdint>
+
+#include "core/field.hpp"
+#include "core/id.hpp"
+
+namespace eyrie::model {
+
+/// Written in commit only.
+struct Damage {
+  double damage = 0;       ///< 0 whole, 1 or more destroyed
+  PlayerId last_hit_by;    ///< shooter of the last hit; none if there was none
+  std::uint32_t hits = 0;  ///< hits so far
+
+  static constexpr auto fields() {
+    return field_list(field("damage", &Damage::damage), field("last_hit_by", &Damage::last_hit_by),
+                      field("hits", &Damage::hits));
+  }
+};
+static_assert(fields_cover_row<Damage>());
+
+}  // namespace eyrie::model
