@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "core/diagnostics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace eyrie {
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Optimal string alignment distance; both texts are at most kLongestName long.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::array<std::array<std::size_t, kLongestName + 1>, 3> rows{};
+  std::iota(rows[0].begin(), rows[0].end(), 0u);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    const auto& before = rows[(i + 1) % 3];  // row i - 2
+    const auto& above = rows[(i - 1) % 3];
+    auto& row = rows[i % 3];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
+                           lower(a[i - 2]) == lower(b[j - 1]);
+      if (swapped)
+        row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+  }
+  return rows[a.size() % 3][b.size()];
+}
+
+/// How many edits may lie between a mistake and the name that was meant.
+std::size_t tolerance(std::string_view wrong, std::string_view name) {
+  return std::max<std::size_t>(1, std::min(wrong.size(), name.size()) / 3);
+}
+
+template <class Name>
+std::string nearest(std::string_view wrong, std::span<const Name> names) {
+  if (wrong.empty() || wrong.size() > kLongestName)
+    return {};
+  std::optional<std::string_view> best;
+  std::size_t best_distance = kLongestName;
+  for (const std::string_view name : names) {
+    if (name.empty() || name.size() > kLongestName)
+      continue;
+    const std::size_t distance = edit_distance(wrong, name);
+    // one edit in a name of one letter leaves nothing of it
+    const bool near = distance <= tolerance(wrong, name) && distance < name.size();
+    if (near && distance < best_distance) {
+      best = name;
+      best_distance = distance;
+    }
+  }
+  return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
+}
+
+/// Length of the well-formed UTF-8 sequence at the start of `text`, or 0 (Unicode 15, table 3-7).
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const auto within = [&](std::size_t i, unsigned low, unsigned high) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80)
+    return 1;
+  if (within(0, 0xC2, 0xDF))
+    return within(1, 0x80, 0xBF) ? 2 : 0;
+  if (within(0, 0xE0, 0xEF)) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : 0xBF;
+    return within(1, low, high) && within(2, 0x80, 0xBF) ? 3 : 0;
+  }
+  if (within(0, 0xF0, 0xF4)) {
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+    return within(1, low, high) && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
+  }
+  return 0;
+}
+
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  const bool c1 = first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
+  return first < 0x20 || first == 0x7F || c1;
+}
+
+}  // namespace
+
+std::string Location::text() const {
+  if (line <= 0)
+    return file;
+  const std::string place = column > 0 ? fmt::format("{}:{}", line, column) : std::to_string(line);
+  return file.empty() ? "line " + place : fmt::format("{}:{}", file, place);
+}
+
+std::string Diagnostic::text() const {
+  const std::string place = where.text();
+  return place.empty() ? message : fmt::format("{}: {}", place, message);
+}
+
+void Diagnostics::error(Location where, std::string message) {
+  found_.push_back({std::move(where), std::move(message)});
+}
+
+void Diagnostics::merge(const Diagnostics& other) {
+  const std::vector<Diagnostic> added = other.found_;  // a copy: `other` may be this
+  found_.insert(found_.end(), added.begin(), added.end());
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+  // the place of each mistake: its file by first appearance, line, column, and order of reporting
+  using Place = std::tuple<std::size_t, int, int, std::size_t>;
+  std::vector<std::string_view> files;
+  std::vector<Place> places;
+  for (const Diagnostic& d : found_) {
+    const auto file = std::find(files.begin(), files.end(), d.where.file);
+    const auto rank = static_cast<std::size_t>(file - files.begin());
+    if (file == files.end())
+      files.push_back(d.where.file);
+    places.emplace_back(rank, d.where.line, d.where.column, places.size());
+  }
+  std::sort(places.begin(), places.end());
+
+  // equal mistakes share a place, but others of that place may stand between them
+  std::vector<Diagnostic> unique;
+  for (const Place& place : places) {
+    const Diagnostic& d = found_[std::get<3>(place)];
+    const auto elsewhere = std::find_if(unique.rbegin(), unique.rend(),
+                                        [&](const Diagnostic& u) { return u.where != d.where; });
+    if (std::find(unique.rbegin(), elsewhere, d) == elsewhere)
+      unique.push_back(d);
+  }
+  return unique;
+}
+
+std::string Diagnostics::text(std::size_t limit) const {
+  const std::vector<Diagnostic> all = sorted();
+  const std::size_t printed = std::min(limit, all.size());
+  std::string result;
+  for (std::size_t i = 0; i < printed; ++i)
+    result += (i == 0 ? "" : "\n") + all[i].text();
+  if (printed < all.size())
+    result += fmt::format("{}... and {} more", printed == 0 ? "" : "\n", all.size() - printed);
+  return result;
+}
+
+ConfigError::ConfigError(Diagnostics diagnostics)
+    : std::runtime_error(diagnostics.text()), diagnostics_(std::move(diagnostics)) {}
+
+ConfigError::ConfigError(Location where, std::string message)
+    : ConfigError([&] {
+        Diagnostics one;
+        one.error(std::move(where), std::move(message));
+        return one;
+      }()) {}
+
+std::string did_you_mean(std::string_view wrong, std::span<const std::string_view> names) {
+  return nearest(wrong, names);
+}
+
+std::string did_you_mean(std::string_view wrong, std::span<const std::string> names) {
+  return nearest(wrong, names);
+}
+
+std::string quote(std::string_view text) {
+  constexpr int kLongest = 60;
+  std::string result = "'";
+  int characters = 0;
+  while (!text.empty()) {
+    if (characters++ == kLongest) {
+      result += "...";
+      break;
+    }
+    const std::size_t length = utf8_length(text);
+    if (length == 0 || is_control(text.substr(0, length))) {
+      for (const char byte : text.substr(0, std::max<std::size_t>(length, 1)))
+        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    } else {
+      result += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result + "'";
+}
+
+}  // namespace eyrie

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Mistakes in files: where they are, what they say, and the nearest right name.
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eyrie {
+
+/// A place in a text file. Lines and columns count from 1; 0 means unknown.
+struct Location {
+  std::string file;
+  int line = 0, column = 0;
+
+  /// "file:line:column" as far as it is known; empty when nothing is known.
+  [[nodiscard]] std::string text() const;
+  bool operator==(const Location&) const = default;
+};
+
+/// One mistake and its place.
+struct Diagnostic {
+  Location where;
+  std::string message;
+
+  /// "file:line:column: message".
+  [[nodiscard]] std::string text() const;
+  bool operator==(const Diagnostic&) const = default;
+};
+
+/// Collects every mistake of a load, so that the user sees all of them in one go.
+class Diagnostics {
+ public:
+  void error(Location where, std::string message);
+  void merge(const Diagnostics& other);
+
+  [[nodiscard]] bool ok() const { return found_.empty(); }
+  /// Mistakes reported so far, duplicates included.
+  [[nodiscard]] std::size_t count() const { return found_.size(); }
+
+  /// Without duplicates and in the order a reader meets them: files by first appearance, then line,
+  /// then column, then the order of reporting.
+  [[nodiscard]] std::vector<Diagnostic> sorted() const;
+
+  /// One line per mistake, without a final newline. Beyond `limit` lines: "... and 7 more".
+  [[nodiscard]] std::string text(std::size_t limit = kPrinted) const;
+
+  static constexpr std::size_t kPrinted = 50;
+
+ private:
+  std::vector<Diagnostic> found_;
+};
+
+/// The user's mistake, found while loading. what() is the text of the diagnostics.
+class ConfigError : public std::runtime_error {
+ public:
+  explicit ConfigError(Diagnostics diagnostics);
+  ConfigError(Location where, std::string message);
+
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+
+ private:
+  Diagnostics diagnostics_;
+};
+
+/// "; did you mean 'x'?" for the name nearest to `wrong`, or "" when none is near. Letter case does
+/// not count, swapping two neighbors counts as one edit; the earlier name wins a tie.
+[[nodiscard]] std::string did_you_mean(std::string_view wrong,
+                                       std::span<const std::string_view> names);
+[[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);
+
+/// The text in single quotes, fit for a terminal: control characters and invalid UTF-8 become
+/// \x1b-like escapes, and a text longer than 60 characters is cut with "...".
+[[nodiscard]] std::string quote(std::string_view text);
+
+}  // namespace eyrie

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+#include "core/units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+
+namespace eyrie {
+namespace {
+
+struct Words {
+  Dimension dimension;
+  std::string_view noun, example;
+};
+
+constexpr std::array kWords = std::to_array<Words>({
+    {Dimension::none, "a plain number", "0.5"},
+    {Dimension::length, "a length", "6000 ft"},
+    {Dimension::speed, "a speed", "480 kt"},
+    {Dimension::acceleration, "an acceleration", "9 g"},
+    {Dimension::angle, "an angle", "30 deg"},
+    {Dimension::angular_rate, "an angular rate", "20 deg/s"},
+    {Dimension::angular_acceleration, "an angular acceleration", "50 deg/s2"},
+    {Dimension::frequency, "a frequency", "10 Hz"},
+    {Dimension::time, "a time", "3 min"},
+    {Dimension::mass, "a mass", "900 kg"},
+    {Dimension::mass_flow, "a mass flow", "4000 lb/h"},
+    {Dimension::area, "an area", "5 m2"},
+    {Dimension::force, "a force", "76 kN"},
+    {Dimension::power, "a power", "5 kW"},
+    {Dimension::pressure, "a pressure", "1013.25 hPa"},
+    {Dimension::density, "a density", "1.225 kg/m3"},
+    {Dimension::temperature, "a temperature", "15 degC"},
+    {Dimension::decibel, "a level in decibel", "-3 dB"},
+    {Dimension::fuel_consumption, "a fuel consumption", "0.8 lb/lbf/h"},
+});
+
+constexpr bool words_follow_the_enumeration() {
+  for (std::size_t i = 0; i < kWords.size(); ++i)
+    if (kWords[i].dimension != static_cast<Dimension>(i))
+      return false;
+  return kWords.size() == static_cast<std::size_t>(Dimension::fuel_consumption) + 1;
+}
+static_assert(words_follow_the_enumeration());
+
+constexpr bool symbols_are_unique() {
+  for (const UnitInfo& unit : detail::kUnits)
+    if (detail::find_unit(unit.symbol) != &unit)
+      return false;
+  return true;
+}
+static_assert(symbols_are_unique());
+
+/// Spellings from other habits. Those that could mean two things ('nm', 'mil', 'gal') are refused
+/// on purpose; for the others one spelling per unit keeps files alike.
+struct Habit {
+  std::string_view wrong, right;
+};
+
+constexpr std::array kHabits = std::to_array<Habit>({
+    {"nm", "nmi"},
+    {"nautical miles", "nmi"},
+    {"feet", "ft"},
+    {"foot", "ft"},
+    {"'", "ft"},
+    {"meter", "m"},
+    {"meters", "m"},
+    {"metre", "m"},
+    {"metres", "m"},
+    {"kts", "kt"},
+    {"kn", "kt"},
+    {"knot", "kt"},
+    {"knots", "kt"},
+    {"kph", "km/h"},
+    {"kmh", "km/h"},
+    {"fps", "ft/s"},
+    {"fpm", "ft/min"},
+    {"mps", "m/s"},
+    {"m/s^2", "m/s2"},
+    {"m/s/s", "m/s2"},
+    {"m/s\xC2\xB2", "m/s2"},
+    {"degree", "deg"},
+    {"degrees", "deg"},
+    {"\xC2\xB0", "deg"},
+    {"radian", "rad"},
+    {"radians", "rad"},
+    {"mil", "mrad"},
+    {"mils", "mrad"},
+    {"1/s", "Hz"},
+    {"hertz", "Hz"},
+    {"sec", "s"},
+    {"secs", "s"},
+    {"second", "s"},
+    {"seconds", "s"},
+    {"mins", "min"},
+    {"minute", "min"},
+    {"minutes", "min"},
+    {"hr", "h"},
+    {"hrs", "h"},
+    {"hour", "h"},
+    {"hours", "h"},
+    {"lbs", "lb"},
+    {"pound", "lb"},
+    {"pounds", "lb"},
+    {"kgs", "kg"},
+    {"tons", "t"},
+    {"tonne", "t"},
+    {"tonnes", "t"},
+    {"pph", "lb/h"},
+    {"lbs/h", "lb/h"},
+    {"lb/hr", "lb/h"},
+    {"m^2", "m2"},
+    {"m\xC2\xB2", "m2"},
+    {"sqm", "m2"},
+    {"ft^2", "ft2"},
+    {"sqft", "ft2"},
+    {"newton", "N"},
+    {"newtons", "N"},
+    {"watt", "W"},
+    {"watts", "W"},
+    {"mb", "hPa"},
+    {"mbar", "hPa"},
+    {"kg/m^3", "kg/m3"},
+    {"\xC2\xB0"
+     "C",
+     "degC"},
+    {"c", "degC"},
+    {"kelvin", "K"},
+    {"decibel", "dB"},
+});
+
+constexpr bool is_space(char c) {
+  return c == ' ' || c == '\t';
+}
+
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_space(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back()))
+    text.remove_suffix(1);
+  return text;
+}
+
+bool equal_but_for_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// The unit that an unknown spelling was meant to be, preferring the expected dimension.
+std::string_view meant(std::string_view wrong, Dimension expected) {
+  std::string_view found;
+  for (const UnitInfo& unit : units())
+    if (equal_but_for_case(unit.symbol, wrong) && (found.empty() || unit.dimension == expected))
+      found = unit.symbol;
+  for (const Habit& habit : kHabits)
+    if (found.empty() && equal_but_for_case(habit.wrong, wrong))
+      found = habit.right;
+  return found;
+}
+
+std::string expectation(std::string_view text, Dimension expected) {
+  return fmt::format("expected {} such as '{}', got {}", dimension_noun(expected),
+                     dimension_example(expected), quote(text));
+}
+
+/// How the unit at the end of a text is wrong for the expected dimension.
+std::string unit_error(std::string_view unit, Dimension expected) {
+  if (const UnitInfo* known = detail::find_unit(unit))
+    return fmt::format(" ({})", dimension_noun(known->dimension));
+  if (const std::string_view right = meant(unit, expected); !right.empty())
+    return fmt::format("; did you mean '{}'?", right);
+  if (expected == Dimension::none)
+    return {};
+  std::string choices;
+  for (const UnitInfo& known : units())
+    if (known.dimension == expected)
+      choices += (choices.empty() ? "" : ", ") + std::string(known.symbol);
+  return fmt::format("; its units are {}", choices);
+}
+
+/// A number at the start of a text, and what follows it.
+struct Lexed {
+  enum class Failure { none, not_a_number, beyond_double } failure = Failure::none;
+  double number = 0;
+  std::string_view rest;
+};
+
+Lexed lex_number(std::string_view text) {
+  std::string_view digits = text;
+  if (!digits.empty() && digits.front() == '+')
+    digits.remove_prefix(1);  // from_chars knows no plus sign
+  const std::size_t sign = digits.size() < text.size() ? 0 : digits.substr(0, 1) == "-" ? 1 : 0;
+  const std::string_view magnitude = digits.substr(sign);
+  const bool starts = !magnitude.empty() &&
+                      (is_digit(magnitude[0]) || (magnitude.size() > 1 && magnitude[0] == '.' &&
+                                                  is_digit(magnitude[1])));  // no inf, no nan
+  Lexed result;
+  if (!starts) {
+    result.failure = Lexed::Failure::not_a_number;
+    return result;
+  }
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), result.number);
+  if (error != std::errc{})
+    result.failure = Lexed::Failure::beyond_double;
+  result.rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
+  return result;
+}
+
+Parsed failed(std::string error) {
+  return {0, std::move(error)};
+}
+
+}  // namespace
+
+std::string_view dimension_noun(Dimension dimension) {
+  return kWords[static_cast<std::size_t>(dimension)].noun;
+}
+
+std::string_view dimension_example(Dimension dimension) {
+  return kWords[static_cast<std::size_t>(dimension)].example;
+}
+
+Parsed parse_quantity(std::string_view text, Dimension expected) {
+  const std::string_view body = trimmed(text);
+  const Lexed lexed = lex_number(body);
+  if (lexed.failure == Lexed::Failure::not_a_number)
+    return failed(expectation(text, expected));
+  if (lexed.failure == Lexed::Failure::beyond_double)
+    return failed(expectation(text, expected) + " (beyond the range of a double)");
+
+  const std::string_view symbol = trimmed(lexed.rest);
+  if (symbol.empty()) {
+    const bool bare =
+        expected == Dimension::none || (lexed.number == 0 && expected != Dimension::temperature);
+    if (!bare)
+      return failed(expectation(text, expected) + " (without a unit)");
+    return {lexed.number, {}};
+  }
+
+  const UnitInfo* unit = detail::find_unit(symbol);
+  if (!unit || unit->dimension != expected)
+    return failed(expectation(text, expected) + unit_error(symbol, expected));
+  const double value = to_si(lexed.number, *unit);
+  if (!std::isfinite(value))
+    return failed(expectation(text, expected) + " (beyond the range of a double)");
+  return {value, {}};
+}
+
+Parsed parse_number(std::string_view text, const UnitInfo* unit) {
+  Parsed plain = parse_quantity(text, Dimension::none);
+  if (!plain || !unit)
+    return plain;
+  plain.value = to_si(plain.value, *unit);
+  if (!std::isfinite(plain.value))
+    return failed(expectation(text, Dimension::none) + " (beyond the range of a double)");
+  return plain;
+}
+
+std::string format_in(double si, UnitName unit, int decimals) {
+  const std::string number = fmt::format("{:.{}f}", from_si(si, *unit.info), decimals);
+  const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
+  return fmt::format("{} {}", std::string_view(number).substr(minus_zero ? 1 : 0),
+                     unit.info->symbol);
+}
+
+std::string format_quantity(double si, Dimension dimension, UnitStyle style) {
+  if (style == UnitStyle::aviation) {
+    switch (dimension) {
+      case Dimension::length:
+        return std::fabs(si) < 1852 ? format_in(si, "ft") : format_in(si, "nmi", 1);
+      case Dimension::speed:
+        return format_in(si, "kt");
+      case Dimension::acceleration:
+        return format_in(si, "g", 1);
+      case Dimension::mass:
+        return format_in(si, "lb");
+      case Dimension::mass_flow:
+        return format_in(si, "lb/h");
+      case Dimension::force:
+        return format_in(si, "lbf");
+      case Dimension::pressure:
+        return format_in(si, "hPa", 1);
+      case Dimension::temperature:
+        return format_in(si, "degC");
+      case Dimension::angle:
+        return format_in(si, "deg");
+      case Dimension::angular_rate:
+        return format_in(si, "deg/s", 1);
+      default:
+        break;
+    }
+  }
+  const std::string_view symbol = detail::si_symbol(dimension);
+  return fmt::format("{:.4g}{}{}", si, symbol.empty() ? "" : " ", symbol);
+}
+
+std::string exact_quantity(double si, Dimension dimension) {
+  if (dimension == Dimension::none)
+    return fmt::format("{}", si);
+  std::string best;
+  std::size_t best_digits = 0;
+  for (const UnitInfo& unit : units()) {
+    if (unit.dimension != dimension)
+      continue;
+    // the shortest number that reads back to the same value: rounding may need a digit less
+    const std::string shortest = fmt::format("{:.15g}", from_si(si, unit));
+    const std::string exact = fmt::format("{}", from_si(si, unit));
+    for (const std::string& number : {shortest, exact}) {
+      const std::string text = fmt::format("{} {}", number, unit.symbol);
+      const Parsed back = parse_quantity(text, dimension);
+      const bool shorter = best.empty() || number.size() < best_digits;
+      if (shorter && back && back.value == si) {
+        best = text;
+        best_digits = number.size();
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace eyrie

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Units at the file boundary. Inside, everything is SI and radians.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/angle.hpp"
+
+namespace eyrie {
+
+enum class Dimension : std::uint8_t {
+  none,
+  length,
+  speed,
+  acceleration,
+  angle,
+  angular_rate,
+  angular_acceleration,
+  frequency,
+  time,
+  mass,
+  mass_flow,
+  area,
+  force,
+  power,
+  pressure,
+  density,
+  temperature,
+  decibel,           ///< a ratio, kept in dB
+  fuel_consumption,  ///< fuel mass flow per thrust
+};
+
+/// A spelling that files may use. SI value = number * numerator / denominator + offset; the factors
+/// are split so that both are exact (or correctly rounded) doubles.
+struct UnitInfo {
+  std::string_view symbol;
+  Dimension dimension;
+  double numerator = 1, denominator = 1, offset = 0;
+};
+
+namespace detail {
+/// Every unit, the SI unit of a dimension first. Factors: NIST SP 811 (2008), appendix B.8, where
+/// the foot, nautical mile, avoirdupois pound, standard gravity and pound-force are exact.
+inline constexpr std::array kUnits = std::to_array<UnitInfo>({
+    {"m", Dimension::length},
+    {"km", Dimension::length, 1000},
+    {"cm", Dimension::length, 1, 100},
+    {"mm", Dimension::length, 1, 1000},
+    {"ft", Dimension::length, 3048, 10000},
+    {"nmi", Dimension::length, 1852},
+    {"m/s", Dimension::speed},
+    {"km/h", Dimension::speed, 1000, 3600},
+    {"kt", Dimension::speed, 1852, 3600},
+    {"ft/s", Dimension::speed, 3048, 10000},
+    {"ft/min", Dimension::speed, 3048, 600000},
+    {"m/s2", Dimension::acceleration},
+    {"ft/s2", Dimension::acceleration, 3048, 10000},
+    {"g", Dimension::acceleration, 980665, 100000},
+    {"rad", Dimension::angle},
+    {"mrad", Dimension::angle, 1, 1000},
+    {"deg", Dimension::angle, kPi, 180},
+    {"rad/s", Dimension::angular_rate},
+    {"deg/s", Dimension::angular_rate, kPi, 180},
+    {"rad/s2", Dimension::angular_acceleration},
+    {"deg/s2", Dimension::angular_acceleration, kPi, 180},
+    {"Hz", Dimension::frequency},
+    {"kHz", Dimension::frequency, 1e3},
+    {"MHz", Dimension::frequency, 1e6},
+    {"GHz", Dimension::frequency, 1e9},
+    {"s", Dimension::time},
+    {"ms", Dimension::time, 1, 1e3},
+    {"us", Dimension::time, 1, 1e6},
+    {"min", Dimension::time, 60},
+    {"h", Dimension::time, 3600},
+    {"kg", Dimension::mass},
+    {"t", Dimension::mass, 1000},
+    {"lb", Dimension::mass, 45359237, 1e8},
+    {"kg/s", Dimension::mass_flow},
+    {"kg/h", Dimension::mass_flow, 1, 3600},
+    {"lb/h", Dimension::mass_flow, 45359237, 3600e8},
+    {"m2", Dimension::area},
+    {"cm2", Dimension::area, 1, 1e4},
+    {"ft2", Dimension::area, 9290304, 1e8},
+    {"N", Dimension::force},
+    {"kN", Dimension::force, 1e3},
+    {"lbf", Dimension::force, 44482216152605, 1e13},
+    {"W", Dimension::power},
+    {"kW", Dimension::power, 1e3},
+    {"MW", Dimension::power, 1e6},
+    {"Pa", Dimension::pressure},
+    {"hPa", Dimension::pressure, 100},
+    {"kPa", Dimension::pressure, 1000},
+    {"kg/m3", Dimension::density},
+    {"K", Dimension::temperature},
+    {"degC", Dimension::temperature, 1, 1, 273.15},
+    {"dB", Dimension::decibel},
+    {"kg/N/s", Dimension::fuel_consumption},
+    {"kg/N/h", Dimension::fuel_consumption, 1, 3600},
+    {"lb/lbf/h", Dimension::fuel_consumption, 45359237e5, 44482216152605.0 * 3600},
+});
+
+constexpr const UnitInfo* find_unit(std::string_view symbol) {
+  for (const UnitInfo& unit : kUnits)
+    if (unit.symbol == symbol)
+      return &unit;
+  return nullptr;
+}
+
+constexpr std::string_view si_symbol(Dimension dimension) {
+  for (const UnitInfo& unit : kUnits)
+    if (unit.dimension == dimension)
+      return unit.symbol;
+  return "";
+}
+
+/// Not constexpr: reaching one of them is how a misspelled unit stops the compilation.
+void this_is_not_the_symbol_of_an_si_unit();
+void this_is_not_the_symbol_of_a_unit();
+}  // namespace detail
+
+/// Every spelling that parse_quantity knows, in the order of the reference.
+[[nodiscard]] constexpr std::span<const UnitInfo> units() {
+  return detail::kUnits;
+}
+
+/// The SI unit of a described number, written as "m", "m/s", "rad" ...; "1" or "" for none. A
+/// symbol that is not SI or is misspelled does not compile.
+struct Unit {
+  Dimension dimension = Dimension::none;
+  std::string_view si_symbol = "";  ///< "" for none
+
+  constexpr Unit() = default;
+  consteval Unit(const char* symbol) : Unit(std::string_view(symbol)) {}
+  constexpr explicit Unit(Dimension d) : dimension(d), si_symbol(detail::si_symbol(d)) {}
+
+  bool operator==(const Unit&) const = default;
+
+ private:
+  consteval explicit Unit(std::string_view symbol) {
+    if (symbol.empty() || symbol == "1")
+      return;
+    const UnitInfo* unit = detail::find_unit(symbol);
+    if (!unit || detail::si_symbol(unit->dimension) != symbol)
+      detail::this_is_not_the_symbol_of_an_si_unit();
+    dimension = unit->dimension;
+    si_symbol = unit->symbol;
+  }
+};
+
+/// Any unit of units(), named by a literal that is checked by the compiler.
+struct UnitName {
+  const UnitInfo* info;
+
+  consteval UnitName(const char* symbol) : info(detail::find_unit(symbol)) {
+    if (!info)
+      detail::this_is_not_the_symbol_of_a_unit();
+  }
+};
+
+/// A number of that unit, in SI.
+[[nodiscard]] constexpr double to_si(double number, const UnitInfo& unit) {
+  return number * unit.numerator / unit.denominator + unit.offset;
+}
+
+/// An SI value as a number of that unit.
+[[nodiscard]] constexpr double from_si(double si, const UnitInfo& unit) {
+  return (si - unit.offset) * unit.denominator / unit.numerator;
+}
+
+/// For defaults that read like the file: `double danger_range = si(2, "nmi");`
+[[nodiscard]] constexpr double si(double number, UnitName unit) {
+  return to_si(number, *unit.info);
+}
+
+/// For reports: `in_unit(range, "nmi")`.
+[[nodiscard]] constexpr double in_unit(double si_value, UnitName unit) {
+  return from_si(si_value, *unit.info);
+}
+
+/// A dimension as a noun with its article: "a length". For none: "a plain number".
+[[nodiscard]] std::string_view dimension_noun(Dimension dimension);
+
+/// A quantity of that dimension as a file would write it: "6000 ft".
+[[nodiscard]] std::string_view dimension_example(Dimension dimension);
+
+/// The result of parsing: a value in SI, or what is wrong with the text.
+struct Parsed {
+  double value = 0;
+  std::string error;
+
+  explicit operator bool() const { return error.empty(); }
+};
+
+/// Reads "6000 ft", "-3dB", "0.5". The unit is needed unless the dimension is none or the number is
+/// 0 (a temperature always needs one: 0 is ambiguous). Refuses NaN, infinity, hexadecimal, numbers
+/// beyond a double, a unit of another dimension, and anything before or after. Any bytes are safe.
+[[nodiscard]] Parsed parse_quantity(std::string_view text, Dimension expected);
+
+/// Reads numbers whose unit was said once for all of them, such as the columns of a table.
+/// `unit` must be of dimension `expected`, or null for plain numbers.
+[[nodiscard]] Parsed parse_number(std::string_view text, const UnitInfo* unit);
+
+enum class UnitStyle : std::uint8_t {
+  si,        ///< "1852 m", "240 m/s", "0.52 rad"
+  aviation,  ///< "6000 ft" below one mile and "1.0 nmi" from there, "467 kt", "30 deg"
+};
+
+/// For people, rounded to what they can use: do not parse it back.
+[[nodiscard]] std::string format_quantity(double si, Dimension dimension, UnitStyle style);
+
+/// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
+[[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);
+
+/// For files and references: the shortest text that parse_quantity reads back to the same double,
+/// so 3704 m is "2 nmi". Falls back on SI. `si` must be finite.
+[[nodiscard]] std::string exact_quantity(double si, Dimension dimension);
+
+}  // namespace eyrie

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "core/value.hpp"
+
+#include <algorithm>
+
+namespace eyrie {
+
+Value Value::null(Location where) {
+  Value value;
+  value.where = std::move(where);
+  return value;
+}
+
+Value Value::scalar(std::string text, Location where) {
+  Value value = null(std::move(where));
+  value.kind = Kind::scalar;
+  value.text = std::move(text);
+  return value;
+}
+
+Value Value::quoted_scalar(std::string text, Location where) {
+  Value value = scalar(std::move(text), std::move(where));
+  value.quoted = true;
+  return value;
+}
+
+Value Value::list(std::vector<Value> items, Location where) {
+  Value value = null(std::move(where));
+  value.kind = Kind::list;
+  value.items = std::move(items);
+  return value;
+}
+
+Value Value::map(std::vector<Entry> entries, Location where) {
+  Value value = null(std::move(where));
+  value.kind = Kind::map;
+  value.entries = std::move(entries);
+  return value;
+}
+
+const Value::Entry* Value::find_entry(std::string_view key) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return entry.key == key; });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+const Value* Value::find(std::string_view key) const {
+  const Entry* entry = find_entry(key);
+  return entry ? &entry->value : nullptr;
+}
+
+std::string Value::shown() const {
+  switch (kind) {
+    case Kind::null:
+      return "nothing";
+    case Kind::scalar:
+      return quote(text);
+    case Kind::list:
+      return "a list";
+    case Kind::map:
+      return "a map";
+  }
+  return {};
+}
+
+Value::Entry entry(std::string key, Value value) {
+  Location where = value.where;
+  return {std::move(key), std::move(where), std::move(value)};
+}
+
+Value::Entry entry(std::string key, std::string text, Location where) {
+  return entry(std::move(key), Value::scalar(std::move(text), std::move(where)));
+}
+
+}  // namespace eyrie
