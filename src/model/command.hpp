@@ -3,6 +3,8 @@
 /// \file  What the pilot asked of the aircraft: written in decide, read in act and move.
 #include <cstdint>
 
+#include "core/enum_names.hpp"
+#include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
 
@@ -11,11 +13,28 @@ namespace eyrie::model {
 /// What the autopilot does with a Command.
 enum class AutopilotMode : std::uint8_t { hold, route, follow, loiter };
 
+}  // namespace eyrie::model
+
+namespace eyrie {
+
+template <>
+struct EnumNames<model::AutopilotMode> {
+  static constexpr std::array names{
+      std::pair<std::string_view, model::AutopilotMode>{"hold", model::AutopilotMode::hold},
+      std::pair<std::string_view, model::AutopilotMode>{"route", model::AutopilotMode::route},
+      std::pair<std::string_view, model::AutopilotMode>{"follow", model::AutopilotMode::follow},
+      std::pair<std::string_view, model::AutopilotMode>{"loiter", model::AutopilotMode::loiter}};
+};
+
+}  // namespace eyrie
+
+namespace eyrie::model {
+
 /// The flight command of one aircraft, executed by the autopilot at the rate of the kinematics.
 struct Command {
   double heading = 0;      ///< rad, true: hold
   double altitude = 0;     ///< m: hold, loiter, follow (the reference's altitude + offset)
-  double speed = 0;        ///< m/s true airspeed: hold, route, loiter
+  double speed = 0;        ///< m/s true airspeed: hold, loiter; route where a waypoint says none
   double load_factor = 5;  ///< g, the most that turning may use
   /// follow: last known position of who is followed (local frame, m), valid at reference_time.
   /// loiter: the center.
@@ -25,17 +44,37 @@ struct Command {
   Vec3 offset;                ///< follow: m, forward / right / down of the reference's heading
   double loiter_radius = 0;   ///< m
   AutopilotMode mode = AutopilotMode::hold;
-  std::uint8_t reserved[7] = {};
+  std::uint8_t route = 0;  ///< route: which route of the flight, an index into Flight::routes
+  std::uint8_t reserved[6] = {};
+
+  static constexpr auto fields() {
+    return field_list(
+        field("heading", &Command::heading, "rad"), field("altitude", &Command::altitude, "m"),
+        field("speed", &Command::speed, "m/s"), field("load_factor", &Command::load_factor),
+        field("reference_position", &Command::reference_position, "m"),
+        field("reference_velocity", &Command::reference_velocity, "m/s"),
+        field("reference_time", &Command::reference_time, "s"),
+        field("offset", &Command::offset, "m"),
+        field("loiter_radius", &Command::loiter_radius, "m"), field("mode", &Command::mode),
+        field("route", &Command::route), field("reserved", &Command::reserved));
+  }
 };
 
 /// Everything an aircraft is asked to do besides flying. Zero means nothing is asked.
 struct Request {
-  TrackId target;               ///< the chosen target: radar lock, Tacview, first shooter rule
-  TrackId shoot_at;             ///< release a weapon at this track
-  std::uint8_t store = 0;       ///< 1 + index of the store type to release
-  std::uint8_t trigger = 0;     ///< 1: gun trigger pressed
-  std::uint8_t radar_off = 0;   ///< 1: silent
+  TrackId target;              ///< the chosen target: radar lock, Tacview, first shooter rule
+  TrackId shoot_at;            ///< release a weapon at this track
+  std::uint8_t store = 0;      ///< 1 + index of the store type to release
+  std::uint8_t trigger = 0;    ///< 1: gun trigger pressed
+  std::uint8_t radar_off = 0;  ///< 1: silent
   std::uint8_t reserved[5] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("target", &Request::target), field("shoot_at", &Request::shoot_at),
+                      field("store", &Request::store), field("trigger", &Request::trigger),
+                      field("radar_off", &Request::radar_off),
+                      field("reserved", &Request::reserved));
+  }
 };
 
 }  // namespace eyrie::model

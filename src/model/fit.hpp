@@ -3,11 +3,28 @@
 /// \file  What a player is made of: indices into the const Library, set at birth.
 #include <cstdint>
 
-#include "core/id.hpp"
+#include "core/enum_names.hpp"
+#include "core/field.hpp"
 
 namespace eyrie::model {
 
 enum class Side : std::uint8_t { none, blue, red };
+
+}  // namespace eyrie::model
+
+namespace eyrie {
+
+template <>
+struct EnumNames<model::Side> {
+  static constexpr std::array names{
+      std::pair<std::string_view, model::Side>{"none", model::Side::none},
+      std::pair<std::string_view, model::Side>{"blue", model::Side::blue},
+      std::pair<std::string_view, model::Side>{"red", model::Side::red}};
+};
+
+}  // namespace eyrie
+
+namespace eyrie::model {
 
 /// Set when an aircraft is born and never changed.
 struct Fit {
@@ -16,6 +33,12 @@ struct Fit {
   std::uint16_t rank = 0;    ///< rank at birth, 1 = lead (the number in 'eagle1')
   Side side = Side::none;
   std::uint8_t privileged = 0;  ///< 1: tracks are the truth, as in the paper
+
+  static constexpr auto fields() {
+    return field_list(field("type", &Fit::type), field("flight", &Fit::flight),
+                      field("rank", &Fit::rank), field("side", &Fit::side),
+                      field("privileged", &Fit::privileged));
+  }
 };
 
 }  // namespace eyrie::model
