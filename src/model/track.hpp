@@ -2,8 +2,10 @@
 #pragma once
 /// \file  A filtered estimate of one other player, built from contacts, and each player's list.
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
 
@@ -19,31 +21,101 @@ enum TrackSource : std::uint8_t {
   kFromTruth = 8,  ///< privileged state
 };
 
-/// What one player believes about one other. Position and velocity are in the local frame.
-struct Track {
-  Vec3 position;              ///< m, at `time`
-  Vec3 velocity;              ///< m/s
-  double time = 0;            ///< s, of the last update
-  double first_time = 0;      ///< s, of the first contact
-  float position_sigma = 0;   ///< m, 1-sigma
-  float velocity_sigma = 0;   ///< m/s, 1-sigma
-  TrackId id;                 ///< names the track in its owner's list; never reused there
-  PlayerId truth;             ///< who the last contact came from: for scoring and debrief only
-  Identity identity = Identity::unknown;
-  std::uint8_t sources = 0;   ///< sources ever seen, bits of TrackSource
-  std::uint8_t fresh = 0;     ///< sources that updated it at `time`
-  std::uint8_t hits = 0;      ///< contacts so far, saturating
-  std::uint8_t confirmed = 0; ///< 1 once enough contacts were associated
-  std::uint8_t reserved[3] = {};
+}  // namespace eyrie::model
+
+template <>
+struct eyrie::EnumNames<eyrie::model::Identity> {
+  using E = eyrie::model::Identity;
+  static constexpr std::array names{std::pair<std::string_view, E>{"unknown", E::unknown},
+                                    std::pair<std::string_view, E>{"friendly", E::friendly},
+                                    std::pair<std::string_view, E>{"hostile", E::hostile}};
 };
 
+namespace eyrie::model {
+
+/// Uncertainty of position and velocity along one axis: the covariance of a two-state filter.
+struct AxisCovariance {
+  float position = 0;  ///< m^2
+  float cross = 0;     ///< m^2/s
+  float velocity = 0;  ///< m^2/s^2
+
+  static constexpr auto fields() {
+    return field_list(field("position", &AxisCovariance::position, "m2"),
+                      field("cross", &AxisCovariance::cross),
+                      field("velocity", &AxisCovariance::velocity));
+  }
+};
+
+/// What one player believes about one other. Position and velocity are in the local frame and hold
+/// at `time`; position_at() carries them on. The covariances hold at `time` too, the two sigmas at
+/// the last upkeep: they grow while nobody sees the target.
+struct Track {
+  Vec3 position;             ///< m, at `time`
+  Vec3 velocity;             ///< m/s
+  double time = 0;           ///< s, of the last update
+  double first_time = 0;     ///< s, of the first contact
+  double sensed_time = 0;    ///< s, last contact by an own sensor; before the run if there is none
+  double seen_time = 0;      ///< s, last contact by eye; before the run if there is none
+  AxisCovariance along;      ///< along the line of sight
+  AxisCovariance across;     ///< each of the two axes across it
+  float position_sigma = 0;  ///< m, 1-sigma along the worst axis
+  float velocity_sigma = 0;  ///< m/s, 1-sigma along the worst axis
+  TrackId id;                ///< names the track in its owner's list; never reused there
+  PlayerId truth;            ///< who the last contact came from: for scoring and debrief only
+  Identity identity = Identity::unknown;
+  std::uint8_t sources = 0;      ///< sources ever seen, bits of TrackSource
+  std::uint8_t fresh = 0;        ///< sources that updated it at `time`
+  std::uint8_t hits = 0;         ///< contacts so far, saturating
+  std::uint8_t confirmed = 0;    ///< 1 once enough contacts were associated
+  std::uint8_t unanswered = 0;   ///< interrogations in a row without a reply, saturating
+  std::uint8_t targeted_by = 0;  ///< bit i: member i of the flight said that this is its target
+  std::uint8_t shot_by = 0;      ///< bit i: member i of the flight said it has a missile on its way
+
+  static constexpr auto fields() {
+    return field_list(
+        field("position", &Track::position, "m"), field("velocity", &Track::velocity, "m/s"),
+        field("time", &Track::time, "s"), field("first_time", &Track::first_time, "s"),
+        field("sensed_time", &Track::sensed_time, "s"), field("seen_time", &Track::seen_time, "s"),
+        field("along", &Track::along), field("across", &Track::across),
+        field("position_sigma", &Track::position_sigma, "m"),
+        field("velocity_sigma", &Track::velocity_sigma, "m/s"), field("id", &Track::id),
+        field("truth", &Track::truth), field("identity", &Track::identity),
+        field("sources", &Track::sources), field("fresh", &Track::fresh),
+        field("hits", &Track::hits), field("confirmed", &Track::confirmed),
+        field("unanswered", &Track::unanswered), field("targeted_by", &Track::targeted_by),
+        field("shot_by", &Track::shot_by));
+  }
+};
+static_assert(fields_cover_row<Track>());
+
 inline constexpr std::size_t kMaxTracks = 16;
+
+/// A time before any run: "never".
+inline constexpr double kNever = -1e9;
 
 /// The track file of one player, ordered by track id (age).
 struct TrackFile {
   std::array<Track, kMaxTracks> tracks;
   std::uint32_t count = 0;
   std::uint32_t next_id = 1;
+
+  static constexpr auto fields() {
+    return field_list(field("tracks", &TrackFile::tracks), field("count", &TrackFile::count),
+                      field("next_id", &TrackFile::next_id));
+  }
 };
+
+/// Where the target is believed to be at `time` (s), at constant velocity.
+[[nodiscard]] constexpr Vec3 position_at(const Track& track, double time) {
+  return track.position + (time - track.time) * track.velocity;
+}
+
+/// The track of that id, or null.
+[[nodiscard]] constexpr const Track* find(const TrackFile& file, TrackId id) {
+  for (std::uint32_t i = 0; i < file.count; ++i)
+    if (file.tracks[i].id == id)
+      return id ? &file.tracks[i] : nullptr;
+  return nullptr;
+}
 
 }  // namespace eyrie::model

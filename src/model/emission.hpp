@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a player radiates: written in act, heard by the warning receivers of the next step.
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "core/angle.hpp"
+#include "core/field.hpp"
+#include "core/id.hpp"
+#include "core/vec.hpp"
+#include "model/fit.hpp"
+
+namespace eyrie::model {
+
+enum class EmissionKind : std::uint8_t { none, search, track, missile_seeker };
+
+}  // namespace eyrie::model
+
+template <>
+struct eyrie::EnumNames<eyrie::model::EmissionKind> {
+  using E = eyrie::model::EmissionKind;
+  static constexpr std::array names{
+      std::pair<std::string_view, E>{"none", E::none},
+      std::pair<std::string_view, E>{"search", E::search},
+      std::pair<std::string_view, E>{"track", E::track},
+      std::pair<std::string_view, E>{"missile_seeker", E::missile_seeker}};
+};
+
+namespace eyrie::model {
+
+/// The beam of one aircraft's radar or of one missile's seeker. A search radar is described by the
+/// whole sector it sweeps: it passes everything in there once per frame.
+struct Emission {
+  Vec3 position;              ///< m, local frame: where the transmitter was
+  Vec3 boresight;             ///< unit vector, local frame: the middle of the beam or sector
+  double cos_half_angle = 1;  ///< the beam or sector is this cone around the boresight
+  double figure = 0;          ///< m, see emission_figure()
+  PlayerId dwell;             ///< who the beam rests on (truth); none while searching
+  std::uint16_t type = 0;     ///< index of the radar, or of the missile type, in the Library
+  EmissionKind kind = EmissionKind::none;
+  Side side = Side::none;  ///< whose waveform it is
+
+  static constexpr auto fields() {
+    return field_list(
+        field("position", &Emission::position, "m"), field("boresight", &Emission::boresight),
+        field("cos_half_angle", &Emission::cos_half_angle), field("figure", &Emission::figure, "m"),
+        field("dwell", &Emission::dwell), field("type", &Emission::type),
+        field("kind", &Emission::kind), field("side", &Emission::side));
+  }
+};
+static_assert(fields_cover_row<Emission>());
+
+/// How far a receiver with the sensitivity and the antenna gain of the radar's own would hear it,
+/// in metres, for a radar that just detects `reference_rcs` (m^2) at `reference_range` (m): the
+/// one-way and the two-way range equation divided by each other,
+///   R1^2 / R2^4 = 4 pi / sigma   =>   R1 = R2^2 sqrt(4 pi / sigma).
+/// Wiley, ELINT: The Interception and Analysis of Radar Signals (2006), ch. 2 (range advantage).
+[[nodiscard]] inline double emission_figure(double reference_range, double reference_rcs) {
+  return reference_range * reference_range * std::sqrt(4 * kPi / reference_rcs);
+}
+
+}  // namespace eyrie::model
