@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
 #include "sim/kind.hpp"
@@ -19,15 +20,22 @@ namespace eyrie::sim {
 struct Event {
   static constexpr std::size_t kValues = 6;
 
-  EventKind kind;
+  EventKind kind{};
   std::uint16_t aux = 0;
   std::uint32_t detail = 0;
-  PlayerId who;   ///< who does it
-  PlayerId whom;  ///< whom it is done to; none if nobody
-  Vec3 place;
+  PlayerId who{};   ///< who does it
+  PlayerId whom{};  ///< whom it is done to; none if nobody
+  Vec3 place{};
   std::array<float, kValues> values{};
+
+  static constexpr auto fields() {
+    return field_list(field("kind", &Event::kind), field("aux", &Event::aux),
+                      field("detail", &Event::detail), field("who", &Event::who),
+                      field("whom", &Event::whom), field("place", &Event::place),
+                      field("values", &Event::values));
+  }
 };
-static_assert(std::is_trivially_copyable_v<Event>);
+static_assert(fields_cover_row<Event>());
 static_assert(sizeof(Event) == 64, "one cache line, no padding");
 
 /// Where the rows of one chunk write their events during a parallel phase. Never drops one: when

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "core/field.hpp"
+
 namespace eyrie::sim {
 
 /// The kind of an event or an order. The kernel only counts and names kinds; a domain keeps its
@@ -27,6 +29,8 @@ struct Kind {
   }
   constexpr explicit operator bool() const { return value != 0; }
   friend constexpr auto operator<=>(const Kind&, const Kind&) = default;
+
+  static constexpr auto fields() { return field_list(field("value", &Kind::value)); }
 };
 
 using EventKind = Kind<struct EventTag>;

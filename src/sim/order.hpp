@@ -18,8 +18,8 @@ struct Order {
   static constexpr std::size_t kPayload = 32;
 
   std::uint64_t step = 0;  ///< applied before the perceive phase of this step
-  PlayerId player;
-  OrderKind kind;
+  PlayerId player{};
+  OrderKind kind{};
   std::uint16_t reserved = 0;
   alignas(8) std::array<std::byte, kPayload> payload{};
 

@@ -43,12 +43,12 @@ void demand_cover(std::string_view row, std::size_t size, std::span<const FieldI
   std::set<std::string_view> names;
   std::size_t end = 0;
   for (const FieldInfo& field : sorted) {
-    if (!names.insert(field.name).second)
-      misuse(fmt::format("{}: field '{}' is described twice", row, field.name));
+    if (!names.insert(field.name.view()).second)
+      misuse(fmt::format("{}: field '{}' is described twice", row, field.name.view()));
     if (field.offset != end)
       misuse(fmt::format("{}: field '{}' begins at byte {}, but the one before ends at {}", row,
-                         field.name, field.offset, end));
-    end += field_bytes(field);
+                         field.name.view(), field.offset, end));
+    end += field.size();
   }
   if (end != size)
     misuse(fmt::format("{}: the fields end at byte {}, the row at {}", row, end, size));
@@ -72,7 +72,7 @@ std::uint64_t hash_layout(const Schema& schema) {
       for (const FieldInfo& field : column.fields) {
         add_text(hasher, field.name);
         hasher.word(field.offset);
-        hasher.word(static_cast<std::uint64_t>(field.type));
+        add_text(hasher, scalar_name(field.type));
         hasher.word(field.count);
       }
     }

@@ -125,7 +125,7 @@ void World::compact(TableId table) {
 
 std::uint64_t World::hash() const {
   Hasher hasher;
-  hasher.bytes(buffer_.data(), header_bytes(schema_->tables().size()));
+  hasher.bytes(header_bytes().data(), header_bytes().size());
   const auto columns = static_cast<std::uint32_t>(schema_->columns().size());
   for (std::uint32_t i = 0; i < columns; ++i) {
     const std::span<const std::byte> bytes = column_bytes(i);

@@ -16,14 +16,14 @@ namespace eyrie::sim {
 
 /// Where a player is.
 struct Place {
-  TableId table;
+  TableId table{};
   std::uint32_t row = 0;
   friend bool operator==(const Place&, const Place&) = default;
 };
 
 /// A player that was just made.
 struct Born {
-  PlayerId id;
+  PlayerId id{};
   std::uint32_t row = 0;
 };
 
@@ -92,6 +92,11 @@ class World {
   }
   /// The live rows of any column as bytes, by its index in the schema.
   [[nodiscard]] std::span<const std::byte> column_bytes(std::uint32_t index) const;
+
+  /// Step, seed, next id, refused births and row counts as bytes.
+  [[nodiscard]] std::span<const std::byte> header_bytes() const {
+    return {buffer_.data(), header_bytes(schema_->tables().size())};
+  }
 
   /// The row of a player in a table, by binary search.
   [[nodiscard]] std::optional<std::uint32_t> row(TableId table, PlayerId who) const;

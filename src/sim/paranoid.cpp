@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "sim/paranoid.hpp"
+
+namespace eyrie::sim {
+
+Paranoid::Paranoid(const Simulation& simulation, const World& like, unsigned workers)
+    : simulation_(simulation), second_(simulation, workers), again_(like) {}
+
+std::optional<Difference> Paranoid::step(World& world, Workspace& work,
+                                         std::span<const Order> orders) {
+  again_ = world;
+  const std::span<const Event> events = simulation_.step(world, work, orders);
+  const std::span<const Event> events_again = simulation_.step(again_, second_, orders);
+
+  if (!world.same_bytes(again_)) {
+    if (auto found = first_difference(world, again_))
+      return found;
+  }
+  if (auto found = first_difference(world.step() - 1, events, events_again))
+    return found;
+  if (!world.canonical())
+    return Difference{.step = world.step(),
+                      .field = "form",
+                      .left = "not canonical (a write beyond the live rows, or a changed id)",
+                      .right = "as it should be"};
+  return std::nullopt;
+}
+
+}  // namespace eyrie::sim

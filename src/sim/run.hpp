@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One run: a world, the orders it gets and those who watch it.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/difference.hpp"
+#include "sim/order.hpp"
+#include "sim/paranoid.hpp"
+#include "sim/simulation.hpp"
+#include "sim/system.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::sim {
+
+struct RunOptions {
+  unsigned workers = 1;
+  /// Workers of the second step of every step (see Paranoid); 0 makes each step once.
+  unsigned paranoid_workers = 0;
+};
+
+/// Steps one world, feeds it its orders and shows every committed step to the observers. The
+/// orders of the whole run are kept: together with the initial world they are the recording.
+class Run {
+ public:
+  Run(std::shared_ptr<const Simulation> simulation, World start, const RunOptions& options = {});
+
+  [[nodiscard]] const Simulation& simulation() const { return *simulation_; }
+  [[nodiscard]] const World& world() const { return world_; }
+  /// s
+  [[nodiscard]] double time() const {
+    return static_cast<double>(world_.step()) * simulation_->dt();
+  }
+  [[nodiscard]] const Workspace& workspace() const { return work_; }
+
+  /// The observer sees begin() now and every later step; it must outlive the run's last step.
+  void attach(Observer& observer);
+  /// Tells the observers that the run is over. To be called once.
+  void finish();
+
+  /// Queues an order for the step it names; orders of one step are applied in the order in which
+  /// they came. Gives why an order is refused (its step is over, nobody accepts its kind), else "".
+  [[nodiscard]] std::string submit(const Order& order);
+  /// All orders accepted so far, by step.
+  [[nodiscard]] std::span<const Order> orders() const { return orders_; }
+
+  /// One step; the events are good until the next one.
+  std::span<const Event> step();
+  /// Rolls back (or forward) to another world of this simulation. Orders for its step and later
+  /// will be applied (again).
+  void restore(const World& world);
+
+  /// The first thing that a paranoid run found, if any.
+  [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
+
+ private:
+  std::shared_ptr<const Simulation> simulation_;
+  World world_;
+  Workspace work_;
+  std::optional<Paranoid> paranoid_;
+  std::vector<Order> orders_;
+  std::vector<Observer*> observers_;
+  std::optional<Difference> difference_;
+};
+
+}  // namespace eyrie::sim
