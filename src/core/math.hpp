@@ -1,30 +1,192 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 
 /// \file The elementary functions that a step may use. They are made of + - * / sqrt and bit
-/// operations only, so they give the same bits on every IEEE 754 machine, which libm does not:
-/// glibc picks other code on a processor without FMA.
-
+/// operations only (and fmod, which is exact), so they give the same bits on every IEEE 754 machine
+/// with any compiler at any optimisation. libm does not: glibc picks other code on a processor
+/// without FMA. The price of -ffp-contract=off is theirs too.
+///
+/// Every comment gives the worst error that math_test measures over the range it names, in units in
+/// the last place (ulp) of the true value; 0.5 is perfect. Special values follow C: what C defines
+/// for zeros, infinities and NaN holds here. Results below 2^-1022 are not claimed.
+///
+/// Polynomials are minimax fits (Remez) with coefficients rounded one after the other; reductions
+/// follow W. J. Cody and W. Waite, "Software Manual for the Elementary Functions" (1980), and
+/// J.-M. Muller, "Elementary Functions" (3rd ed., 2016).
 namespace eyrie::math {
 
 struct SinCos {
   double sin, cos;
 };
 
+/// Both at once: the second is nearly free. Radians; |x| <= 2^20: 0.54 ulp. Beyond that the error
+/// grows with |x| as if x were off by |x| 2^-53, but the results stay in [-1, 1].
 [[nodiscard]] SinCos sin_cos(double x);
 [[nodiscard]] double sin(double x);
 [[nodiscard]] double cos(double x);
+/// |x| <= 2^20: 1.5 ulp.
 [[nodiscard]] double tan(double x);
+
+/// [-1, 1]: 0.9 ulp; NaN outside.
 [[nodiscard]] double asin(double x);
+/// [-1, 1]: 0.9 ulp; NaN outside.
 [[nodiscard]] double acos(double x);
+/// Everywhere: 1.2 ulp.
 [[nodiscard]] double atan(double x);
+/// The angle of (x, y) in [-pi, pi]: 1.3 ulp everywhere. atan2(0, 0) is 0.
 [[nodiscard]] double atan2(double y, double x);
+
+/// Everywhere: 0.6 ulp.
 [[nodiscard]] double exp(double x);
+/// Everywhere: 0.6 ulp.
 [[nodiscard]] double exp2(double x);
+/// Everywhere: 0.9 ulp. -infinity for 0, NaN below.
 [[nodiscard]] double log(double x);
+/// Everywhere: 0.55 ulp; exact for powers of two.
 [[nodiscard]] double log2(double x);
+/// Everywhere: 0.55 ulp; exact for powers of ten.
 [[nodiscard]] double log10(double x);
+/// x to the power of y, for x >= 0: 0.7 ulp wherever the result is a normal number. NaN for x < 0
+/// (even if y is whole: write x * x).
 [[nodiscard]] double pow(double x, double y);
-[[nodiscard]] double cbrt(double x);
+
+namespace detail {
+
+/// c0 + c1 z + c2 z^2 ...
+constexpr double horner(double, double c) {
+  return c;
+}
+template <class... Rest>
+constexpr double horner(double z, double c, Rest... rest) {
+  return c + z * horner(z, rest...);
+}
+
+/// a where the mask is all zeros, b where it is all ones, without a branch.
+inline double select(double a, double b, std::uint64_t mask) {
+  const auto bits = std::bit_cast<std::uint64_t>(a);
+  return std::bit_cast<double>(bits ^ ((bits ^ std::bit_cast<std::uint64_t>(b)) & mask));
+}
+inline double flip_sign(double x, std::uint64_t flip) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ flip << 63);
+}
+
+SinCos sin_cos_far(double x);
+double atan2_special(double y, double x);
+
+/// Adding and subtracting it rounds a double below 2^51 to a whole number, which then is in the
+/// low bits of the sum.
+inline constexpr double kRounder = 0x1.8p52;
+
+}  // namespace detail
+
+namespace detail {
+
+/// x less its nearest whole number of quarter turns, |x| <= 2^20, and sine and cosine of that, each
+/// with what the last rounding took away.
+struct QuarterTurn {
+  double s, s_low, c, c_low;
+  std::uint64_t turns;  ///< in the low bits
+};
+
+inline QuarterTurn quarter_turn(double x) {
+  // r + tail = x - q pi/2, with pi/2 in three parts: the first two products are exact
+  const double shifted = x * 0x1.45f306dc9c883p-1 + kRounder;
+  const double q = shifted - kRounder;
+  const double far = x - q * 0x1.921fb544p+0;
+  const double b = q * 0x1.0b4611a6p-34;
+  const double c = q * 0x1.3198a2e037073p-69;
+  const double near = far - b;
+  const double r = near - c;
+  const double tail = ((near - r) - c) + ((far - near) - b);
+
+  // sin r = r + r^3 (s0 + z s(z)), cos r = 1 - z / 2 + z^2 c(z), |r| <= pi/4: minimax, 2^-57, 2^-64
+  const double z = r * r, zz = z * z, cube = z * r;
+  const double s = horner(zz, 0x1.111111110f73p-7, 0x1.71de355529b72p-19, 0x1.5d8b4bda17f1dp-33) +
+                   z * horner(zz, -0x1.a01a019be9205p-13, -0x1.ae5e4b826cf2p-26);
+  const double co =
+      horner(zz, 0x1.555555555554bp-5, 0x1.a01a019c8c7d5p-16, 0x1.1ee9d9c5fae6ep-29) +
+      z * horner(zz, -0x1.6c16c16c15005p-10, -0x1.27e4f7ef0d057p-22, -0x1.8fa55309e4213p-37);
+  // written so that the sign of a zero survives
+  const double sine_rest = (z * (0.5 * tail - cube * s) - tail) - cube * -0x1.5555555555548p-3;
+  const double sine = r - sine_rest;
+  const double half = 0.5 * z;
+  const double one = 1 - half;
+  const double cosine_rest = ((1 - one) - half) + (zz * co - r * tail);
+  const double cosine = one + cosine_rest;
+  return {sine, (r - sine) - sine_rest, cosine, (one - cosine) + cosine_rest,
+          std::bit_cast<std::uint64_t>(shifted)};
+}
+
+}  // namespace detail
+
+inline SinCos sin_cos(double x) {
+  if (!(std::fabs(x) <= 0x1p20))
+    return detail::sin_cos_far(x);
+  const detail::QuarterTurn part = detail::quarter_turn(x);
+  const std::uint64_t swap = -(part.turns & 1);
+  return {detail::flip_sign(detail::select(part.s, part.c, swap), part.turns >> 1 & 1),
+          detail::flip_sign(detail::select(part.c, part.s, swap), (part.turns + 1) >> 1 & 1)};
+}
+
+inline double sin(double x) {
+  return sin_cos(x).sin;
+}
+inline double cos(double x) {
+  return sin_cos(x).cos;
+}
+
+inline double atan2(double y, double x) {
+  const double ax = std::fabs(x), ay = std::fabs(y);
+  const double big = ax > ay ? ax : ay;
+  const double small = ax > ay ? ay : ax;
+  if (!(big > 0x1p-960 && big < 0x1p1020 && small >= 0))
+    return detail::atan2_special(y, x);
+
+  // small / big is tan(atan(step / 2) + atan(u)) with |u| <= 5/16; the numerator is exact
+  const unsigned step = (small >= 0.3125 * big) + unsigned{small >= 0.75 * big};
+  const double t = 0.5 * step;
+  const double u = (small - t * big) / (big + t * small);
+
+  // atan(u) = u + u^3 rest(u^2): minimax, 2^-57
+  const double z = u * u, zz = z * z;
+  const double rest =
+      detail::horner(zz, -0x1.55555555554e3p-2, -0x1.24924917bd9c9p-3, -0x1.745c0070b271cp-4,
+                     -0x1.0f881b1406b62p-4, -0x1.1a2d480ac9d06p-5) +
+      z * detail::horner(zz, 0x1.999999998291ap-3, 0x1.c71c6ac208b68p-4, 0x1.3af97189c7adcp-4,
+                         0x1.c5b6bb9e731f0p-5);
+
+  // the angle is base +- atan(u); where it is folded at pi/4 or at pi/2 the sign turns
+  struct Base {
+    double high, low;
+  };
+  static constexpr std::array<Base, 12> kBase{{
+      {0, 0},                                         // 0
+      {0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},  // atan(1/2)
+      {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},  // pi/4
+      {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},  // pi/2
+      {0x1.1b6e192ebbe44p+0, 0x1.b1b466a88828ep-54},  // pi/2 - atan(1/2)
+      {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55},  // pi/4
+      {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53},  // pi
+      {0x1.56c6e7397f5aep+1, 0x1.660b64ece6f4bp-53},  // pi - atan(1/2)
+      {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},  // 3 pi/4
+      {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54},  // pi/2
+      {0x1.0468a8ace4df6p+1, 0x1.0620bf7406affp-55},  // pi/2 + atan(1/2)
+      {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},  // 3 pi/4
+  }};
+  const unsigned steep = ay >= ax, back = std::signbit(x);
+  const Base& base = kBase[6 * back + 3 * steep + step];
+  const std::uint64_t flip = steep ^ back;
+  const double angle =
+      base.high + (detail::flip_sign(u, flip) + (detail::flip_sign(u * z * rest, flip) + base.low));
+  return std::copysign(angle, y);
+}
+
+inline double atan(double x) {
+  return atan2(x, 1);
+}
 
 }  // namespace eyrie::math

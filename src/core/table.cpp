@@ -25,7 +25,7 @@ void refuse(const std::optional<std::string>& problem) {
 }
 
 double mix(double a, double b, double fraction) {
-  return fraction < 1 ? a + fraction * (b - a) : b;  // exactly b at the end, NaN for NaN
+  return fraction >= 1 ? b : a + fraction * (b - a);  // exactly b at the end
 }
 
 }  // namespace
@@ -40,8 +40,9 @@ std::optional<std::string> Axis::problem(std::span<const double> breakpoints) {
       return fmt::format("breakpoints must increase: number {} ({}) is not above number {} ({})",
                          i + 1, breakpoints[i], i, breakpoints[i - 1]);
   }
-  if (!std::isfinite(breakpoints.back() - breakpoints.front()))
-    return "the breakpoints are too far apart";
+  const double range = breakpoints.back() - breakpoints.front();
+  if (breakpoints.size() > 1 && !(range > 1e-200 && range < 1e200))
+    return "the breakpoints are too close together or too far apart";
   return std::nullopt;
 }
 
