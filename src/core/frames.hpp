@@ -30,31 +30,39 @@ struct Vertical {
 /// The place that a scenario is flown around. Local axes are north, east and down at that place, a
 /// rigid rotation and shift of the Earth-centred axes: distances and angles are true, and the Earth
 /// curves away below the plane. docs/models/frames.md has the model and what it is worth.
+///
+/// All but to_geodetic is made of core/math and + - * / sqrt, so it is the same on every machine.
 class Reference {
  public:
   /// At latitude 0, longitude 0, altitude 0.
-  Reference();
-  /// Latitude in [-pi/2, pi/2], altitude in [-10 km, 100 km], all finite; otherwise
-  /// std::logic_error.
+  Reference() : Reference(Geodetic{}) {}
+  /// Latitude in [-pi/2, pi/2], longitude in [-2 pi, 2 pi], altitude in [-10 km, 100 km]; otherwise
+  /// std::logic_error. At a pole the longitude says where local north points.
   explicit Reference(const Geodetic& origin);
 
   [[nodiscard]] const Geodetic& origin() const { return origin_; }
 
-  /// For the boundary only, never in a step: GeographicLib with libm inside. Results of to_local
-  /// are snapped to a grid of 2^-10 m, which keeps libm's last bit out of a run.
+  /// For the boundary only, never in a step: GeographicLib, with libm inside. Exact to a nanometre;
+  /// longitude in [-pi, pi], and 0 on the Earth's axis.
   [[nodiscard]] Geodetic to_geodetic(const Vec3& local) const;
+  /// For the boundary: the result is on a grid of 2^-10 m, so places that a file gives to a
+  /// millimetre are the same place.
   [[nodiscard]] Vec3 to_local(const Geodetic& place) const;
 
-  /// Positions, Earth-centred and Earth-fixed, metres. Exactly rounded arithmetic only.
-  [[nodiscard]] Vec3 to_ecef(const Vec3& local) const;
-  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const;
-  /// Directions (velocities, accelerations) likewise.
+  /// Positions, Earth-centred and Earth-fixed, metres.
+  [[nodiscard]] Vec3 to_ecef(const Vec3& local) const { return origin_ecef_ + to_ecef_ * local; }
+  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const {
+    return from_ecef_ * (ecef - origin_ecef_);
+  }
+  /// Directions: velocities, accelerations.
   [[nodiscard]] Vec3 rotate_to_ecef(const Vec3& local) const { return to_ecef_ * local; }
   [[nodiscard]] Vec3 rotate_from_ecef(const Vec3& ecef) const { return from_ecef_ * ecef; }
 
-  /// Height above the ellipsoid and the geodetic axes at a place: the same bits everywhere.
+  /// Height above the ellipsoid and the geodetic axes at a place, for altitudes from -10 km to
+  /// 1000 km. On the Earth's axis (within 2^-10 m) north and east are those of the reference's
+  /// longitude.
   [[nodiscard]] Vertical vertical_at(const Vec3& local) const;
-  /// The height alone, by the same formula.
+  /// vertical_at(local).altitude, bit for bit, for less work.
   [[nodiscard]] double altitude_at(const Vec3& local) const;
 
  private:
