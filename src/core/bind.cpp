@@ -34,6 +34,17 @@ std::string_view trimmed(std::string_view text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// A quantity that only rounding keeps from a limit is at the limit: 90 deg is half of pi.
+double snapped(double x, const ParamInfo& info) {
+  if (info.unit.dimension == Dimension::none)
+    return x;
+  for (const double limit : {info.limits.min, info.limits.max})
+    if (std::fabs(x - limit) <= 2 * std::numeric_limits<double>::epsilon() * std::fabs(limit) &&
+        std::isfinite(limit))
+      return limit;
+  return x;
+}
+
 bool check_range(double x, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   if (info.limits.contains(x))
     return true;
@@ -49,6 +60,14 @@ std::string shown(const Value& value) {
   return value.is_scalar() && value.quoted ? value.shown() + " in quotes" : value.shown();
 }
 
+std::string prefix(std::string_view path) {
+  return path.empty() ? "" : fmt::format("{}: ", path);
+}
+
+std::string place(const Location& where) {
+  return where.line > 0 ? fmt::format("at line {}", where.line) : "elsewhere";
+}
+
 }  // namespace
 
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
@@ -57,28 +76,35 @@ bool check_keys(const Value& map, std::string_view type_name, std::string_view p
   if (map.is_null())
     return true;
   if (!map.is_map()) {
-    diagnostics.error(map.where, fmt::format("{}: expected a map of parameters, got {}",
+    diagnostics.error(map.where, fmt::format("{}: expected a map, got {}",
                                              path.empty() ? type_name : path, map.shown()));
     return false;
   }
   std::vector<std::string_view> allowed(names.begin(), names.end());
   allowed.insert(allowed.end(), also_allowed.begin(), also_allowed.end());
+  std::vector<const Value::Entry*> first(allowed.size(), nullptr);
   for (const Value::Entry& entry : map.entries) {
-    if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end()) {
+    const auto known = std::find(allowed.begin(), allowed.end(), entry.key);
+    if (known == allowed.end()) {
       diagnostics.error(entry.where,
-                        fmt::format("{} has no parameter {}{}", type_name, quote(entry.key),
-                                    did_you_mean(entry.key, allowed)));
-    } else if (const Value::Entry* first = map.find_entry(entry.key); first != &entry) {
-      diagnostics.error(entry.where, fmt::format("{} is given twice (first at line {})",
-                                                 quote(entry.key), first->where.line));
+                        fmt::format("{}{} has no parameter {}{}", prefix(path), type_name,
+                                    quote(entry.key), did_you_mean(entry.key, allowed)));
+      continue;
     }
+    const Value::Entry*& earlier = first[static_cast<std::size_t>(known - allowed.begin())];
+    if (!earlier)
+      earlier = &entry;
+    else
+      diagnostics.error(entry.where, fmt::format("{}{} is given twice (first {})", prefix(path),
+                                                 quote(entry.key), place(earlier->where)));
   }
   return true;
 }
 
-void report_missing(const Value& map, std::string_view type_name, std::string_view name,
-                    Diagnostics& diagnostics) {
-  diagnostics.error(map.where, fmt::format("{} needs the parameter '{}'", type_name, name));
+void report_missing(const Value& map, std::string_view type_name, std::string_view path,
+                    std::string_view name, Diagnostics& diagnostics) {
+  diagnostics.error(map.where,
+                    fmt::format("{}{} needs the parameter '{}'", prefix(path), type_name, name));
 }
 
 bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
@@ -95,9 +121,10 @@ bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnos
     report(value, info, parsed.error, diagnostics);
     return false;
   }
-  if (!check_range(parsed.value, value, info, diagnostics))
+  const double x = snapped(parsed.value, info);
+  if (!check_range(x, value, info, diagnostics))
     return false;
-  out = parsed.value;
+  out = x;
   return true;
 }
 

@@ -46,8 +46,8 @@ namespace detail {
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics);
-void report_missing(const Value& map, std::string_view type_name, std::string_view name,
-                    Diagnostics& diagnostics);
+void report_missing(const Value& map, std::string_view type_name, std::string_view path,
+                    std::string_view name, Diagnostics& diagnostics);
 
 /// Each reads one value, or reports why not and returns false.
 bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics);
@@ -152,7 +152,7 @@ void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& di
           info.name = std::string(path) + "." + info.name;
         read(out.*one.member, *value, info, diagnostics);
       } else if (one.is_required) {
-        report_missing(map, T::type_name, one.name, diagnostics);
+        report_missing(map, T::type_name, path, one.name, diagnostics);
       }
     };
     (bind_one(param), ...);

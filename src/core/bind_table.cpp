@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <optional>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,13 +15,15 @@ namespace {
 constexpr std::string_view kUnitsKey = "units";
 constexpr std::string_view kValueKey = "value";
 
-/// The numbers under one key of a table, and the unit they share if `units` names one.
+/// One list of numbers of a table: where it is, what each number is, and the unit that `units`
+/// gives to all of them.
 struct Series {
-  ParamInfo info;  ///< of each number
+  const Value* list = nullptr;
+  ParamInfo info;
   const UnitInfo* shared = nullptr;
 };
 
-/// Reads the parts of one table; remembers whether anything was wrong.
+/// Reads the parts of one table. After a mistake, what depends on it is not checked.
 class TableReader {
  public:
   TableReader(const Value& map, const ParamInfo& table, Diagnostics& diagnostics)
@@ -29,50 +32,53 @@ class TableReader {
     for (const TableAxis& axis : table.axes)
       names.push_back(axis.name);
     names.push_back(kValueKey);
-    if (map.is_null())
-      diagnostics.error(map.where, table.name + ": expected a table, got nothing");
-    else if (check_keys(map, table.name, table.name, names, std::array{kUnitsKey}, diagnostics) &&
-             map.find(kUnitsKey))
-      check_units(*map.find(kUnitsKey), names);
+    if (!map.is_map()) {
+      error(map, table.name, "expected a table, got " + map.shown());
+      return;
+    }
+    check_keys(map, "the table", table.name, names, std::array{kUnitsKey}, diagnostics);
+    if (const Value* units = map.find(kUnitsKey))
+      check_keys(*units, "units", fmt::format("{}.units", table.name), names, {}, diagnostics);
   }
 
   [[nodiscard]] bool ok() const { return diagnostics_.count() == before_; }
 
-  void error(const Value& at, std::string_view message) {
-    diagnostics_.error(at.where, fmt::format("{}: {}", table_.name, message));
+  Series axis_series(std::size_t which) {
+    return series(table_.axes[which].name, table_.axes[which].unit, {});
   }
+  Series value_series() { return series(kValueKey, table_.unit, table_.limits); }
 
-  /// The list under a key; reports its absence.
-  const Value* list_of(std::string_view key) {
-    const Value* list = map_.find(key);
-    if (!list && map_.is_map())
-      error(map_, fmt::format("needs '{}'", key));
-    if (list && !list->is_list()) {
-      diagnostics_.error(list->where, fmt::format("{}.{}: expected a list, got {}", table_.name,
-                                                  key, list->shown()));
-      return nullptr;
-    }
-    return list;
-  }
-
-  std::vector<double> axis(std::size_t which) {
-    const TableAxis& axis = table_.axes[which];
-    const Value* list = list_of(axis.name);
-    return list ? numbers(*list, series(axis.name, axis.unit, {})) : std::vector<double>{};
-  }
-
-  Series values() { return series(kValueKey, table_.unit, table_.limits); }
-
-  std::vector<double> numbers(const Value& list, const Series& series) {
-    std::vector<double> result(list.items.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-      read_one(result[i], list.items[i], item_info(series.info, i), series.shared);
+  /// The breakpoints of an axis: at least one, and increasing.
+  std::vector<double> breakpoints(const Series& axis) {
+    if (!axis.list || !check_list(*axis.list, 1, axis.info.max_items, axis.info, diagnostics_))
+      return {};
+    const std::size_t before = diagnostics_.count();
+    std::vector<double> result = numbers(axis);
+    for (std::size_t i = 1; i < result.size() && diagnostics_.count() == before; ++i)
+      if (result[i] <= result[i - 1])
+        error(axis.list->items[i], fmt::format("{}[{}]", axis.info.name, i),
+              fmt::format("{} is not above {}: breakpoints must increase", axis.list->items[i].text,
+                          axis.list->items[i - 1].text));
     return result;
   }
 
+  /// Exactly `count` numbers.
+  std::vector<double> numbers(const Series& series, std::size_t count) {
+    return check_list(*series.list, count, count, series.info, diagnostics_)
+               ? numbers(series)
+               : std::vector<double>{};
+  }
+
+  /// What only the table itself finds wrong, such as breakpoints too far apart.
+  bool accept(const std::optional<std::string>& problem) {
+    if (problem)
+      error(map_, table_.name, *problem);
+    return !problem;
+  }
+
  private:
-  void check_units(const Value& units, const std::vector<std::string_view>& names) {
-    check_keys(units, table_.name + ".units", table_.name + ".units", names, {}, diagnostics_);
+  void error(const Value& at, std::string_view path, std::string_view message) {
+    diagnostics_.error(at.where, fmt::format("{}: {}", path, message));
   }
 
   Series series(std::string_view key, Unit unit, Range limits) {
@@ -80,6 +86,9 @@ class TableReader {
     result.info.name = fmt::format("{}.{}", table_.name, key);
     result.info.unit = unit;
     result.info.limits = limits;
+    result.list = map_.find(key);
+    if (!result.list && map_.is_map())
+      report_missing(map_, "the table", table_.name, key, diagnostics_);
     const Value* units = map_.find(kUnitsKey);
     const Value* symbol = units ? units->find(key) : nullptr;
     if (!symbol)
@@ -88,9 +97,18 @@ class TableReader {
     if (known && known->dimension == unit.dimension)
       result.shared = known;
     else
-      diagnostics_.error(symbol->where,
-                         fmt::format("{}.units.{}: expected a unit of {}, got {}", table_.name, key,
-                                     dimension_noun(unit.dimension), symbol->shown()));
+      error(*symbol, fmt::format("{}.units.{}", table_.name, key),
+            unit.dimension == Dimension::none
+                ? fmt::format("these are plain numbers and have no unit, got {}", symbol->shown())
+                : fmt::format("expected the unit of {}, such as '{}', got {}",
+                              dimension_noun(unit.dimension), unit.si_symbol, symbol->shown()));
+    return result;
+  }
+
+  std::vector<double> numbers(const Series& series) {
+    std::vector<double> result(series.list->items.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+      read_one(result[i], series.list->items[i], item_info(series.info, i), series.shared);
     return result;
   }
 
@@ -99,15 +117,15 @@ class TableReader {
       read_number(out, value, info, diagnostics_);
       return;
     }
+    // with a shared unit a number stands alone; then it is as if it carried that unit
     ParamInfo plain = info;
     plain.unit = {};
     plain.limits = {};
     double number = 0;
     if (!read_number(number, value, plain, diagnostics_))
       return;
-    const Value with_unit =
-        Value::scalar(fmt::format("{} {}", value.text, shared->symbol), value.where);
-    read_number(out, with_unit, info, diagnostics_);
+    const std::string text = fmt::format("{} {}", value.text, shared->symbol);
+    read_number(out, Value::scalar(text, value.where), info, diagnostics_);
   }
 
   const Value& map_;
@@ -120,51 +138,36 @@ class TableReader {
 
 bool read_table(Table1& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   TableReader reader(value, info, diagnostics);
-  if (!reader.ok())
-    return false;
-  std::vector<double> axis = reader.axis(0);
-  const Value* list = reader.list_of(kValueKey);
+  const Series axis = reader.axis_series(0);
+  const Series series = reader.value_series();
+  std::vector<double> breakpoints = reader.breakpoints(axis);
   std::vector<double> values;
-  if (list)
-    values = reader.numbers(*list, reader.values());
-  if (!reader.ok())
+  if (series.list && !breakpoints.empty())
+    values = reader.numbers(series, breakpoints.size());
+  if (!reader.ok() || !reader.accept(Table1::problem(breakpoints, values)))
     return false;
-  if (const auto problem = Table1::problem(axis, values)) {
-    reader.error(value, *problem);
-    return false;
-  }
-  out = Table1(std::move(axis), std::move(values));
+  out = Table1(std::move(breakpoints), std::move(values));
   return true;
 }
 
 bool read_table(Table2& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   TableReader reader(value, info, diagnostics);
-  if (!reader.ok())
-    return false;
-  std::vector<double> rows = reader.axis(0);
-  std::vector<double> columns = reader.axis(1);
-  const Value* list = reader.list_of(kValueKey);
+  const Series row_axis = reader.axis_series(0);
+  const Series column_axis = reader.axis_series(1);
+  const Series series = reader.value_series();
+  std::vector<double> rows = reader.breakpoints(row_axis);
+  std::vector<double> columns = reader.breakpoints(column_axis);
   std::vector<double> values;
-  if (list) {
-    const Series series = reader.values();
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-      const ParamInfo row = item_info(series.info, i);
-      const Value& row_list = list->items[i];
-      if (!check_list(row_list, columns.size(), columns.size(), row, diagnostics))
-        continue;
-      const std::vector<double> numbers = reader.numbers(row_list, {row, series.shared});
+  const bool shaped = series.list && !rows.empty() && !columns.empty();
+  if (shaped && check_list(*series.list, rows.size(), rows.size(), series.info, diagnostics)) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Series row{&series.list->items[i], item_info(series.info, i), series.shared};
+      const std::vector<double> numbers = reader.numbers(row, columns.size());
       values.insert(values.end(), numbers.begin(), numbers.end());
     }
-    if (list->items.size() != rows.size())
-      reader.error(*list, fmt::format("expected {} rows of values, one for each '{}', got {}",
-                                      rows.size(), info.axes[0].name, list->items.size()));
   }
-  if (!reader.ok())
+  if (!reader.ok() || !reader.accept(Table2::problem(rows, columns, values)))
     return false;
-  if (const auto problem = Table2::problem(rows, columns, values)) {
-    reader.error(value, *problem);
-    return false;
-  }
   out = Table2(std::move(rows), std::move(columns), std::move(values));
   return true;
 }

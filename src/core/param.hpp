@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/member_types.hpp"
 #include "core/table.hpp"
 #include "core/units.hpp"
 
@@ -81,19 +82,19 @@ struct Param {
 };
 
 /// A number, or a list, array or optional of numbers.
-template <class Class, class Member>
+template <class Class, detail::TakesUnit Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Unit unit, Range limits, std::string_view help) {
   return {name, member, unit, limits, help};
 }
 /// A number of which every finite value is right.
-template <class Class, class Member>
+template <class Class, detail::TakesUnit Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Unit unit, std::string_view help) {
   return {name, member, unit, {}, help};
 }
 /// A plain number within a range.
-template <class Class, class Member>
+template <class Class, detail::TakesRange Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Range limits, std::string_view help) {
   return {name, member, {}, limits, help};

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/enum_names.hpp"
+#include "core/member_types.hpp"
 #include "core/param.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie {
 class Diagnostics;
@@ -31,42 +31,6 @@ concept Described = requires {
 }  // namespace eyrie
 
 namespace eyrie::detail {
-
-template <class T>
-struct ElementOf {};
-template <class T>
-struct ElementOf<std::optional<T>> {
-  using type = T;
-};
-template <class T>
-struct ElementOf<std::vector<T>> {
-  using type = T;
-};
-template <class T, std::size_t N>
-struct ElementOf<std::array<T, N>> {
-  using type = T;
-};
-template <>
-struct ElementOf<Vec3> {
-  using type = double;
-};
-
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-template <class T>
-inline constexpr std::size_t fixed_items = 0;
-template <class T, std::size_t N>
-inline constexpr std::size_t fixed_items<std::array<T, N>> = N;
-template <>
-inline constexpr std::size_t fixed_items<Vec3> = 3;
-template <class T>
-inline constexpr bool is_list = is_vector<T> || fixed_items<T> != 0;
 
 /// `bind_value(out, value, diagnostics, info)` found next to the type takes over.
 template <class T>
@@ -150,8 +114,6 @@ std::string value_text(const T& value, const ParamInfo& info) {
     return value ? "true" : "false";
   } else if constexpr (std::is_integral_v<T>) {
     return fmt::format("{}", +value);
-  } else if constexpr (std::is_same_v<T, float>) {
-    return exact_quantity(value, info.unit.dimension);
   } else if constexpr (std::is_floating_point_v<T>) {
     return exact_quantity(value, info.unit.dimension);
   } else if constexpr (std::is_same_v<T, std::string>) {
@@ -176,14 +138,13 @@ ParamInfo info(const Param<Class, Member>& param, const T& defaults);
 /// Fills the children of a group, looking through optionals and lists.
 template <class T>
 void describe_children(ParamInfo& info, const T* value) {
-  using Element = ElementOf<T>;
   if constexpr (HasBindHook<T>) {
     if constexpr (HasDescribeHook<T> && std::is_default_constructible_v<T>)
       describe_value(info, value ? *value : T{});
   } else if constexpr (is_optional<T>) {
-    describe_children<typename Element::type>(info, value && *value ? &**value : nullptr);
+    describe_children<typename ElementOf<T>::type>(info, value && *value ? &**value : nullptr);
   } else if constexpr (is_list<T>) {
-    describe_children<typename Element::type>(info.children[0], nullptr);
+    describe_children<typename ElementOf<T>::type>(info.children[0], nullptr);
   } else if constexpr (Described<T>) {
     const T fresh = value ? *value : T{};
     std::apply(

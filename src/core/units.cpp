@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <vector>
+#include <limits>
 
 #include "core/diagnostics.hpp"
 
@@ -135,12 +134,24 @@ constexpr std::array kHabits = std::to_array<Habit>({
     {"decibel", "dB"},
 });
 
+constexpr bool habits_are_no_units_and_lead_to_one() {
+  for (const Habit& habit : kHabits)
+    if (detail::find_unit(habit.wrong) || !detail::find_unit(habit.right))
+      return false;
+  return true;
+}
+static_assert(habits_are_no_units_and_lead_to_one());
+
 constexpr bool is_space(char c) {
   return c == ' ' || c == '\t';
 }
 
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -160,14 +171,14 @@ bool equal_but_for_case(std::string_view a, std::string_view b) {
 }
 
 /// The unit that an unknown spelling was meant to be, preferring the expected dimension.
-std::string_view meant(std::string_view wrong, Dimension expected) {
-  std::string_view found;
+const UnitInfo* meant(std::string_view wrong, Dimension expected) {
+  const UnitInfo* found = nullptr;
   for (const UnitInfo& unit : units())
-    if (equal_but_for_case(unit.symbol, wrong) && (found.empty() || unit.dimension == expected))
-      found = unit.symbol;
+    if (equal_but_for_case(unit.symbol, wrong) && (!found || unit.dimension == expected))
+      found = &unit;
   for (const Habit& habit : kHabits)
-    if (found.empty() && equal_but_for_case(habit.wrong, wrong))
-      found = habit.right;
+    if (!found && equal_but_for_case(habit.wrong, wrong))
+      found = detail::find_unit(habit.right);
   return found;
 }
 
@@ -177,17 +188,19 @@ std::string expectation(std::string_view text, Dimension expected) {
 }
 
 /// How the unit at the end of a text is wrong for the expected dimension.
-std::string unit_error(std::string_view unit, Dimension expected) {
-  if (const UnitInfo* known = detail::find_unit(unit))
-    return fmt::format(" ({})", dimension_noun(known->dimension));
-  if (const std::string_view right = meant(unit, expected); !right.empty())
-    return fmt::format("; did you mean '{}'?", right);
-  if (expected == Dimension::none)
+std::string unit_error(std::string_view symbol, Dimension expected) {
+  const UnitInfo* known = detail::find_unit(symbol);
+  const UnitInfo* near = known ? known : meant(symbol, expected);
+  if (near && near->dimension != expected)
+    return fmt::format(" ({})", dimension_noun(near->dimension));
+  if (near)
+    return fmt::format("; did you mean '{}'?", near->symbol);
+  if (expected == Dimension::none || !is_letter(symbol.front()))
     return {};
   std::string choices;
-  for (const UnitInfo& known : units())
-    if (known.dimension == expected)
-      choices += (choices.empty() ? "" : ", ") + std::string(known.symbol);
+  for (const UnitInfo& unit : units())
+    if (unit.dimension == expected)
+      choices += (choices.empty() ? "" : ", ") + std::string(unit.symbol);
   return fmt::format("; its units are {}", choices);
 }
 
@@ -218,6 +231,20 @@ Lexed lex_number(std::string_view text) {
     result.failure = Lexed::Failure::beyond_double;
   result.rest = digits.substr(static_cast<std::size_t>(end - digits.data()));
   return result;
+}
+
+/// Three significant digits, but never fewer than the whole number has below a billion.
+std::string three_digits(double x) {
+  const double size = std::fabs(x);
+  return size >= 100 && size < 1e9 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
+}
+
+/// How long a number is to read: sign and "0." cost nothing.
+std::size_t reading_cost(std::string_view number) {
+  for (const std::string_view free : {"-", "0."})
+    if (number.starts_with(free))
+      number.remove_prefix(free.size());
+  return number.size();
 }
 
 Parsed failed(std::string error) {
@@ -260,16 +287,6 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
   return {value, {}};
 }
 
-Parsed parse_number(std::string_view text, const UnitInfo* unit) {
-  Parsed plain = parse_quantity(text, Dimension::none);
-  if (!plain || !unit)
-    return plain;
-  plain.value = to_si(plain.value, *unit);
-  if (!std::isfinite(plain.value))
-    return failed(expectation(text, Dimension::none) + " (beyond the range of a double)");
-  return plain;
-}
-
 std::string format_in(double si, UnitName unit, int decimals) {
   const std::string number = fmt::format("{:.{}f}", from_si(si, *unit.info), decimals);
   const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
@@ -305,31 +322,39 @@ std::string format_quantity(double si, Dimension dimension, UnitStyle style) {
     }
   }
   const std::string_view symbol = detail::si_symbol(dimension);
-  return fmt::format("{:.4g}{}{}", si, symbol.empty() ? "" : " ", symbol);
+  return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
 }
 
-std::string exact_quantity(double si, Dimension dimension) {
+template <std::floating_point Real>
+std::string exact_quantity(Real si, Dimension dimension) {
   if (dimension == Dimension::none)
     return fmt::format("{}", si);
   std::string best;
-  std::size_t best_digits = 0;
+  std::size_t best_cost = 0;
   for (const UnitInfo& unit : units()) {
     if (unit.dimension != dimension)
       continue;
-    // the shortest number that reads back to the same value: rounding may need a digit less
-    const std::string shortest = fmt::format("{:.15g}", from_si(si, unit));
-    const std::string exact = fmt::format("{}", from_si(si, unit));
-    for (const std::string& number : {shortest, exact}) {
-      const std::string text = fmt::format("{} {}", number, unit.symbol);
+    // the number that converts back may be shorter than the one conversion gives: 15 digits suffice
+    // for a double unless the conversion rounded badly, 6 for a float
+    const double number = from_si(static_cast<double>(si), unit);
+    constexpr int kDigits = std::numeric_limits<Real>::digits10;
+    const std::array<std::string, 3> candidates{fmt::format("{:.{}g}", number, kDigits),
+                                                fmt::format("{}", static_cast<Real>(number)),
+                                                fmt::format("{}", number)};
+    for (const std::string& candidate : candidates) {
+      const std::string text = fmt::format("{} {}", candidate, unit.symbol);
       const Parsed back = parse_quantity(text, dimension);
-      const bool shorter = best.empty() || number.size() < best_digits;
-      if (shorter && back && back.value == si) {
+      const bool shorter = best.empty() || reading_cost(candidate) < best_cost;
+      if (shorter && back && static_cast<Real>(back.value) == si) {
         best = text;
-        best_digits = number.size();
+        best_cost = reading_cost(candidate);
       }
     }
   }
-  return best;
+  return best.empty() ? fmt::format("{} {}", si, detail::si_symbol(dimension)) : best;
 }
+
+template std::string exact_quantity(double, Dimension);
+template std::string exact_quantity(float, Dimension);
 
 }  // namespace eyrie

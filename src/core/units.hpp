@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Units at the file boundary. Inside, everything is SI and radians.
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,7 +45,8 @@ struct UnitInfo {
 
 namespace detail {
 /// Every unit, the SI unit of a dimension first. Factors: NIST SP 811 (2008), appendix B.8, where
-/// the foot, nautical mile, avoirdupois pound, standard gravity and pound-force are exact.
+/// the foot, nautical mile, avoirdupois pound, standard gravity and pound-force are exact. Degrees
+/// are those of radians() in core/angle.hpp, to the bit.
 inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"m", Dimension::length},
     {"km", Dimension::length, 1000},
@@ -62,11 +64,11 @@ inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"g", Dimension::acceleration, 980665, 100000},
     {"rad", Dimension::angle},
     {"mrad", Dimension::angle, 1, 1000},
-    {"deg", Dimension::angle, kPi, 180},
+    {"deg", Dimension::angle, kPi / 180},
     {"rad/s", Dimension::angular_rate},
-    {"deg/s", Dimension::angular_rate, kPi, 180},
+    {"deg/s", Dimension::angular_rate, kPi / 180},
     {"rad/s2", Dimension::angular_acceleration},
-    {"deg/s2", Dimension::angular_acceleration, kPi, 180},
+    {"deg/s2", Dimension::angular_acceleration, kPi / 180},
     {"Hz", Dimension::frequency},
     {"kHz", Dimension::frequency, 1e3},
     {"MHz", Dimension::frequency, 1e6},
@@ -100,7 +102,7 @@ inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"dB", Dimension::decibel},
     {"kg/N/s", Dimension::fuel_consumption},
     {"kg/N/h", Dimension::fuel_consumption, 1, 3600},
-    {"lb/lbf/h", Dimension::fuel_consumption, 45359237e5, 44482216152605.0 * 3600},
+    {"lb/lbf/h", Dimension::fuel_consumption, 1e5, 980665 * 3600.0},
 });
 
 constexpr const UnitInfo* find_unit(std::string_view symbol) {
@@ -200,12 +202,8 @@ struct Parsed {
 /// beyond a double, a unit of another dimension, and anything before or after. Any bytes are safe.
 [[nodiscard]] Parsed parse_quantity(std::string_view text, Dimension expected);
 
-/// Reads numbers whose unit was said once for all of them, such as the columns of a table.
-/// `unit` must be of dimension `expected`, or null for plain numbers.
-[[nodiscard]] Parsed parse_number(std::string_view text, const UnitInfo* unit);
-
 enum class UnitStyle : std::uint8_t {
-  si,        ///< "1852 m", "240 m/s", "0.52 rad"
+  si,        ///< "1852 m", "240 m/s", "0.524 rad"
   aviation,  ///< "6000 ft" below one mile and "1.0 nmi" from there, "467 kt", "30 deg"
 };
 
@@ -215,8 +213,12 @@ enum class UnitStyle : std::uint8_t {
 /// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
 [[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);
 
-/// For files and references: the shortest text that parse_quantity reads back to the same double,
-/// so 3704 m is "2 nmi". Falls back on SI. `si` must be finite.
-[[nodiscard]] std::string exact_quantity(double si, Dimension dimension);
+/// For files and references: the shortest text that parse_quantity reads back to the same double or
+/// float, so 3704 m is "2 nmi". Falls back on SI.
+template <std::floating_point Real>
+[[nodiscard]] std::string exact_quantity(Real si, Dimension dimension);
+
+extern template std::string exact_quantity(double, Dimension);
+extern template std::string exact_quantity(float, Dimension);
 
 }  // namespace eyrie
