@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <string>
+#include <string_view>
+
 #include "core/field.hpp"
 #include "model/command.hpp"
 #include "model/fit.hpp"
@@ -14,18 +17,21 @@ static_assert(fields_cover_row<Command>());
 static_assert(fields_cover_row<Request>());
 static_assert(fields_cover_row<Fit>());
 
+template <class Row>
+std::string shown(const Row& row, std::string_view name) {
+  for (const FieldInfo& field : fields_of<Row>())
+    if (field.name.view() == name)
+      return format_scalar(field, reinterpret_cast<const std::byte*>(&row));
+  return "no such field";
+}
+
 TEST(SharedRows, NameTheirChoices) {
   Command command;
   command.mode = AutopilotMode::follow;
-  const auto bytes = reinterpret_cast<const std::byte*>(&command);
-  for (const FieldInfo& field : fields_of<Command>())
-    if (field.name == "mode")
-      EXPECT_EQ(format_scalar(field, bytes), "follow");
+  EXPECT_EQ(shown(command, "mode"), "follow");
   Fit fit;
   fit.side = Side::red;
-  for (const FieldInfo& field : fields_of<Fit>())
-    if (field.name == "side")
-      EXPECT_EQ(format_scalar(field, reinterpret_cast<const std::byte*>(&fit)), "red");
+  EXPECT_EQ(shown(fit, "side"), "red");
 }
 
 }  // namespace

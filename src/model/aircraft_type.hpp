@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A type of aircraft: which models it is put together from.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/describe.hpp"
+#include "core/enum_names.hpp"
+#include "model/sensor/signature.hpp"
+
+namespace eyrie::model {
+
+/// Which equations of motion an aircraft flies by.
+enum class Dynamics : std::uint8_t {
+  laero,       ///< rate limits only, as the paper's aircraft
+  point_mass,  ///< lift, drag, thrust, weight and fuel
+};
+
+}  // namespace eyrie::model
+
+template <>
+struct eyrie::EnumNames<eyrie::model::Dynamics> {
+  using E = eyrie::model::Dynamics;
+  static constexpr std::array names{std::pair<std::string_view, E>{"laero", E::laero},
+                                    std::pair<std::string_view, E>{"point_mass", E::point_mass}};
+};
+
+namespace eyrie::model {
+
+/// What hangs on one station when a scenario says nothing else.
+struct StationFit {
+  std::string store;  ///< name of a missile
+  std::uint8_t count = 1;
+
+  static constexpr std::string_view type_name = "station";
+  static constexpr std::string_view help = "what hangs on one station";
+  static constexpr auto params() {
+    return std::tuple{param("store", &StationFit::store, "name of a missile").required(),
+                      param("count", &StationFit::count, range(1, 8), "how many of it")};
+  }
+};
+
+/// Put together from models that files name; whoever loads them looks the names up in the Library.
+/// What has no name is not on board.
+struct AircraftType {
+  std::string label;  ///< what the story and Tacview call it: "F-15C"
+  std::string airframe;
+  Dynamics dynamics = Dynamics::point_mass;
+  Signature signature;
+  std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun;
+  std::vector<StationFit> stations;
+
+  /// Indices into the shelves of the Library: the names above, looked up.
+  struct Indices {
+    std::uint16_t airframe = 0;
+    std::optional<std::uint16_t> radar, rwr, visual, iff, datalink, tracker, gun;
+  };
+  Indices index;
+
+  static constexpr std::string_view type_name = "aircraft";
+  static constexpr std::string_view help =
+      "a type of aircraft: which models it is put together from";
+  static constexpr auto params() {
+    using A = AircraftType;
+    return std::tuple{param("label", &A::label, "name in the story and in Tacview").required(),
+                      param("airframe", &A::airframe, "how it flies").required(),
+                      param("dynamics", &A::dynamics, "by which equations of motion"),
+                      param("signature", &A::signature, "how big it looks to radar and eye"),
+                      param("radar", &A::radar, "its radar"),
+                      param("rwr", &A::rwr, "its radar warning receiver"),
+                      param("visual", &A::visual, "the eyes of its crew"),
+                      param("iff", &A::iff, "its interrogator"),
+                      param("datalink", &A::datalink, "its datalink"),
+                      param("tracker", &A::tracker, "its tracker"),
+                      param("gun", &A::gun, "its gun"),
+                      param("stations", &A::stations, "what hangs under it, station by station")};
+  }
+};
+
+}  // namespace eyrie::model

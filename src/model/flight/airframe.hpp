@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  How one kind of aircraft flies: mass, aerodynamics, engines, limits and autopilot.
+#include <string_view>
+#include <tuple>
+
+#include "core/describe.hpp"
+#include "model/flight/autopilot.hpp"
+#include "model/flight/engine.hpp"
+#include "model/flight/laero.hpp"
+
+namespace eyrie::model {
+
+/// Lift and drag: C_D = C_D0(M) + k(M) C_L^2 with a largest C_L(M), all per wing area.
+struct Aerodynamics {
+  double wing_area = 50;  ///< m2
+  Table1 zero_lift_drag = Table1::constant(0.02);
+  Table1 induced_drag = Table1::constant(0.15);
+  Table1 max_lift = Table1::constant(1.2);
+
+  static constexpr std::string_view type_name = "aerodynamics";
+  static constexpr std::string_view help = "lift and drag of an aircraft over the Mach number";
+  static constexpr auto params() {
+    using A = Aerodynamics;
+    return std::tuple{
+        param("wing_area", &A::wing_area, "m2", range(1, 1000), "of all coefficients").required(),
+        param("zero_lift_drag", &A::zero_lift_drag, axis("mach", {}), {}, range(1e-4, 1),
+              "C_D0, without stores")
+            .required(),
+        param("induced_drag", &A::induced_drag, axis("mach", {}), {}, range(1e-3, 5),
+              "k in C_D = C_D0 + k C_L^2")
+            .required(),
+        param("max_lift", &A::max_lift, axis("mach", {}), {}, range(0.05, 5),
+              "C_L that it can pull to")
+            .required()};
+  }
+};
+
+/// What the structure, the flight controls and the inlets allow.
+struct FlightLimits {
+  double max_load_factor = 9;
+  double min_load_factor = -3;
+  double load_factor_rate = 6;
+  double roll_rate = si(180, "deg/s");
+  double max_mach = 2;
+  double max_equivalent_airspeed = si(800, "kt");
+
+  static constexpr std::string_view type_name = "flight_limits";
+  static constexpr std::string_view help = "what structure and flight controls allow";
+  static constexpr auto params() {
+    using L = FlightLimits;
+    return std::tuple{
+        param("max_load_factor", &L::max_load_factor, range(1, 20), "g"),
+        param("min_load_factor", &L::min_load_factor, range(-10, 0), "g"),
+        param("load_factor_rate", &L::load_factor_rate, range(0.1, 100),
+              "g per second by which the load factor changes"),
+        param("roll_rate", &L::roll_rate, "rad/s", range(0.01, 10), "largest rate of roll"),
+        param("max_mach", &L::max_mach, range(0.1, 4), "the autopilot flies no faster"),
+        param("max_equivalent_airspeed", &L::max_equivalent_airspeed, "m/s", range(50, 600),
+              "the autopilot flies no faster: true airspeed times the root of the density ratio")};
+  }
+};
+
+/// One kind of aircraft as the flight models see it. Const and shared. `laero` and `autopilot` have
+/// defaults; the rest is what the point-mass model needs.
+struct Airframe {
+  double empty_mass = 10000;    ///< kg, without fuel and stores
+  double internal_fuel = 3000;  ///< kg
+  Aerodynamics aerodynamics;
+  Engine engine;
+  FlightLimits limits;
+  Laero laero;
+  Autopilot autopilot;
+
+  static constexpr std::string_view type_name = "airframe";
+  static constexpr std::string_view help = "mass, aerodynamics, engines, limits and autopilot";
+  static constexpr auto params() {
+    using A = Airframe;
+    return std::tuple{
+        param("empty_mass", &A::empty_mass, "kg", range(100, 500e3),
+              "ready to fly, without fuel and stores")
+            .required(),
+        param("internal_fuel", &A::internal_fuel, "kg", range(0, 200e3), "full internal tanks")
+            .required(),
+        param("aerodynamics", &A::aerodynamics, "lift and drag").required(),
+        param("engine", &A::engine, "thrust and fuel flow").required(),
+        param("limits", &A::limits, "what structure and flight controls allow"),
+        param("laero", &A::laero, "rate limits of the simple model, where an aircraft flies it"),
+        param("autopilot", &A::autopilot, "gains and limits of the autopilot")};
+  }
+};
+
+}  // namespace eyrie::model

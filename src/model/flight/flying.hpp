@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What one aircraft's autopilot and dynamics remember from step to step.
+#include <cstdint>
+
+#include "core/field.hpp"
+
+namespace eyrie::model {
+
+/// How far along its flight's routes an aircraft is.
+struct NavState {
+  std::uint16_t leg =
+      0;  ///< index of the waypoint flown to; the number of waypoints: past the last
+  std::uint8_t route = 0;  ///< index into Flight::routes
+  std::uint8_t reserved = 0;
+
+  static constexpr auto fields() {
+    return field_list(field("leg", &NavState::leg), field("route", &NavState::route),
+                      field("reserved", &NavState::reserved));
+  }
+};
+static_assert(fields_cover_row<NavState>());
+
+/// Written in move.
+struct Flying {
+  double lead_heading = 0;       ///< rad, low-passed heading of who is followed
+  double last_heading_rate = 0;  ///< rad/s, laero: of the step before (Adams-Bashforth)
+  double last_pitch_rate = 0;    ///< rad/s, laero
+  double last_acceleration = 0;  ///< m/s2, laero
+  Vec3 last_velocity;            ///< m/s, laero
+  NavState nav;
+  std::uint8_t started = 0;      ///< laero: 1 once the rates of the step before are there
+  std::uint8_t following = 0;    ///< 1 while lead_heading is being tracked
+  std::uint8_t afterburner = 0;  ///< point_mass: 1 while the autopilot lets itself use it
+  std::uint8_t reserved = 0;
+
+  static constexpr auto fields() {
+    return field_list(
+        field("lead_heading", &Flying::lead_heading, "rad"),
+        field("last_heading_rate", &Flying::last_heading_rate, "rad/s"),
+        field("last_pitch_rate", &Flying::last_pitch_rate, "rad/s"),
+        field("last_acceleration", &Flying::last_acceleration, "m/s2"),
+        field("last_velocity", &Flying::last_velocity, "m/s"), field("nav", &Flying::nav),
+        field("started", &Flying::started), field("following", &Flying::following),
+        field("afterburner", &Flying::afterburner), field("reserved", &Flying::reserved));
+  }
+};
+static_assert(fields_cover_row<Flying>());
+
+}  // namespace eyrie::model

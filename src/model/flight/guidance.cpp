@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "model/flight/guidance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "core/math.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// A horizontal vector in the geodetic axes of the aircraft.
+struct Flat {
+  double north = 0, east = 0;
+
+  friend Flat operator+(Flat a, Flat b) { return {a.north + b.north, a.east + b.east}; }
+  friend Flat operator*(double s, Flat a) { return {s * a.north, s * a.east}; }
+  [[nodiscard]] double size() const { return std::sqrt(north * north + east * east); }
+  [[nodiscard]] Flat right() const { return {-east, north}; }
+};
+
+double dot(Flat a, Flat b) {
+  return a.north * b.north + a.east * b.east;
+}
+
+Flat flat(const Kinematics& own, const Vec3& local) {
+  return {eyrie::dot(own.north, local), eyrie::dot(own.east, local)};
+}
+
+double bearing(Flat v) {
+  return math::atan2(v.east, v.north);
+}
+
+Flat unit(Flat v) {
+  const double size = v.size();
+  return size > 0 ? (1 / size) * v : Flat{1, 0};
+}
+
+/// Direction of the leg that ends at waypoint `leg`, as seen from here.
+Flat leg_direction(const Kinematics& own, const Route& route, std::size_t leg) {
+  const Vec3& to = route.waypoints[leg].position;
+  const Vec3& from = leg == 0 ? own.position : route.waypoints[leg - 1].position;
+  return unit(flat(own, to - from));
+}
+
+}  // namespace
+
+AirVector through_air(double ground_north, double ground_east, const Vec3& wind_ned) {
+  const Flat air{ground_north - wind_ned.x, ground_east - wind_ned.y};
+  return {bearing(air), air.size()};
+}
+
+double crab(double course, double speed, const Vec3& wind_ned) {
+  if (wind_ned.x == 0 && wind_ned.y == 0)
+    return wrap_pi(course);
+  const auto [sine, cosine] = math::sin_cos(course);
+  const double from_left = wind_ned.y * cosine - wind_ned.x * sine;
+  return wrap_pi(course - math::asin(std::clamp(from_left / speed, -1.0, 1.0)));
+}
+
+double low_pass_heading(double smooth, double raw, double dt, double time_constant) {
+  return wrap_pi(smooth + angle_between(smooth, raw) * dt / (time_constant + dt));
+}
+
+Guidance follow_guidance(const GuidanceGains& gains, const Kinematics& own,
+                         const FollowOrder& order, const Vec3& wind_ned) {
+  const auto [sine, cosine] = math::sin_cos(order.lead_heading);
+  const Flat forward{cosine, sine};
+  const Flat to_place = flat(own, order.position - own.position) + order.offset.x * forward +
+                        order.offset.y * forward.right();
+  const double along =
+      flat(own, order.velocity).size() + gains.follow_forward * dot(to_place, forward);
+  const double across = gains.follow_across * dot(to_place, forward.right());
+  const Flat ground = along * forward + across * forward.right();
+
+  const AirVector air = through_air(ground.north, ground.east, wind_ned);
+  return {.heading = air.heading,
+          .altitude = order.altitude,
+          .speed = std::clamp(air.speed, gains.follow_min_speed, gains.follow_max_speed)};
+}
+
+Guidance loiter_guidance(const GuidanceGains& gains, const Kinematics& own, const Vec3& center,
+                         double radius, double altitude, double speed, const Vec3& wind_ned) {
+  if (radius <= 0)
+    radius = gains.loiter_radius;
+  const Flat outward = flat(own, own.position - center);
+  const double distance = std::max(outward.size(), 1.0);
+  const Flat radial = (1 / distance) * outward;
+
+  // tangent, turned towards the circle by the arc tangent of `slope`
+  const double slope = gains.loiter_convergence * (distance - radius) / radius;
+  const double course = bearing(radial.right() + -slope * radial);
+
+  // time derivative of that course for somebody who flies it
+  const double cosine = 1 / std::sqrt(1 + slope * slope);
+  const double turn_rate =
+      speed * cosine * (1 / distance - gains.loiter_convergence / radius * slope * cosine * cosine);
+  return {.heading = crab(course, speed, wind_ned),
+          .altitude = altitude,
+          .speed = speed,
+          .turn_rate = turn_rate};
+}
+
+Guidance route_guidance(const GuidanceGains& gains, const Kinematics& own, const Route& route,
+                        const NavState& nav, double speed, double loiter_radius,
+                        const Vec3& wind_ned) {
+  const std::size_t count = route.waypoints.size();
+  if (count == 0)
+    return {.heading = own.heading, .altitude = own.altitude, .speed = speed};
+
+  const std::size_t leg = std::min<std::size_t>(nav.leg, count - 1);
+  const Waypoint& target = route.waypoints[leg];
+  speed = target.speed.value_or(speed);
+
+  // past the last waypoint
+  if (nav.leg >= count && route.end == RouteEnd::loiter)
+    return loiter_guidance(gains, own, target.position, loiter_radius, target.altitude, speed,
+                           wind_ned);
+  if (nav.leg >= count)
+    return {.heading = count > 1 ? crab(bearing(leg_direction(own, route, leg)), speed, wind_ned)
+                                 : own.heading,
+            .altitude = target.altitude,
+            .speed = speed};
+
+  // to a point of the leg some way ahead; without a leg, to the waypoint itself
+  const Flat to_target = flat(own, target.position - own.position);
+  Flat aim = to_target;
+  if (leg > 0) {
+    const Flat along = leg_direction(own, route, leg);
+    aim = speed * gains.lookahead_time * along + dot(to_target, along.right()) * along.right();
+  }
+  return {
+      .heading = crab(bearing(aim), speed, wind_ned), .altitude = target.altitude, .speed = speed};
+}
+
+NavState advance_leg(const GuidanceGains& gains, const Kinematics& own, const Route& route,
+                     NavState nav, double turn_radius) {
+  const std::size_t count = route.waypoints.size();
+  if (nav.leg >= count)
+    return nav;
+
+  const Flat to_target = flat(own, route.waypoints[nav.leg].position - own.position);
+  const double distance = to_target.size();
+  const double wide = 10 * gains.capture_radius;
+  bool reached = distance < gains.capture_radius;
+  if (!reached && distance < wide + 3 * turn_radius) {
+    const Flat along = nav.leg > 0 ? leg_direction(own, route, nav.leg) : unit(to_target);
+    const double to_go = dot(to_target, along), beside = dot(to_target, along.right());
+
+    // abeam; on the first leg, which has no direction, behind the wings
+    const double passed = nav.leg > 0 ? to_go : dot(to_target, flat(own, own.velocity));
+    reached = passed <= 0 && distance < wide;
+
+    // where the turn onto the next leg begins: radius * tan(half the turn), at most 3 radii
+    const std::size_t next = nav.leg + 1u < count ? nav.leg + 1u : 0u;
+    if (!reached && (next > 0 || route.end == RouteEnd::repeat) && count > 1) {
+      const Flat onward =
+          unit(flat(own, route.waypoints[next].position - route.waypoints[nav.leg].position));
+      const double cosine = std::clamp(dot(along, onward), -1.0, 1.0);
+      const double half = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+      reached = to_go < turn_radius * std::min(half, 3.0) && std::fabs(beside) < wide;
+    }
+  }
+  if (!reached)
+    return nav;
+  ++nav.leg;
+  if (nav.leg == count && route.end == RouteEnd::repeat)
+    nav.leg = 0;
+  return nav;
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Every const model of a run, shared by all players and threads.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/assert.hpp"
+#include "core/frames.hpp"
+#include "core/id.hpp"
+#include "model/aircraft_type.hpp"
+#include "model/datalink/datalink.hpp"
+#include "model/environment/environment.hpp"
+#include "model/fit.hpp"
+#include "model/flight/airframe.hpp"
+#include "model/flight/route.hpp"
+#include "model/sensor/iff.hpp"
+#include "model/sensor/radar.hpp"
+#include "model/sensor/rwr.hpp"
+#include "model/sensor/visual.hpp"
+#include "model/track/tracker.hpp"
+#include "model/weapon/missile_type.hpp"
+
+namespace eyrie::model {
+
+/// Models of one kind, each under the name that files know it by; a row refers to one by its index.
+template <class Model>
+class Shelf {
+ public:
+  /// The index of the new model. std::logic_error if the name is taken or the shelf is full.
+  std::uint16_t add(std::string name, Model model) {
+    EYRIE_THROW_UNLESS(!find(name), "two models of one kind have the same name");
+    EYRIE_THROW_UNLESS(models_.size() < 0xFFFF, "too many models of one kind");
+    names_.push_back(std::move(name));
+    models_.push_back(std::move(model));
+    return static_cast<std::uint16_t>(models_.size() - 1);
+  }
+  [[nodiscard]] std::optional<std::uint16_t> find(std::string_view name) const {
+    for (std::size_t i = 0; i < names_.size(); ++i)
+      if (names_[i] == name)
+        return static_cast<std::uint16_t>(i);
+    return std::nullopt;
+  }
+  [[nodiscard]] const Model& operator[](std::size_t index) const { return models_[index]; }
+  [[nodiscard]] const std::string& name(std::size_t index) const { return names_[index]; }
+  [[nodiscard]] std::span<const std::string> names() const { return names_; }
+  [[nodiscard]] std::size_t size() const { return models_.size(); }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<Model> models_;
+};
+
+/// Aircraft that fly together. Const: who is alive, and who leads, is in the rows.
+struct Flight {
+  std::string name;
+  Side side = Side::none;
+  std::vector<PlayerId> members;  ///< by rank at birth, the lead first
+  std::vector<Route> routes;      ///< Command::route picks one; 0 is the mission
+  std::optional<Vec3> home;       ///< m, local frame
+};
+
+/// Built once at load, then const.
+struct Library {
+  Reference reference;
+  Environment environment;
+  Shelf<Airframe> airframes;
+  Shelf<Radar> radars;
+  Shelf<Rwr> rwrs;
+  Shelf<Visual> visuals;
+  Shelf<Iff> iffs;
+  Shelf<Datalink> datalinks;
+  Shelf<Tracker> trackers;
+  Shelf<MissileType> missiles;
+  Shelf<AircraftType> aircraft;  ///< Fit::type
+  std::vector<Flight> flights;   ///< Fit::flight
+};
+
+}  // namespace eyrie::model

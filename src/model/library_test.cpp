@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "model/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "model/columns.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::model {
+namespace {
+
+TEST(Shelf, FindsWhatWasAddedByName) {
+  Shelf<Tracker> shelf;
+  EXPECT_EQ(shelf.add("slow", Tracker{.rate = 1}), 0);
+  EXPECT_EQ(shelf.add("fast", Tracker{.rate = 50}), 1);
+  ASSERT_EQ(shelf.find("fast"), 1);
+  EXPECT_EQ(shelf[1].rate, 50);
+  EXPECT_EQ(shelf.name(0), "slow");
+  EXPECT_FALSE(shelf.find("medium"));
+}
+
+TEST(Shelf, RefusesANameTwice) {
+  Shelf<Tracker> shelf;
+  shelf.add("slow", {});
+  EXPECT_THROW(shelf.add("slow", {}), std::logic_error);
+}
+
+TEST(Columns, TakeLessThanEightKilobytesPerAircraft) {
+  sim::SchemaBuilder builder;
+  const AircraftColumns aircraft = AircraftColumns::define(builder, 4);
+  const MissileColumns missile = MissileColumns::define(builder, 8);
+  const auto schema = builder.build();
+  std::uint32_t bytes = 0;
+  for (const sim::ColumnInfo& column : schema->columns())
+    if (column.table == aircraft.table)
+      bytes += column.stride;
+  EXPECT_LT(bytes, 8u * 1024);
+  EXPECT_EQ(schema->find_table("aircraft"), aircraft.table);
+  EXPECT_EQ(schema->find_table("missile"), missile.table);
+}
+
+TEST(Columns, HandOutRowsOfTheirTopic) {
+  sim::SchemaBuilder builder;
+  const AircraftColumns columns = AircraftColumns::define(builder, 4);
+  sim::World world(builder.build(), 1);
+  ASSERT_TRUE(world.spawn(columns.table));
+  world.rows(columns.command)[0].heading = 1;
+  world.rows(columns.propulsion)[0].fuel = 2;
+  EXPECT_EQ(world.rows(columns.command)[0].heading, 1);
+  EXPECT_EQ(world.rows(columns.propulsion)[0].fuel, 2);
+  EXPECT_TRUE(world.canonical());
+}
+
+}  // namespace
+}  // namespace eyrie::model
