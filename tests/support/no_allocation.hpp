@@ -4,10 +4,13 @@
 
 namespace eyrie {
 
-/// Fails the running test if anything was allocated or freed on the heap while it lived: by this
-/// thread, or by any thread with Scope::process. Every test executable links the counting
-/// operator new and delete behind it (and malloc hooks under a sanitizer, where operator new is
-/// taken).
+/// Fails the running test if the heap was used while it lived: by this thread, or by any thread
+/// with Scope::process. Every test executable links the counting operator new and delete behind it;
+/// under the address and thread sanitizers, which have their own, it counts with their hooks.
+/// Should a build defeat both, it says so on stderr and `counts()` is false.
+///
+///     NoAllocation guard;
+///     simulation.step(world);
 class NoAllocation {
  public:
   enum class Scope : std::uint8_t { thread, process };
@@ -17,11 +20,11 @@ class NoAllocation {
   NoAllocation(const NoAllocation&) = delete;
   NoAllocation& operator=(const NoAllocation&) = delete;
 
-  /// Allocations and frees so far.
+  /// Allocations and frees since the guard was made.
   [[nodiscard]] std::uint64_t count() const;
-  /// Says that what was counted is known: the guard will not fail.
+  /// What was counted is known and right: do not fail.
   void dismiss() { armed_ = false; }
-  /// Whether this build can count at all; if not, the guard says so and checks nothing.
+  /// Whether an allocation is seen in this build; tried out, not assumed.
   [[nodiscard]] static bool counts();
 
  private:
