@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/angle.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"
 
@@ -24,6 +25,7 @@ struct InboundMissile {
   double range = 0;               ///< m; 0 unless has_position
   double time = 0;                ///< s, last perceived
   double first_time = 0;          ///< s, first perceived
+  double position_time = 0;       ///< s, when elevation and range were taken; needs has_position
   PlayerId truth;                 ///< for scoring and debrief only
   std::uint8_t has_position = 0;  ///< 1: elevation and range are known
   std::uint8_t closing = 0;       ///< 1: seen to come closer
@@ -36,6 +38,7 @@ struct InboundMissile {
         field("elevation", &InboundMissile::elevation, "rad"),
         field("range", &InboundMissile::range, "m"), field("time", &InboundMissile::time, "s"),
         field("first_time", &InboundMissile::first_time, "s"),
+        field("position_time", &InboundMissile::position_time, "s"),
         field("truth", &InboundMissile::truth),
         field("has_position", &InboundMissile::has_position),
         field("closing", &InboundMissile::closing), field("sources", &InboundMissile::sources),
@@ -58,5 +61,42 @@ struct Threats {
   }
 };
 static_assert(fields_cover_row<Threats>());
+
+/// One sensor's word about one inbound missile.
+struct Sighting {
+  double bearing = 0;    ///< rad, true
+  double elevation = 0;  ///< rad; with has_position
+  double range = 0;      ///< m; with has_position
+  PlayerId truth;        ///< written down, never compared
+  ThreatSource source = kThreatFromRwr;
+  bool has_position = false;
+  bool closing = false;
+};
+
+/// How sightings become threats.
+struct ThreatRules {
+  double gate = radians(30);  ///< rad, bearings closer than this may be the same missile
+  double memory = 4;          ///< s, a threat that nobody has perceived for so long is gone
+};
+
+/// The threats of one look of one sensor: each threat takes at most one sighting of it, so two
+/// missiles on one bearing stay two. Missiles are told apart by direction alone.
+class ThreatUpdate {
+ public:
+  ThreatUpdate(Threats& threats, const ThreatRules& rules, double time)
+      : threats_(threats), rules_(rules), time_(time) {}
+
+  /// True if the missile was not known before. When all places are taken the sighting is dropped.
+  bool note(const Sighting& sighting);
+
+ private:
+  Threats& threats_;
+  const ThreatRules& rules_;
+  double time_;
+  std::uint32_t used_ = 0;  ///< bit i: threat i has had its sighting
+};
+
+/// Drops what has not been perceived for longer than the memory.
+void forget(Threats& threats, const ThreatRules& rules, double time);
 
 }  // namespace eyrie::model

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "core/assert.hpp"
+#include "model/datalink/datalink.hpp"
+
+namespace eyrie::model {
+namespace {
+
+Vec3 widen(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// Slack for sums of binary fractions when a time is compared with a delay (s).
+constexpr double kSlack = 1e-9;
+
+/// What a mate says about itself counts as one of the own tracks only if it fits as well as this.
+constexpr double kRecognized = 2;       ///< standard deviations
+constexpr double kRecognizedFar = 1e3;  ///< m
+constexpr double kSpeedSlack = 30;      ///< m/s, for the turn the mate made since its message
+
+/// A remote track nearer to the own aircraft than this is the own aircraft, seen by the mate.
+constexpr double kSelf = 500;  ///< m
+
+Contact as_contact(const SharedTrack& shared, const TrackContext& context, double dt) {
+  const AxisState remote =
+      predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                 double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                dt, context.tracker.maneuver);
+  Contact contact;
+  contact.position = widen(shared.position) + dt * widen(shared.velocity);
+  const Vec3 sight = contact.position - context.observer.position;
+  contact.range = norm(sight);
+  contact.line = normalized(sight, {1, 0, 0});
+  contact.sigma_along = contact.sigma_across = std::sqrt(remote.position);
+  contact.truth = shared.truth;
+  contact.source = kFromDatalink;
+  return contact;
+}
+
+/// The track that fits best, or kMaxTracks.
+std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
+                          const Contact& contact, double& best) {
+  std::size_t nearest = kMaxTracks;
+  for (std::size_t i = 0; i < file.count; ++i) {
+    const Prediction p = predict(file.tracks[i], context.tracker, context.observer, context.time);
+    const Fitting fitting = fit_of(p, contact);
+    if (fitting.deviations2 < best && fitting.distance <= context.tracker.max_gate) {
+      nearest = i;
+      best = fitting.deviations2;
+    }
+  }
+  return nearest;
+}
+
+/// The track as the mate believes it to be, now.
+void take_over(Track& track, const SharedTrack& shared, const TrackContext& context,
+               const Contact& contact, double dt) {
+  const AxisState state =
+      predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                 double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                dt, context.tracker.maneuver);
+  track.position = contact.position;
+  track.velocity = widen(shared.velocity);
+  track.along = track.across = narrow(state);
+  track.time = context.time;
+  track.truth = shared.truth;
+  track.fresh = kFromDatalink;
+  refresh_sigmas(track, context.tracker, context.time);
+}
+
+Track remote_track(const SharedTrack& shared, const TrackContext& context, const Contact& contact,
+                   double dt) {
+  Track track;
+  take_over(track, shared, context, contact, dt);
+  track.first_time = context.time;
+  track.sensed_time = track.seen_time = kNever;
+  track.sources = kFromDatalink;
+  track.hits = static_cast<std::uint8_t>(std::min(context.tracker.confirm_hits, 255u));
+  track.confirmed = 1;  // the sender has confirmed it
+  return track;
+}
+
+}  // namespace
+
+const DatalinkMessage* newest_arrived(const DatalinkSent& sent, double delay, double time,
+                                      std::uint32_t& number) {
+  const std::uint32_t kept = std::min<std::uint32_t>(sent.sent, kMessages);
+  for (std::uint32_t back = 0; back < kept; ++back) {
+    number = sent.sent - back;
+    const DatalinkMessage& message = sent.messages[(number - 1) % kMessages];
+    if (time - message.time >= delay - kSlack)
+      return &message;
+  }
+  number = 0;
+  return nullptr;
+}
+
+void start(DatalinkState& state, std::span<const PlayerId> members, PlayerId self, double time) {
+  EYRIE_ASSERT(members.size() <= kMaxFlight);
+  state = {};
+  state.count = static_cast<std::uint32_t>(members.size());
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    mate.id = members[i];
+    mate.time = mate.heard_time = time;
+    mate.alive = 1;
+    if (members[i] == self)
+      state.self = i;
+  }
+}
+
+const DatalinkMessage* receive(Mate& mate, const Datalink& datalink, const DatalinkSent& sent,
+                               bool in_reach, double time, Draw draw) {
+  std::uint32_t number = 0;
+  const DatalinkMessage* message = newest_arrived(sent, datalink.delay, time, number);
+  if (message == nullptr || number <= mate.received)
+    return nullptr;
+  mate.received = number;
+  if (!in_reach || (datalink.loss > 0 && draw.chance(datalink.loss)))
+    return nullptr;
+  mate.position = message->position;
+  mate.velocity = message->velocity;
+  mate.fuel = message->fuel;
+  mate.time = message->time;
+  mate.heard_time = time;
+  mate.alive = 1;
+  mate.reported = 1;
+  return message;
+}
+
+void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tracks, double time) {
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    if (i == state.self || !mate.alive || time - mate.heard_time <= datalink.timeout + kSlack)
+      continue;
+    mate.alive = 0;
+    const auto others = static_cast<std::uint8_t>(~(1u << i));
+    for (std::uint32_t t = 0; t < tracks.count; ++t) {
+      tracks.tracks[t].targeted_by &= others;
+      tracks.tracks[t].shot_by &= others;
+    }
+  }
+}
+
+void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
+          std::uint32_t member) {
+  const auto bit = static_cast<std::uint8_t>(1u << member);
+  for (std::uint32_t t = 0; t < file.count; ++t) {
+    file.tracks[t].targeted_by &= static_cast<std::uint8_t>(~bit);
+    file.tracks[t].shot_by &= static_cast<std::uint8_t>(~bit);
+  }
+
+  const double dt = context.time - message.time;
+  for (std::uint32_t i = 0; i < message.track_count; ++i) {
+    const SharedTrack& shared = message.tracks[i];
+    const Contact contact = as_contact(shared, context, dt);
+    if (contact.range < kSelf + context.tracker.gate * contact.sigma_along)
+      continue;
+
+    double best = context.tracker.gate * context.tracker.gate;
+    std::size_t index = nearest_track(file, context, contact, best);
+    if (index == kMaxTracks) {
+      if (!shared.sensed)
+        continue;
+      index = add_track(file, context, remote_track(shared, context, contact, dt));
+      if (index == kMaxTracks)
+        continue;
+      const Track& fresh = file.tracks[index];
+      context.news.add({.what = TrackNews::What::confirmed,
+                        .bits = fresh.sources,
+                        .id = fresh.id,
+                        .truth = fresh.truth,
+                        .value = contact.range});
+    } else if (shared.sensed) {
+      Track& track = file.tracks[index];
+      const Prediction own = predict(track, context.tracker, context.observer, context.time);
+      const double own_variance = std::max(own.along.position, own.across.position);
+      if (contact.sigma_along * contact.sigma_along < own_variance)
+        take_over(track, shared, context, contact, dt);
+      track.sources = static_cast<std::uint8_t>(track.sources | kFromDatalink);
+    }
+
+    Track& track = file.tracks[index];
+    if (track.identity == Identity::unknown)
+      identify(track, shared.identity, context);
+    if ((shared.engagement & kTargeted) != 0)
+      track.targeted_by |= bit;
+    if ((shared.engagement & kShotAt) != 0)
+      track.shot_by |= bit;
+  }
+}
+
+void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& mate) {
+  if (!mate.reported)
+    return;
+  Contact contact;
+  contact.position = position_at(mate, context.time);
+  contact.line = normalized(contact.position - context.observer.position, {1, 0, 0});
+  contact.sigma_along = contact.sigma_across = kSpeedSlack * (context.time - mate.time);
+  double best = kRecognized * kRecognized;
+  const std::size_t index = nearest_track(file, context, contact, best);
+  if (index == kMaxTracks)
+    return;
+  Track& track = file.tracks[index];
+  const double speed_slack = kSpeedSlack + kRecognized * static_cast<double>(track.velocity_sigma);
+  if (norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
+      norm(track.velocity - widen(mate.velocity)) <= speed_slack &&
+      track.identity == Identity::unknown)
+    identify(track, Identity::friendly, context);
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/radar.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// How much of the echo is left beside the ground clutter, in [0, 1]. A pulse Doppler radar rejects
+/// the main-lobe clutter together with everything that has its Doppler shift, that is, everything
+/// whose own speed along the line of sight is near zero. It only matters when the beam behind the
+/// target meets the ground. Stimson, Introduction to Airborne Radar, 2nd ed., ch. 24.
+double clear_of_clutter(const Radar& radar, const Kinematics& own, const Kinematics& other,
+                        const Vec3& unit) {
+  const double dip = std::sqrt(2 * std::max(own.altitude, 0.0) / (kRadioEarth * kEarthRadius));
+  const double half_beam = radar.beam_width / 2;  // rad; small, so sine and angle are the same
+  const double looking_down = smooth_step(dip - half_beam, dip + half_beam, dot(unit, own.down));
+  if (looking_down == 0)
+    return 1;
+  const double speed = std::fabs(dot(other.velocity, unit));
+  const double outside = smooth_step(radar.notch_speed - radar.notch_edge,
+                                     radar.notch_speed + radar.notch_edge, speed);
+  return 1 - looking_down * (1 - outside);
+}
+
+}  // namespace
+
+Detector::Detector(const Radar& radar)
+    : log_false_alarm_(math::log(radar.false_alarm)),
+      scale_((log_false_alarm_ / math::log(radar.reference_probability) - 1) *
+             radar.reference_range * radar.reference_range * radar.reference_range *
+             radar.reference_range / radar.reference_rcs) {}
+
+double Detector::probability(double signal_to_noise) const {
+  return math::exp(log_false_alarm_ / (1 + signal_to_noise));
+}
+
+Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own) {
+  const auto [sh, ch] = math::sin_cos(own.heading);
+  const auto [sp, cp] = math::sin_cos(own.pitch);
+  const double half_elevation = radar.scan_bars * radar.bar_spacing / 2;
+  const auto [sin_half, cos_half] = math::sin_cos(radar.scan_half_azimuth);
+  return {.position = own.position,
+          .nose = cp * ch * own.north + cp * sh * own.east - sp * own.down,
+          .scan = level_axes(own, own.heading + state.scan_azimuth),
+          .max_range2 = radar.instrumented_range * radar.instrumented_range,
+          .cos_gimbal = math::cos(radar.gimbal),
+          .tan_half_azimuth = sin_half / cos_half,
+          .sin_low = math::sin(std::max(state.scan_elevation - half_elevation, -kPi / 2)),
+          .sin_high = math::sin(std::min(state.scan_elevation + half_elevation, kPi / 2))};
+}
+
+double detection_probability(const Radar& radar, const Detector& detector, const Kinematics& own,
+                             const Signature& signature, const Kinematics& other) {
+  const Vec3 sight = other.position - own.position;
+  const double range2 = norm2(sight);
+  const double range = std::sqrt(range2);
+  if (range <= 0 || range > horizon_range(own.altitude, other.altitude, kRadioEarth))
+    return 0;
+  const Vec3 unit = sight / range;
+  const double cos_aspect = -dot(normalized(other.velocity, other.north), unit);
+  const double signal =
+      detector.signal_to_noise(range2, radar_cross_section(signature, cos_aspect)) *
+      clear_of_clutter(radar, own, other, unit);
+  return detector.probability(signal);
+}
+
+Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const Axes& level,
+                const Kinematics& other, PlayerId truth, Draw noise) {
+  const Vec3 sight = other.position - own.position;
+  const double range = norm(sight);
+  const Vec3 unit = sight / range;
+  const Vec3 outwards =
+      std::copysign(1.0, dot(unit, level.right)) * normalized(cross(level.down, unit), level.right);
+  const Vec3 upwards = normalized(level.down - dot(level.down, unit) * unit, level.forward) * -1;
+
+  const double sigma_angle = mode == RadarMode::track ? radar.track_sigma_angle : radar.sigma_angle;
+  const double measured_range = std::max(range + radar.sigma_range * noise.normal(), 1.0);
+  const double range_rate =
+      dot(other.velocity - own.velocity, unit) + radar.sigma_range_rate * noise.normal();
+  const double aside = sigma_angle * noise.normal(), above = sigma_angle * noise.normal();
+
+  Contact contact;
+  contact.line = normalized(unit + aside * outwards + above * upwards, unit);
+  contact.range = measured_range;
+  contact.position = own.position + measured_range * contact.line;
+  contact.speed_along = range_rate + dot(own.velocity, contact.line);
+  contact.sigma_along = radar.sigma_range;
+  contact.sigma_across = sigma_angle * measured_range;
+  contact.sigma_speed = radar.sigma_range_rate;
+  contact.truth = truth;
+  contact.source = kFromRadar;
+  return contact;
+}
+
+std::optional<Contact> look(const Radar& radar, const Antenna& antenna, const Kinematics& own,
+                            const Signature& signature, const Kinematics& other, PlayerId truth,
+                            Draw detection, Draw noise) {
+  const Vec3 sight = other.position - own.position;
+  if (!covers(antenna, sight, norm2(sight)))
+    return std::nullopt;
+  const Detector detector(radar);
+  if (!detection.chance(detection_probability(radar, detector, own, signature, other)))
+    return std::nullopt;
+  return measure(radar, RadarMode::search, own, level_axes(own, own.heading), other, truth, noise);
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A fighter's radar: range equation, scan volume, Doppler notch and measurement errors.
+/// docs/models/radar.md has the equations and what they are worth.
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "core/describe.hpp"
+#include "core/draw.hpp"
+#include "core/units.hpp"
+#include "model/kinematics.hpp"
+#include "model/sensor/contact.hpp"
+#include "model/sensor/geometry.hpp"
+#include "model/sensor/radar_state.hpp"
+#include "model/sensor/signature.hpp"
+
+namespace eyrie::model {
+
+/// Const and shared by every aircraft that carries it. It sees aircraft only: a missile's cross
+/// section is some hundred times smaller, so its range is a third or less, and the tracker of the
+/// time does not keep it.
+struct Radar {
+  double reference_range = si(80, "nmi");
+  double reference_rcs = 3.2;
+  double reference_probability = 0.5;
+  double false_alarm = 1e-6;
+  double instrumented_range = si(160, "nmi");
+  double gimbal = si(60, "deg");
+  double scan_half_azimuth = si(60, "deg");
+  std::uint32_t scan_bars = 4;
+  double bar_spacing = si(2.5, "deg");
+  double beam_width = si(3, "deg");
+  double scan_rate = 0.5;
+  double track_rate = 5;
+  double lock_range = 0;
+  double lock_memory = 2;
+  double notch_speed = 50;
+  double notch_edge = 10;
+  double sigma_range = 50;
+  double sigma_angle = si(0.5, "deg");
+  double sigma_range_rate = 3;
+  double track_sigma_angle = si(0.15, "deg");
+  std::uint32_t max_contacts = 24;
+
+  static constexpr std::string_view type_name = "radar";
+  static constexpr std::string_view help = "air-to-air radar of a fighter";
+  static constexpr auto params() {
+    return std::tuple{
+        param("reference_range", &Radar::reference_range, "m", range(1e3, 1e6),
+              "range at which the reference target is found with the reference probability")
+            .required(),
+        param("reference_rcs", &Radar::reference_rcs, "m2", range(1e-3, 1e4),
+              "radar cross section of the reference target")
+            .required(),
+        param("reference_probability", &Radar::reference_probability, range(0.01, 0.99),
+              "chance of detection in one look at the reference range"),
+        param("false_alarm", &Radar::false_alarm, range(1e-12, 1e-3),
+              "false alarm probability of one look, sets how steep detection is over range"),
+        param("instrumented_range", &Radar::instrumented_range, "m", range(1e3, 1e6),
+              "nothing is shown beyond"),
+        param("gimbal", &Radar::gimbal, "rad", range(0.1, 1.5),
+              "largest angle between nose and antenna, in any direction"),
+        param("scan_half_azimuth", &Radar::scan_half_azimuth, "rad", range(0.05, 1.5),
+              "half width of the search scan"),
+        param("scan_bars", &Radar::scan_bars, range(1, 16), "rows of the search scan"),
+        param("bar_spacing", &Radar::bar_spacing, "rad", range(0.01, 0.2),
+              "elevation from row to row"),
+        param("beam_width", &Radar::beam_width, "rad", range(0.005, 0.5), "half-power beam width"),
+        param("scan_rate", &Radar::scan_rate, "Hz", range(0.01, 50), "search frames per second"),
+        param("track_rate", &Radar::track_rate, "Hz", range(0.1, 100),
+              "looks per second in single target track"),
+        param("lock_range", &Radar::lock_range, "m", range(0, 1e6),
+              "a designated target inside this range is tracked alone even if nobody asked; 0: "
+              "never"),
+        param("lock_memory", &Radar::lock_memory, "s", range(0, 60),
+              "how long a lock survives without a detection"),
+        param("notch_speed", &Radar::notch_speed, "m/s", range(0, 500),
+              "ground clutter hides a target whose own speed along the line of sight is less"),
+        param("notch_edge", &Radar::notch_edge, "m/s", range(0.1, 200),
+              "half width of the edge of the notch"),
+        param("sigma_range", &Radar::sigma_range, "m", range(0.1, 1e4), "range error, 1-sigma"),
+        param("sigma_angle", &Radar::sigma_angle, "rad", range(1e-5, 0.2),
+              "error across the line of sight in search, 1-sigma per axis"),
+        param("sigma_range_rate", &Radar::sigma_range_rate, "m/s", range(0.01, 1e3),
+              "range rate error, 1-sigma"),
+        param("track_sigma_angle", &Radar::track_sigma_angle, "rad", range(1e-5, 0.2),
+              "error across the line of sight in single target track, 1-sigma per axis"),
+        param("max_contacts", &Radar::max_contacts, range(1, 32),
+              "the nearest so many detections of a frame are kept")};
+  }
+};
+
+/// The detection statistics of one radar: the range equation anchored at its reference point, and
+/// the chance to detect a Swerling 1 target in one look. Made once per frame.
+class Detector {
+ public:
+  explicit Detector(const Radar& radar);
+
+  /// Signal over noise (a power ratio) of a target of `rcs` (m^2) at the square of its range (m^2).
+  [[nodiscard]] double signal_to_noise(double range_squared, double rcs) const {
+    return scale_ * rcs / (range_squared * range_squared);
+  }
+  /// Pfa^(1 / (1 + S/N)): exact for a Swerling 1 target, one look, square-law detector. Mahafza,
+  /// Radar Systems Analysis and Design Using MATLAB, eq. 2.75; Richards, Fundamentals of Radar
+  /// Signal Processing, eq. 6.99.
+  [[nodiscard]] double probability(double signal_to_noise) const;
+
+ private:
+  double log_false_alarm_;
+  double scale_;
+};
+
+/// Where the antenna looks now, in the local frame.
+struct Antenna {
+  Vec3 position;          ///< m
+  Vec3 nose;              ///< unit vector, middle of the gimbal
+  Axes scan;              ///< level axes, forward to the middle of the scan
+  double max_range2 = 0;  ///< m^2
+  double cos_gimbal = 1;
+  double tan_half_azimuth = 0;
+  double sin_low = 0, sin_high = 0;  ///< sines of the lowest and highest elevation
+};
+
+/// The search volume around the scan center of `state`.
+[[nodiscard]] Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own);
+
+/// Whether a line of sight (m, from the antenna) lies in range, inside the gimbal and in the scan.
+[[nodiscard]] inline bool covers(const Antenna& a, const Vec3& sight, double range2) {
+  const double along = dot(sight, a.nose);
+  if (range2 > a.max_range2 || along < 0 || along * along < a.cos_gimbal * a.cos_gimbal * range2)
+    return false;
+  const double ahead = dot(sight, a.scan.forward);
+  if (ahead <= 0 || std::fabs(dot(sight, a.scan.right)) > a.tan_half_azimuth * ahead)
+    return false;
+  const double up = -dot(sight, a.scan.down), range = std::sqrt(range2);
+  return up >= a.sin_low * range && up <= a.sin_high * range;
+}
+
+/// Whether the gimbal lets the antenna point along `sight` at all; track mode needs no more.
+[[nodiscard]] inline bool within_gimbal(const Antenna& a, const Vec3& sight, double range2) {
+  const double along = dot(sight, a.nose);
+  return range2 <= a.max_range2 && along > 0 &&
+         along * along >= a.cos_gimbal * a.cos_gimbal * range2;
+}
+
+/// Chance to detect `other` in one look if the beam passes it: range, aspect, horizon and notch.
+[[nodiscard]] double detection_probability(const Radar& radar, const Detector& detector,
+                                           const Kinematics& own, const Signature& signature,
+                                           const Kinematics& other);
+
+/// The measurement of a detected target, with errors. The error across the line of sight is counted
+/// outwards from the nose, so that a mirrored scene gives the mirrored contact for the same draw.
+[[nodiscard]] Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own,
+                              const Axes& level, const Kinematics& other, PlayerId truth,
+                              Draw noise);
+
+/// One look of the searching radar at one other aircraft: nothing if it is not detected.
+[[nodiscard]] std::optional<Contact> look(const Radar& radar, const Antenna& antenna,
+                                          const Kinematics& own, const Signature& signature,
+                                          const Kinematics& other, PlayerId truth, Draw detection,
+                                          Draw noise);
+
+}  // namespace eyrie::model

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A radar warning receiver: bearing and kind of what radiates at the aircraft, never range.
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "core/describe.hpp"
+#include "core/draw.hpp"
+#include "core/units.hpp"
+#include "model/emission.hpp"
+#include "model/kinematics.hpp"
+#include "model/sensor/geometry.hpp"
+#include "model/sensor/rwr_state.hpp"
+
+namespace eyrie::model {
+
+/// Const and shared by every aircraft that carries it. It hears main beams only: a radar that does
+/// not point here, or does not sweep over here, is not heard.
+struct Rwr {
+  double insensitivity = 95;
+  double sigma_bearing = si(10, "deg");
+  double bearing_step = si(5, "deg");
+  double elevation_coverage = si(45, "deg");
+  double search_rate = 1;
+  double seeker_rate = 5;
+  double memory = 5;
+  bool hides_friends = true;
+
+  static constexpr std::string_view type_name = "rwr";
+  static constexpr std::string_view help = "radar warning receiver";
+  static constexpr auto params() {
+    return std::tuple{
+        param("insensitivity", &Rwr::insensitivity, "dB", range(0, 200),
+              "how much more power than the radar's own receiver, antenna gain included, it needs"),
+        param("sigma_bearing", &Rwr::sigma_bearing, "rad", range(0, 1.5), "bearing error, 1-sigma"),
+        param("bearing_step", &Rwr::bearing_step, "rad", range(1e-3, 1.6),
+              "bearings come in steps of this, counted from the nose"),
+        param("elevation_coverage", &Rwr::elevation_coverage, "rad", range(0.1, 1.5707),
+              "deaf above and below this angle from the plane of the wings"),
+        param("search_rate", &Rwr::search_rate, "Hz", range(0.05, 50),
+              "how often it sorts the radars it hears"),
+        param("seeker_rate", &Rwr::seeker_rate, "Hz", range(0.05, 50),
+              "how often it looks for missile seekers"),
+        param("memory", &Rwr::memory, "s", range(0.1, 60),
+              "a warning stays so long after it was last heard"),
+        param("hides_friends", &Rwr::hides_friends,
+              "the threat library knows the own side's waveforms and does not show them")};
+  }
+};
+
+/// Where a receiver is and how it is turned; made once per look.
+struct RwrAntenna {
+  Vec3 position;  ///< m, local frame
+  Axes body;
+  double altitude = 0;      ///< m
+  double sensitivity = 0;   ///< (range / figure)^2 at which a main beam is just heard
+  double sin_coverage = 0;  ///< of elevation_coverage
+  Side side = Side::none;
+};
+[[nodiscard]] RwrAntenna aim(const Rwr& rwr, const Kinematics& own, Side side);
+
+/// Power of an emission at the receiver over the least it hears, or nothing if it is not heard:
+/// too far, not in the beam, outside the antenna coverage, a friend, or radio silence. The horizon
+/// is not looked at here; the caller asks beyond_horizon() only for what made it to the display.
+[[nodiscard]] std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna,
+                                         const Emission& emission);
+
+/// The warning that an emission gives: a bearing with error, in the steps of the display. The error
+/// is counted outwards from the nose, so that a mirrored scene gives the mirrored warning.
+[[nodiscard]] RwrWarning warn(const Rwr& rwr, const RwrAntenna& antenna, const Kinematics& own,
+                              const Emission& emission, PlayerId emitter, double time, Draw draw);
+
+/// Puts a warning on the display. True if the emitter is new there or has become more urgent. When
+/// the display is full the least urgent and then the longest unheard makes room, if the new one is
+/// more urgent.
+bool show(RwrState& state, const RwrWarning& warning);
+
+/// Takes off the display what has not been heard for longer than the memory.
+void forget(RwrState& state, const Rwr& rwr, double time);
+
+}  // namespace eyrie::model

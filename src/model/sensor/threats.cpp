@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/threats.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eyrie::model {
+
+bool ThreatUpdate::note(const Sighting& sighting) {
+  // the nearest bearing that is free; the one known longest wins a tie
+  std::uint32_t best = kMaxThreats;
+  double best_turn = rules_.gate;
+  for (std::uint32_t i = 0; i < threats_.count; ++i) {
+    const double turn = std::fabs(angle_between(threats_.missiles[i].bearing, sighting.bearing));
+    if ((used_ >> i & 1) == 0 && turn <= best_turn && (best == kMaxThreats || turn < best_turn)) {
+      best = i;
+      best_turn = turn;
+    }
+  }
+
+  const bool is_new = best == kMaxThreats;
+  if (is_new) {
+    if (threats_.count == kMaxThreats)
+      return false;
+    best = threats_.count++;
+    threats_.missiles[best] = {};
+    threats_.missiles[best].first_time = time_;
+  }
+  used_ |= 1u << best;
+
+  InboundMissile& missile = threats_.missiles[best];
+  missile.time = time_;
+  missile.truth = sighting.truth;
+  missile.sources = static_cast<std::uint8_t>(missile.sources | sighting.source);
+
+  // the eye's bearing is the better one for as long as it is fresh
+  if (sighting.has_position) {
+    missile.bearing = sighting.bearing;
+    missile.elevation = sighting.elevation;
+    missile.range = sighting.range;
+    missile.closing = sighting.closing;
+    missile.position_time = time_;
+    missile.has_position = 1;
+  } else if (!missile.has_position) {
+    missile.bearing = sighting.bearing;
+  }
+  return is_new;
+}
+
+void forget(Threats& threats, const ThreatRules& rules, double time) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < threats.count; ++i) {
+    InboundMissile missile = threats.missiles[i];
+    if (time - missile.time > rules.memory)
+      continue;
+    if (missile.has_position && time - missile.position_time > rules.memory) {
+      missile.has_position = 0;
+      missile.elevation = missile.range = missile.position_time = 0;
+      missile.closing = 0;
+    }
+    threats.missiles[kept++] = missile;
+  }
+  for (std::uint32_t i = kept; i < threats.count; ++i)
+    threats.missiles[i] = {};
+  threats.count = kept;
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/visual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+
+namespace eyrie::model {
+
+Eyes eyes_of(const Kinematics& own) {
+  return {own.position, own.velocity, body_axes(own), own.altitude};
+}
+
+bool in_view(const Visual& visual, const Eyes& eyes, const Vec3& unit) {
+  const double ahead = dot(unit, eyes.body.forward), aside = dot(unit, eyes.body.right);
+  const double down = dot(unit, eyes.body.down);
+  if (ahead <= -math::cos(visual.tail_blind))
+    return false;
+  const double level2 = ahead * ahead + aside * aside;
+  const double sideness = level2 > 1e-12 ? aside * aside / level2 : 1;  // sin^2 of the azimuth
+  const double limit = visual.over_nose + (visual.over_side - visual.over_nose) * sideness;
+  return down <= math::sin(limit);
+}
+
+double acquisition_probability(const Visual& visual, double search, double area, double range) {
+  if (range > visual.range || apparent_diameter(area, range) < visual.least_angle)
+    return 0;
+  constexpr double kFivePercent = 2.995732273553991;  // -ln 0.05: contrast at the visibility
+  const double rate =
+      search * area / (range * range) * math::exp(-kFivePercent * range / visual.visibility);
+  return 1 - math::exp(-rate / visual.rate);
+}
+
+double apparent_diameter(double area, double range) {
+  return std::sqrt(4 * area / kPi) / range;
+}
+
+Contact estimate(const Visual& visual, const Eyes& eyes, const Vec3& position, PlayerId truth,
+                 Draw noise) {
+  const Vec3 sight = position - eyes.position;
+  const double range = norm(sight);
+  const Vec3 unit = sight / range;
+  // the two directions across the line: away from the nose, and square to that
+  const Vec3 outwards =
+      normalized(dot(unit, eyes.body.forward) * unit - eyes.body.forward, eyes.body.right);
+  const Vec3 sideways = cross(unit, outwards);
+  const double mirror = std::copysign(1.0, dot(unit, eyes.body.right));
+
+  Contact contact;
+  contact.range = range * std::max(1 + visual.sigma_range * noise.normal(), 0.1);
+  const double out = visual.sigma_angle * noise.normal();
+  const double side = mirror * visual.sigma_angle * noise.normal();
+  contact.line = normalized(unit + out * outwards + side * sideways, unit);
+  contact.position = eyes.position + contact.range * contact.line;
+  contact.sigma_along = visual.sigma_range * contact.range;
+  contact.sigma_across = visual.sigma_angle * contact.range;
+  contact.truth = truth;
+  contact.source = kFromVisual;
+  return contact;
+}
+
+bool looks_dangerous(const Visual& visual, const Vec3& relative_position,
+                     const Vec3& relative_velocity) {
+  const double range2 = norm2(relative_position);
+  if (range2 <= 0 || dot(relative_position, relative_velocity) >= 0)
+    return false;
+  const double turning = norm(cross(relative_position, relative_velocity)) / range2;
+  return turning <= visual.steady_rate;
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "model/track/filter.hpp"
+
+#include <algorithm>
+
+namespace eyrie::model {
+namespace {
+
+/// The diagonal of a covariance that is turned by an angle with that sin^2 about a random axis
+/// across the line: the trace of along + 2 across stays.
+void turn(AxisState& along, AxisState& across, double sin2) {
+  const auto mix = [sin2](double& a, double& b) {
+    const double passed = sin2 * (a - b);
+    a -= passed;
+    b += passed / 2;
+  };
+  mix(along.position, across.position);
+  mix(along.cross, across.cross);
+  mix(along.velocity, across.velocity);
+}
+
+float worst_sigma(double a, double b) {
+  return static_cast<float>(std::sqrt(std::max(a, b)));
+}
+
+void store(Track& track, const AxisState& along, const AxisState& across) {
+  track.along = narrow(along);
+  track.across = narrow(across);
+  track.position_sigma = worst_sigma(along.position, across.position);
+  track.velocity_sigma = worst_sigma(along.velocity, across.velocity);
+}
+
+void stamp(Track& track, const Contact& contact, double time) {
+  track.time = time;
+  track.sensed_time = time;
+  if (contact.source == kFromVisual)
+    track.seen_time = time;
+  track.truth = contact.truth;
+  track.sources = static_cast<std::uint8_t>(track.sources | contact.source);
+  track.fresh = contact.source;
+  if (track.hits < 255)
+    ++track.hits;
+}
+
+}  // namespace
+
+Prediction predict(const Track& track, const Tracker& tracker, const Observer& observer,
+                   double time) {
+  const double dt = time - track.time;
+  Prediction result{position_at(track, time), track.velocity,
+                    predicted(widen(track.along), dt, tracker.maneuver),
+                    predicted(widen(track.across), dt, tracker.maneuver)};
+  const Vec3 sight = result.position - observer.position;
+  const double range2 = norm2(sight);
+  if (range2 > 0 && dt > 0) {
+    const Vec3 turned = cross(sight, track.velocity - observer.velocity) * (dt / range2);
+    const double tangent2 = norm2(turned);  // the angle turned in dt, as its tangent, squared
+    turn(result.along, result.across, tangent2 / (1 + tangent2));
+  }
+  return result;
+}
+
+Fitting fit_of(const Prediction& prediction, const Contact& contact) {
+  const Vec3 residual = contact.position - prediction.position;
+  const double along = dot(residual, contact.line), distance2 = norm2(residual);
+  const double across2 = std::max(distance2 - along * along, 0.0);
+  const double along_variance =
+      prediction.along.position + contact.sigma_along * contact.sigma_along;
+  const double across_variance =
+      prediction.across.position + contact.sigma_across * contact.sigma_across;
+  return {along * along / along_variance + across2 / across_variance, std::sqrt(distance2)};
+}
+
+void filter(Track& track, const Prediction& prediction, const Contact& contact, double time) {
+  AxisState along = prediction.along, across = prediction.across;
+  Vec3 position = prediction.position, velocity = prediction.velocity;
+
+  // position, along and across the line of sight
+  const Vec3 residual = contact.position - position;
+  const Vec3 residual_along = dot(residual, contact.line) * contact.line;
+  const Vec3 residual_across = residual - residual_along;
+  const Gains a = update_position(along, contact.sigma_along * contact.sigma_along);
+  const Gains b = update_position(across, contact.sigma_across * contact.sigma_across);
+  position += a.position * residual_along + b.position * residual_across;
+  velocity += a.velocity * residual_along + b.velocity * residual_across;
+
+  // speed along the line, from the Doppler shift
+  if (contact.sigma_speed > 0) {
+    const double faster = contact.speed_along - dot(velocity, contact.line);
+    const Gains c = update_velocity(along, contact.sigma_speed * contact.sigma_speed);
+    position += (c.position * faster) * contact.line;
+    velocity += (c.velocity * faster) * contact.line;
+  }
+
+  track.position = position;
+  track.velocity = velocity;
+  store(track, along, across);
+  stamp(track, contact, time);
+}
+
+Track first_track(const Tracker& tracker, const Contact& contact, double time) {
+  Track track;
+  track.first_time = time;
+  track.sensed_time = track.seen_time = kNever;
+  track.position = contact.position;
+
+  const double unknown = tracker.initial_speed * tracker.initial_speed;
+  AxisState along{contact.sigma_along * contact.sigma_along, 0, unknown};
+  AxisState across{contact.sigma_across * contact.sigma_across, 0, unknown};
+  if (contact.sigma_speed > 0) {
+    const Gains gains = update_velocity(along, contact.sigma_speed * contact.sigma_speed);
+    track.velocity = (gains.velocity * contact.speed_along) * contact.line;
+  }
+  store(track, along, across);
+  stamp(track, contact, time);
+  return track;
+}
+
+void refresh_sigmas(Track& track, const Tracker& tracker, double time) {
+  const double dt = time - track.time;
+  const AxisState along = predicted(widen(track.along), dt, tracker.maneuver);
+  const AxisState across = predicted(widen(track.across), dt, tracker.maneuver);
+  track.position_sigma = worst_sigma(along.position, across.position);
+  track.velocity_sigma = worst_sigma(along.velocity, across.velocity);
+}
+
+}  // namespace eyrie::model

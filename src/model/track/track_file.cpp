@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "model/track/track_file.hpp"
+
+#include <algorithm>
+
+#include "core/assert.hpp"
+#include "model/sensor/iff.hpp"
+#include "model/track/associate.hpp"
+
+namespace eyrie::model {
+namespace {
+
+constexpr std::uint8_t kOwnSensors = kFromRadar | kFromVisual;
+
+double range_of(const Track& track, const TrackContext& context) {
+  return norm(position_at(track, context.time) - context.observer.position);
+}
+
+void drop(TrackFile& file, std::size_t index, const TrackContext& context) {
+  const Track& track = file.tracks[index];
+  if (track.confirmed)
+    context.news.add({.what = TrackNews::What::lost,
+                      .bits = track.sources,
+                      .id = track.id,
+                      .truth = track.truth,
+                      .value = context.time - track.time});
+  const auto end = file.tracks.begin() + file.count;
+  std::copy(file.tracks.begin() + static_cast<std::ptrdiff_t>(index) + 1, end,
+            file.tracks.begin() + static_cast<std::ptrdiff_t>(index));
+  file.tracks[--file.count] = {};
+}
+
+void confirm_if_due(Track& track, const TrackContext& context) {
+  if (track.confirmed || track.hits < context.tracker.confirm_hits)
+    return;
+  track.confirmed = 1;
+  context.news.add({.what = TrackNews::What::confirmed,
+                    .bits = track.sources,
+                    .id = track.id,
+                    .truth = track.truth,
+                    .value = range_of(track, context)});
+}
+
+/// What the look said about who it is: the eye is believed always, a reply or its absence counts.
+void take_identity(Track& track, const Contact& contact, const TrackContext& context) {
+  if (contact.interrogated) {
+    Track asked = track;
+    conclude(asked, context.iff_tries, contact.identity == Identity::friendly);
+    track.unanswered = asked.unanswered;
+    identify(track, asked.identity, context);
+  } else if (contact.identity != Identity::unknown) {
+    identify(track, contact.identity, context);
+  }
+}
+
+/// The track that makes room for a newcomer at `range` (m), or kMaxTracks.
+std::size_t least_worth(const TrackFile& file, const TrackContext& context, double range) {
+  std::size_t farthest = kMaxTracks, stalest = kMaxTracks;
+  double farthest_range = range, stalest_age = context.tracker.coast_time / 2;
+  for (std::size_t i = 0; i < file.count; ++i) {
+    const Track& track = file.tracks[i];
+    if (!track.confirmed) {
+      if (const double r = range_of(track, context); r > farthest_range) {
+        farthest = i;
+        farthest_range = r;
+      }
+    } else if (const double age = context.time - track.time; age > stalest_age) {
+      stalest = i;
+      stalest_age = age;
+    }
+  }
+  return farthest != kMaxTracks ? farthest : stalest;
+}
+
+/// Whether two tracks may be one target: never if one sensor holds both for good, because a sensor
+/// that gives two contacts in one look has seen two targets.
+bool may_be_one(const Track& a, const Track& b) {
+  if (a.time == b.time && (a.fresh & b.fresh) != 0)
+    return false;
+  return !a.confirmed || !b.confirmed || (a.sources & b.sources & kOwnSensors) == 0;
+}
+
+bool coincide(const Prediction& a, const Prediction& b, const TrackContext& context) {
+  const double gate2 = context.tracker.merge_gate * context.tracker.merge_gate;
+  const Vec3 apart = a.position - b.position;
+  if (norm2(apart) > context.tracker.max_gate * context.tracker.max_gate)
+    return false;
+  const Vec3 line = normalized(a.position - context.observer.position, {1, 0, 0});
+  const double along = dot(apart, line), across2 = std::max(norm2(apart) - along * along, 0.0);
+  if (along * along / (a.along.position + b.along.position) +
+          across2 / (a.across.position + b.across.position) >
+      gate2)
+    return false;
+  const double speed_variance =
+      std::max(a.along.velocity, a.across.velocity) + std::max(b.along.velocity, b.across.velocity);
+  return norm2(a.velocity - b.velocity) <= gate2 * speed_variance;
+}
+
+/// `into` is the older one and keeps its id.
+void absorb(Track& into, const Track& from, bool from_is_better, const TrackContext& context) {
+  if (from_is_better) {
+    into.position = from.position;
+    into.velocity = from.velocity;
+    into.time = from.time;
+    into.along = from.along;
+    into.across = from.across;
+    into.truth = from.truth;
+    into.fresh = from.fresh;
+  }
+  into.first_time = std::min(into.first_time, from.first_time);
+  into.sensed_time = std::max(into.sensed_time, from.sensed_time);
+  into.seen_time = std::max(into.seen_time, from.seen_time);
+  into.sources = static_cast<std::uint8_t>(into.sources | from.sources);
+  into.hits = static_cast<std::uint8_t>(std::min(255, into.hits + from.hits));
+  into.unanswered = std::max(into.unanswered, from.unanswered);
+  into.targeted_by |= from.targeted_by;
+  into.shot_by |= from.shot_by;
+  if (into.identity == Identity::unknown)
+    identify(into, from.identity, context);
+  if (from.confirmed && !into.confirmed)
+    into.hits = std::max(into.hits, static_cast<std::uint8_t>(context.tracker.confirm_hits));
+  confirm_if_due(into, context);
+}
+
+void merge_duplicates(TrackFile& file, const TrackContext& context) {
+  for (std::size_t i = 0; i + 1 < file.count; ++i)
+    for (std::size_t j = i + 1; j < file.count;) {
+      Track &older = file.tracks[i], &newer = file.tracks[j];
+      if (!may_be_one(older, newer)) {
+        ++j;
+        continue;
+      }
+      const Prediction a = predict(older, context.tracker, context.observer, context.time);
+      const Prediction b = predict(newer, context.tracker, context.observer, context.time);
+      if (!coincide(a, b, context)) {
+        ++j;
+        continue;
+      }
+      const bool newer_is_better =
+          b.along.position + 2 * b.across.position < a.along.position + 2 * a.across.position;
+      absorb(older, newer, newer_is_better, context);
+      newer.confirmed = 0;  // it is not lost, it lives on in the older one
+      drop(file, j, context);
+    }
+}
+
+}  // namespace
+
+void identify(Track& track, Identity identity, const TrackContext& context) {
+  if (identity == track.identity || identity == Identity::unknown)
+    return;
+  track.identity = identity;
+  context.news.add({.what = TrackNews::What::identified,
+                    .bits = static_cast<std::uint8_t>(identity),
+                    .id = track.id,
+                    .truth = track.truth,
+                    .value = range_of(track, context)});
+}
+
+std::size_t add_track(TrackFile& file, const TrackContext& context, const Track& track) {
+  if (file.count == kMaxTracks) {
+    const std::size_t victim = least_worth(file, context, range_of(track, context));
+    if (victim == kMaxTracks)
+      return kMaxTracks;
+    drop(file, victim, context);
+  }
+  const std::size_t index = file.count++;
+  file.next_id = std::max(file.next_id, 1u);  // a row is born as zeros
+  file.tracks[index] = track;
+  file.tracks[index].id = TrackId{file.next_id++};
+  return index;
+}
+
+void update(TrackFile& file, const TrackContext& context, std::span<const Contact> contacts) {
+  EYRIE_ASSERT(contacts.size() <= kMaxContacts);
+  if (contacts.empty())
+    return;
+
+  std::array<Prediction, kMaxTracks> predictions;
+  for (std::size_t i = 0; i < file.count; ++i)
+    predictions[i] = predict(file.tracks[i], context.tracker, context.observer, context.time);
+  const auto track_of =
+      associate(context.tracker, std::span(predictions).first(file.count), contacts);
+
+  // known tracks first: a newcomer may push one out
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (track_of[c] == kNoTrack)
+      continue;
+    Track& track = file.tracks[track_of[c]];
+    filter(track, predictions[track_of[c]], contacts[c], context.time);
+    take_identity(track, contacts[c], context);
+    confirm_if_due(track, context);
+  }
+
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (track_of[c] != kNoTrack)
+      continue;
+    const std::size_t index =
+        add_track(file, context, first_track(context.tracker, contacts[c], context.time));
+    if (index == kMaxTracks)
+      continue;
+    take_identity(file.tracks[index], contacts[c], context);
+    confirm_if_due(file.tracks[index], context);
+  }
+}
+
+void upkeep(TrackFile& file, const TrackContext& context) {
+  for (std::size_t i = 0; i < file.count;) {
+    const Track& track = file.tracks[i];
+    const double patience =
+        track.confirmed ? context.tracker.coast_time : context.tracker.tentative_time;
+    if (context.time - track.time > patience)
+      drop(file, i, context);
+    else
+      ++i;
+  }
+  merge_duplicates(file, context);
+  for (std::size_t i = 0; i < file.count; ++i)
+    refresh_sigmas(file.tracks[i], context.tracker, context.time);
+}
+
+}  // namespace eyrie::model
