@@ -179,8 +179,8 @@ struct UnitName {
 }
 
 /// For reports: `in_unit(range, "nmi")`.
-[[nodiscard]] constexpr double in_unit(double si_value, UnitName unit) {
-  return from_si(si_value, *unit.info);
+[[nodiscard]] constexpr double in_unit(double value, UnitName unit) {
+  return from_si(value, *unit.info);
 }
 
 /// A dimension as a noun with its article: "a length". For none: "a plain number".
@@ -213,8 +213,8 @@ enum class UnitStyle : std::uint8_t {
 /// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
 [[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);
 
-/// For files and references: the shortest text that parse_quantity reads back to the same double or
-/// float, so 3704 m is "2 nmi". Falls back on SI.
+/// For files and references: a text that parse_quantity reads back to the same double or float, in
+/// SI or in the unit that says it more simply, so 3704 m is "2 nmi".
 template <std::floating_point Real>
 [[nodiscard]] std::string exact_quantity(Real si, Dimension dimension);
 
