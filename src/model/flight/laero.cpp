@@ -20,15 +20,19 @@ constexpr double kPitchTime = 0.25;
 
 }  // namespace
 
+double Laero::turn_rate_limit(double speed, double load_factor) const {
+  const double sideways =
+      std::min(math::tan(max_bank), std::sqrt(std::max(load_factor * load_factor - 1, 0.0)));
+  return std::min(max_turn_rate, kGravity * sideways / std::max(speed, 1.0));
+}
+
 void Laero::step(Kinematics& k, Flying& memory, const Guidance& wanted, double load_factor,
                  const Propulsion& engines, const Air& air, const Vec3& wind_ned, double dt) const {
   const bool powered = fuel_flow == 0 || engines.fuel > 0;
   const double speed = std::max(k.speed, 1.0);
 
   // heading: the short way, no faster than the turn rate, the bank and the load factor allow
-  const double sideways =
-      std::min(math::tan(max_bank), std::sqrt(std::max(load_factor * load_factor - 1, 0.0)));
-  const double turn_limit = std::min(max_turn_rate, kGravity * sideways / speed);
+  const double turn_limit = turn_rate_limit(speed, load_factor);
   const double heading_rate =
       std::clamp(angle_between(k.heading, wanted.heading) / heading_time + wanted.turn_rate,
                  -turn_limit, turn_limit);

@@ -53,6 +53,9 @@ struct Laero {
         param("fuel_flow", &L::fuel_flow, "kg/s", range(0, 100), "constant; 0: fuel never ends")};
   }
 
+  /// rad/s, the largest at a speed (m/s) and a load factor (g): turn rate, bank and load factor.
+  [[nodiscard]] double turn_rate_limit(double speed, double load_factor) const;
+
   /// One step of `dt` (s) towards what is asked. `load_factor` (g) limits the turn as a level turn
   /// does. Without fuel it can neither accelerate nor climb: it sinks at the largest climb rate and
   /// slows down. Integration is Adams-Bashforth of two steps, the first one Euler.

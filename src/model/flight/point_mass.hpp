@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  point_mass: an aircraft as a point with lift, drag, thrust, weight and fuel, in
+/// coordinated flight. Three degrees of freedom; docs/models/flight.md has the equations.
+#include <vector>
+
+#include "core/table.hpp"
+#include "model/environment/environment.hpp"
+#include "model/flight/airframe.hpp"
+#include "model/flight/propulsion.hpp"
+#include "model/kinematics.hpp"
+
+namespace eyrie::model {
+
+/// What hangs outside.
+struct Load {
+  double mass = 0;       ///< kg
+  double drag_area = 0;  ///< m2, drag coefficient times area
+};
+
+/// What the pilot or the autopilot moves.
+struct Controls {
+  double load_factor = 1;  ///< g, along the lift axis
+  double bank = 0;         ///< rad
+  double throttle = 0;     ///< 0 idle .. 1 military power .. 2 full afterburner
+};
+
+/// Everything that speed, altitude and mass decide in one step; forces in N.
+struct FlightCondition {
+  double mass = 0;  ///< kg
+  double mach = 0;
+  double temperature = 0;     ///< K
+  double density_root = 1;    ///< root of density over sea-level density: EAS = TAS times this
+  double speed_of_sound = 0;  ///< m/s
+  double zero_lift_drag = 0;  ///< N, of aircraft and stores
+  double induced_drag = 0;    ///< N at one g; grows with the square of the load factor
+  double lift_limit = 0;      ///< g, largest load factor that the wing gives
+  Thrust thrust;
+
+  [[nodiscard]] double drag(double load_factor) const {
+    return zero_lift_drag + induced_drag * load_factor * load_factor;
+  }
+};
+
+/// The tables of one airframe on common breakpoints, so that a step looks its Mach number and its
+/// altitude up once. Gives the same values as the airframe's own tables. Immutable.
+class PointMass {
+ public:
+  explicit PointMass(const Airframe& airframe);
+
+  [[nodiscard]] const Airframe& airframe() const { return airframe_; }
+
+  /// At the speed and altitude of `k`, in that air.
+  [[nodiscard]] FlightCondition condition(const Kinematics& k, const Air& air, double fuel,
+                                          const Load& load) const;
+
+  /// One step of `dt` (s). Load factor and bank follow the controls at their rates, limited by
+  /// structure and lift; the throttle spools; forces stay constant during the step and the motion
+  /// is integrated by the midpoint rule, which changes the energy by the work of thrust and drag
+  /// only. Sets the fuel flow; the caller burns it. Leaves everything of `k` but the vertical axes
+  /// and the altitude of the new position, which the caller sets.
+  void step(Kinematics& k, Propulsion& engines, const FlightCondition& condition,
+            const Controls& controls, const Vec3& wind_ned, double dt) const;
+
+ private:
+  struct ByMach {
+    double zero_lift_drag, induced_drag, max_lift;
+  };
+  struct Power {
+    double military, afterburner;
+  };
+  [[nodiscard]] Thrust thrust_at(const TableCell& mach, double altitude) const;
+
+  Airframe airframe_;
+  Axis mach_, altitude_;
+  std::vector<ByMach> by_mach_;
+  std::vector<Power> power_;  ///< by Mach number, then by altitude
+};
+
+}  // namespace eyrie::model
