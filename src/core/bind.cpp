@@ -45,13 +45,18 @@ double snapped(double x, const ParamInfo& info) {
   return x;
 }
 
+/// A number as written, without the quotes but cut like quote() if it is absurdly long.
+std::string as_written(const Value& value) {
+  const std::string quoted = quote(trimmed(value.text));
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 bool check_range(double x, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
   if (info.limits.contains(x))
     return true;
-  report(
-      value, info,
-      fmt::format("{} is {}", trimmed(value.text), limits_text(info.limits, info.unit.dimension)),
-      diagnostics);
+  report(value, info,
+         fmt::format("{} is {}", as_written(value), limits_text(info.limits, info.unit.dimension)),
+         diagnostics);
   return false;
 }
 
@@ -133,7 +138,7 @@ bool read_float(float& out, const Value& value, const ParamInfo& info, Diagnosti
   if (!read_number(wide, value, info, diagnostics))
     return false;
   if (std::fabs(wide) > double(std::numeric_limits<float>::max())) {
-    report(value, info, fmt::format("{} is too large for this parameter", trimmed(value.text)),
+    report(value, info, fmt::format("{} is too large for this parameter", as_written(value)),
            diagnostics);
     return false;
   }
@@ -168,7 +173,7 @@ bool read_integer(bool& negative, std::uint64_t& magnitude, const Value& value, 
   const std::uint64_t lowest = 0 - static_cast<std::uint64_t>(type.min);
   if (error != std::errc{} || magnitude > (negative ? lowest : type.max)) {
     report(value, info,
-           fmt::format("{} is outside [{}, {}]", quote(trimmed(value.text)), type.min, type.max),
+           fmt::format("{} is outside [{}, {}]", as_written(value), type.min, type.max),
            diagnostics);
     return false;
   }

@@ -27,19 +27,6 @@
 
 namespace eyrie {
 
-/// Reads every parameter of `out` that `map` gives. A map may also have the keys `also_allowed`,
-/// which someone else reads. Reports unknown, duplicate and missing keys, wrong kinds, units and
-/// ranges; a parameter with a mistake keeps its default. True if nothing was wrong.
-///
-/// An upper layer binds a type of its own by declaring next to it
-///   `void bind_value(T& out, const Value&, Diagnostics&, const ParamInfo&);`
-/// where ParamInfo::name is the path to say in errors; and, for references,
-///   `void describe_value(ParamInfo&, const T& value);`
-/// which fills kind, choices and default_text.
-template <Described T>
-bool bind(T& out, const Value& map, Diagnostics& diagnostics,
-          std::span<const std::string_view> also_allowed = {});
-
 namespace detail {
 
 /// Reports a map that is none, unknown keys and duplicates. False if there is nothing to read.
@@ -128,8 +115,12 @@ void read(T& out, const Value& value, const ParamInfo& info, Diagnostics& diagno
   } else if constexpr (fixed_items<T> != 0) {
     if (!check_list(value, fixed_items<T>, fixed_items<T>, info, diagnostics))
       return;
+    const std::size_t before = diagnostics.count();
+    T items = out;
     for (std::size_t i = 0; i < fixed_items<T>; ++i)
-      read(out[i], value.items[i], item_info(info, i), diagnostics);
+      read(items[i], value.items[i], item_info(info, i), diagnostics);
+    if (diagnostics.count() == before)
+      out = std::move(items);
   } else if constexpr (std::is_same_v<T, Table1> || std::is_same_v<T, Table2>) {
     read_table(out, value, info, diagnostics);
   } else {
@@ -162,12 +153,26 @@ void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& di
 
 }  // namespace detail
 
-template <Described T>
-bool bind(T& out, const Value& map, Diagnostics& diagnostics,
-          std::span<const std::string_view> also_allowed) {
-  const std::size_t before = diagnostics.count();
-  detail::bind_group(out, map, {}, diagnostics, also_allowed);
-  return diagnostics.count() == before;
-}
+/// Reads every parameter of `out` that `map` gives. A map may also have the keys `also_allowed`,
+/// which someone else reads. Reports unknown, duplicate and missing keys, wrong kinds, units and
+/// ranges; a parameter with a mistake keeps its value (a list as a whole, a group parameter by
+/// parameter). True if nothing was wrong.
+///
+/// An upper layer binds a type of its own by declaring next to it
+///   `void bind_value(T& out, const Value&, Diagnostics&, const ParamInfo&);`
+/// where ParamInfo::name is the path to say in errors; and, for references,
+///   `void describe_value(ParamInfo&, const T& value);`
+/// which fills kind, choices and default_text.
+///
+/// An object and not a function, so that a span among the arguments cannot call std::bind instead.
+inline constexpr struct {
+  template <Described T>
+  bool operator()(T& out, const Value& map, Diagnostics& diagnostics,
+                  std::span<const std::string_view> also_allowed = {}) const {
+    const std::size_t before = diagnostics.count();
+    detail::bind_group(out, map, {}, diagnostics, also_allowed);
+    return diagnostics.count() == before;
+  }
+} bind;
 
 }  // namespace eyrie

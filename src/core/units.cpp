@@ -239,12 +239,15 @@ std::string three_digits(double x) {
   return size >= 100 && size < 1e9 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
 }
 
-/// How long a number is to read: sign and "0." cost nothing.
+/// How hard a number is to read: its characters, and once more the digits between first and last
+/// that is not 0. So 20000 ft is easier than 6096 m, and 250 m/s as easy as 900 km/h.
 std::size_t reading_cost(std::string_view number) {
-  for (const std::string_view free : {"-", "0."})
-    if (number.starts_with(free))
-      number.remove_prefix(free.size());
-  return number.size();
+  const auto is_significant = [](char c) { return c >= '1' && c <= '9'; };
+  const std::string_view mantissa = number.substr(0, number.find('e'));
+  const auto first = std::find_if(mantissa.begin(), mantissa.end(), is_significant);
+  const auto last = std::find_if(mantissa.rbegin(), mantissa.rend(), is_significant).base();
+  const auto digits = first < last ? std::count_if(first, last, is_digit) : 0;
+  return number.size() + static_cast<std::size_t>(digits);
 }
 
 Parsed failed(std::string error) {
@@ -327,31 +330,28 @@ std::string format_quantity(double si, Dimension dimension, UnitStyle style) {
 
 template <std::floating_point Real>
 std::string exact_quantity(Real si, Dimension dimension) {
+  const std::string_view si_symbol = detail::si_symbol(dimension);
   if (dimension == Dimension::none)
     return fmt::format("{}", si);
-  std::string best;
-  std::size_t best_cost = 0;
+  std::string best = fmt::format("{} {}", si, si_symbol);
+  std::size_t best_cost = reading_cost(fmt::format("{}", si));
   for (const UnitInfo& unit : units()) {
-    if (unit.dimension != dimension)
+    if (unit.dimension != dimension || unit.symbol == si_symbol)
       continue;
-    // the number that converts back may be shorter than the one conversion gives: 15 digits suffice
-    // for a double unless the conversion rounded badly, 6 for a float
+    // the number that converts back may be shorter than the one conversion gives: that many digits
+    // suffice unless the conversion rounded badly
     const double number = from_si(static_cast<double>(si), unit);
-    constexpr int kDigits = std::numeric_limits<Real>::digits10;
-    const std::array<std::string, 3> candidates{fmt::format("{:.{}g}", number, kDigits),
-                                                fmt::format("{}", static_cast<Real>(number)),
-                                                fmt::format("{}", number)};
-    for (const std::string& candidate : candidates) {
-      const std::string text = fmt::format("{} {}", candidate, unit.symbol);
-      const Parsed back = parse_quantity(text, dimension);
-      const bool shorter = best.empty() || reading_cost(candidate) < best_cost;
-      if (shorter && back && static_cast<Real>(back.value) == si) {
-        best = text;
-        best_cost = reading_cost(candidate);
-      }
+    const std::string text =
+        fmt::format("{:.{}g} {}", number, std::numeric_limits<Real>::digits10, unit.symbol);
+    const Parsed back = parse_quantity(text, dimension);
+    // at equal cost SI is preferred
+    const std::size_t cost = 1 + reading_cost(std::string_view(text).substr(0, text.find(' ')));
+    if (cost < best_cost && back && static_cast<Real>(back.value) == si) {
+      best = text;
+      best_cost = cost;
     }
   }
-  return best.empty() ? fmt::format("{} {}", si, detail::si_symbol(dimension)) : best;
+  return best;
 }
 
 template std::string exact_quantity(double, Dimension);

@@ -270,20 +270,32 @@ TEST(FormatQuantity, RoundsForPeople) {
   EXPECT_EQ(format_in(37040, "nmi", 2), "20.00 nmi");
 }
 
-TEST(ExactQuantity, PicksTheUnitThatSaysItShortest) {
-  EXPECT_EQ(exact_quantity(3704.0, Dimension::length), "2 nmi");
-  EXPECT_EQ(exact_quantity(50e3, Dimension::length), "50 km");
-  EXPECT_EQ(exact_quantity(1828.8, Dimension::length), "6000 ft");
-  EXPECT_EQ(exact_quantity(0.0, Dimension::length), "0 m");
-  EXPECT_EQ(exact_quantity(radians(30), Dimension::angle), "30 deg");
-  EXPECT_EQ(exact_quantity(0.02, Dimension::time), "0.02 s");  // a tie goes to SI
-  EXPECT_EQ(exact_quantity(0.005, Dimension::time), "5 ms");
-  EXPECT_EQ(exact_quantity(-3.0, Dimension::decibel), "-3 dB");
-  EXPECT_EQ(exact_quantity(288.15, Dimension::temperature), "15 degC");
+TEST(ExactQuantity, PicksTheUnitThatSaysItMostSimply) {
+  const auto exact = [](double x, Dimension d) { return exact_quantity(x, d); };
+  EXPECT_EQ(exact(3704, Dimension::length), "2 nmi");
+  EXPECT_EQ(exact(50e3, Dimension::length), "50 km");
+  EXPECT_EQ(exact(1828.8, Dimension::length), "6000 ft");
+  EXPECT_EQ(exact(6096, Dimension::length), "20000 ft");
+  EXPECT_EQ(exact(300, Dimension::length), "300 m");
+  EXPECT_EQ(exact(0, Dimension::length), "0 m");
+  EXPECT_EQ(exact(0.1, Dimension::length), "0.1 m");
+  EXPECT_EQ(exact(-1234.5, Dimension::length), "-1234.5 m");
+  EXPECT_EQ(exact(250, Dimension::speed), "250 m/s");
+  EXPECT_EQ(exact(radians(30), Dimension::angle), "30 deg");
+  EXPECT_EQ(exact(0.5, Dimension::angle), "0.5 rad");
+  EXPECT_EQ(exact(0.02, Dimension::time), "20 ms");
+  EXPECT_EQ(exact(60, Dimension::time), "60 s");
+  EXPECT_EQ(exact(300, Dimension::time), "5 min");
+  EXPECT_EQ(exact(-3, Dimension::decibel), "-3 dB");
+  EXPECT_EQ(exact(288.15, Dimension::temperature), "15 degC");
+  EXPECT_EQ(exact(0.5, Dimension::none), "0.5");
+  EXPECT_EQ(exact(std::numeric_limits<double>::infinity(), Dimension::mass), "inf kg");
+}
+
+TEST(ExactQuantity, WritesAFloatWithTheDigitsOfAFloat) {
+  EXPECT_EQ(exact_quantity(0.1f, Dimension::none), "0.1");
   EXPECT_EQ(exact_quantity(0.1f, Dimension::length), "0.1 m");
   EXPECT_EQ(exact_quantity(static_cast<float>(radians(60)), Dimension::angle), "60 deg");
-  EXPECT_EQ(exact_quantity(0.1f, Dimension::none), "0.1");
-  EXPECT_EQ(exact_quantity(std::numeric_limits<double>::infinity(), Dimension::mass), "inf kg");
 }
 
 template <class Real>
