@@ -32,11 +32,11 @@ namespace eyrie::model {
 /// The beam of one aircraft's radar or of one missile's seeker. A search radar is described by the
 /// whole sector it sweeps: it passes everything in there once per frame.
 struct Emission {
-  Vec3 position;              ///< m, local frame: where the transmitter was
-  Vec3 boresight;             ///< unit vector, local frame: the middle of the beam or sector
+  Vec3 position{};            ///< m, local frame: where the transmitter was
+  Vec3 boresight{};           ///< unit vector, local frame: the middle of the beam or sector
   double cos_half_angle = 1;  ///< the beam or sector is this cone around the boresight
   double figure = 0;          ///< m, see emission_figure()
-  PlayerId dwell;             ///< who the beam rests on (truth); none while searching
+  PlayerId dwell{};           ///< who the beam rests on (truth); none while searching
   std::uint16_t type = 0;     ///< index of the radar, or of the missile type, in the Library
   EmissionKind kind = EmissionKind::none;
   Side side = Side::none;  ///< whose waveform it is

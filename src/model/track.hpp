@@ -50,18 +50,18 @@ struct AxisCovariance {
 /// at `time`; position_at() carries them on. The covariances hold at `time` too, the two sigmas at
 /// the last upkeep: they grow while nobody sees the target.
 struct Track {
-  Vec3 position;             ///< m, at `time`
-  Vec3 velocity;             ///< m/s
+  Vec3 position{};           ///< m, at `time`
+  Vec3 velocity{};           ///< m/s
   double time = 0;           ///< s, of the last update
   double first_time = 0;     ///< s, of the first contact
   double sensed_time = 0;    ///< s, last contact by an own sensor; before the run if there is none
   double seen_time = 0;      ///< s, last contact by eye; before the run if there is none
-  AxisCovariance along;      ///< along the line of sight
-  AxisCovariance across;     ///< each of the two axes across it
+  AxisCovariance along{};    ///< along the line of sight
+  AxisCovariance across{};   ///< each of the two axes across it
   float position_sigma = 0;  ///< m, 1-sigma along the worst axis
   float velocity_sigma = 0;  ///< m/s, 1-sigma along the worst axis
-  TrackId id;                ///< names the track in its owner's list; never reused there
-  PlayerId truth;            ///< who the last contact came from: for scoring and debrief only
+  TrackId id{};              ///< names the track in its owner's list; never reused there
+  PlayerId truth{};          ///< who the last contact came from: for scoring and debrief only
   Identity identity = Identity::unknown;
   std::uint8_t sources = 0;      ///< sources ever seen, bits of TrackSource
   std::uint8_t fresh = 0;        ///< sources that updated it at `time`
@@ -95,7 +95,7 @@ inline constexpr double kNever = -1e9;
 
 /// The track file of one player, ordered by track id (age).
 struct TrackFile {
-  std::array<Track, kMaxTracks> tracks;
+  std::array<Track, kMaxTracks> tracks{};
   std::uint32_t count = 0;
   std::uint32_t next_id = 1;
 

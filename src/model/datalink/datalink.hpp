@@ -46,10 +46,10 @@ struct Datalink {
 /// What one aircraft says about itself.
 struct OwnReport {
   double time = 0;                   ///< s
-  Vec3 position;                     ///< m
-  Vec3 velocity;                     ///< m/s
+  Vec3 position{};                   ///< m
+  Vec3 velocity{};                   ///< m/s
   double fuel = 0;                   ///< kg
-  TrackId target;                    ///< none if none
+  TrackId target{};                  ///< none if none
   std::span<const TrackId> shot_at;  ///< tracks with an own missile on its way
 };
 

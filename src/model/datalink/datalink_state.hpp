@@ -29,7 +29,7 @@ struct SharedTrack {
   std::array<float, 3> velocity{};  ///< m/s
   float position_sigma = 0;         ///< m
   float velocity_sigma = 0;         ///< m/s
-  PlayerId truth;                   ///< passed on for debrief only
+  PlayerId truth{};                 ///< passed on for debrief only
   Identity identity = Identity::unknown;
   std::uint8_t engagement = 0;  ///< bits of Engagement
   std::uint8_t sensed = 0;      ///< 1: held by a sensor of the sender, worth fusing
@@ -51,10 +51,10 @@ static_assert(fields_cover_row<SharedTrack>());
 /// What one aircraft tells its flight.
 struct DatalinkMessage {
   double time = 0;                  ///< s, when it was sent and what it describes
-  Vec3 position;                    ///< m, local frame
+  Vec3 position{};                  ///< m, local frame
   std::array<float, 3> velocity{};  ///< m/s
   float fuel = 0;                   ///< kg
-  std::array<SharedTrack, kSharedTracks> tracks;
+  std::array<SharedTrack, kSharedTracks> tracks{};
   std::uint32_t track_count = 0;
   std::uint8_t reserved[4] = {};
 
@@ -73,7 +73,7 @@ static_assert(fields_cover_row<DatalinkMessage>());
 /// The last messages of one aircraft, written in act by the sender alone; its mates read it in
 /// perceive. Message n lies in slot n modulo kMessages.
 struct DatalinkSent {
-  std::array<DatalinkMessage, kMessages> messages;
+  std::array<DatalinkMessage, kMessages> messages{};
   std::uint32_t sent = 0;  ///< messages so far
   std::uint8_t reserved[4] = {};
 
@@ -86,12 +86,12 @@ struct DatalinkSent {
 
 /// What one aircraft knows of one member of its flight.
 struct Mate {
-  Vec3 position;                    ///< m, local frame, at `time`
+  Vec3 position{};                  ///< m, local frame, at `time`
   std::array<float, 3> velocity{};  ///< m/s
   float fuel = 0;                   ///< kg
   double time = 0;                  ///< s, of the last message, when it was sent
   double heard_time = 0;            ///< s, when the last message arrived
-  PlayerId id;                      ///< none: no such member
+  PlayerId id{};                    ///< none: no such member
   std::uint32_t received = 0;       ///< messages of it looked at so far (its `sent`)
   std::uint8_t alive = 0;           ///< 1: believed alive
   std::uint8_t reported = 0;        ///< 1: position, velocity and fuel are known
@@ -111,7 +111,7 @@ static_assert(fields_cover_row<Mate>());
 /// The flight as one of its members believes it to be. Index = rank at birth - 1; the own entry
 /// has the own id and is always alive.
 struct DatalinkState {
-  std::array<Mate, kMaxFlight> members;
+  std::array<Mate, kMaxFlight> members{};
   std::uint32_t count = 0;  ///< members of the flight
   std::uint32_t self = 0;   ///< own index
 

@@ -90,7 +90,7 @@ Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const
   contact.speed_along = range_rate + dot(own.velocity, contact.line);
   contact.sigma_along = radar.sigma_range;
   contact.sigma_across = sigma_angle * measured_range;
-  contact.sigma_speed = radar.sigma_range_rate;
+  contact.sigma_speed = radar.sigma_range_rate + sigma_angle * norm(own.velocity);
   contact.truth = truth;
   contact.source = kFromRadar;
   return contact;

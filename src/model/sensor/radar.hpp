@@ -114,8 +114,8 @@ class Detector {
 
 /// Where the antenna looks now, in the local frame.
 struct Antenna {
-  Vec3 position;          ///< m
-  Vec3 nose;              ///< unit vector, middle of the gimbal
+  Vec3 position{};        ///< m
+  Vec3 nose{};            ///< unit vector, middle of the gimbal
   Axes scan;              ///< level axes, forward to the middle of the scan
   double max_range2 = 0;  ///< m^2
   double cos_gimbal = 1;

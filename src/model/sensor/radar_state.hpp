@@ -33,8 +33,8 @@ struct RadarState {
   double scan_elevation = 0;  ///< rad, middle of the scan, up from the horizontal
   double lock_time = 0;       ///< s, last detection in track mode, or when the mode was entered
   double search_until = 0;    ///< s, no new lock before: the frame after a lock was lost
-  TrackId designated;         ///< the track that the scan follows
-  PlayerId locked;            ///< whose echo the range gate rests on in track mode
+  TrackId designated{};       ///< the track that the scan follows
+  PlayerId locked{};          ///< whose echo the range gate rests on in track mode
   RadarMode mode = RadarMode::off;
   std::uint8_t reserved[7] = {};
 

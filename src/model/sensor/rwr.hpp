@@ -52,7 +52,7 @@ struct Rwr {
 
 /// Where a receiver is and how it is turned; made once per look.
 struct RwrAntenna {
-  Vec3 position;  ///< m, local frame
+  Vec3 position{};  ///< m, local frame
   Axes body;
   double altitude = 0;      ///< m
   double sensitivity = 0;   ///< (range / figure)^2 at which a main beam is just heard

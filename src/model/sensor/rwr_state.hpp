@@ -16,7 +16,7 @@ struct RwrWarning {
   double bearing = 0;      ///< rad, true, clockwise from north, in (-pi, pi]
   double time = 0;         ///< s, last heard
   double first_time = 0;   ///< s, first heard without a gap
-  PlayerId emitter;        ///< fingerprint of the pulse train: tells emitters apart, and debrief
+  PlayerId emitter{};      ///< fingerprint of the pulse train: tells emitters apart, and debrief
   std::uint16_t type = 0;  ///< as Emission::type
   EmissionKind kind = EmissionKind::none;
   std::uint8_t reserved = 0;
@@ -35,7 +35,7 @@ inline constexpr std::size_t kMaxWarnings = 8;
 
 /// The warnings of one aircraft, the most urgent kind first, then the one heard first.
 struct RwrState {
-  std::array<RwrWarning, kMaxWarnings> warnings;
+  std::array<RwrWarning, kMaxWarnings> warnings{};
   std::uint32_t count = 0;
   std::uint8_t reserved[4] = {};
 

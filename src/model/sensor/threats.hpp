@@ -26,7 +26,7 @@ struct InboundMissile {
   double time = 0;                ///< s, last perceived
   double first_time = 0;          ///< s, first perceived
   double position_time = 0;       ///< s, when elevation and range were taken; needs has_position
-  PlayerId truth;                 ///< for scoring and debrief only
+  PlayerId truth{};               ///< for scoring and debrief only
   std::uint8_t has_position = 0;  ///< 1: elevation and range are known
   std::uint8_t closing = 0;       ///< 1: seen to come closer
   std::uint8_t sources = 0;       ///< bits of ThreatSource, ever
@@ -51,7 +51,7 @@ inline constexpr std::size_t kMaxThreats = 4;
 
 /// The inbound missiles of one aircraft, in the order in which they were first perceived.
 struct Threats {
-  std::array<InboundMissile, kMaxThreats> missiles;
+  std::array<InboundMissile, kMaxThreats> missiles{};
   std::uint32_t count = 0;
   std::uint8_t reserved[4] = {};
 
@@ -67,7 +67,7 @@ struct Sighting {
   double bearing = 0;    ///< rad, true
   double elevation = 0;  ///< rad; with has_position
   double range = 0;      ///< m; with has_position
-  PlayerId truth;        ///< written down, never compared
+  PlayerId truth{};      ///< written down, never compared
   ThreatSource source = kThreatFromRwr;
   bool has_position = false;
   bool closing = false;

@@ -81,8 +81,8 @@ struct Visual {
 
 /// The head of a pilot at one moment; made once per look.
 struct Eyes {
-  Vec3 position;  ///< m, local frame
-  Vec3 velocity;  ///< m/s
+  Vec3 position{};  ///< m, local frame
+  Vec3 velocity{};  ///< m/s
   Axes body;
   double altitude = 0;  ///< m
 };

@@ -63,8 +63,8 @@ constexpr Gains update_velocity(AxisState& c, double variance) {
 
 /// Where a track is believed to be at some time, with the covariance it then has.
 struct Prediction {
-  Vec3 position;  ///< m
-  Vec3 velocity;  ///< m/s
+  Vec3 position{};  ///< m
+  Vec3 velocity{};  ///< m/s
   AxisState along, across;
 };
 

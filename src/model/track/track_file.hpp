@@ -18,8 +18,8 @@ struct TrackNews {
   enum class What : std::uint8_t { confirmed, lost, identified };
   What what = What::confirmed;
   std::uint8_t bits = 0;  ///< sources (confirmed, lost) or identity (identified)
-  TrackId id;
-  PlayerId truth;
+  TrackId id{};
+  PlayerId truth{};
   double value = 0;  ///< range in m (confirmed, identified) or age in s (lost)
 };
 

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/radar.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "model/sensor/test_players.hpp"
+
+namespace eyrie::model {
+namespace {
+
+using test::flying;
+using test::mirrored;
+
+constexpr PlayerId kOwn{1}, kOther{2};
+constexpr double kHigh = -6096;  // m, local z of 20 000 ft
+
+Signature sphere(double rcs) {
+  return {.rcs_front = rcs, .rcs_side = rcs, .rcs_rear = rcs};
+}
+
+Draw draw(Stream stream, std::uint64_t step) {
+  return Draw(7, kOwn, stream, step, kOther.value);
+}
+
+/// Chance to detect a head-on target of the reference cross section at `range`, both high up.
+double head_on(const Radar& radar, double range, double rcs) {
+  return detection_probability(radar, Detector(radar), flying({0, 0, kHigh}, 0, 250), sphere(rcs),
+                               flying({range, 0, kHigh}, kPi, 250));
+}
+
+TEST(Detector, FindsTheReferenceTargetAtTheReferenceRangeWithTheReferenceProbability) {
+  const Radar radar{
+      .reference_range = si(80, "nmi"), .reference_rcs = 3.2, .reference_probability = 0.7};
+  EXPECT_NEAR(head_on(radar, si(80, "nmi"), 3.2), 0.7, 1e-12);
+}
+
+TEST(Detector, GivesNoMoreThanTheFalseAlarmRateWithoutASignal) {
+  const Radar radar{.false_alarm = 1e-5};
+  EXPECT_NEAR(Detector(radar).probability(0), 1e-5, 1e-18);
+}
+
+RC_GTEST_PROP(Detector, FollowsTheFourthPowerOfRange, ()) {
+  const Detector detector{Radar{}};
+  const double range = *rc::gen::inRange(1000, 300000), rcs = 0.1 * *rc::gen::inRange(1, 500);
+  const double factor = 0.01 * *rc::gen::inRange(20, 500);
+  const double near = detector.signal_to_noise(range * range, rcs);
+  const double far = detector.signal_to_noise(range * range * factor * factor, rcs);
+  RC_ASSERT(std::fabs(near / far / std::pow(factor, 4) - 1) < 1e-9);
+  // and a target that is f^4 times as big is seen f times as far
+  const double big =
+      detector.signal_to_noise(range * range * factor * factor, rcs * std::pow(factor, 4));
+  RC_ASSERT(std::fabs(big / near - 1) < 1e-9);
+}
+
+TEST(Detector, ScalesThePublishedAnchorToOtherFighters) {
+  // facts: 80 nmi at 3.2 m^2 gives 71 nmi at 2 m^2, 94 at 6, 106 at 10, 118 at 15
+  const Radar radar{.reference_range = si(80, "nmi"), .reference_rcs = 3.2};
+  for (const auto& [rcs, range] : {std::pair{2.0, 71.0}, {6.0, 94.0}, {10.0, 106.0}, {15.0, 118.0}})
+    EXPECT_NEAR(head_on(radar, si(1, "nmi") * range, rcs), 0.5, 0.01) << rcs;
+}
+
+TEST(Look, DetectsAsOftenAsTheClosedFormSays) {
+  const Radar radar;
+  const RadarState state{.mode = RadarMode::search};
+  const Kinematics own = flying({0, 0, kHigh}, 0, 250);
+  const Antenna antenna = aim(radar, state, own);
+  for (const double nmi : {50.0, 70.0, 80.0, 95.0}) {
+    const Kinematics other = flying({si(1, "nmi") * nmi, 4000, kHigh}, kPi, 250);
+    const double expected = detection_probability(radar, Detector(radar), own, sphere(3.2), other);
+    constexpr int kLooks = 20000;
+    int hits = 0;
+    for (int i = 0; i < kLooks; ++i)
+      hits += look(radar, antenna, own, sphere(3.2), other, kOther,
+                   draw(Stream::radar, static_cast<std::uint64_t>(i)),
+                   draw(Stream::radar_noise, static_cast<std::uint64_t>(i)))
+                  .has_value();
+    const double sigma = std::sqrt(expected * (1 - expected) / kLooks);
+    EXPECT_NEAR(hits / double(kLooks), expected, 4 * sigma) << nmi << " nmi";
+  }
+}
+
+TEST(DetectionProbability, IsTheSameFromLeftAndRightOfTheTarget) {
+  const Radar radar;
+  const Signature fighter{.rcs_front = 3, .rcs_side = 30, .rcs_rear = 9};
+  const Kinematics own = flying({0, 0, kHigh}, 0, 250);
+  const auto at_aspect = [&](double aspect) {
+    return detection_probability(radar, Detector(radar), own, fighter,
+                                 flying({si(70, "nmi"), 0, kHigh}, kPi + aspect, 250));
+  };
+  for (const double degrees : {10.0, 45.0, 80.0, 120.0, 170.0})
+    EXPECT_NEAR(at_aspect(radians(degrees)), at_aspect(radians(-degrees)), 1e-12) << degrees;
+  EXPECT_GT(at_aspect(radians(60)), at_aspect(0));
+  EXPECT_GT(at_aspect(kPi), at_aspect(0));
+}
+
+TEST(DetectionProbability, IsZeroBelowTheHorizon) {
+  const Radar radar;
+  const double own_altitude = 1000, low = 50;
+  const double horizon = horizon_range(own_altitude, low, kRadioEarth);
+  const auto at = [&](double range) {
+    return detection_probability(radar, Detector(radar), flying({0, 0, -own_altitude}, 0, 250),
+                                 sphere(1000), flying({range, 0, -low}, kPi, 250));
+  };
+  EXPECT_GT(at(0.99 * horizon), 0.9);
+  EXPECT_EQ(at(1.01 * horizon), 0);
+}
+
+/// A target 4 km below at 40 km that flies across the line of sight except for `closing` m/s.
+double looking_down(const Radar& radar, double closing, double altitude = 2096) {
+  const Vec3 place{40e3, 0, -altitude};
+  const Kinematics own = flying({0, 0, kHigh}, 0, 250);
+  const Vec3 unit = normalized(place - own.position, {});
+  const Vec3 across{0, 1, 0};
+  Kinematics other = flying(place, kPi / 2, 250);
+  other.velocity = -closing * unit + std::sqrt(250 * 250 - closing * closing) * across;
+  return detection_probability(radar, Detector(radar), own, sphere(5), other);
+}
+
+TEST(Notch, HidesABeamingTargetOnlyWhenLookingDown) {
+  const Radar radar{.notch_speed = 50, .notch_edge = 10};
+  EXPECT_LT(looking_down(radar, 0), 1e-5);
+  EXPECT_LT(looking_down(radar, 39), 1e-5);
+  EXPECT_GT(looking_down(radar, 61), 0.9);
+  EXPECT_GT(looking_down(radar, 0, 8000), 0.9) << "nothing but sky behind it";
+}
+
+TEST(Notch, ClosesSmoothlyAndAlikeForComingAndGoing) {
+  const Radar radar{.notch_speed = 50, .notch_edge = 10};
+  double before = 0;
+  for (double speed = 36; speed <= 64; speed += 1) {
+    const double p = looking_down(radar, speed);
+    EXPECT_GE(p, before);
+    before = p;
+    EXPECT_NEAR(p, looking_down(radar, -speed), 1e-12) << speed;
+  }
+}
+
+TEST(Aim, CoversTheScanAndNothingElse) {
+  const Radar radar{.instrumented_range = 100e3,
+                    .scan_half_azimuth = radians(30),
+                    .scan_bars = 4,
+                    .bar_spacing = radians(2.5)};
+  const Kinematics own = flying({0, 0, kHigh}, radians(40), 250);
+  const auto seen = [&](const RadarState& state, double azimuth, double elevation, double range) {
+    const double a = own.heading + radians(azimuth), e = radians(elevation);
+    const Vec3 sight =
+        range * Vec3{std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), -std::sin(e)};
+    return covers(aim(radar, state, own), sight, norm2(sight));
+  };
+  const RadarState ahead{};
+  EXPECT_TRUE(seen(ahead, 0, 0, 50e3));
+  EXPECT_TRUE(seen(ahead, 29.9, 4.9, 50e3));
+  EXPECT_FALSE(seen(ahead, 30.1, 0, 50e3));
+  EXPECT_FALSE(seen(ahead, -30.1, 0, 50e3));
+  EXPECT_FALSE(seen(ahead, 0, 5.1, 50e3));
+  EXPECT_FALSE(seen(ahead, 0, -5.1, 50e3));
+  EXPECT_FALSE(seen(ahead, 180, 0, 50e3));
+  EXPECT_FALSE(seen(ahead, 0, 0, 100.1e3)) << "beyond the instrumented range";
+
+  const RadarState to_the_right{.scan_azimuth = radians(28), .scan_elevation = radians(-10)};
+  EXPECT_TRUE(seen(to_the_right, 55, -12, 50e3));
+  EXPECT_FALSE(seen(to_the_right, -10, -12, 50e3));
+  EXPECT_FALSE(seen(to_the_right, 55, 0, 50e3));
+}
+
+TEST(Aim, IsStabilisedButLimitedByTheGimbal) {
+  const Radar radar{.gimbal = radians(60), .scan_half_azimuth = radians(60)};
+  const Vec3 level{50e3, 0, 0},
+      right{50e3 * std::cos(radians(59)), 50e3 * std::sin(radians(59)), 0};
+  // rolling does not move the scan
+  const Antenna rolled = aim(radar, {}, flying({}, 0, 250, 0, radians(80)));
+  EXPECT_TRUE(covers(rolled, level, norm2(level)));
+  EXPECT_TRUE(covers(rolled, right, norm2(right)));
+  // nose up 61 degrees: the horizon is out of reach
+  const Antenna steep = aim(radar, {}, flying({}, 0, 250, radians(61)));
+  EXPECT_FALSE(covers(steep, level, norm2(level)));
+  EXPECT_FALSE(within_gimbal(steep, level, norm2(level)));
+  // nose up 20: straight ahead is fine, the corner is beyond the cone
+  const Antenna nose_up = aim(radar, {}, flying({}, 0, 250, radians(20)));
+  EXPECT_TRUE(covers(nose_up, level, norm2(level)));
+  EXPECT_FALSE(covers(nose_up, right, norm2(right)));
+}
+
+TEST(Measure, IsUnbiasedAndAsGoodAsItSays) {
+  const Radar radar{.sigma_range = 50, .sigma_angle = radians(0.5), .sigma_range_rate = 3};
+  const Kinematics own = flying({0, 0, kHigh}, 0.2, 250);
+  const Kinematics other = flying({50e3, 20e3, kHigh - 2000}, 3, 270);
+  const Vec3 sight = other.position - own.position;
+  const Vec3 unit = normalized(sight, {});
+  const double true_speed = dot(other.velocity, unit);
+  double along = 0, along2 = 0, across2 = 0, speed2 = 0;
+  Vec3 mean;
+  constexpr int kLooks = 20000;
+  for (int i = 0; i < kLooks; ++i) {
+    const Contact c = measure(radar, RadarMode::search, own, level_axes(own, own.heading), other,
+                              kOther, draw(Stream::radar_noise, static_cast<std::uint64_t>(i)));
+    const Vec3 error = c.position - other.position;
+    const double a = dot(error, unit);
+    along += a / kLooks;
+    along2 += a * a / kLooks;
+    across2 += (norm2(error) - a * a) / kLooks;
+    speed2 += (c.speed_along - true_speed) * (c.speed_along - true_speed) / kLooks;
+    mean += error / kLooks;
+  }
+  const double across = norm(sight) * radians(0.5);
+  EXPECT_NEAR(std::sqrt(along2), 50, 4);
+  EXPECT_NEAR(std::sqrt(across2 / 2), across, 0.03 * across);
+  EXPECT_LT(norm(mean), 4 * across * std::sqrt(2.0 / kLooks) + 5);
+  EXPECT_LT(std::fabs(along), 6);
+  EXPECT_GE(std::sqrt(speed2), 2.9);
+}
+
+TEST(Measure, SaysHowGoodTheSpeedAlongTheLineIs) {
+  const Radar radar{.sigma_angle = radians(0.5), .sigma_range_rate = 3};
+  const Kinematics own = flying({0, 0, kHigh}, 0, 250);
+  for (const double heading : {kPi, kPi / 2, 1.0}) {
+    const Kinematics other = flying({30e3, 25e3, kHigh}, heading, 250);
+    const double truth = dot(other.velocity, normalized(other.position - own.position, {}));
+    double chi2 = 0;
+    constexpr int kLooks = 4000;
+    for (int i = 0; i < kLooks; ++i) {
+      const Contact c = measure(radar, RadarMode::search, own, level_axes(own, 0), other, kOther,
+                                draw(Stream::radar_noise, static_cast<std::uint64_t>(i)));
+      const double error = c.speed_along - truth;
+      chi2 += error * error / (c.sigma_speed * c.sigma_speed) / kLooks;
+    }
+    EXPECT_LT(chi2, 1.2) << heading;
+  }
+}
+
+RC_GTEST_PROP(Look, OfAMirroredSceneIsTheMirroredContactForTheSameDraw, ()) {
+  const auto in = [](int low, int high) { return double(*rc::gen::inRange(low, high)); };
+  const Radar radar{.scan_half_azimuth = radians(60), .scan_bars = 16, .bar_spacing = 0.1};
+  const Kinematics own =
+      flying({0, 0, kHigh}, radians(in(-40, 40)), 250, radians(in(-20, 20)), radians(in(-80, 80)));
+  const Kinematics other =
+      flying({in(20000, 90000), in(-30000, 30000), in(-9000, -1000)}, radians(in(-180, 180)), 250);
+  RadarState state{.scan_azimuth = radians(in(-10, 10)), .scan_elevation = radians(in(-5, 5))};
+  const Signature fighter{.rcs_front = 10, .rcs_side = 60, .rcs_rear = 20};
+  const auto step = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000));
+
+  const auto contact = look(radar, aim(radar, state, own), own, fighter, other, kOther,
+                            draw(Stream::radar, step), draw(Stream::radar_noise, step));
+  state.scan_azimuth = -state.scan_azimuth;
+  const Kinematics own2 = mirrored(own), other2 = mirrored(other);
+  const auto image = look(radar, aim(radar, state, own2), own2, fighter, other2, kOther,
+                          draw(Stream::radar, step), draw(Stream::radar_noise, step));
+  RC_ASSERT(contact.has_value() == image.has_value());
+  RC_PRE(contact.has_value());
+  RC_ASSERT(norm(mirrored(contact->position) - image->position) < 1e-6);
+  RC_ASSERT(std::fabs(contact->speed_along - image->speed_along) < 1e-9);
+}
+
+}  // namespace
+}  // namespace eyrie::model
