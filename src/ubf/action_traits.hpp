@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  An action described once: arbiters, traces, hashing and text all read this table.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "core/hash.hpp"
+#include "core/units.hpp"
+#include "ubf/blend.hpp"
+#include "ubf/memory.hpp"
+
+namespace eyrie::ubf {
+
+/// One field of an action: what it is called, where it is, its SI unit, and how opinions about it
+/// are blended.
+template <class Action, class T, class Blend>
+struct ActionField {
+  using Value = T;
+  using BlendTag = Blend;
+  using Sum = typename Blend::template Sum<T>;
+  static constexpr bool averages = Blend::averages;  ///< a mean is taken; otherwise it is an order
+
+  std::string_view name;
+  std::optional<T> Action::*member;
+  Unit unit;
+};
+
+/// `field<blend::Angle>("heading", &Action::heading, "rad")`
+template <class Blend, class Action, class T>
+[[nodiscard]] consteval ActionField<Action, T, Blend> field(std::string_view name,
+                                                            std::optional<T> Action::*member,
+                                                            Unit unit = {}) {
+  return {name, member, unit};
+}
+
+/// Specialise once per action type, with every field in order of declaration:
+///   template <> struct ActionTraits<Action> {
+///     static constexpr auto fields = std::tuple{field<blend::Angle>("heading", ...), ...};
+///   };
+template <class Action>
+struct ActionTraits;
+
+template <class Action>
+inline constexpr std::size_t kFields =
+    std::tuple_size_v<std::remove_cvref_t<decltype(ActionTraits<Action>::fields)>>;
+
+/// Calls `fn(field, i)` for each field in order; `i` is a std::integral_constant.
+template <class Action, class Fn>
+constexpr void for_each_field(Fn&& fn) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (fn(std::get<I>(ActionTraits<Action>::fields), std::integral_constant<std::size_t, I>{}), ...);
+  }
+  (std::make_index_sequence<kFields<Action>>{});
+}
+
+/// The names of the fields, in order.
+template <class Action>
+[[nodiscard]] constexpr std::array<std::string_view, kFields<Action>> field_names() {
+  std::array<std::string_view, kFields<Action>> names;
+  for_each_field<Action>([&](const auto& f, auto i) { names[i] = f.name; });
+  return names;
+}
+
+/// Whether the table lists the whole struct: its optionals, laid out in that order, are as large as
+/// the action itself. Whoever forgets a field is told by the compiler.
+template <class Action>
+[[nodiscard]] consteval bool fields_cover_action() {
+  std::size_t end = 0, alignment = 1;
+  for_each_field<Action>([&](const auto& f, auto) {
+    using Slot = std::optional<typename std::remove_cvref_t<decltype(f)>::Value>;
+    end = (end + alignof(Slot) - 1) / alignof(Slot) * alignof(Slot) + sizeof(Slot);
+    alignment = alignof(Slot) > alignment ? alignof(Slot) : alignment;
+  });
+  return (end + alignment - 1) / alignment * alignment == sizeof(Action);
+}
+
+/// Empties every field. Writes the flags alone, which is cheaper than assigning a fresh Action.
+template <class Action>
+constexpr void clear(Action& action) noexcept {
+  for_each_field<Action>([&](const auto& f, auto) { (action.*f.member).reset(); });
+}
+
+/// No field is set: no opinion.
+template <class Action>
+[[nodiscard]] constexpr bool is_empty(const Action& action) noexcept {
+  bool any = false;
+  for_each_field<Action>([&](const auto& f, auto) { any |= (action.*f.member).has_value(); });
+  return !any;
+}
+
+template <class Action>
+[[nodiscard]] constexpr bool equal(const Action& a, const Action& b) {
+  bool same = true;
+  for_each_field<Action>([&](const auto& f, auto) { same &= a.*f.member == b.*f.member; });
+  return same;
+}
+
+/// An action as bytes without padding, zero when empty: for the slab, for files and for hashing.
+template <class Action>
+class PackedAction {
+ public:
+  PackedAction() = default;
+  explicit PackedAction(const Action& action) { assign(action); }
+
+  void assign(const Action& action) {
+    *this = {};
+    std::size_t at = 0;
+    for_each_field<Action>([&](const auto& f, auto i) {
+      const auto& value = action.*f.member;
+      if (value) {
+        set_ |= std::uint64_t{1} << i;
+        std::memcpy(&values_[at], &*value, sizeof(*value));
+      }
+      at += sizeof(*value);
+    });
+  }
+  void unpack(Action& action) const {
+    clear(action);
+    std::size_t at = 0;
+    for_each_field<Action>([&](const auto& f, auto i) {
+      using T = typename std::remove_cvref_t<decltype(f)>::Value;
+      if (set_ >> i & 1) {
+        T value;
+        std::memcpy(&value, &values_[at], sizeof(T));
+        action.*f.member = value;
+      }
+      at += sizeof(T);
+    });
+  }
+  void hash(Hasher& hasher) const { hasher.bytes(this, sizeof *this); }
+
+ private:
+  static consteval std::size_t value_bytes() {
+    std::size_t bytes = 0;
+    for_each_field<Action>([&](const auto& f, auto) {
+      using T = typename std::remove_cvref_t<decltype(f)>::Value;
+      static_assert(NoPadding<T>, "a field of an action must have no padding bytes");
+      bytes += sizeof(T);
+    });
+    return slab_bytes(bytes);
+  }
+  static_assert(kFields<Action> <= 64);
+
+  std::uint64_t set_ = 0;  ///< bit i: field i has a value
+  std::array<std::byte, value_bytes()> values_{};
+};
+
+}  // namespace eyrie::ubf

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ubf/composite.hpp"
+
+namespace eyrie::ubf {
+
+/// Asks every child and hands on the proposal with the highest vote, with its child's status.
+/// Equal votes: the earlier child. Failing and abstaining children are ignored; if that leaves
+/// none, it fails. Roberson et al. (CSC'15), section III.C.2.
+template <class State, class Action>
+class WinnerTakesAll final : public Voting<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "winner_takes_all";
+  static constexpr std::string_view help = "the proposal with the highest vote";
+  static constexpr Kind kind = Kind::arbiter;
+  [[nodiscard]] static constexpr auto params() {
+    return Voting<State, Action>::template vote_params<WinnerTakesAll>();
+  }
+  using Voting<State, Action>::Voting;
+
+  [[nodiscard]] bool stands() const noexcept override { return true; }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    Status status = Status::failure;
+    const typename WinnerTakesAll::Node* winner = nullptr;
+    float highest = 0;
+    Proposal<Action> other;  // children write here and into `out` in turn; the best is never copied
+    Proposal<Action>*best = &other, *next = &out;
+    for (const auto& child : this->children_) {
+      const Status answer = this->ask(*child, t, *next);
+      if (answer == Status::failure || !(next->vote > highest))
+        continue;
+      highest = next->vote;
+      status = answer;
+      winner = child.get();
+      std::swap(best, next);
+    }
+    if (!winner)
+      return Status::failure;
+    if (best != &out)
+      out = other;
+    this->rescale(out);
+    this->took(t, *winner);
+    return status;
+  }
+};
+
+}  // namespace eyrie::ubf

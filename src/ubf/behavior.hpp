@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The nouns of the Unified Behavior Framework: state, action, vote, proposal, behavior.
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "core/assert.hpp"
+#include "core/draw.hpp"
+#include "core/id.hpp"
+#include "ubf/action_traits.hpp"
+#include "ubf/memory.hpp"
+#include "ubf/transition.hpp"
+
+namespace eyrie::ubf {
+
+/// What a node says of its task. `failure` also means "not applicable now"; a plain UBF behavior
+/// answers `running` as long as its recommendation stands.
+enum class Status : std::uint8_t { failure, running, success };
+
+[[nodiscard]] constexpr std::string_view to_text(Status status) {
+  constexpr std::string_view kNames[] = {"failure", "running", "success"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+/// What sort of node a type is, for the catalog.
+enum class Kind : std::uint8_t { behavior, condition, arbiter, control, decorator };
+
+[[nodiscard]] constexpr std::string_view to_text(Kind kind) {
+  constexpr std::string_view kNames[] = {"behavior", "condition", "arbiter", "control",
+                                         "decorator"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+/// An action together with how strongly it is recommended. The vote is finite and not negative; a
+/// vote of 0 abstains from every arbiter.
+template <class Action>
+struct Proposal {
+  Action action{};
+  float vote = 0;
+
+  void clear() noexcept {
+    ubf::clear(action);
+    vote = 0;
+  }
+  /// Neither a vote nor any field: this is no proposal.
+  [[nodiscard]] bool is_empty() const noexcept { return vote == 0 && ubf::is_empty(action); }
+};
+
+/// A vote in [0, infinity), which NaN is not.
+[[nodiscard]] constexpr bool is_vote(float vote) {
+  return vote >= 0 && vote <= 3.402823466e38F;
+}
+
+class AnyTrace;
+
+/// Everything a node may look at during one tick. Nothing in it outlives the tick.
+template <class State>
+struct Tick {
+  const State& state;            ///< what the agent perceives
+  double time = 0;               ///< s, simulated
+  double dt = 0;                 ///< s since this agent's previous tick
+  std::uint64_t step = 0;        ///< of the world, for draws
+  std::uint64_t seed = 0;        ///< of the run, for draws
+  PlayerId player{};             ///< whose tick this is, for draws
+  std::byte* memory = nullptr;   ///< this agent's slab, laid out by the tree
+  AnyTrace* trace = nullptr;     ///< null when nobody watches
+  TransitionLog* log = nullptr;  ///< null when nobody listens
+};
+
+template <class State, class Action>
+class Tree;
+
+/// A node of a tree. Nodes are set up once, then immutable and shared by every agent that uses
+/// them; what a node must remember lives in the agent's slab (see WithMemory).
+template <class State, class Action>
+class Behavior {
+ public:
+  using StateType = State;
+  using ActionType = Action;
+
+  Behavior() = default;
+  virtual ~Behavior() = default;
+  Behavior(const Behavior&) = delete;
+  Behavior& operator=(const Behavior&) = delete;
+
+  /// No parameters, unless the type says otherwise (core/describe.hpp).
+  [[nodiscard]] static constexpr auto params() { return std::tuple<>{}; }
+
+  /// Recommends an action for this tick. `out` arrives empty; what is left in it when the answer
+  /// is `failure` is ignored. Must not allocate, throw, lock or look at a clock.
+  virtual Status tick(const Tick<State>& t, Proposal<Action>& out) const = 0;
+
+  [[nodiscard]] virtual std::span<const std::unique_ptr<Behavior>> children() const noexcept {
+    return {};
+  }
+  /// Bytes of slab that this node alone needs; asked once, when the tree is laid out.
+  [[nodiscard]] virtual std::size_t memory_bytes() const noexcept { return 0; }
+  /// Whether the node stays open although it answered success or failure, because it asks its
+  /// children every time it is asked and their memory goes on: true for arbiters. Asked once, after
+  /// the children were asked.
+  [[nodiscard]] virtual bool stands() const noexcept { return false; }
+  /// Which child is in charge according to a slab, kNone if the node does not remember that.
+  [[nodiscard]] virtual NodeIndex active_child(const std::byte* /*slab*/) const noexcept {
+    return kNone;
+  }
+  /// What is wrong with the parameters taken together, in words; empty if nothing is.
+  [[nodiscard]] virtual std::string problem() const { return {}; }
+
+  /// Pre-order position in the tree; the subtree is [index, end_index).
+  [[nodiscard]] NodeIndex index() const noexcept { return index_; }
+  [[nodiscard]] NodeIndex end_index() const noexcept { return end_index_; }
+  /// What the user called this node; the type's name if he did not.
+  [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type_ : label_; }
+  /// The name under which the type is registered.
+  [[nodiscard]] std::string_view type() const noexcept { return type_; }
+
+  void set_label(std::string label) { label_ = std::move(label); }
+  void set_type(std::string_view type) { type_ = type; }
+
+ protected:
+  /// Random numbers of this node in this step: a pure function of seed, player, step and node.
+  [[nodiscard]] Draw draw(const Tick<State>& t) const {
+    return Draw(t.seed, t.player, Stream::behavior, t.step, index_);
+  }
+  [[nodiscard]] std::size_t memory_begin() const noexcept { return memory_begin_; }
+
+ private:
+  template <class, class>
+  friend class Tree;
+  template <class, class>
+  friend class Composite;
+
+  NodeIndex index_ = 0, end_index_ = 1;
+  bool stands_ = false;
+  std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
+  std::string_view type_ = "behavior";
+  std::string label_;
+};
+
+/// A node that only looks: it holds or it does not, and recommends nothing.
+template <class State, class Action>
+class Condition : public Behavior<State, Action> {
+ public:
+  [[nodiscard]] virtual bool holds(const Tick<State>& t) const = 0;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& /*out*/) const final {
+    return holds(t) ? Status::success : Status::failure;
+  }
+};
+
+/// A node with memory: `class BreakTurn : public WithMemory<Behavior<State, Action>, Phase>`.
+/// `Memory` is zero bytes when the agent starts and again whenever the node loses control.
+template <class Base, NodeMemory Memory>
+class WithMemory : public Base {
+ public:
+  using Base::Base;
+  using TickType = Tick<typename Base::StateType>;
+
+  [[nodiscard]] std::size_t memory_bytes() const noexcept override { return sizeof(Memory); }
+
+ protected:
+  [[nodiscard]] Memory& memory(const TickType& t) const noexcept {
+    EYRIE_ASSERT(t.memory != nullptr);
+    return *reinterpret_cast<Memory*>(t.memory + this->memory_begin());
+  }
+  [[nodiscard]] const Memory& memory(const std::byte* slab) const noexcept {
+    return *reinterpret_cast<const Memory*>(slab + this->memory_begin());
+  }
+};
+
+/// Makes a node of a registered type in code; arguments go to its constructor.
+///   auto root = make<WinnerTakesAll<S, A>>(make<Pursue>(), make<Navigate>());
+template <class Node, class... Arguments>
+[[nodiscard]] std::unique_ptr<Node> make(Arguments&&... arguments) {
+  auto node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
+  node->set_type(Node::type_name);
+  return node;
+}
+
+}  // namespace eyrie::ubf

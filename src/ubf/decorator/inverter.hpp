@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ubf/decorator.hpp"
+
+namespace eyrie::ubf {
+
+/// Success becomes failure and failure success; running stays. A failing child's proposal is
+/// ignored as everywhere, so the success made of it proposes nothing.
+template <class State, class Action>
+class Inverter final : public Decorator<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "inverter";
+  static constexpr std::string_view help = "success becomes failure and failure success";
+  using Decorator<State, Action>::Decorator;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    switch (this->ask_child(t, out)) {
+      case Status::running:
+        return Status::running;
+      case Status::success:
+        return Status::failure;
+      case Status::failure:
+        break;
+    }
+    out.clear();
+    return Status::success;
+  }
+};
+
+}  // namespace eyrie::ubf

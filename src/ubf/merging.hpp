@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Making one action of several: what the arbiters per_field, fusion and paper_fusion and
+/// the control node parallel share.
+#include <array>
+#include <tuple>
+
+#include "ubf/composite.hpp"
+
+namespace eyrie::ubf {
+
+/// The highest vote and its child's status, the earlier of equals: what an arbiter that mixes its
+/// children answers, so that exchanging one arbiter for another does not change the statuses.
+struct StrongestChild {
+  float vote = 0;
+  Status status = Status::failure;
+
+  void add(float child_vote, Status answer) {
+    if (!(child_vote > vote))
+      return;
+    vote = child_vote;
+    status = answer;
+  }
+};
+
+/// Builds an action field by field, each from the highest vote that set it, the earlier of equals.
+template <class Action>
+class FieldMerge {
+ public:
+  /// A vote of 0 counts here: who wants abstaining children unheard does not add them.
+  void add(const Proposal<Action>& proposal, Action& into) {
+    for_each_field<Action>([&](const auto& f, auto i) {
+      if (!(proposal.action.*f.member) || !(proposal.vote > votes_[i]))
+        return;
+      into.*f.member = proposal.action.*f.member;
+      votes_[i] = proposal.vote;
+    });
+  }
+
+ private:
+  static constexpr std::array<float, kFields<Action>> nobody() {
+    std::array<float, kFields<Action>> votes{};
+    votes.fill(-1);
+    return votes;
+  }
+  std::array<float, kFields<Action>> votes_ = nobody();
+};
+
+/// One sum per field of an action, each of type `SumOf<Field>`.
+template <class Action, template <class> class SumOf>
+class FieldSums {
+ public:
+  /// Adds the fields that are set, each with the weight `weigh(field)`; 0 leaves it out.
+  template <class Weigh>
+  void add(const Action& action, Weigh weigh) {
+    for_each_field<Action>([&](const auto& f, auto i) {
+      const auto& value = action.*f.member;
+      const double weight = value ? weigh(f) : 0;
+      if (weight > 0)
+        std::get<i>(sums_).add(*value, weight);
+    });
+  }
+  void get(Action& action) const {
+    for_each_field<Action>(
+        [&](const auto& f, auto i) { action.*f.member = std::get<i>(sums_).get(); });
+  }
+
+ private:
+  template <class... Field>
+  static std::tuple<SumOf<Field>...> sums_of(const std::tuple<Field...>&);
+  decltype(sums_of(ActionTraits<Action>::fields)) sums_;
+};
+
+/// Whose proposals a node listens to.
+enum class Heard : std::uint8_t {
+  voters,  ///< those that vote
+  all,     ///< also those that propose an action without a vote, as plain behavior trees do
+};
+
+namespace detail {
+
+template <class Action, class Node, class Field>
+NodeIndex strongest_setter(const Trace<Action>& trace, const Node& node, const Field& field,
+                           Heard heard, std::size_t* setters = nullptr) {
+  NodeIndex strongest = kNone;
+  for (const auto& child : node.children()) {
+    const Proposal<Action>& proposal = trace.row(child->index()).proposal;
+    if (!(proposal.action.*field.member) || (heard == Heard::voters && proposal.vote == 0))
+      continue;
+    if (setters)
+      ++*setters;
+    if (strongest == kNone || proposal.vote > trace.row(strongest).proposal.vote)
+      strongest = child->index();
+  }
+  return strongest;
+}
+
+}  // namespace detail
+
+/// Tells the trace that each field of `node` came from the strongest child that set it.
+template <class State, class Action>
+[[gnu::noinline, gnu::cold]] void trace_merge(AnyTrace& any, const Behavior<State, Action>& node,
+                                              Heard heard) {
+  auto& trace = Trace<Action>::of(any);
+  for_each_field<Action>([&](const auto& f, auto i) {
+    const NodeIndex child = detail::strongest_setter(trace, node, f, heard);
+    if (child != kNone)
+      trace.took(node.index(), child, i);
+  });
+}
+
+/// Tells the trace which fields of `node` came from one child; the others it made itself.
+template <class State, class Action>
+[[gnu::noinline, gnu::cold]] void trace_blend(AnyTrace& any, const Behavior<State, Action>& node) {
+  auto& trace = Trace<Action>::of(any);
+  for_each_field<Action>([&](const auto& f, auto i) {
+    std::size_t setters = 0;
+    const NodeIndex child = detail::strongest_setter(trace, node, f, Heard::voters, &setters);
+    if (setters == 1 || (setters > 1 && !f.averages))
+      trace.took(node.index(), child, i);
+  });
+}
+
+/// The base of arbiters that blend all proposals field by field.
+template <class State, class Action>
+class Blending : public Voting<State, Action> {
+ public:
+  using Voting<State, Action>::Voting;
+
+  [[nodiscard]] bool stands() const noexcept final { return true; }
+
+ protected:
+  /// Asks every child. A field of a child that voted v has the weight `weigh(field, v)`.
+  template <template <class> class SumOf, class Weigh>
+  Status blend(const Tick<State>& t, Proposal<Action>& out, Weigh weigh) const {
+    FieldSums<Action, SumOf> sums;
+    StrongestChild strongest;
+    for (const auto& child : this->children_) {
+      const Status answer = this->ask(*child, t, out);
+      if (answer == Status::failure || out.vote == 0)
+        continue;
+      strongest.add(out.vote, answer);
+      sums.add(out.action, [&](const auto& f) { return weigh(f, out.vote); });
+    }
+    sums.get(out.action);
+    out.vote = strongest.vote;
+    this->rescale(out);
+    if (t.trace) [[unlikely]]
+      trace_blend(*t.trace, *this);
+    return strongest.status;
+  }
+};
+
+}  // namespace eyrie::ubf

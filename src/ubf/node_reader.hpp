@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  From a node as a file writes it to the node: children, parameters and all mistakes.
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/bind.hpp"
+#include "ubf/composite.hpp"
+#include "ubf/spec.hpp"
+#include "ubf/tree.hpp"
+
+namespace eyrie::ubf {
+
+template <class State, class Action>
+class Registry;
+
+/// Reads one tree. Made by Registry; composites with children of their own grammar get it passed.
+template <class State, class Action>
+class NodeReader {
+ public:
+  using Node = Behavior<State, Action>;
+  using Child = std::unique_ptr<Node>;
+  using Children = std::vector<Child>;
+
+  NodeReader(const Registry<State, Action>& registry, std::span<const NamedSpec> trees,
+             Diagnostics& diagnostics)
+      : registry_(registry), trees_(trees), diagnostics_(diagnostics) {}
+
+  /// The node and everything below it, or null after reporting at least one mistake.
+  [[nodiscard]] Child read(const Value& value) {
+    if (full_ || !within_limits(value.where))
+      return nullptr;
+    std::optional<NodeSpec> spec = read_spec(value, diagnostics_);
+    if (!spec)
+      return nullptr;
+    ++depth_;
+    Child node =
+        spec->type == kTreeReference ? read_reference(*spec) : registry_.make(*spec, *this);
+    --depth_;
+    return node;
+  }
+  /// Reads a named tree, which may not refer to itself.
+  [[nodiscard]] Child read_tree(const std::string& name, const Value& value) {
+    open_.push_back(name);
+    Child root = read(value);
+    open_.pop_back();
+    return root;
+  }
+  [[nodiscard]] Children read_list(std::span<const Value> values) {
+    Children children;
+    for (const Value& value : values)
+      if (Child child = read(value))
+        children.push_back(std::move(child));
+    return children;
+  }
+
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  void error(const Location& where, std::string message) {
+    diagnostics_.error(where, std::move(message));
+  }
+
+  /// Makes a node of type B from its spec. Called by the registry.
+  template <class B>
+  [[nodiscard]] Child make_node(const NodeSpec& spec) {
+    const std::size_t before = diagnostics_.count();
+    auto node = ubf::make<B>();
+    node->set_label(read_label(*spec.body, diagnostics_));
+    if constexpr (requires { B::child_keys; })
+      read_own_way(*node, spec);
+    else if constexpr (requires { B::slots; })
+      read_slots(*node, spec);
+    else if constexpr (std::derived_from<B, Composite<State, Action>>)
+      read_children(*node, spec);
+    else
+      read_leaf(*node, spec);
+    if (diagnostics_.count() != before)
+      return nullptr;
+    if (const std::string problem = node->problem(); !problem.empty()) {
+      error(spec.where, problem);
+      return nullptr;
+    }
+    return node;
+  }
+
+ private:
+  [[nodiscard]] bool within_limits(const Location& where) {
+    if (depth_ >= kMaxDepth) {
+      error(where, fmt::format("nodes are nested more than {} deep", kMaxDepth));
+      return false;
+    }
+    if (++count_ > kMaxNodes) {
+      error(where, fmt::format("the tree has more than {} nodes", kMaxNodes));
+      full_ = true;
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] Child read_reference(const NodeSpec& spec) {
+    if (!spec.body->is_scalar()) {
+      error(spec.where, "a reference names its tree, as in {tree: ingress}");
+      return nullptr;
+    }
+    const std::string& name = spec.body->text;
+    for (const NamedSpec& tree : trees_) {
+      if (tree.name != name)
+        continue;
+      if (const auto cycle = cycle_through(open_, name)) {
+        error(spec.body->where, *cycle);
+        return nullptr;
+      }
+      --count_;  // the reference itself is no node
+      Child root = read_tree(name, *tree.value);
+      if (root && root->label() == root->type())
+        root->set_label(name);
+      return root;
+    }
+    std::vector<std::string> names;
+    for (const NamedSpec& tree : trees_)
+      names.push_back(tree.name);
+    error(spec.body->where,
+          fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names)));
+    return nullptr;
+  }
+
+  template <class B>
+  void read_leaf(B& node, const NodeSpec& spec) {
+    static constexpr std::array kKeys{kLabelKey, std::string_view("child"),
+                                      std::string_view("children")};
+    const bool lists_children = spec.body->is_list();
+    const Value* children = spec.body->find("children");
+    if (!children)
+      children = spec.body->find("child");
+    if (lists_children || children) {
+      error(children ? children->where : spec.where,
+            fmt::format("{} is a {} and takes no children", spec.type,
+                        std::derived_from<B, Condition<State, Action>> ? "condition" : "behavior"));
+      return;
+    }
+    bind(node, *spec.body, diagnostics_, std::span(kKeys).first(1));
+  }
+
+  /// `{type: [child, ...]}` or `{type: {children: [child, ...], ...}}`
+  template <class B>
+  void read_children(B& node, const NodeSpec& spec) {
+    static constexpr std::array kKeys{kLabelKey, std::string_view("children"),
+                                      std::string_view("child")};
+    constexpr bool kTakesOne = requires {
+      B::takes_one_child;
+    };
+    const Value* list = spec.body;
+    const Value* only = nullptr;
+    if (spec.body->is_list()) {
+      bind(node, Value::map({}, spec.where), diagnostics_);
+    } else {
+      if (!refuse_nodes_as_keys(spec))
+        return;
+      bind(node, *spec.body, diagnostics_, std::span(kKeys).first(kTakesOne ? 3 : 2));
+      list = spec.body->find("children");
+      only = kTakesOne ? spec.body->find("child") : nullptr;
+    }
+    if (only && list) {
+      error(only->where, fmt::format("{} has either 'child' or 'children'", spec.type));
+      return;
+    }
+    if (only) {
+      node.adopt(read_list(std::span(only, 1)));
+      return;
+    }
+    if (list && !list->is_list()) {
+      error(list->where, fmt::format("children: expected a list of nodes, got {}", list->shown()));
+      return;
+    }
+    if (!list || list->items.empty()) {
+      error(list ? list->where : spec.where, fmt::format("{} needs at least one child", spec.type));
+      return;
+    }
+    node.adopt(read_list(list->items));
+  }
+
+  /// `{type: child}` if there is one slot, or `{type: {slot: child, ...}}`
+  template <class B>
+  void read_slots(B& node, const NodeSpec& spec) {
+    static constexpr auto kKeys = [] {
+      std::array<std::string_view, B::slots.size() + 1> keys{kLabelKey};
+      std::copy(B::slots.begin(), B::slots.end(), keys.begin() + 1);
+      return keys;
+    }();
+    const Value& body = *spec.body;
+    if (body.is_list() || body.find("children")) {
+      error(spec.where,
+            fmt::format("{} takes exactly one '{}'; put several nodes under an arbiter or a "
+                        "control node",
+                        spec.type, B::slots.back()));
+      return;
+    }
+    if (B::slots.size() == 1 && is_child_alone<B>(body)) {
+      bind(node, Value::map({}, spec.where), diagnostics_);
+      node.adopt(read_list(std::span(&body, 1)));
+      return;
+    }
+    bind(node, body, diagnostics_, kKeys);
+    Children children;
+    for (const std::string_view slot : B::slots) {
+      if (const Value* child = body.find(slot))
+        children.push_back(read(*child));
+      else
+        error(spec.where, fmt::format("{} needs a '{}'", spec.type, slot));
+    }
+    node.adopt(std::move(children));
+  }
+  /// A name, or a map whose only key is none of B's own.
+  template <class B>
+  [[nodiscard]] static bool is_child_alone(const Value& body) {
+    if (body.is_scalar())
+      return true;
+    if (!body.is_map() || body.entries.size() != 1)
+      return false;
+    const std::string& key = body.entries.front().key;
+    bool own = key == kLabelKey || key == B::slots.front();
+    std::apply([&](const auto&... param) { ((own |= key == param.name), ...); }, B::params());
+    return !own;
+  }
+
+  template <class B>
+  void read_own_way(B& node, const NodeSpec& spec) {
+    std::vector<std::string_view> keys(B::child_keys.begin(), B::child_keys.end());
+    keys.push_back(kLabelKey);
+    if (bind(node, *spec.body, diagnostics_, keys) || spec.body->is_map())
+      node.read(spec, *this);
+  }
+
+  /// `winner_takes_all: {navigate: ..., pursue: ...}` is meant as a list.
+  [[nodiscard]] bool refuse_nodes_as_keys(const NodeSpec& spec) {
+    for (const auto& entry : spec.body->entries) {
+      if (!registry_.find(entry.key))
+        continue;
+      error(entry.where, fmt::format("{} is a node, not a parameter of {}; write children as a "
+                                     "list: {}: [{}, ...]",
+                                     quote(entry.key), spec.type, spec.type, entry.key));
+      return false;
+    }
+    return true;
+  }
+
+  const Registry<State, Action>& registry_;
+  std::span<const NamedSpec> trees_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> open_;  ///< names of the trees being read, outermost first
+  std::size_t depth_ = 0, count_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace eyrie::ubf

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  How a file writes a node, as far as that does not depend on which platform it is for.
+///
+///   navigate                                    a type without parameters
+///   navigate: {altitude: 6000 ft, name: home}   with parameters and a label
+///   winner_takes_all: [navigate, pursue]        children alone
+///   winner_takes_all: {vote_scale: 2, children: [navigate, pursue]}
+///   inverter: has_target                        a decorator's child alone
+///   timeout: {after: 5 s, child: pursue}
+///   tree: ingress                               a copy of the tree of that name
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+#include "core/param.hpp"
+#include "core/value.hpp"
+#include "ubf/behavior.hpp"
+
+namespace eyrie::ubf {
+
+/// The key that every node may have: its label.
+inline constexpr std::string_view kLabelKey = "name";
+/// The type of a reference to a named tree.
+inline constexpr std::string_view kTreeReference = "tree";
+
+/// A tree that `{tree: name}` may refer to. The value must outlive the reading.
+struct NamedSpec {
+  std::string name;
+  const Value* value = nullptr;
+};
+
+/// A node as written: the name of its type, and what is written below that name.
+struct NodeSpec {
+  std::string type;
+  Location where;
+  const Value* body = nullptr;  ///< a null value if nothing is
+};
+
+/// What the catalog says of a registered type.
+struct NodeInfo {
+  std::string name;
+  Kind kind = Kind::behavior;
+  std::string help;
+  std::vector<ParamInfo> parameters;
+  /// The keys under which children are written: none, "child", "children", "when" and "child" ...
+  std::vector<std::string> child_keys;
+  std::string origin;  ///< who registered it: "eyrie", or a plug-in
+};
+
+/// Splits a value into type and body, or reports why it is no node.
+[[nodiscard]] std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics);
+
+/// What is wrong with a label, in words: it must not be empty or hold what paths use ('/', '[',
+/// ']').
+[[nodiscard]] std::optional<std::string> label_problem(std::string_view label);
+
+/// Reads the label from a node's body, or reports what is wrong with it. Empty if there is none.
+[[nodiscard]] std::string read_label(const Value& body, Diagnostics& diagnostics);
+
+/// "tree 'a' refers to itself: a -> b -> a", if `name` is being read already; `open` are the trees
+/// being read, outermost first.
+[[nodiscard]] std::optional<std::string> cycle_through(std::span<const std::string> open,
+                                                       std::string_view name);
+
+}  // namespace eyrie::ubf

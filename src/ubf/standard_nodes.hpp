@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Every arbiter, control node and decorator that comes with the library.
+#include "ubf/arbiter/commitment.hpp"
+#include "ubf/arbiter/fusion.hpp"
+#include "ubf/arbiter/paper_fusion.hpp"
+#include "ubf/arbiter/per_field.hpp"
+#include "ubf/arbiter/winner_takes_all.hpp"
+#include "ubf/control/parallel.hpp"
+#include "ubf/control/selector.hpp"
+#include "ubf/control/selector_with_memory.hpp"
+#include "ubf/control/sequence.hpp"
+#include "ubf/control/sequence_with_memory.hpp"
+#include "ubf/decorator/cooldown.hpp"
+#include "ubf/decorator/force_failure.hpp"
+#include "ubf/decorator/force_success.hpp"
+#include "ubf/decorator/guard.hpp"
+#include "ubf/decorator/inverter.hpp"
+#include "ubf/decorator/timeout.hpp"
+#include "ubf/registry.hpp"
+#include "ubf/sequencer.hpp"
+
+namespace eyrie::ubf {
+
+template <class State, class Action>
+void add_standard_nodes(Registry<State, Action>& registry) {
+  registry.template add<WinnerTakesAll<State, Action>>();
+  registry.template add<PerField<State, Action>>();
+  registry.template add<Fusion<State, Action>>();
+  registry.template add<PaperFusion<State, Action>>();
+  registry.template add<Commitment<State, Action>>();
+
+  registry.template add<Selector<State, Action>>();
+  registry.template add<Sequence<State, Action>>();
+  registry.template add<SelectorWithMemory<State, Action>>();
+  registry.template add<SequenceWithMemory<State, Action>>();
+  registry.template add<Parallel<State, Action>>();
+  registry.template add<Sequencer<State, Action>>();
+
+  registry.template add<Inverter<State, Action>>();
+  registry.template add<ForceSuccess<State, Action>>();
+  registry.template add<ForceFailure<State, Action>>();
+  registry.template add<Timeout<State, Action>>();
+  registry.template add<Cooldown<State, Action>>();
+  registry.template add<Guard<State, Action>>();
+}
+
+}  // namespace eyrie::ubf

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What every node of one tick answered, and who supplied each field of each action.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/assert.hpp"
+#include "ubf/behavior.hpp"
+
+namespace eyrie::ubf {
+
+/// What Tick carries of a Trace<Action>; it knows which action it was made for.
+class AnyTrace {
+ protected:
+  explicit AnyTrace(const void* action) : action_(action) {}
+  ~AnyTrace() = default;
+
+  template <class Action>
+  static constexpr char kTag = 0;
+  const void* action_;
+};
+
+/// The decisions of one tick, node by node. Made once for the largest tree and reused: recording
+/// allocates nothing. A tree decides the same with and without one.
+template <class Action>
+class Trace final : public AnyTrace {
+ public:
+  /// One node's answer.
+  struct Row {
+    bool ticked = false;
+    Status status = Status::failure;
+    std::uint16_t halts = 0;    ///< how often the node was made to forget in this tick
+    Proposal<Action> proposal;  ///< as it went up; empty after a failure
+    /// Per field the node that supplied it: a leaf, or the arbiter that blended it; kNone if the
+    /// field is empty.
+    std::array<NodeIndex, kFields<Action>> supplier = none();
+  };
+
+  explicit Trace(std::size_t nodes) : AnyTrace(&kTag<Action>), rows_(nodes) {}
+
+  [[nodiscard]] static Trace& of(AnyTrace& trace) {
+    auto& mine = static_cast<Trace&>(trace);
+    EYRIE_DEMAND(mine.action_ == &kTag<Action>, "a trace of another action type");
+    return mine;
+  }
+
+  /// The rows in pre-order, those of the tree that was ticked last.
+  [[nodiscard]] std::span<const Row> rows() const { return {rows_.data(), used_}; }
+  [[nodiscard]] const Row& row(NodeIndex node) const { return rows_[node]; }
+  [[nodiscard]] std::size_t capacity() const { return rows_.size(); }
+
+  // Below: called by trees and composites while they tick.
+
+  void begin(std::size_t nodes) {
+    EYRIE_DEMAND(nodes <= rows_.size(), "a trace smaller than the tree");
+    used_ = nodes;
+    for (Row& row : std::span(rows_.data(), used_)) {
+      row.ticked = false;
+      row.status = Status::failure;
+      row.halts = 0;
+      row.proposal.clear();
+      row.supplier = none();
+    }
+  }
+  void record(NodeIndex node, Status status, const Proposal<Action>& proposal) {
+    Row& row = rows_[node];
+    row.ticked = true;
+    row.status = status;
+    if (status == Status::failure)
+      row.proposal.clear();
+    else
+      row.proposal = proposal;
+    for_each_field<Action>([&](const auto& f, auto i) {
+      if (!(row.proposal.action.*f.member))
+        row.supplier[i] = kNone;
+      else if (row.supplier[i] == kNone)
+        row.supplier[i] = node;
+    });
+  }
+  void halted(NodeIndex begin, NodeIndex end) {
+    for (Row& row : std::span(rows_.data() + begin, rows_.data() + end))
+      ++row.halts;
+  }
+  /// `node` hands on what `child` proposed in an earlier tick.
+  void supplied(NodeIndex node, NodeIndex child, const Action& action) {
+    for_each_field<Action>(
+        [&](const auto& f, auto i) { rows_[node].supplier[i] = action.*f.member ? child : kNone; });
+  }
+  /// `node` hands on what `child` proposed.
+  void took(NodeIndex node, NodeIndex child) { rows_[node].supplier = rows_[child].supplier; }
+  /// `node` hands on one field from `child`.
+  void took(NodeIndex node, NodeIndex child, std::size_t field) {
+    rows_[node].supplier[field] = rows_[child].supplier[field];
+  }
+
+ private:
+  [[nodiscard]] static constexpr std::array<NodeIndex, kFields<Action>> none() {
+    std::array<NodeIndex, kFields<Action>> nodes{};
+    nodes.fill(kNone);
+    return nodes;
+  }
+
+  std::vector<Row> rows_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace eyrie::ubf

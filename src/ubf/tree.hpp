@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  An immutable tree, shared by every agent that uses it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/assert.hpp"
+#include "ubf/behavior.hpp"
+#include "ubf/trace.hpp"
+
+namespace eyrie::ubf {
+
+/// A tree has at most this many nodes, so that an index fits 16 bits and kNone stays free.
+inline constexpr std::size_t kMaxNodes = 65'535;
+/// No node stands deeper, so that a tick cannot exhaust the stack.
+inline constexpr std::size_t kMaxDepth = 64;
+/// The slab of one agent has at most this many bytes.
+inline constexpr std::size_t kMaxMemory = 1 << 20;
+
+/// Owns the nodes, numbers them in pre-order and lays out the memory that each agent needs.
+template <class State, class Action>
+class Tree {
+ public:
+  using Node = Behavior<State, Action>;
+
+  static_assert(std::is_trivially_copyable_v<Action>, "an action is a value");
+  static_assert(fields_cover_action<Action>(),
+                "ActionTraits<Action>::fields must list every field, in order of declaration");
+
+  /// Refuses (std::logic_error) a null root, a node without the children it needs or with
+  /// parameters that contradict each other, and a tree beyond kMaxNodes, kMaxDepth or kMaxMemory.
+  Tree(std::string name, std::unique_ptr<Node> root)
+      : name_(std::move(name)), root_(std::move(root)) {
+    EYRIE_THROW_UNLESS(root_ != nullptr, "a tree needs a root");
+    lay_out(*root_, kNone, 0);
+  }
+
+  /// One decision. `t.memory` must be this agent's slab: memory_bytes() bytes at an address that
+  /// is a multiple of 8, zero before the first tick. After a failure `out` is empty.
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const {
+    EYRIE_ASSERT(t.memory != nullptr || memory_bytes() == 0);
+    EYRIE_ASSERT(reinterpret_cast<std::uintptr_t>(t.memory) % 8 == 0);
+    if (t.trace) [[unlikely]]
+      Trace<Action>::of(*t.trace).begin(size());
+    out.clear();
+    const Status status = root_->tick(t, out);
+    EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
+    if (status == Status::failure)
+      out.clear();
+    if (t.trace) [[unlikely]]
+      Trace<Action>::of(*t.trace).record(0, status, out);
+    return status;
+  }
+
+  [[nodiscard]] std::string_view name() const { return name_; }
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  /// Bytes of slab per agent, a multiple of 8.
+  [[nodiscard]] std::size_t memory_bytes() const { return root_->memory_end_; }
+  [[nodiscard]] const Node& root() const { return *root_; }
+  /// Nodes in pre-order: the root is 0.
+  [[nodiscard]] const Node& node(NodeIndex index) const { return *nodes_[index].node; }
+  /// kNone for the root.
+  [[nodiscard]] NodeIndex parent(NodeIndex index) const { return nodes_[index].parent; }
+  /// The root has depth 0.
+  [[nodiscard]] std::size_t depth(NodeIndex index) const { return nodes_[index].depth; }
+
+  /// "root/engage[1]/pursue": labels from the root down; siblings of one label are counted from 0.
+  [[nodiscard]] std::string path(NodeIndex index) const {
+    if (index == 0)
+      return "root";
+    const NodeIndex up = parent(index);
+    const std::string_view label = node(index).label();
+    std::size_t same = 0, before = 0;
+    for (const auto& sibling : node(up).children()) {
+      if (sibling->label() != label)
+        continue;
+      before += sibling->index() < index;
+      ++same;
+    }
+    std::string text = fmt::format("{}/{}", path(up), label);
+    return same > 1 ? fmt::format("{}[{}]", text, before) : text;
+  }
+  [[nodiscard]] std::optional<NodeIndex> find(std::string_view path) const {
+    for (std::size_t i = 0; i < size(); ++i)
+      if (this->path(static_cast<NodeIndex>(i)) == path)
+        return static_cast<NodeIndex>(i);
+    return std::nullopt;
+  }
+
+ private:
+  struct Place {
+    const Node* node;
+    NodeIndex parent;
+    std::uint16_t depth;
+  };
+
+  void lay_out(Node& node, NodeIndex parent, std::size_t depth) {
+    EYRIE_THROW_UNLESS(depth < kMaxDepth, "the tree is deeper than 64 levels");
+    EYRIE_THROW_UNLESS(nodes_.size() < kMaxNodes, "the tree has more than 65535 nodes");
+    const std::string problem = node.problem();
+    EYRIE_THROW_UNLESS(problem.empty(), problem.c_str());
+    node.index_ = static_cast<NodeIndex>(nodes_.size());
+    nodes_.push_back({&node, parent, static_cast<std::uint16_t>(depth)});
+    node.memory_begin_ = static_cast<std::uint32_t>(memory_);
+    memory_ += slab_bytes(node.memory_bytes());
+    EYRIE_THROW_UNLESS(memory_ <= kMaxMemory, "the tree needs more than 1 MiB per agent");
+    for (const auto& child : node.children()) {
+      EYRIE_THROW_UNLESS(child != nullptr, "a child is missing");
+      lay_out(*child, node.index_, depth + 1);
+    }
+    node.end_index_ = static_cast<NodeIndex>(nodes_.size());
+    node.memory_end_ = static_cast<std::uint32_t>(memory_);
+    node.stands_ = node.stands();
+  }
+
+  std::string name_;
+  std::unique_ptr<Node> root_;
+  std::vector<Place> nodes_;
+  std::size_t memory_ = 0;
+};
+
+}  // namespace eyrie::ubf
