@@ -136,7 +136,7 @@ void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& di
     const std::array<std::string_view, sizeof...(param)> names{param.name...};
     if (!check_keys(map, T::type_name, path, names, also_allowed, diagnostics))
       return;
-    const auto bind_one = [&](const auto& one) {
+    [[maybe_unused]] const auto bind_one = [&](const auto& one) {
       if (const Value* value = map.find(one.name)) {
         ParamInfo info = brief_info(one);
         if (!path.empty())
