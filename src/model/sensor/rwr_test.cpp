@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/rwr.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "model/sensor/test_players.hpp"
+
+namespace eyrie::model {
+namespace {
+
+using test::flying;
+using test::mirrored;
+
+// A warning has no place for a range: this does not compile the day somebody adds one.
+template <class T>
+concept TellsRange = requires(T t) {
+  t.range;
+}
+|| requires(T t) {
+  t.distance;
+}
+|| requires(T t) {
+  t.position;
+}
+|| requires(T t) {
+  t.strength;
+};
+static_assert(!TellsRange<RwrWarning>);
+static_assert(TellsRange<Emission>);
+
+constexpr double kFighterFigure = 4.34e10;  // emission_figure(148 km, 3.2 m^2)
+
+Emission beam(const Vec3& from, const Vec3& at, double half_angle,
+              EmissionKind kind = EmissionKind::search) {
+  return {.position = from,
+          .boresight = normalized(at - from, {1, 0, 0}),
+          .cos_half_angle = std::cos(half_angle),
+          .figure = kFighterFigure,
+          .type = 3,
+          .kind = kind,
+          .side = Side::red};
+}
+
+TEST(EmissionFigure, IsTheOneWayRangeOfTheRadarsOwnReceiver) {
+  EXPECT_NEAR(emission_figure(148160, 3.2), kFighterFigure, 0.01 * kFighterFigure);
+  // twice the two-way range is four times the one-way range
+  EXPECT_NEAR(emission_figure(2e5, 1) / emission_figure(1e5, 1), 4, 1e-12);
+}
+
+TEST(Hear, ReachesFartherThanTheRadarThatIsHeard) {
+  const Rwr rwr{.insensitivity = 95};
+  const auto heard_at = [&](double range) {
+    const Kinematics own = flying({range, 0, -9000}, kPi, 250);
+    return hear(rwr, aim(rwr, own, Side::blue), beam({0, 0, -9000}, own.position, 0.5));
+  };
+  EXPECT_TRUE(heard_at(300e3).has_value()) << "twice the radar's range";
+  EXPECT_FALSE(heard_at(900e3).has_value());
+  // power falls with the square of range
+  EXPECT_NEAR(*heard_at(100e3) / *heard_at(200e3), 4, 1e-9);
+}
+
+TEST(Hear, HearsNothingOutsideTheBeam) {
+  const Rwr rwr;
+  const Kinematics own = flying({50e3, 0, -9000}, kPi, 250);
+  const RwrAntenna antenna = aim(rwr, own, Side::blue);
+  const auto off_axis = [&](double degrees) {
+    const double a = radians(degrees);
+    Emission e = beam({0, 0, -9000}, own.position, radians(30));
+    e.boresight = {std::cos(a), std::sin(a), 0};
+    return hear(rwr, antenna, e).has_value();
+  };
+  EXPECT_TRUE(off_axis(29.9));
+  EXPECT_TRUE(off_axis(-29.9));
+  EXPECT_FALSE(off_axis(30.1));
+  EXPECT_FALSE(off_axis(180));
+}
+
+TEST(Hear, HearsNothingFromASilentRadarOrAFriend) {
+  const Rwr rwr;
+  const Kinematics own = flying({50e3, 0, -9000}, kPi, 250);
+  const Emission e = beam({0, 0, -9000}, own.position, 0.5);
+  EXPECT_FALSE(hear(rwr, aim(rwr, own, Side::red), e).has_value());
+  EXPECT_TRUE(hear(Rwr{.hides_friends = false}, aim(rwr, own, Side::red), e).has_value());
+  Emission silent = e;
+  silent.kind = EmissionKind::none;
+  EXPECT_FALSE(hear(rwr, aim(rwr, own, Side::blue), silent).has_value());
+}
+
+TEST(Hear, IsDeafAboveAndBelowTheWings) {
+  const Rwr rwr{.elevation_coverage = radians(45)};
+  const auto rolled = [&](double degrees) {
+    const Kinematics own = flying({50e3, 0, -9000}, kPi / 2, 250, 0, radians(degrees));
+    return hear(rwr, aim(rwr, own, Side::blue), beam({0, 0, -9000}, own.position, 0.5)).has_value();
+  };
+  EXPECT_TRUE(rolled(0));
+  EXPECT_TRUE(rolled(44));
+  EXPECT_FALSE(rolled(46));
+  EXPECT_FALSE(rolled(-80));
+}
+
+TEST(Warn, GivesBearingsInStepsFromTheNoseWithTheErrorItSays) {
+  const Rwr rwr{.sigma_bearing = radians(10), .bearing_step = radians(5)};
+  const Kinematics own = flying({}, radians(33), 250);
+  const Emission e = beam({20e3, 20e3, 0}, {}, 0.5);
+  double mean = 0, square = 0;
+  constexpr int kLooks = 20000;
+  for (int i = 0; i < kLooks; ++i) {
+    const RwrWarning w = warn(rwr, aim(rwr, own, Side::blue), own, e, PlayerId{9}, 1,
+                              Draw(1, PlayerId{1}, Stream::rwr, static_cast<std::uint64_t>(i)));
+    const double steps = angle_between(own.heading, w.bearing) / radians(5);
+    ASSERT_NEAR(steps, std::nearbyint(steps), 1e-9);
+    const double error = angle_between(radians(45), w.bearing);
+    mean += error / kLooks;
+    square += error * error / kLooks;
+  }
+  EXPECT_NEAR(degrees(mean), 0, 0.4);
+  const double expected = std::sqrt(10.0 * 10 + 5.0 * 5 / 12);  // and the steps' own error
+  EXPECT_NEAR(degrees(std::sqrt(square)), expected, 0.3);
+}
+
+RC_GTEST_PROP(Warn, OfAMirroredSceneIsTheMirroredWarning, ()) {
+  const auto in = [](int low, int high) { return double(*rc::gen::inRange(low, high)); };
+  const Rwr rwr;
+  const Kinematics own = flying({}, radians(in(-179, 180)), 250);
+  const Vec3 from{in(-9000, 9000), in(1, 9000), in(-500, 500)};
+  const Draw draw(1, PlayerId{1}, Stream::rwr, static_cast<std::uint64_t>(in(0, 1000)));
+  const RwrWarning w =
+      warn(rwr, aim(rwr, own, Side::blue), own, beam(from, {}, 1), PlayerId{2}, 0, draw);
+  const Kinematics image = mirrored(own);
+  const RwrWarning m = warn(rwr, aim(rwr, image, Side::blue), image, beam(mirrored(from), {}, 1),
+                            PlayerId{2}, 0, draw);
+  RC_ASSERT(std::fabs(wrap_pi(w.bearing + m.bearing)) < 1e-9);
+}
+
+RwrWarning warning(std::uint32_t emitter, EmissionKind kind, double time) {
+  return {.time = time, .first_time = time, .emitter = PlayerId{emitter}, .kind = kind};
+}
+
+TEST(Show, TellsOncePerEmitterAndAgainWhenItGetsWorse) {
+  RwrState state;
+  EXPECT_TRUE(show(state, warning(5, EmissionKind::search, 1)));
+  EXPECT_FALSE(show(state, warning(5, EmissionKind::search, 2)));
+  EXPECT_TRUE(show(state, warning(5, EmissionKind::track, 3)));
+  EXPECT_FALSE(show(state, warning(5, EmissionKind::search, 4)));
+  ASSERT_EQ(state.count, 1u);
+  EXPECT_EQ(state.warnings[0].time, 4);
+  EXPECT_EQ(state.warnings[0].first_time, 1);
+}
+
+TEST(Show, PutsTheMostUrgentFirst) {
+  RwrState state;
+  show(state, warning(5, EmissionKind::search, 1));
+  show(state, warning(6, EmissionKind::missile_seeker, 2));
+  show(state, warning(7, EmissionKind::track, 3));
+  show(state, warning(8, EmissionKind::search, 0.5));
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < state.count; ++i)
+    order.push_back(state.warnings[i].emitter.value);
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{6, 7, 8, 5}));
+}
+
+TEST(Show, MakesRoomOnAFullDisplayOnlyForWhatIsMoreUrgent) {
+  RwrState state;
+  for (std::uint32_t i = 1; i <= kMaxWarnings; ++i)
+    show(state, warning(i, EmissionKind::search, i == 3 ? 0 : 1));
+  EXPECT_FALSE(show(state, warning(20, EmissionKind::search, 2)));
+  EXPECT_TRUE(show(state, warning(21, EmissionKind::missile_seeker, 2)));
+  EXPECT_EQ(state.count, kMaxWarnings);
+  EXPECT_EQ(state.warnings[0].emitter, PlayerId{21});
+  for (const RwrWarning& w : state.warnings)
+    EXPECT_NE(w.emitter, PlayerId{3}) << "the one unheard longest makes room";
+}
+
+TEST(Forget, TakesOldWarningsOffTheDisplayAndLeavesNoTrace) {
+  const Rwr rwr{.memory = 5};
+  RwrState state;
+  show(state, warning(1, EmissionKind::search, 0));
+  show(state, warning(2, EmissionKind::search, 3));
+  forget(state, rwr, 5);
+  EXPECT_EQ(state.count, 2u);
+  forget(state, rwr, 5.1);
+  ASSERT_EQ(state.count, 1u);
+  EXPECT_EQ(state.warnings[0].emitter, PlayerId{2});
+  EXPECT_EQ(state.warnings[1].emitter, PlayerId{});
+}
+
+}  // namespace
+}  // namespace eyrie::model

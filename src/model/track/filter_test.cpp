@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "model/track/filter.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "core/draw.hpp"
+
+namespace eyrie::model {
+namespace {
+
+constexpr Observer kAtRest{};
+
+/// A contact at `place` with errors drawn as they are declared, seen from the origin.
+Contact noisy(const Vec3& place, const Vec3& velocity, double along, double across, double speed,
+              Draw draw) {
+  Contact c;
+  const Vec3 unit = normalized(place, {1, 0, 0});
+  const Vec3 side = normalized(cross({0, 0, 1}, unit), {0, 1, 0}), up = cross(unit, side);
+  c.position = place + along * draw.normal() * unit + across * draw.normal() * side +
+               across * draw.normal() * up;
+  c.line = unit;
+  c.range = norm(c.position);
+  c.sigma_along = along;
+  c.sigma_across = across;
+  c.sigma_speed = speed;
+  c.speed_along = dot(velocity, unit) + speed * draw.normal();
+  return c;
+}
+
+Draw draw(std::uint32_t run, std::uint64_t look) {
+  return Draw(11, PlayerId{run + 1}, Stream::test, look);
+}
+
+/// One run of a straight flight; gives the last error along (x) and across (y) and in speed (z).
+struct Outcome {
+  Vec3 position_error, velocity_error;
+  Track track;
+};
+Outcome fly(std::uint32_t run, int looks, double dt, const Tracker& tracker, double speed_sigma) {
+  const Vec3 start{60e3, 10e3, -6000}, velocity{-250, 40, 5};
+  Track track;
+  for (int i = 0; i <= looks; ++i) {
+    const double t = i * dt;
+    const Vec3 place = start + t * velocity;
+    const Contact c =
+        noisy(place, velocity, 50, 400, speed_sigma, draw(run, static_cast<std::uint64_t>(i)));
+    if (i == 0)
+      track = first_track(tracker, c, t);
+    else
+      filter(track, predict(track, tracker, kAtRest, t), c, t);
+  }
+  const Vec3 end = start + looks * dt * velocity;
+  return {track.position - end, track.velocity - velocity, track};
+}
+
+TEST(Filter, ConvergesWithoutBiasAndKnowsHowGoodItIs) {
+  const Tracker tracker{.maneuver = 0.01};
+  Vec3 mean, mean_speed;
+  double squares = 0, claimed = 0, speed_squares = 0, speed_claimed = 0;
+  constexpr std::uint32_t kRuns = 400;
+  for (std::uint32_t run = 0; run < kRuns; ++run) {
+    const Outcome o = fly(run, 20, 2, tracker, 3);
+    mean += o.position_error / kRuns;
+    mean_speed += o.velocity_error / kRuns;
+    squares += norm2(o.position_error) / kRuns;
+    speed_squares += norm2(o.velocity_error) / kRuns;
+    const auto sum = [](const AxisCovariance& a, const AxisCovariance& b, auto member) {
+      return static_cast<double>(a.*member) + 2 * static_cast<double>(b.*member);
+    };
+    claimed += sum(o.track.along, o.track.across, &AxisCovariance::position) / kRuns;
+    speed_claimed += sum(o.track.along, o.track.across, &AxisCovariance::velocity) / kRuns;
+  }
+  // no bias beyond what 400 runs can tell
+  EXPECT_LT(norm(mean), 4 * std::sqrt(squares / kRuns));
+  EXPECT_LT(norm(mean_speed), 4 * std::sqrt(speed_squares / kRuns));
+  // less noise than one look has, in position, and the covariance agrees
+  const double one_look = 50 * 50 + 2 * 400 * 400;
+  EXPECT_LT(squares, 0.35 * one_look);
+  EXPECT_NEAR(squares / claimed, 1, 0.15);
+  EXPECT_NEAR(speed_squares / speed_claimed, 1, 0.15);
+}
+
+TEST(Filter, ReachesTheErrorOfALeastSquaresLineWithoutManeuvers) {
+  // n + 1 looks at a straight line: end-point variance 2(2n+1)/((n+1)(n+2)) of one look's
+  // (Bar-Shalom et al., 3.5.1), when the first look knows nothing of the speed
+  const Tracker tracker{.maneuver = 0, .initial_speed = 2000};
+  constexpr int kLooks = 20;
+  const double expected = 2.0 * (2 * kLooks + 1) / ((kLooks + 1.0) * (kLooks + 2.0));
+  const Track track = fly(1, kLooks, 2, tracker, 0).track;
+  EXPECT_NEAR(static_cast<double>(track.across.position) / (400 * 400), expected, 0.01);
+  EXPECT_NEAR(static_cast<double>(track.along.position) / (50 * 50), expected, 0.02);
+}
+
+TEST(Filter, LearnsTheSpeedFromTheDopplerShiftAtOnce) {
+  const Tracker tracker;
+  const Contact c = noisy({40e3, 0, 0}, {-250, 60, 0}, 50, 300, 3, draw(0, 0));
+  const Track track = first_track(tracker, c, 0);
+  EXPECT_NEAR(track.velocity.x, -250, 12);
+  EXPECT_NEAR(std::sqrt(static_cast<double>(track.along.velocity)), 3, 0.1);
+  EXPECT_NEAR(std::sqrt(static_cast<double>(track.across.velocity)), 250, 0.1);
+}
+
+TEST(Filter, FollowsATurnWithinItsGates) {
+  // 5 g at 250 m/s, seen twice a second from 10 km: the lag stays below the claimed three sigmas
+  const Tracker tracker{.maneuver = 30};
+  const double rate = 5 * 9.80665 / 250, dt = 0.5;
+  Track track;
+  int outside = 0;
+  for (int i = 0; i <= 60; ++i) {
+    const double t = i * dt, a = rate * t;
+    const Vec3 place{10e3 + 250 / rate * std::sin(a), 250 / rate * (1 - std::cos(a)), -3000};
+    const Vec3 velocity{250 * std::cos(a), 250 * std::sin(a), 0};
+    const Contact c = noisy(place, velocity, 30, 40, 3, draw(3, static_cast<std::uint64_t>(i)));
+    if (i == 0) {
+      track = first_track(tracker, c, t);
+      continue;
+    }
+    const Prediction p = predict(track, tracker, kAtRest, t);
+    outside += fit_of(p, c).deviations2 > 16;
+    filter(track, p, c, t);
+    if (i > 10) {
+      EXPECT_LT(norm(track.position - place), 3.5 * 40);
+    }
+  }
+  EXPECT_EQ(outside, 0);
+}
+
+TEST(Filter, MakesTheMahalanobisDistanceChiSquare) {
+  const Tracker tracker{.maneuver = 0.01};
+  double sum = 0;
+  int beyond = 0;
+  constexpr std::uint32_t kRuns = 3000;
+  for (std::uint32_t run = 0; run < kRuns; ++run) {
+    const Outcome o = fly(run, 8, 2, tracker, 3);
+    const Vec3 start{60e3, 10e3, -6000}, velocity{-250, 40, 5};
+    const Contact next = noisy(start + 18 * velocity, velocity, 50, 400, 3, draw(run, 9));
+    const double d2 = fit_of(predict(o.track, tracker, kAtRest, 18), next).deviations2;
+    sum += d2 / kRuns;
+    beyond += d2 > 11.345;  // 1 % point of chi-square with three degrees of freedom
+  }
+  EXPECT_NEAR(sum, 3, 0.25);
+  EXPECT_NEAR(beyond / double(kRuns), 0.01, 0.008);
+}
+
+TEST(Predict, GrowsMoreUncertainWhileCoasting) {
+  const Tracker tracker;
+  Track track = fly(5, 10, 2, tracker, 3).track;
+  double before = 0;
+  for (double t = track.time; t < track.time + 12; t += 1) {
+    refresh_sigmas(track, tracker, t);
+    EXPECT_GT(static_cast<double>(track.position_sigma), before);
+    before = static_cast<double>(track.position_sigma);
+  }
+  EXPECT_GT(before, 1000) << "12 s at 2 g";
+}
+
+RC_GTEST_PROP(Predict, KeepsTheTotalUncertaintyWhenTheLineOfSightTurns, ()) {
+  const auto in = [](int low, int high) { return double(*rc::gen::inRange(low, high)); };
+  const Tracker tracker{.maneuver = 5};
+  Track track{.position = {in(500, 3000), in(-3000, 3000), in(-500, 500)},
+              .velocity = {in(-300, 300), in(-300, 300), in(-100, 100)},
+              .along = {1e5f, 10, 4},
+              .across = {100, 1, 30}};
+  const auto total = [](const Prediction& p) {
+    return p.along.position + 2 * p.across.position + p.along.velocity + 2 * p.across.velocity;
+  };
+  const Prediction turning = predict(track, tracker, {{}, {0, 250, 0}}, 1);
+  const Prediction steady = predict(track, tracker, {{}, track.velocity}, 1);
+  RC_ASSERT(std::fabs(total(turning) / total(steady) - 1) < 1e-9);
+  RC_ASSERT(turning.across.position >= steady.across.position);
+  RC_ASSERT(turning.along.position >= turning.across.position * 0.3);
+}
+
+TEST(Kalman, IgnoresAMeasurementOfInfiniteVarianceAndBelievesAPerfectOne) {
+  AxisState c{100, 5, 9};
+  update_position(c, 1e18);
+  EXPECT_NEAR(c.position, 100, 1e-9);
+  EXPECT_NEAR(c.velocity, 9, 1e-9);
+  update_position(c, 0);
+  EXPECT_EQ(c.position, 0);
+  EXPECT_NEAR(c.velocity, 9 - 25.0 / 100, 1e-9);
+}
+
+}  // namespace
+}  // namespace eyrie::model
