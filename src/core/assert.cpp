@@ -21,7 +21,7 @@ std::string_view short_path(std::string_view file) {
 void assertion_failed(const char* condition, const char* words, const char* file,
                       int line) noexcept {
   const std::string_view path = short_path(file);
-  std::fprintf(stderr, "%.*s:%d: %s failed: %s\n", static_cast<int>(path.size()), path.data(), line,
+  std::fprintf(stderr, "%.*s:%d: %s (%s)\n", static_cast<int>(path.size()), path.data(), line,
                words, condition);
   std::fflush(stderr);
   std::abort();

@@ -57,6 +57,8 @@ double tan(double x) {
     const auto [s, c] = sin_cos(x);
     return s / c;
   }
+  if (std::fabs(x) < 0x1p-27)
+    return x;  // the sign of a zero too
   const detail::QuarterTurn part = detail::quarter_turn(x);
   if ((part.turns & 1) == 0) {
     const double ratio = part.s / part.c;

@@ -152,7 +152,8 @@ Pair log_pair(const Scaled& x) {
   const LogCell& cell = kLogCells[static_cast<int>(x.m * kCells + 0.5) - kFirstCell];
 
   // m factor = 1 + r, |r| < 2^-7, in two exact parts, the first of at most 26 bits
-  const auto bits = std::bit_cast<std::uint64_t>(x.m) & ~((std::uint64_t{1} << 31) - 1);
+  constexpr std::uint64_t kHalf = std::uint64_t{1} << 30;
+  const auto bits = (std::bit_cast<std::uint64_t>(x.m) + kHalf) & ~(2 * kHalf - 1);
   const double m_high = std::bit_cast<double>(bits);
   const double r_high = m_high * cell.factor - 1;
   const double r_low = (x.m - m_high) * cell.factor;
