@@ -11,11 +11,12 @@
 
 namespace eyrie {
 
-/// Specialise for an enum:
+/// Specialise for an enum, before a row or a description uses it (one that comes too late does not
+/// compile with clang):
 /// `template <> struct EnumNames<Mode> { static constexpr std::array names{
 ///    std::pair<std::string_view, Mode>{"hold", Mode::hold}, ... }; };`
 template <class E>
-struct EnumNames;
+struct EnumNames {};
 
 template <class E>
 concept NamedEnum = std::is_enum_v<E> && requires {

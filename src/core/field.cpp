@@ -84,7 +84,7 @@ double scalar_value(const FieldInfo& info, const std::byte* row, std::uint32_t i
 }
 
 std::string scalar_label(const FieldInfo& info, std::uint32_t index) {
-  return info.count == 1 ? std::string(info.name) : fmt::format("{}[{}]", info.name.view(), index);
+  return info.count == 1 ? std::string(info.name) : fmt::format("{}[{}]", info.name, index);
 }
 
 std::optional<FieldDifference> find_difference(std::span<const FieldInfo> fields,

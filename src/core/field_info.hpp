@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What is known of one field of a row. Include core/field.hpp, which says how to use it.
+#include <fmt/core.h>
+
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -50,9 +53,12 @@ class FieldName {
       result.push(digits[--count]);
     return result + "]";
   }
-  friend constexpr bool operator==(const FieldName& a, std::string_view b) { return a.view() == b; }
   friend constexpr bool operator==(const FieldName& a, const FieldName& b) {
     return a.view() == b.view();
+  }
+  template <std::convertible_to<std::string_view> Text>
+  friend constexpr bool operator==(const FieldName& a, const Text& b) {
+    return a.view() == std::string_view(b);
   }
 
  private:
@@ -82,3 +88,11 @@ concept HasFields = requires {
 };
 
 }  // namespace eyrie
+
+template <>
+struct fmt::formatter<eyrie::FieldName> : fmt::formatter<std::string_view> {
+  template <class Context>
+  auto format(const eyrie::FieldName& name, Context& context) const {
+    return fmt::formatter<std::string_view>::format(name.view(), context);
+  }
+};

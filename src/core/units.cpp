@@ -49,8 +49,8 @@ constexpr bool words_follow_the_enumeration() {
 static_assert(words_follow_the_enumeration());
 
 constexpr bool symbols_are_unique() {
-  for (const UnitInfo& unit : detail::kUnits)
-    if (detail::find_unit(unit.symbol) != &unit)
+  for (std::size_t i = 0; i < detail::kUnits.size(); ++i)
+    if (detail::unit_index(detail::kUnits[i].symbol) != i)
       return false;
   return true;
 }
@@ -134,9 +134,13 @@ constexpr std::array kHabits = std::to_array<Habit>({
     {"decibel", "dB"},
 });
 
+constexpr bool is_unit(std::string_view symbol) {
+  return detail::unit_index(symbol) < detail::kUnits.size();
+}
+
 constexpr bool habits_are_no_units_and_lead_to_one() {
   for (const Habit& habit : kHabits)
-    if (detail::find_unit(habit.wrong) || !detail::find_unit(habit.right))
+    if (is_unit(habit.wrong) || !is_unit(habit.right))
       return false;
   return true;
 }
@@ -178,7 +182,7 @@ const UnitInfo* meant(std::string_view wrong, Dimension expected) {
       found = &unit;
   for (const Habit& habit : kHabits)
     if (!found && equal_but_for_case(habit.wrong, wrong))
-      found = detail::find_unit(habit.right);
+      found = find_unit(habit.right);
   return found;
 }
 
@@ -189,7 +193,7 @@ std::string expectation(std::string_view text, Dimension expected) {
 
 /// How the unit at the end of a text is wrong for the expected dimension.
 std::string unit_error(std::string_view symbol, Dimension expected) {
-  const UnitInfo* known = detail::find_unit(symbol);
+  const UnitInfo* known = find_unit(symbol);
   const UnitInfo* near = known ? known : meant(symbol, expected);
   if (near && near->dimension != expected)
     return fmt::format(" ({})", dimension_noun(near->dimension));
@@ -264,6 +268,11 @@ std::string_view dimension_example(Dimension dimension) {
   return kWords[static_cast<std::size_t>(dimension)].example;
 }
 
+const UnitInfo* find_unit(std::string_view symbol) {
+  const std::size_t i = detail::unit_index(symbol);
+  return i < detail::kUnits.size() ? &detail::kUnits[i] : nullptr;
+}
+
 Parsed parse_quantity(std::string_view text, Dimension expected) {
   const std::string_view body = trimmed(text);
   const Lexed lexed = lex_number(body);
@@ -281,7 +290,7 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
     return {lexed.number, {}};
   }
 
-  const UnitInfo* unit = detail::find_unit(symbol);
+  const UnitInfo* unit = find_unit(symbol);
   if (!unit || unit->dimension != expected)
     return failed(expectation(text, expected) + unit_error(symbol, expected));
   const double value = to_si(lexed.number, *unit);
@@ -291,10 +300,10 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
 }
 
 std::string format_in(double si, UnitName unit, int decimals) {
-  const std::string number = fmt::format("{:.{}f}", from_si(si, *unit.info), decimals);
+  const std::string number = fmt::format("{:.{}f}", from_si(si, unit.info()), decimals);
   const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
   return fmt::format("{} {}", std::string_view(number).substr(minus_zero ? 1 : 0),
-                     unit.info->symbol);
+                     unit.info().symbol);
 }
 
 std::string format_quantity(double si, Dimension dimension, UnitStyle style) {

@@ -105,11 +105,13 @@ inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"lb/lbf/h", Dimension::fuel_consumption, 1e5, 980665 * 3600.0},
 });
 
-constexpr const UnitInfo* find_unit(std::string_view symbol) {
-  for (const UnitInfo& unit : kUnits)
-    if (unit.symbol == symbol)
-      return &unit;
-  return nullptr;
+/// Its index in kUnits, or the number of units. Not a pointer: comparing one with null is no
+/// constant expression for GCC 12 under the undefined-behavior sanitizer.
+constexpr std::size_t unit_index(std::string_view symbol) {
+  std::size_t i = 0;
+  while (i < kUnits.size() && kUnits[i].symbol != symbol)
+    ++i;
+  return i;
 }
 
 constexpr std::string_view si_symbol(Dimension dimension) {
@@ -129,6 +131,9 @@ void this_is_not_the_symbol_of_a_unit();
   return detail::kUnits;
 }
 
+/// The unit of that spelling, or null.
+[[nodiscard]] const UnitInfo* find_unit(std::string_view symbol);
+
 /// The SI unit of a described number, written as "m", "m/s", "rad" ...; "1" or "" for none. A
 /// symbol that is not SI or is misspelled does not compile.
 struct Unit {
@@ -145,22 +150,25 @@ struct Unit {
   consteval explicit Unit(std::string_view symbol) {
     if (symbol.empty() || symbol == "1")
       return;
-    const UnitInfo* unit = detail::find_unit(symbol);
-    if (!unit || detail::si_symbol(unit->dimension) != symbol)
+    const std::size_t i = detail::unit_index(symbol);
+    if (i == detail::kUnits.size() || detail::si_symbol(detail::kUnits[i].dimension) != symbol)
       detail::this_is_not_the_symbol_of_an_si_unit();
-    dimension = unit->dimension;
-    si_symbol = unit->symbol;
+    dimension = detail::kUnits[i].dimension;
+    si_symbol = detail::kUnits[i].symbol;
   }
 };
 
 /// Any unit of units(), named by a literal that is checked by the compiler.
-struct UnitName {
-  const UnitInfo* info;
-
-  consteval UnitName(const char* symbol) : info(detail::find_unit(symbol)) {
-    if (!info)
+class UnitName {
+ public:
+  consteval UnitName(const char* symbol) : index_(detail::unit_index(symbol)) {
+    if (index_ == detail::kUnits.size())
       detail::this_is_not_the_symbol_of_a_unit();
   }
+  [[nodiscard]] constexpr const UnitInfo& info() const { return detail::kUnits[index_]; }
+
+ private:
+  std::size_t index_;
 };
 
 /// A number of that unit, in SI.
@@ -175,12 +183,12 @@ struct UnitName {
 
 /// For defaults that read like the file: `double danger_range = si(2, "nmi");`
 [[nodiscard]] constexpr double si(double number, UnitName unit) {
-  return to_si(number, *unit.info);
+  return to_si(number, unit.info());
 }
 
 /// For reports: `in_unit(range, "nmi")`.
 [[nodiscard]] constexpr double in_unit(double value, UnitName unit) {
-  return from_si(value, *unit.info);
+  return from_si(value, unit.info());
 }
 
 /// A dimension as a noun with its article: "a length". For none: "a plain number".

@@ -102,7 +102,7 @@ TEST(Units, AreAllInTheTableAbove) {
 TEST(Units, ReadTheSameNumberAsCodeInSi) {
   for (const UnitCase& c : unit_cases()) {
     const std::string text = c.text;
-    const UnitInfo* unit = detail::find_unit(std::string_view(text).substr(text.find(' ') + 1));
+    const UnitInfo* unit = find_unit(std::string_view(text).substr(text.find(' ') + 1));
     ASSERT_NE(unit, nullptr);
     const double number = std::stod(text);
     EXPECT_EQ(parse_quantity(text, c.dimension).value, to_si(number, *unit)) << text;
