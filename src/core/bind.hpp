@@ -165,7 +165,7 @@ void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& di
 /// which fills kind, choices and default_text.
 ///
 /// An object and not a function, so that a span among the arguments cannot call std::bind instead.
-inline constexpr struct {
+struct Bind {
   template <Described T>
   bool operator()(T& out, const Value& map, Diagnostics& diagnostics,
                   std::span<const std::string_view> also_allowed = {}) const {
@@ -173,6 +173,7 @@ inline constexpr struct {
     detail::bind_group(out, map, {}, diagnostics, also_allowed);
     return diagnostics.count() == before;
   }
-} bind;
+};
+inline constexpr Bind bind{};
 
 }  // namespace eyrie
