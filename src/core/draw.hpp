@@ -24,9 +24,10 @@ enum class Stream : std::uint8_t {
   dynamics = 11,     ///< gusts
   environment = 12,  ///< weather
   identification = 13,
-  reliability = 14,  ///< does a store work when released?
-  scenario = 15,     ///< starting conditions drawn at load
-  test = 255,        ///< for tests and examples
+  reliability = 14,   ///< does a store work when released?
+  scenario = 15,      ///< starting conditions drawn at load
+  visual_noise = 16,  ///< error of a pilot's estimate
+  test = 255,         ///< for tests and examples
 };
 
 /// Random numbers for one purpose of one player in one step: a pure function of its arguments, so

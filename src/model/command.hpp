@@ -62,17 +62,19 @@ struct Command {
 
 /// Everything an aircraft is asked to do besides flying. Zero means nothing is asked.
 struct Request {
-  TrackId target;              ///< the chosen target: radar lock, Tacview, first shooter rule
-  TrackId shoot_at;            ///< release a weapon at this track
-  std::uint8_t store = 0;      ///< 1 + index of the store type to release
-  std::uint8_t trigger = 0;    ///< 1: gun trigger pressed
-  std::uint8_t radar_off = 0;  ///< 1: silent
-  std::uint8_t reserved[5] = {};
+  TrackId target;               ///< the chosen target: radar lock, Tacview, first shooter rule
+  TrackId shoot_at;             ///< release a weapon at this track
+  std::uint8_t store = 0;       ///< 1 + index of the store type to release
+  std::uint8_t trigger = 0;     ///< 1: gun trigger pressed
+  std::uint8_t radar_off = 0;   ///< 1: silent
+  std::uint8_t radar_lock = 0;  ///< 1: the radar tracks `target` and nothing else
+  std::uint8_t reserved[4] = {};
 
   static constexpr auto fields() {
     return field_list(field("target", &Request::target), field("shoot_at", &Request::shoot_at),
                       field("store", &Request::store), field("trigger", &Request::trigger),
                       field("radar_off", &Request::radar_off),
+                      field("radar_lock", &Request::radar_lock),
                       field("reserved", &Request::reserved));
   }
 };

@@ -19,7 +19,7 @@ namespace eyrie::model {
 /// Const and shared by every aircraft that carries it. It hears main beams only: a radar that does
 /// not point here, or does not sweep over here, is not heard.
 struct Rwr {
-  double insensitivity = 95;
+  double insensitivity = 85;
   double sigma_bearing = si(10, "deg");
   double bearing_step = si(5, "deg");
   double elevation_coverage = si(45, "deg");

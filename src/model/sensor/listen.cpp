@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The warning receiver and the datalink at work.
+#include <algorithm>
+
+#include "model/events.hpp"
+#include "model/sensor/nearest.hpp"
+#include "model/sensor/scene.hpp"
+
+namespace eyrie::model {
+namespace {
+
+bool beyond_horizon(const Kinematics& own, const Emission& emission, double altitude) {
+  const double range = horizon_range(own.altitude, altitude, kRadioEarth);
+  return norm2(emission.position - own.position) > range * range;
+}
+
+/// The more urgent kinds first, then the stronger: smaller goes first.
+double demerit(const Emission& emission, double strength) {
+  return 1 / (1 + strength) - static_cast<double>(emission.kind);
+}
+
+void tell(const Self& self, const RwrWarning& warning) {
+  self.out.emit(
+      {.kind = EventKind::rwr_warning,
+       .who = self.id,
+       .whom = warning.emitter,
+       .place = self.kinematics.position,
+       .values = {static_cast<float>(warning.kind), static_cast<float>(warning.bearing)}});
+}
+
+}  // namespace
+
+void listen_for_radars(const Scene& scene, Self& self) {
+  const Rwr& rwr = *self.suite.rwr;
+  const RwrAntenna antenna = aim(rwr, self.kinematics, self.fit.side);
+
+  // the most urgent and strongest of what is heard
+  Nearest<kMaxWarnings> heard(kMaxWarnings);
+  for (std::size_t j = 0; j < scene.emission.size(); ++j)
+    if (j != self.row)
+      if (const auto strength = hear(rwr, antenna, scene.emission[j]))
+        if (const double d = demerit(scene.emission[j], *strength);
+            heard.wants(d) &&
+            !beyond_horizon(self.kinematics, scene.emission[j], scene.kinematics[j].altitude))
+          heard.offer({d, static_cast<std::uint32_t>(j)});
+
+  for (const Candidate& c : heard.items()) {
+    const PlayerId emitter = scene.ids[c.row];
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, scene.emission[c.row], emitter,
+                                    scene.time, scene.draw(self.id, Stream::rwr, emitter));
+    if (show(self.rwr, warning))
+      tell(self, warning);
+  }
+}
+
+void listen_for_seekers(const Scene& scene, Self& self) {
+  if (scene.missile_emission.empty())
+    return;
+  const Rwr& rwr = *self.suite.rwr;
+  const RwrAntenna antenna = aim(rwr, self.kinematics, self.fit.side);
+  ThreatUpdate threats(self.threats, kThreatRules, scene.time);
+  for (std::size_t m = 0; m < scene.missile_emission.size(); ++m) {
+    const Emission& emission = scene.missile_emission[m];
+    if (!hear(rwr, antenna, emission) ||
+        beyond_horizon(self.kinematics, emission, scene.missile_kinematics[m].altitude))
+      continue;
+    const PlayerId emitter = scene.missile_ids[m];
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, emitter, scene.time,
+                                    scene.draw(self.id, Stream::rwr, emitter));
+    show(self.rwr, warning);
+    if (self.fit.privileged != 0)
+      continue;  // knows better
+    const Sighting sighting{.bearing = warning.bearing, .truth = emitter, .source = kThreatFromRwr};
+    if (threats.note(sighting))
+      tell_missile(self, sighting);
+  }
+}
+
+void read_datalink(const Scene& scene, Self& self) {
+  DatalinkState& state = self.datalink;
+  const auto members = scene.library.flights[self.fit.flight].members;
+  if (state.count == 0)
+    start(state, members, self.id, scene.time);
+
+  const Datalink* datalink = self.suite.datalink;
+  const TrackContext context = self.context(scene.time);
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    if (i == state.self)
+      continue;
+    const auto row = scene.world.row(scene.table, mate.id);
+    // without a datalink a mate calls on the radio, and one that is gone does not answer
+    if (datalink == nullptr) {
+      mate.alive = row.has_value();
+      continue;
+    }
+    if (!row)
+      continue;
+    const Kinematics& other = scene.kinematics[*row];
+    const double reach = std::min(
+        datalink->range, horizon_range(self.kinematics.altitude, other.altitude, kRadioEarth));
+    const bool in_reach = norm2(other.position - self.kinematics.position) <= reach * reach;
+    const DatalinkMessage* message =
+        receive(mate, *datalink, scene.sent[*row], in_reach, scene.time,
+                scene.draw(self.id, Stream::datalink, mate.id));
+    if (message != nullptr) {
+      fuse(self.tracks, context, *message, i);
+      recognize_mate(self.tracks, context, mate);
+    }
+  }
+  if (datalink != nullptr)
+    check_silence(state, *datalink, self.tracks, scene.time);
+}
+
+}  // namespace eyrie::model

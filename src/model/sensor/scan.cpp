@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// The radar at work: where it points, what it finds in a frame, how it follows one target.
+#include <algorithm>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "model/sensor/nearest.hpp"
+#include "model/sensor/scene.hpp"
+#include "model/track/associate.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// A lock that nobody asked for is kept until the target is this much beyond lock_range.
+constexpr double kLockHysteresis = 1.2;
+
+/// Half of the range gate in which a lock is searched (m), besides the track's own uncertainty.
+constexpr double kRangeGate = 500;
+
+/// The measurement of row `j`, with the interrogation that goes along with it.
+Contact contact_with(const Scene& scene, const Self& self, std::size_t j, RadarMode mode,
+                     const Axes& level) {
+  const PlayerId other = scene.ids[j];
+  Contact contact = measure(*self.suite.radar, mode, self.kinematics, level, scene.kinematics[j],
+                            other, scene.draw(self.id, Stream::radar_noise, other));
+  if (const Iff* iff = self.suite.iff; iff != nullptr && contact.range <= iff->range) {
+    contact.interrogated = true;
+    if (answers(*iff, self.fit.side, scene.fit[j].side, scene.draw(self.id, Stream::iff, other)))
+      contact.identity = Identity::friendly;
+  }
+  return contact;
+}
+
+bool detected(const Scene& scene, const Self& self, const Detector& detector, std::size_t j) {
+  const double p = detection_probability(*self.suite.radar, detector, self.kinematics,
+                                         *scene.suite(j).signature, scene.kinematics[j]);
+  return scene.draw(self.id, Stream::radar, scene.ids[j]).chance(p);
+}
+
+void lose_lock(const Scene& scene, Self& self) {
+  self.radar.mode = RadarMode::search;
+  self.radar.locked = {};
+  self.radar.search_until = scene.time + 1 / self.suite.radar->scan_rate;
+}
+
+/// The echo nearest to where the designated track is believed to be, among what is detected in one
+/// beam width around it.
+void acquire(const Scene& scene, Self& self, const Antenna& antenna, const Detector& detector) {
+  const Track* track = find(self.tracks, self.radar.designated);
+  if (track == nullptr)
+    return;
+  const Vec3 expected = position_at(*track, scene.time) - self.kinematics.position;
+  const double range = norm(expected), sigma = static_cast<double>(track->position_sigma);
+  const double half_width = range * self.suite.radar->beam_width + 2 * sigma;
+  const double half_depth = kRangeGate + 2 * sigma;
+  const Vec3 unit = normalized(expected, antenna.nose);
+
+  Nearest<1> best(1);
+  for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
+    const Vec3 sight = scene.kinematics[j].position - self.kinematics.position;
+    const Vec3 off = sight - expected;
+    const double along = dot(off, unit), distance2 = norm2(off);
+    if (j == self.row || std::fabs(along) > half_depth ||
+        distance2 - along * along > half_width * half_width || !best.wants(distance2) ||
+        !within_gimbal(antenna, sight, norm2(sight)) || !detected(scene, self, detector, j))
+      continue;
+    best.offer({distance2, static_cast<std::uint32_t>(j)});
+  }
+  if (!best.items().empty())
+    self.radar.locked = scene.ids[best.items()[0].row];
+}
+
+}  // namespace
+
+void steer_radar(const Scene& scene, Self& self) {
+  RadarState& radar = self.radar;
+  const Radar& model = *self.suite.radar;
+  if (self.request.radar_off != 0) {
+    radar = {};
+    return;
+  }
+
+  // the scan follows the target, as far as its edge stays inside the gimbal, or the nose
+  const Track* target = find(self.tracks, self.request.target);
+  const TrackId designated = target != nullptr ? target->id : TrackId{};
+  if (designated != radar.designated)
+    radar.locked = {};
+  radar.designated = designated;
+  radar.scan_azimuth = radar.scan_elevation = 0;
+  if (radar.mode == RadarMode::off)
+    radar.mode = RadarMode::search;
+  if (target == nullptr) {
+    radar.mode = RadarMode::search;
+    return;
+  }
+  const Vec3 sight = position_at(*target, scene.time) - self.kinematics.position;
+  const Bearing bearing = bearing_of(self.kinematics, normalized(sight, self.kinematics.north));
+  const double reach = std::max(model.gimbal - model.scan_half_azimuth, 0.0);
+  radar.scan_azimuth =
+      std::clamp(angle_between(self.kinematics.heading, bearing.azimuth), -reach, reach);
+  radar.scan_elevation = std::clamp(bearing.elevation, -model.gimbal, model.gimbal);
+
+  // track it alone if that was asked for, or if it is near
+  const bool tracking = radar.mode == RadarMode::track;
+  const double near = model.lock_range * (tracking ? kLockHysteresis : 1.0);
+  const bool wanted = self.request.radar_lock != 0 || norm2(sight) <= near * near;
+  if (!wanted || scene.time < radar.search_until) {
+    radar.mode = RadarMode::search;
+    radar.locked = {};
+  } else if (!tracking) {
+    radar.mode = RadarMode::track;
+    radar.lock_time = scene.time;
+  }
+}
+
+void scan(const Scene& scene, Self& self) {
+  const Radar& radar = *self.suite.radar;
+  const Antenna antenna = aim(radar, self.radar, self.kinematics);
+  const Detector detector(radar);
+
+  // the nearest detections in the scan volume
+  Nearest<kMaxContacts> found(radar.max_contacts);
+  for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
+    const Vec3 sight = scene.kinematics[j].position - antenna.position;
+    const double range2 = norm2(sight);
+    if (covers(antenna, sight, range2) && found.wants(range2) && j != self.row &&
+        detected(scene, self, detector, j))
+      found.offer({range2, static_cast<std::uint32_t>(j)});
+  }
+  if (found.items().empty())
+    return;
+
+  std::array<Contact, kMaxContacts> contacts;
+  std::size_t count = 0;
+  const Axes level = level_axes(self.kinematics, self.kinematics.heading);
+  for (const Candidate& candidate : found.items())
+    contacts[count++] = contact_with(scene, self, candidate.row, RadarMode::search, level);
+  update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
+}
+
+void track_target(const Scene& scene, Self& self) {
+  const Radar& radar = *self.suite.radar;
+  const Antenna antenna = aim(radar, self.radar, self.kinematics);
+  const Detector detector(radar);
+  const bool known = static_cast<bool>(self.radar.locked);
+  if (!known)
+    acquire(scene, self, antenna, detector);
+
+  // the range gate rests on one echo; it is there, or the lock lives on memory for a while
+  const auto row = self.radar.locked ? scene.world.row(scene.table, self.radar.locked)
+                                     : std::optional<std::uint32_t>{};
+  bool seen = row.has_value() && !known;  // acquiring was its detection
+  if (row && known) {
+    const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
+    seen = within_gimbal(antenna, sight, norm2(sight)) && detected(scene, self, detector, *row);
+  }
+  if (seen) {
+    self.radar.lock_time = scene.time;
+    const Axes level = level_axes(self.kinematics, self.kinematics.heading);
+    const Contact contact = contact_with(scene, self, *row, RadarMode::track, level);
+    update(self.tracks, self.context(scene.time), std::span(&contact, 1));
+  } else if (scene.time - self.radar.lock_time > radar.lock_memory) {
+    lose_lock(scene, self);
+  }
+}
+
+Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
+                 const TrackFile& tracks) {
+  const SensorSuite& suite = scene.suite(row);
+  const Kinematics& own = scene.kinematics[row];
+  Emission emission;
+  emission.position = own.position;
+  emission.boresight = own.north;
+  emission.type = suite.radar_index;
+  emission.side = scene.fit[row].side;
+  if (suite.radar == nullptr || state.mode == RadarMode::off)
+    return emission;
+
+  const Radar& radar = *suite.radar;
+  emission.figure = emission_figure(radar.reference_range, radar.reference_rcs);
+  if (state.mode == RadarMode::search) {
+    const auto [se, ce] = math::sin_cos(state.scan_elevation);
+    const Axes scan = level_axes(own, own.heading + state.scan_azimuth);
+    emission.kind = EmissionKind::search;
+    emission.boresight = ce * scan.forward - se * scan.down;
+    emission.cos_half_angle = math::cos(radar.scan_half_azimuth);
+    return emission;
+  }
+
+  // the beam rests on the locked echo, or on the track while the echo is looked for
+  emission.kind = EmissionKind::track;
+  emission.cos_half_angle = math::cos(radar.beam_width);
+  const auto locked =
+      state.locked ? scene.world.row(scene.table, state.locked) : std::optional<std::uint32_t>{};
+  if (locked) {
+    emission.dwell = state.locked;
+    emission.boresight = normalized(scene.kinematics[*locked].position - own.position, own.north);
+  } else if (const Track* track = find(tracks, state.designated)) {
+    emission.boresight = normalized(position_at(*track, scene.time) - own.position, own.north);
+  }
+  return emission;
+}
+
+}  // namespace eyrie::model

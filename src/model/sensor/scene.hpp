@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What the parts of the SensorSystem read and write in one step.
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/columns.hpp"
+#include "model/library.hpp"
+#include "model/track/track_file.hpp"
+#include "sim/system.hpp"
+
+namespace eyrie::model {
+
+/// The sensors of one type of aircraft, looked up once, with their rates in whole steps. What is
+/// null is not on board.
+struct SensorSuite {
+  const Signature* signature = nullptr;
+  const Radar* radar = nullptr;
+  const Rwr* rwr = nullptr;
+  const Visual* visual = nullptr;
+  const Iff* iff = nullptr;
+  const Datalink* datalink = nullptr;
+  const Tracker* tracker = nullptr;  ///< always there
+  std::uint16_t radar_index = 0;     ///< in the Library: the type of its emissions
+  std::uint32_t scan_steps = 1, track_steps = 1, rwr_steps = 1, seeker_steps = 1;
+  std::uint32_t visual_steps = 1, upkeep_steps = 1, datalink_steps = 1;
+};
+
+/// What everybody may read in perceive and act: the truth as the last move left it.
+struct Scene {
+  const Library& library;
+  std::span<const SensorSuite> suites;  ///< by Fit::type
+  TableId table;
+  const sim::World& world;
+  std::span<const PlayerId> ids;
+  std::span<const Fit> fit;
+  std::span<const Kinematics> kinematics;
+  std::span<const Emission> emission;
+  std::span<const PlayerId> missile_ids;
+  std::span<const Kinematics> missile_kinematics;
+  std::span<const MissileState> missile_state;
+  std::span<const Emission> missile_emission;
+  std::span<const DatalinkSent> sent;
+  std::uint64_t step = 0;
+  std::uint64_t seed = 0;
+  double time = 0;  ///< s
+
+  [[nodiscard]] const SensorSuite& suite(std::size_t row) const { return suites[fit[row].type]; }
+  [[nodiscard]] Draw draw(PlayerId who, Stream stream, PlayerId about) const {
+    return Draw(seed, who, stream, step, about.value);
+  }
+};
+
+/// One aircraft at work: the rows that it may write in perceive.
+struct Self {
+  std::size_t row = 0;
+  PlayerId id{};
+  const SensorSuite& suite;
+  const Fit& fit;
+  const Kinematics& kinematics;
+  const Request& request;
+  RadarState& radar;
+  TrackFile& tracks;
+  RwrState& rwr;
+  Threats& threats;
+  DatalinkState& datalink;
+  TrackNewsList& news;
+  sim::Outbox& out;
+
+  [[nodiscard]] TrackContext context(double time) const {
+    return {.tracker = *suite.tracker,
+            .observer = {kinematics.position, kinematics.velocity},
+            .time = time,
+            .iff_tries = suite.iff != nullptr ? suite.iff->tries : 0,
+            .news = news};
+  }
+};
+
+/// How sightings and hearings of missiles become threats; one rule for everybody.
+inline constexpr ThreatRules kThreatRules{};
+
+/// Points the radar and decides between search and track; reads what the pilot asked for.
+void steer_radar(const Scene& scene, Self& self);
+/// One frame of the search, or one look at the locked target.
+void scan(const Scene& scene, Self& self);
+void track_target(const Scene& scene, Self& self);
+
+/// The eyes: aircraft become tracks, missiles become threats.
+void look_around(const Scene& scene, Self& self);
+
+/// The warning receiver: radars, then missile seekers.
+void listen_for_radars(const Scene& scene, Self& self);
+void listen_for_seekers(const Scene& scene, Self& self);
+
+/// What the mates said has arrived.
+void read_datalink(const Scene& scene, Self& self);
+
+/// The truth instead of all of the above, for privileged players.
+void perceive_truth(const Scene& scene, Self& self);
+
+/// What the radar radiates now; an emission of no kind if it is silent.
+[[nodiscard]] Emission radiate(const Scene& scene, std::size_t row, const RadarState& radar,
+                               const TrackFile& tracks);
+
+/// Tells that a missile was perceived for the first time.
+void tell_missile(const Self& self, const Sighting& sighting);
+
+}  // namespace eyrie::model

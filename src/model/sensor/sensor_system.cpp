@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "model/sensor/sensor_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/datalink/datalink.hpp"
+#include "model/events.hpp"
+#include "sim/rate.hpp"
+
+namespace eyrie::model {
+namespace {
+
+using sim::due;
+
+/// A tracker for those that name none.
+constexpr Tracker kPlainTracker{};
+
+/// The own missiles in the air that one message can tell of.
+constexpr std::size_t kToldShots = 8;
+
+/// Whole steps between two happenings; adds to `problems` if there are none.
+std::uint32_t steps_of(double rate, double dt, std::string_view kind, std::string_view name,
+                       std::string_view parameter, std::vector<std::string>& problems) {
+  const sim::Period period = sim::period_steps(rate, dt);
+  if (period)
+    return period.steps;
+  problems.push_back(fmt::format("{} '{}': {}: {}", kind, name, parameter, period.error));
+  return 1;
+}
+
+template <class Model>
+const Model* chosen(const Shelf<Model>& shelf, const std::optional<std::uint16_t>& index) {
+  return index ? &shelf[*index] : nullptr;
+}
+
+SensorSuite suite_of(const Library& library, const AircraftType& type, double dt,
+                     std::vector<std::string>& problems) {
+  SensorSuite suite;
+  const auto& index = type.index;
+  suite.signature = &type.signature;
+  suite.radar = chosen(library.radars, index.radar);
+  suite.rwr = chosen(library.rwrs, index.rwr);
+  suite.visual = chosen(library.visuals, index.visual);
+  suite.iff = chosen(library.iffs, index.iff);
+  suite.datalink = chosen(library.datalinks, index.datalink);
+  suite.tracker = index.tracker ? &library.trackers[*index.tracker] : &kPlainTracker;
+
+  const auto steps = [&](double rate, std::string_view kind, std::string_view parameter) {
+    return steps_of(rate, dt, kind, type.label, parameter, problems);
+  };
+  if (suite.radar != nullptr) {
+    suite.radar_index = *index.radar;
+    suite.scan_steps = steps(suite.radar->scan_rate, "radar of", "scan_rate");
+    suite.track_steps = steps(suite.radar->track_rate, "radar of", "track_rate");
+  }
+  if (suite.rwr != nullptr) {
+    suite.rwr_steps = steps(suite.rwr->search_rate, "rwr of", "search_rate");
+    suite.seeker_steps = steps(suite.rwr->seeker_rate, "rwr of", "seeker_rate");
+  }
+  if (suite.visual != nullptr)
+    suite.visual_steps = steps(suite.visual->rate, "visual of", "rate");
+  suite.upkeep_steps = steps(suite.tracker->rate, "tracker of", "rate");
+  if (suite.datalink != nullptr) {
+    suite.datalink_steps = steps(suite.datalink->rate, "datalink of", "rate");
+    if (const std::string_view problem = suite.datalink->problem(); !problem.empty())
+      problems.push_back(fmt::format("datalink of '{}': {}", type.label, problem));
+  }
+  return suite;
+}
+
+std::vector<SensorSuite> suites_of(const Library& library, double dt,
+                                   std::vector<std::string>& problems) {
+  std::vector<SensorSuite> suites;
+  for (std::size_t i = 0; i < library.aircraft.size(); ++i)
+    suites.push_back(suite_of(library, library.aircraft[i], dt, problems));
+  for (const Flight& flight : library.flights)
+    if (flight.members.size() > kMaxFlight)
+      problems.push_back(fmt::format("flight '{}' has {} members; a datalink carries at most {}",
+                                     flight.name, flight.members.size(), kMaxFlight));
+  return suites;
+}
+
+void publish(const Self& self) {
+  for (const TrackNews& news : self.news.items()) {
+    sim::Event event{.kind = EventKind::contact,
+                     .who = self.id,
+                     .whom = news.truth,
+                     .place = self.kinematics.position};
+    switch (news.what) {
+      case TrackNews::What::confirmed:
+        event.values = {static_cast<float>(news.value), static_cast<float>(news.bits)};
+        break;
+      case TrackNews::What::lost:
+        event.kind = EventKind::track_lost;
+        event.values = {static_cast<float>(news.value)};
+        break;
+      case TrackNews::What::identified:
+        event.kind = EventKind::identified;
+        event.values = {static_cast<float>(news.bits), static_cast<float>(news.value)};
+        break;
+    }
+    self.out.emit(event);
+  }
+}
+
+void use_radar(const Scene& scene, Self& self, bool upkeep_due) {
+  if (upkeep_due)
+    steer_radar(scene, self);
+  const RadarMode mode = self.radar.mode;
+  if (mode == RadarMode::search && due(scene.step, self.id, self.suite.scan_steps))
+    scan(scene, self);
+  else if (mode == RadarMode::track && due(scene.step, self.id, self.suite.track_steps))
+    track_target(scene, self);
+}
+
+void perceive_one(const Scene& scene, Self& self) {
+  const SensorSuite& suite = self.suite;
+  const bool upkeep_due = due(scene.step, self.id, suite.upkeep_steps);
+  const bool privileged = self.fit.privileged != 0;
+
+  // what comes in
+  if (suite.radar != nullptr && (!privileged || upkeep_due)) {
+    if (privileged)
+      steer_radar(scene, self);
+    else
+      use_radar(scene, self, upkeep_due);
+  }
+  if (suite.visual != nullptr && !privileged && due(scene.step, self.id, suite.visual_steps))
+    look_around(scene, self);
+  if (suite.rwr != nullptr && due(scene.step, self.id, suite.rwr_steps))
+    listen_for_radars(scene, self);
+  if (suite.rwr != nullptr && due(scene.step, self.id, suite.seeker_steps))
+    listen_for_seekers(scene, self);
+
+  // what is made of it
+  if (!upkeep_due)
+    return;
+  if (self.fit.flight < scene.library.flights.size())
+    read_datalink(scene, self);
+  if (privileged) {
+    perceive_truth(scene, self);
+  } else {
+    upkeep(self.tracks, self.context(scene.time));
+    forget(self.threats, kThreatRules, scene.time);
+  }
+  if (suite.rwr != nullptr)
+    forget(self.rwr, *suite.rwr, scene.time);
+}
+
+}  // namespace
+
+std::vector<std::string> sensor_problems(const Library& library, double dt) {
+  std::vector<std::string> problems;
+  static_cast<void>(suites_of(library, dt, problems));
+  return problems;
+}
+
+SensorSystem::SensorSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
+                           std::shared_ptr<const Library> library, double dt)
+    : aircraft_(aircraft), missiles_(missiles), library_(std::move(library)) {
+  std::vector<std::string> problems;
+  suites_ = suites_of(*library_, dt, problems);
+  EYRIE_THROW_UNLESS(problems.empty(), problems.front().c_str());
+}
+
+Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) const {
+  return {.library = *library_,
+          .suites = suites_,
+          .table = aircraft_.table,
+          .world = world,
+          .ids = world.ids(aircraft_.table),
+          .fit = world.rows(aircraft_.fit),
+          .kinematics = world.rows(aircraft_.kinematics),
+          .emission = world.rows(aircraft_.emission),
+          .missile_ids = world.ids(missiles_.table),
+          .missile_kinematics = world.rows(missiles_.kinematics),
+          .missile_state = world.rows(missiles_.state),
+          .missile_emission = world.rows(missiles_.emission),
+          .sent = world.rows(aircraft_.sent),
+          .step = info.step,
+          .seed = info.seed,
+          .time = info.time()};
+}
+
+void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                            sim::Outbox& out) const {
+  const Scene all = scene(world, info);
+  const auto request = std::as_const(world).rows(aircraft_.request);
+  const auto radar = world.rows(aircraft_.radar);
+  const auto tracks = world.rows(aircraft_.tracks);
+  const auto rwr = world.rows(aircraft_.rwr);
+  const auto threats = world.rows(aircraft_.threats);
+  const auto datalink = world.rows(aircraft_.datalink);
+  TrackNewsList news;
+
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    news.clear();
+    Self self{.row = i,
+              .id = all.ids[i],
+              .suite = all.suite(i),
+              .fit = all.fit[i],
+              .kinematics = all.kinematics[i],
+              .request = request[i],
+              .radar = radar[i],
+              .tracks = tracks[i],
+              .rwr = rwr[i],
+              .threats = threats[i],
+              .datalink = datalink[i],
+              .news = news,
+              .out = out};
+    perceive_one(all, self);
+    publish(self);
+  }
+}
+
+void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                       sim::Outbox&) const {
+  const Scene all = scene(world, info);
+  const auto request = std::as_const(world).rows(aircraft_.request);
+  const auto radar = std::as_const(world).rows(aircraft_.radar);
+  const auto tracks = std::as_const(world).rows(aircraft_.tracks);
+  const auto propulsion = std::as_const(world).rows(aircraft_.propulsion);
+  const auto emission = world.rows(aircraft_.emission);
+  const auto sent = world.rows(aircraft_.sent);
+
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const PlayerId id = all.ids[i];
+    const SensorSuite& suite = all.suite(i);
+    if (due(all.step, id, suite.upkeep_steps))
+      emission[i] = radiate(all, i, radar[i], tracks[i]);
+
+    if (suite.datalink == nullptr || !due(all.step, id, suite.datalink_steps))
+      continue;
+    std::array<TrackId, kToldShots> shots;
+    std::size_t count = 0;
+    for (const MissileState& missile : all.missile_state)
+      if (missile.shooter == id && count < kToldShots)
+        shots[count++] = missile.track;
+    transmit(sent[i],
+             {.time = all.time,
+              .position = all.kinematics[i].position,
+              .velocity = all.kinematics[i].velocity,
+              .fuel = propulsion[i].fuel,
+              .target = request[i].target,
+              .shot_at = std::span(shots).first(count)},
+             tracks[i]);
+  }
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Privileged players perceive the truth, in the same rows as everybody else.
+#include <algorithm>
+#include <array>
+
+#include "model/sensor/nearest.hpp"
+#include "model/sensor/scene.hpp"
+
+namespace eyrie::model {
+namespace {
+
+Track true_track(const Scene& scene, const Self& self, std::size_t j, const Track& before) {
+  const Kinematics& other = scene.kinematics[j];
+  Track track = before;
+  track.position = other.position;
+  track.velocity = other.velocity;
+  track.time = track.sensed_time = scene.time;
+  track.along = track.across = {};
+  track.position_sigma = track.velocity_sigma = 0;
+  track.truth = scene.ids[j];
+  track.sources |= kFromTruth;
+  track.fresh = kFromTruth;
+  track.hits = 255;
+  track.confirmed = 1;
+  const Side side = scene.fit[j].side;
+  if (side != Side::none && self.fit.side != Side::none)
+    track.identity = side == self.fit.side ? Identity::friendly : Identity::hostile;
+  return track;
+}
+
+void know_aircraft(const Scene& scene, Self& self) {
+  Nearest<kMaxTracks> nearest(kMaxTracks);
+  for (std::size_t j = 0; j < scene.kinematics.size(); ++j)
+    if (j != self.row)
+      nearest.offer({norm2(scene.kinematics[j].position - self.kinematics.position),
+                     static_cast<std::uint32_t>(j)});
+
+  // those known before keep their names; the others go
+  std::array<bool, kMaxTracks> known{};
+  TrackFile& file = self.tracks;
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < file.count; ++i) {
+    std::size_t n = 0;
+    const auto items = nearest.items();
+    while (n < items.size() && scene.ids[items[n].row] != file.tracks[i].truth)
+      ++n;
+    if (n == items.size() || known[n]) {
+      self.news.add({.what = TrackNews::What::lost,
+                     .bits = file.tracks[i].sources,
+                     .id = file.tracks[i].id,
+                     .truth = file.tracks[i].truth,
+                     .value = scene.time - file.tracks[i].time});
+      continue;
+    }
+    known[n] = true;
+    file.tracks[kept++] = true_track(scene, self, items[n].row, file.tracks[i]);
+  }
+  for (std::uint32_t i = kept; i < file.count; ++i)
+    file.tracks[i] = {};
+  file.count = kept;
+
+  const TrackContext context = self.context(scene.time);
+  for (std::size_t n = 0; n < nearest.items().size(); ++n) {
+    if (known[n])
+      continue;
+    Track fresh{.first_time = scene.time, .seen_time = kNever};
+    const Track track = true_track(scene, self, nearest.items()[n].row, fresh);
+    if (const std::size_t i = add_track(file, context, track); i != kMaxTracks)
+      self.news.add({.what = TrackNews::What::confirmed,
+                     .bits = kFromTruth,
+                     .id = file.tracks[i].id,
+                     .truth = track.truth,
+                     .value = std::sqrt(nearest.items()[n].distance2)});
+  }
+}
+
+/// The missiles that were launched at the own aircraft or whose seeker rests on it.
+void know_missiles(const Scene& scene, Self& self) {
+  Nearest<kMaxThreats> nearest(kMaxThreats);
+  for (std::size_t m = 0; m < scene.missile_ids.size(); ++m)
+    if (scene.missile_state[m].intended == self.id || scene.missile_emission[m].dwell == self.id)
+      nearest.offer({norm2(scene.missile_kinematics[m].position - self.kinematics.position),
+                     static_cast<std::uint32_t>(m)});
+
+  const Threats before = self.threats;
+  self.threats = {};
+  for (const Candidate& c : nearest.items()) {
+    const Kinematics& missile = scene.missile_kinematics[c.row];
+    const Vec3 sight = missile.position - self.kinematics.position;
+    const Bearing bearing = bearing_of(self.kinematics, normalized(sight, self.kinematics.north));
+    InboundMissile inbound{.bearing = bearing.azimuth,
+                           .elevation = bearing.elevation,
+                           .range = std::sqrt(c.distance2),
+                           .time = scene.time,
+                           .first_time = scene.time,
+                           .position_time = scene.time,
+                           .truth = scene.missile_ids[c.row],
+                           .has_position = 1,
+                           .sources = kThreatFromTruth};
+    inbound.closing = dot(sight, missile.velocity - self.kinematics.velocity) < 0;
+
+    const auto end = before.missiles.begin() + before.count;
+    const auto known = std::find_if(before.missiles.begin(), end, [&](const InboundMissile& old) {
+      return old.truth == inbound.truth;
+    });
+    if (known != end)
+      inbound.first_time = known->first_time;
+    else
+      tell_missile(self, {.bearing = inbound.bearing, .truth = inbound.truth});
+    self.threats.missiles[self.threats.count++] = inbound;
+  }
+}
+
+void know_flight(const Scene& scene, Self& self) {
+  DatalinkState& state = self.datalink;
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    const auto row = scene.world.row(scene.table, mate.id);
+    mate.alive = row.has_value();
+    if (!row)
+      continue;
+    const Kinematics& k = scene.kinematics[*row];
+    mate.position = k.position;
+    mate.velocity = {static_cast<float>(k.velocity.x), static_cast<float>(k.velocity.y),
+                     static_cast<float>(k.velocity.z)};
+    mate.time = mate.heard_time = scene.time;
+    mate.reported = 1;
+  }
+}
+
+}  // namespace
+
+void perceive_truth(const Scene& scene, Self& self) {
+  know_aircraft(scene, self);
+  know_missiles(scene, self);
+  know_flight(scene, self);
+}
+
+}  // namespace eyrie::model

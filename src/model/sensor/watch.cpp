@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The eyes at work: aircraft become tracks, missiles become threats.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/math.hpp"
+#include "model/events.hpp"
+#include "model/sensor/nearest.hpp"
+#include "model/sensor/scene.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// A pilot keeps track of no more aircraft than this at a time.
+constexpr std::size_t kWatched = 8;
+
+/// What the pilot's eyes rested on or were told to look for.
+enum class About : std::uint8_t { aircraft, missile };
+
+/// How much a pilot knows about where to look.
+enum class Lead : std::uint8_t { none, cued, held };
+
+/// The directions in which the pilot knows of something. A look at a place close to one is cued; it
+/// goes to what is held already if that was seen just now and is about as far.
+class KnownDirections {
+ public:
+  KnownDirections(const Visual& visual, const Eyes& eyes)
+      : cos_cue_(math::cos(visual.cue_angle)), hold_time_(visual.hold_time), eyes_(eyes) {}
+
+  void add(const Track& track, double time) {
+    const Vec3 sight = position_at(track, time) - eyes_.position;
+    const bool held = time - track.seen_time <= hold_time_;
+    known_[count_++] = {normalized(sight, {1, 0, 0}), held ? norm(sight) : 0, About::aircraft};
+  }
+  void add(const InboundMissile& missile, const Kinematics& own, double time) {
+    const auto [se, ce] = math::sin_cos(missile.elevation);
+    const auto [sa, ca] = math::sin_cos(missile.bearing);
+    const bool held = missile.has_position != 0 && time - missile.position_time <= hold_time_;
+    known_[count_++] = {ce * ca * own.north + ce * sa * own.east - se * own.down,
+                        held ? missile.range : 0, About::missile};
+  }
+  [[nodiscard]] Lead lead(About about, const Vec3& sight, double range) const {
+    Lead best = Lead::none;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Known& known = known_[i];
+      if (dot(sight, known.unit) < cos_cue_ * range)
+        continue;
+      const bool same = known.held_range > 0 && known.about == about &&
+                        range < 2 * known.held_range && known.held_range < 2 * range;
+      best = std::max(best, same ? Lead::held : Lead::cued);
+    }
+    return best;
+  }
+
+ private:
+  struct Known {
+    Vec3 unit{};
+    double held_range = 0;  ///< m; 0 if it is not held
+    About about = About::aircraft;
+  };
+  std::array<Known, kMaxTracks + kMaxThreats> known_;
+  std::size_t count_ = 0;
+  double cos_cue_, hold_time_;
+  const Eyes& eyes_;
+};
+
+bool below_horizon(const Eyes& eyes, double altitude, double range) {
+  return range > horizon_range(eyes.altitude, altitude, 1);
+}
+
+/// Whether the target in row `j` is seen in this look.
+bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDirections& known,
+          std::size_t j, double range) {
+  const Visual& visual = *self.suite.visual;
+  const Kinematics& other = scene.kinematics[j];
+  const Vec3 sight = other.position - eyes.position;
+  const double u = scene.draw(self.id, Stream::visual, scene.ids[j]).uniform();
+
+  const Lead lead = known.lead(About::aircraft, sight, range);
+  const double search = lead == Lead::none ? visual.search : visual.cued_search;
+  const Signature& signature = *scene.suite(j).signature;
+  if (lead != Lead::held) {
+    // 1 - exp(-x) <= x: most of those far away need no more than this
+    const double largest =
+        std::max({signature.area_front, signature.area_side, signature.area_top});
+    if (u >= search * largest / (range * range * visual.rate))
+      return false;
+  }
+  if (!in_view(visual, eyes, sight / range) || below_horizon(eyes, other.altitude, range))
+    return false;
+  if (lead == Lead::held)
+    return u < visual.hold_probability;
+  const double area = silhouette(signature, body_axes(other), sight / -range);
+  return u < acquisition_probability(visual, search, area, range);
+}
+
+Identity recognized(const Scene& scene, const Self& self, std::size_t j, double range) {
+  const Signature& signature = *scene.suite(j).signature;
+  const Kinematics& other = scene.kinematics[j];
+  const Vec3 towards = (self.kinematics.position - other.position) / range;
+  const double area = silhouette(signature, body_axes(other), towards);
+  const Side side = scene.fit[j].side;
+  if (side == Side::none || self.fit.side == Side::none ||
+      apparent_diameter(area, range) < self.suite.visual->identify_angle)
+    return Identity::unknown;
+  return side == self.fit.side ? Identity::friendly : Identity::hostile;
+}
+
+void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
+                       const KnownDirections& known) {
+  const double reach2 = self.suite.visual->range * self.suite.visual->range;
+  Nearest<kWatched> seen(kWatched);
+  for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
+    const double range2 = norm2(scene.kinematics[j].position - eyes.position);
+    if (range2 <= reach2 && range2 > 0 && j != self.row && seen.wants(range2) &&
+        sees(scene, self, eyes, known, j, std::sqrt(range2)))
+      seen.offer({range2, static_cast<std::uint32_t>(j)});
+  }
+  if (seen.items().empty())
+    return;
+
+  std::array<Contact, kWatched> contacts;
+  std::size_t count = 0;
+  for (const Candidate& c : seen.items()) {
+    const PlayerId other = scene.ids[c.row];
+    Contact& contact = contacts[count++];
+    contact = estimate(*self.suite.visual, eyes, scene.kinematics[c.row].position, other,
+                       scene.draw(self.id, Stream::visual_noise, other));
+    contact.identity = recognized(scene, self, c.row, std::sqrt(c.distance2));
+  }
+  update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
+}
+
+void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
+                       const KnownDirections& known) {
+  const Visual& visual = *self.suite.visual;
+  ThreatUpdate threats(self.threats, kThreatRules, scene.time);
+  for (std::size_t m = 0; m < scene.missile_ids.size(); ++m) {
+    const MissileState& state = scene.missile_state[m];
+    const Kinematics& missile = scene.missile_kinematics[m];
+    const Vec3 sight = missile.position - eyes.position;
+    const double range = norm(sight);
+    // shots of the own side are called on the radio
+    if (state.side == self.fit.side || range > visual.range || range <= 0 ||
+        !in_view(visual, eyes, sight / range) || below_horizon(eyes, missile.altitude, range))
+      continue;
+
+    const bool burning =
+        scene.time - state.launch_time < scene.library.missiles[state.type].motor.burn_time();
+    const double area = burning ? visual.plume_area : visual.missile_area;
+    const Lead lead = known.lead(About::missile, sight, range);
+    const double search = lead == Lead::none ? visual.search : visual.cued_search;
+    const double p = lead == Lead::held ? visual.hold_probability
+                                        : acquisition_probability(visual, search, area, range);
+    const PlayerId id = scene.missile_ids[m];
+    if (!scene.draw(self.id, Stream::visual, id).chance(p) ||
+        !looks_dangerous(visual, sight, missile.velocity - eyes.velocity))
+      continue;
+
+    const Contact contact =
+        estimate(visual, eyes, missile.position, id, scene.draw(self.id, Stream::visual_noise, id));
+    const Bearing bearing = bearing_of(self.kinematics, contact.line);
+    const Sighting sighting{.bearing = bearing.azimuth,
+                            .elevation = bearing.elevation,
+                            .range = contact.range,
+                            .truth = id,
+                            .source = kThreatFromSight,
+                            .has_position = true,
+                            .closing = true};
+    if (threats.note(sighting))
+      tell_missile(self, sighting);
+  }
+}
+
+}  // namespace
+
+void tell_missile(const Self& self, const Sighting& sighting) {
+  self.out.emit({.kind = EventKind::missile_warning,
+                 .who = self.id,
+                 .whom = sighting.truth,
+                 .place = self.kinematics.position,
+                 .values = {static_cast<float>(sighting.bearing)}});
+}
+
+void look_around(const Scene& scene, Self& self) {
+  const Visual& visual = *self.suite.visual;
+  const Eyes eyes = eyes_of(self.kinematics);
+  KnownDirections known(visual, eyes);
+  for (std::uint32_t i = 0; i < self.tracks.count; ++i)
+    known.add(self.tracks.tracks[i], scene.time);
+  for (std::uint32_t i = 0; i < self.threats.count; ++i)
+    known.add(self.threats.missiles[i], self.kinematics, scene.time);
+  look_for_aircraft(scene, self, eyes, known);
+  if (!scene.missile_ids.empty())
+    look_for_missiles(scene, self, eyes, known);
+}
+
+}  // namespace eyrie::model
