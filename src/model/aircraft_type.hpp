@@ -11,6 +11,7 @@
 #include "core/describe.hpp"
 #include "model/flight/dynamics.hpp"
 #include "model/sensor/signature.hpp"
+#include "model/weapon/infrared.hpp"
 
 namespace eyrie::model {
 
@@ -34,6 +35,7 @@ struct AircraftType {
   std::string airframe;
   Dynamics dynamics = Dynamics::point_mass;
   Signature signature;
+  InfraredSignature infrared;
   std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun;
   std::vector<StationFit> stations;
 
@@ -53,6 +55,7 @@ struct AircraftType {
                       param("airframe", &A::airframe, "how it flies").required(),
                       param("dynamics", &A::dynamics, "by which equations of motion"),
                       param("signature", &A::signature, "how big it looks to radar and eye"),
+                      param("infrared", &A::infrared, "how bright it is to an infrared seeker"),
                       param("radar", &A::radar, "its radar"),
                       param("rwr", &A::rwr, "its radar warning receiver"),
                       param("visual", &A::visual, "the eyes of its crew"),

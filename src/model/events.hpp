@@ -2,38 +2,53 @@
 #pragma once
 /// \file  The events of the air war, in the field's words.
 #include <cstdint>
+#include <string_view>
+
+#include "sim/schema.hpp"
 
 namespace eyrie::model {
 
-/// `who` does it, `whom` it is done to. What the values of each kind mean is said here once.
+/// `who` does it, `whom` it is done to. What detail and values of each kind mean is said here, and
+/// once more for recorders in describe_events(). Ranges in m, times in s, angles in rad.
 enum class EventKind : std::uint16_t {
   none = 0,
-  contact,         ///< who got a new track of whom (truth); values: range m, source bits
-  track_lost,      ///< who lost its track of whom; values: age s
-  identified,      ///< who identified whom; values: identity, range m
-  rwr_warning,     ///< who is warned of whom's radar; values: kind, bearing rad
-  missile_warning, ///< who is warned of missile whom; values: bearing rad
-  release,         ///< who released a store at whom; values: store index, range m
-  launch,          ///< missile who was born, whom = target; detail = shooter; values: range m, store index
-  seeker_active,   ///< missile who's seeker went active
-  seeker_acquired, ///< missile who's seeker sees whom; values: range m
-  gun_burst,       ///< who fired the gun at whom; values: rounds, range m
-  detonation,      ///< missile who's fuze fired near whom; values: miss distance m, pk, draw
-  timeout,         ///< missile who ended without a fuze; values: reason (see weapon), time of flight s
-  hit,             ///< who (shooter) hit whom; values: damage, miss distance m; detail = weapon player or 0
-  kill,            ///< who (shooter) killed whom; detail = weapon player or 0
-  crash,           ///< who hit the ground
-  fuel_out,        ///< who's tanks are empty
-  bingo,           ///< who reached bingo fuel
-  winchester,      ///< who has no weapon left
-  home,            ///< who is home and leaves the run
-  phase,           ///< who's sequencer changed; values: from, to, sequencer node
-  lead_change,     ///< who now leads its flight, whom led before; values: flight
-  commit,          ///< who commits on whom
-  defend,          ///< who breaks against missile whom or an unseen one; values: phase 1 or 2
-  in_charge,       ///< who's winning behavior changed; values: node index, vote
-  order,           ///< an order from outside was carried out on who; values: order kind
+  contact,          ///< who got a new track of whom (truth); values: range, source bits
+  track_lost,       ///< who lost its track of whom; values: age
+  identified,       ///< who identified whom; values: identity, range
+  rwr_warning,      ///< who is warned of whom's radar; values: kind, bearing
+  missile_warning,  ///< who is warned of missile whom; values: bearing
+  release,          ///< who released a store at whom; values: store index, range
+  launch,           ///< missile who was born, whom = target; detail = shooter; values: range,
+                    ///< store index
+  seeker_active,    ///< missile who's seeker went active; values: range to where it believes whom
+  seeker_acquired,  ///< missile who's seeker sees whom; values: range
+  gun_burst,        ///< who fired the gun at whom; values: rounds, range, hits
+  detonation,       ///< missile who's fuze fired near whom; values: miss distance, kill
+                    ///< probability, draw
+  timeout,          ///< missile who ended without a fuze; values: MissileEnd, time of flight
+  hit,              ///< who (shooter) hit whom; values: damage, miss distance; detail = missile,
+                    ///< or 0 for the gun
+  kill,             ///< who (shooter) killed whom; detail = missile, or 0 for the gun
+  crash,            ///< who hit the ground
+  fuel_out,         ///< who's tanks are empty
+  bingo,            ///< who reached bingo fuel
+  winchester,       ///< who has no missile left
+  home,             ///< who is home and leaves the run
+  phase,            ///< who's sequencer changed; values: from, to, sequencer node
+  lead_change,      ///< who now leads its flight, whom led before; values: flight
+  commit,           ///< who commits on whom
+  defend,           ///< who breaks against missile whom or an unseen one; values: phase 1 or 2
+  in_charge,        ///< who's winning behavior changed; values: node index, vote
+  order,            ///< an order from outside was carried out on who; values: order kind
+  eject,            ///< a store leaves who's station aux towards whom; detail = its track; values:
+                    ///< store index. Becomes a launch in the same step
   count
 };
+
+/// "seeker_active"; "" for none and for numbers that are no kind.
+[[nodiscard]] std::string_view event_name(EventKind kind);
+
+/// Names every kind and its values in a schema.
+void describe_events(sim::SchemaBuilder& builder);
 
 }  // namespace eyrie::model

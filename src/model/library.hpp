@@ -23,6 +23,7 @@
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
 #include "model/track/tracker.hpp"
+#include "model/weapon/gun_type.hpp"
 #include "model/weapon/missile_type.hpp"
 
 namespace eyrie::model {
@@ -76,6 +77,7 @@ struct Library {
   Shelf<Datalink> datalinks;
   Shelf<Tracker> trackers;
   Shelf<MissileType> missiles;
+  Shelf<GunType> guns;
   Shelf<AircraftType> aircraft;  ///< Fit::type
   std::vector<Flight> flights;   ///< Fit::flight
 };

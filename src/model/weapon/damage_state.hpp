@@ -11,7 +11,7 @@ namespace eyrie::model {
 /// Written in commit only.
 struct Damage {
   double damage = 0;       ///< 0 whole, 1 or more destroyed
-  PlayerId last_hit_by;    ///< shooter of the last hit; none if there was none
+  PlayerId last_hit_by{};  ///< shooter of the last hit; none if there was none
   std::uint32_t hits = 0;  ///< hits so far
 
   static constexpr auto fields() {

@@ -29,10 +29,12 @@ struct LineOfSight {
           .closing = -dot(direction, relative_velocity)};
 }
 
-/// True proportional navigation: the acceleration (m/s^2) perpendicular to the line of sight that
-/// turns it back, N times the closing speed times its rate. Zarchan, eq. 2.1: n_c = N' V_c dl/dt.
-[[nodiscard]] inline Vec3 proportional_navigation(double gain, const LineOfSight& los) {
-  return gain * los.closing * cross(los.rate, los.direction);
+/// Proportional navigation: the acceleration (m/s^2) perpendicular to the line of sight that turns
+/// it back, N times a speed times its rate. With the closing speed it is true proportional
+/// navigation (Zarchan, eq. 2.1: n_c = N' V_c dl/dt), with the own speed the pure form.
+[[nodiscard]] inline Vec3 proportional_navigation(double gain, double speed,
+                                                  const LineOfSight& los) {
+  return gain * speed * cross(los.rate, los.direction);
 }
 
 /// The part of `v` perpendicular to the unit vector `axis`.

@@ -34,30 +34,28 @@ struct eyrie::EnumNames<eyrie::model::MissileEnd> {
 namespace eyrie::model {
 
 /// The memory of one missile. It knows what it was told by its shooter and what its seeker saw,
-/// never the truth; the ids are for book-keeping, except `seen`, whose echo the seeker rests on.
+/// never the truth: `intended` is for scoring and `seen` names the echo that the seeker rests on.
 struct MissileState {
-  Vec3 target_position;       ///< m, local frame: believed place of the target at target_time
-  Vec3 target_velocity;       ///< m/s
+  Vec3 target_position{};     ///< m, local frame: believed place of the target at target_time
+  Vec3 target_velocity{};     ///< m/s
   double target_time = 0;     ///< s
   Vec3 sight{1, 0, 0};        ///< unit vector: filtered line of sight of the seeker at sight_time
-  Vec3 sight_rate;            ///< rad/s, its angular velocity
+  Vec3 sight_rate{};          ///< rad/s, its angular velocity
   double sight_time = 0;      ///< s, last look that saw something
   double closing_speed = 0;   ///< m/s, as the seeker measures or assumes it
-  Vec3 wanted;                ///< m/s^2, acceleration that guidance asks for
-  Vec3 lift;                  ///< m/s^2, aerodynamic acceleration across the flight path
+  Vec3 wanted{};              ///< m/s^2, acceleration that guidance asks for
+  Vec3 lift{};                ///< m/s^2, aerodynamic acceleration across the flight path
   double launch_time = 0;     ///< s
   double next_fuze_scan = 0;  ///< s: before that nobody can be close enough to matter
-  PlayerId shooter;
-  PlayerId intended;          ///< truth of the track it was launched at: scoring and debrief only
-  TrackId track;              ///< name of the target in the shooter's track file
-  PlayerId seen;              ///< who the seeker is locked on; none if nobody
-  std::uint16_t type = 0;     ///< index of the MissileType in the Library
-  Side side = Side::none;     ///< of the shooter
-  std::uint8_t active = 0;    ///< 1: the seeker is switched on
-  std::uint8_t acquired = 0;  ///< 1: the seeker has been locked on before
-  MissileEnd end = MissileEnd::none;
-  std::uint8_t detonated = 0;  ///< 1: fuzed in this step
-  std::uint8_t reserved[9] = {};
+  PlayerId shooter{};
+  PlayerId intended{};      ///< truth of the track it was launched at: scoring and debrief only
+  TrackId track{};          ///< name of the target in the shooter's track file
+  PlayerId seen{};          ///< who the seeker saw last; none if nobody yet
+  std::uint16_t type = 0;   ///< index of the MissileType in the Library
+  Side side = Side::none;   ///< of the shooter
+  std::uint8_t active = 0;  ///< 1: the seeker is switched on
+  std::uint8_t locked = 0;  ///< 1: the seeker rests on `seen` now
+  std::uint8_t reserved[3] = {};
 
   static constexpr auto fields() {
     return field_list(
@@ -73,8 +71,7 @@ struct MissileState {
         field("shooter", &MissileState::shooter), field("intended", &MissileState::intended),
         field("track", &MissileState::track), field("seen", &MissileState::seen),
         field("type", &MissileState::type), field("side", &MissileState::side),
-        field("active", &MissileState::active), field("acquired", &MissileState::acquired),
-        field("end", &MissileState::end), field("detonated", &MissileState::detonated),
+        field("active", &MissileState::active), field("locked", &MissileState::locked),
         field("reserved", &MissileState::reserved));
   }
 };

@@ -22,13 +22,13 @@ struct Station {
 
 inline constexpr std::size_t kMaxStations = 12;
 
-/// The stores of one aircraft. A release takes the store from its station at once; the missile is
-/// born launch_delay later, unless the target's track is gone by then: the store stays.
+/// The stores of one aircraft. A release begins a launch; the store leaves its station when the
+/// launch delay is over, unless the target's track is gone by then.
 struct Stores {
-  std::array<Station, kMaxStations> stations;
+  std::array<Station, kMaxStations> stations{};
   double ready_time = 0;             ///< s: no release before
   double launch_time = 0;            ///< s: when the store that was released leaves
-  TrackId pending_track;             ///< the target of that store; none: no release is under way
+  TrackId pending_track{};           ///< the target of that store; none: no release is under way
   std::uint8_t pending_station = 0;  ///< its station
   std::uint8_t winchester = 0;       ///< 1 once the last missile has left
   std::uint8_t reserved[2] = {};

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/engagement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/math.hpp"
+#include "model/weapon/closest_approach.hpp"
+#include "model/weapon/flyout.hpp"
+#include "model/weapon/guidance.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+constexpr Vec3 kDown{0, 0, 1};
+
+/// A target in level flight that may turn until it flies along `away`.
+struct Target {
+  Vec3 position, velocity;
+  Vec3 away;             ///< unit vector, level
+  double turn_rate = 0;  ///< rad/s
+
+  void move(double dt) {
+    const Vec3 before = velocity;
+    if (turn_rate > 0)
+      turn(dt);
+    position += (dt / 2) * (before + velocity);
+  }
+  void turn(double dt) {
+    const double speed = norm(velocity);
+    const Vec3 ahead = velocity / speed;
+    const double angle = turn_rate * dt;
+    const double left = angle_between(ahead, away);
+    if (left <= angle) {
+      velocity = speed * away;
+      turn_rate = 0;
+      return;
+    }
+    // the level direction across the path on the side of `away`; starboard if that is behind
+    const Vec3 starboard = cross(kDown, ahead);
+    const double side = dot(starboard, away) < 0 ? -1 : 1;
+    const auto [sine, cosine] = math::sin_cos(angle);
+    velocity = speed * (cosine * ahead + (side * sine) * starboard);
+  }
+};
+
+Target make_target(const Engagement& e) {
+  const LaunchSituation& s = e.situation;
+  const double up = s.target_altitude - s.shooter_altitude;
+  const double level = std::sqrt(std::max(e.range * e.range - up * up, 0.0));
+  const auto [sine, cosine] = math::sin_cos(s.aspect);
+  Target target{.position = {level, 0, -s.target_altitude},
+                .velocity = s.target_speed * Vec3{-cosine, sine, 0},
+                .away = {1, 0, 0}};
+  const double n = e.escape_load_factor;
+  if (n > 1 && s.target_speed > 0)
+    target.turn_rate = kGravity * std::sqrt(n * n - 1) / s.target_speed;
+  return target;
+}
+
+}  // namespace
+
+EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
+                        const Engagement& e) {
+  Target target = make_target(e);
+  // the shooter points to the side that the target does not cross to: the longer way round
+  const auto [sine, cosine] = math::sin_cos(e.situation.off_boresight);
+  Flyout missile{
+      .position = {0, 0, -e.situation.shooter_altitude},
+      .velocity = e.situation.shooter_speed * Vec3{cosine, -sine, 0} + type.ejection_speed * kDown};
+  EngagementResult result{.miss = std::numeric_limits<double>::infinity(),
+                          .greatest_altitude = e.situation.shooter_altitude};
+  double age = 0;
+  while (age < type.greatest_time) {
+    const Vec3 apart = target.position - missile.position;
+    const Vec3 drift = target.velocity - missile.velocity;
+    const LineOfSight truth = line_of_sight(apart, drift);
+    const double speed = norm(missile.velocity);
+
+    // a tenth of the time to go, and no more than a small turn
+    const double to_go = truth.range / std::max(truth.closing, 1.0);
+    const double turn = 0.1 * speed / std::max(norm(missile.lift), 1.0);
+    const double dt = std::clamp(std::min(to_go / 10, turn), e.shortest_step, e.longest_step);
+
+    Vec3 wanted;
+    if (age >= type.guidance.separation_time) {
+      const auto& loft = type.guidance.loft;
+      const double altitude = -missile.position.z;
+      wanted = steer(type.guidance,
+                     loft ? line_of_sight(lofted(*loft, apart, kDown, altitude), drift) : truth,
+                     missile.velocity, kDown);
+    }
+    fly(type, atmosphere.at(-missile.position.z), {}, kDown, age, dt, wanted, missile);
+    target.move(dt);
+
+    const Vec3 apart_now = target.position - missile.position;
+    const ClosestApproach nearest = closest_approach(apart, (apart_now - apart) / dt, 0, dt);
+    result.greatest_speed = std::max(result.greatest_speed, norm(missile.velocity));
+    result.greatest_lift = std::max(result.greatest_lift, norm(missile.lift));
+    result.greatest_altitude = std::max(result.greatest_altitude, -missile.position.z);
+    if (nearest.distance < result.miss) {
+      result.miss = nearest.distance;
+      result.time = age + nearest.time;
+      result.speed = norm(missile.velocity);
+      result.armed =
+          result.time >= std::max(type.warhead.arming_time, type.guidance.separation_time);
+    }
+    age += dt;
+    const bool coasting = age > type.motor.burn_time();
+    if (coasting && norm(missile.velocity) < type.least_speed)
+      break;
+    if (coasting && dot(apart_now, target.velocity - missile.velocity) > 0)
+      break;
+    if (missile.position.z > 0)
+      break;
+  }
+  return result;
+}
+
+}  // namespace eyrie::model

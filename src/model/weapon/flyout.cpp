@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/flyout.hpp"
+
+#include <algorithm>
+
+#include "model/weapon/line_of_sight.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+/// 1 - exp(-x) for x >= 0 by its (1,2) Pade form: within 3e-5 below 0.4, never beyond 1. How much
+/// of the way to its input a first-order lag goes in one step.
+double lag_share(double x) {
+  return (x + x * x / 6) / (1 + x * (2.0 / 3) + x * x / 6);
+}
+
+}  // namespace
+
+FlyoutForces flyout_forces(const MissileType& type, const Air& air, double speed, double age) {
+  const Motor& motor = type.motor;
+  const MissileAero& aero = type.aero;
+  const bool burning = age < motor.burn_time();
+  const double mass = motor.mass(age);
+  const double mach = speed / air.speed_of_sound;
+  const double pressure_force = 0.5 * air.density * speed * speed * aero.reference_area;
+
+  // thrust in thinner air: Sutton & Biblarz, Rocket Propulsion Elements, 9th ed., eq. 2-13
+  const double thrust =
+      burning ? motor.thrust(age) + (kSeaLevelPressure - air.pressure) * motor.nozzle_area : 0;
+  const double drag =
+      pressure_force * (burning ? aero.drag_power_on(mach) : aero.drag_power_off(mach));
+  const double lift = pressure_force * aero.greatest_lift(mach) / mass;
+  return {.along = (thrust - drag) / mass,
+          .lift_limit = std::min(lift, aero.greatest_load_factor * kGravity),
+          // k C_L^2 q S / m with C_L = m a / (q S)
+          .induced = pressure_force > 0 ? aero.induced_drag(mach) * mass / pressure_force : 0};
+}
+
+void fly(const MissileType& type, const Air& air, const Vec3& wind, const Vec3& down, double age,
+         double dt, const Vec3& wanted, Flyout& state) {
+  const Vec3 through_air = state.velocity - wind;
+  const double speed = norm(through_air);
+  if (!(speed > 1e-3))
+    return;
+  const Vec3 ahead = through_air / speed;
+  const FlyoutForces forces = flyout_forces(type, air, speed, age + dt / 2);
+
+  // autopilot: first-order lag towards what the airframe can give
+  const Vec3 possible = limited(perpendicular(wanted, ahead), forces.lift_limit);
+  const Vec3 before = perpendicular(state.lift, ahead);
+  const double share = lag_share(dt / type.guidance.autopilot_lag);
+  state.lift = limited(before + share * (possible - before), forces.lift_limit);
+
+  // along the path: thrust, drag, weight; across it: lift and weight turn it
+  const double along =
+      forces.along - forces.induced * norm2(state.lift) + kGravity * dot(down, ahead);
+  const Vec3 across = state.lift + kGravity * perpendicular(down, ahead);
+  const Vec3 turned = ahead + across * (dt / speed);
+  const double new_speed = std::max(speed + along * dt, 1.0);
+  const Vec3 velocity = wind + turned * (new_speed / norm(turned));
+  state.position += (dt / 2) * (state.velocity + velocity);
+  state.velocity = velocity;
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/gun_system.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "core/draw.hpp"
+#include "model/events.hpp"
+#include "model/weapon/gun.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+/// Who is nearest to the sight of a gun.
+struct InSight {
+  std::size_t row = 0;
+  Lead lead;
+};
+std::optional<InSight> in_sight(const GunType& gun, double density, std::size_t self,
+                                std::span<const Kinematics> everybody) {
+  const Kinematics& own = everybody[self];
+  const Vec3 nose = body_axes(own).forward;
+  std::optional<InSight> best;
+  for (std::size_t row = 0; row < everybody.size(); ++row) {
+    const Vec3 apart = everybody[row].position - own.position;
+    if (row == self || norm2(apart) > gun.greatest_range * gun.greatest_range ||
+        dot(apart, nose) <= 0)
+      continue;
+    const Lead lead = lead_on(gun, density, own, nose, everybody[row]);
+    if (!best || lead.off_bore < best->lead.off_bore)
+      best = InSight{row, lead};
+  }
+  return best;
+}
+
+void end_burst(PlayerId who, const Vec3& place, GunState& gun, sim::Outbox& out) {
+  if (gun.burst_rounds != 0)
+    out.emit({.kind = EventKind::gun_burst,
+              .who = who,
+              .whom = gun.burst_target,
+              .place = place,
+              .values = {static_cast<float>(gun.burst_rounds), static_cast<float>(gun.burst_range),
+                         static_cast<float>(gun.burst_hits)}});
+  gun.owed = 0;
+  gun.burst_range = 0;
+  gun.burst_rounds = 0;
+  gun.burst_hits = 0;
+  gun.burst_target = {};
+}
+
+}  // namespace
+
+GunSystem::GunSystem(const AircraftColumns& aircraft, std::shared_ptr<const Library> library)
+    : aircraft_(aircraft), library_(std::move(library)) {}
+
+void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                         sim::Outbox& out) const {
+  const auto ids = world.ids(aircraft_.table);
+  const auto fit = world.rows(aircraft_.fit);
+  const auto requests = world.rows(aircraft_.request);
+  const auto guns = world.rows(aircraft_.gun);
+  const auto kinematics = std::as_const(world).rows(aircraft_.kinematics);
+
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    GunState& state = guns[i];
+    const auto& mounted = library_->aircraft[fit[i].type].index.gun;
+    if (!mounted || requests[i].trigger == 0 || state.rounds == 0) {
+      if (state.burst_rounds != 0)
+        end_burst(ids[i], kinematics[i].position, state, out);
+      continue;
+    }
+    const GunType& gun = library_->guns[*mounted];
+    const double density = library_->environment.atmosphere.at(kinematics[i].altitude).density;
+    const auto target = in_sight(gun, density, i, kinematics);
+    if (state.burst_rounds == 0 && target) {
+      state.burst_target = ids[target->row];
+      state.burst_range = target->lead.range;
+    }
+
+    const std::uint32_t rounds = fire(gun, info.dt, state);
+    std::uint32_t hits = 0;
+    if (target) {
+      const Signature& size = library_->aircraft[fit[target->row].type].signature;
+      const double chance = hit_probability(gun, target->lead, size, kinematics[target->row]);
+      Draw draw(info.seed, ids[i], Stream::gun, info.step);
+      for (std::uint32_t round = 0; chance > 0 && round < rounds; ++round)
+        hits += draw.chance(chance) ? 1 : 0;
+      if (hits != 0)
+        out.emit({.kind = EventKind::hit,
+                  .who = ids[i],
+                  .whom = ids[target->row],
+                  .place = kinematics[target->row].position,
+                  .values = {static_cast<float>(hits * gun.damage), 0}});
+    }
+    state.burst_hits += hits;
+    if (state.rounds == 0 || state.burst_rounds >= gun.longest_burst * gun.rate)
+      end_burst(ids[i], kinematics[i].position, state, out);
+  }
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/homing.hpp"
+
+#include "model/weapon/guidance.hpp"
+#include "model/weapon/seeker.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+SeekerView view_of(const Kinematics& k) {
+  return {.position = k.position,
+          .velocity = k.velocity,
+          .axis = normalized(k.velocity, k.north),
+          .down = k.down};
+}
+
+/// A radar searches where it believes the target, an infrared seeker along its last line of sight.
+SearchVolume search_volume(const MissileType& type, const Kinematics& k, double time,
+                           const MissileState& state) {
+  if (type.seeker.kind == SeekerKind::infrared)
+    return {.direction = sight_at(state, time)};
+  const Vec3 place = believed_position(state, time);
+  return {.direction = normalized(place - k.position, state.sight), .place = place};
+}
+
+}  // namespace
+
+Vec3 believed_position(const MissileState& state, double time) {
+  return state.target_position + (time - state.target_time) * state.target_velocity;
+}
+
+bool switch_on(const MissileType& type, const Kinematics& k, double time, MissileState& state) {
+  if (state.active != 0 || time - state.launch_time < type.guidance.separation_time)
+    return false;
+  const double range2 = norm2(believed_position(state, time) - k.position);
+  if (range2 > type.seeker.activation_range * type.seeker.activation_range)
+    return false;
+  state.active = 1;
+  state.sight_time = time;
+  return true;
+}
+
+std::optional<Seen> look(const MissileType& type, const Kinematics& k, double time,
+                         const TargetScene& scene, Draw noise, MissileState& state) {
+  const SeekerType& seeker = type.seeker;
+  const SeekerView view = view_of(k);
+
+  // whom it rests on already
+  if (state.locked != 0) {
+    const auto row = std::lower_bound(scene.ids.begin(), scene.ids.end(), state.seen);
+    if (row != scene.ids.end() && *row == state.seen)
+      if (const auto seen =
+              look_at(seeker, view, scene, static_cast<std::uint32_t>(row - scene.ids.begin()))) {
+        follow(seeker, view, measure(seeker, view, seen->los, noise), time, state);
+        return std::nullopt;
+      }
+    state.locked = 0;
+  }
+
+  // somebody new, or the old one again
+  const auto seen = search(seeker, view, scene, search_volume(type, k, time, state));
+  if (!seen)
+    return std::nullopt;
+  const Vec3 expected_rate = seeker.kind == SeekerKind::infrared
+                                 ? state.sight_rate
+                                 : line_of_sight(believed_position(state, time) - k.position,
+                                                 state.target_velocity - k.velocity)
+                                       .rate;
+  const SeekerLook first = measure(seeker, view, seen->los, noise);
+  start_following(state, first, expected_rate, time);
+  follow(seeker, view, first, time, state);
+  state.locked = 1;
+  if (state.seen == seen->id)
+    return std::nullopt;
+  state.seen = seen->id;
+  return seen;
+}
+
+void hear(const Track& track, MissileState& state) {
+  if (state.locked != 0 || track.time <= state.target_time)
+    return;
+  state.target_position = track.position;
+  state.target_velocity = track.velocity;
+  state.target_time = track.time;
+}
+
+Vec3 guide(const MissileType& type, const Kinematics& k, double time, const MissileState& state) {
+  const MissileGuidance& guidance = type.guidance;
+  if (time - state.launch_time < guidance.separation_time)
+    return {};
+  if (state.locked != 0 || type.seeker.kind == SeekerKind::infrared) {
+    const LineOfSight los{.direction = sight_at(state, time),
+                          .rate = state.sight_rate,
+                          .closing = state.closing_speed};
+    return steer(guidance, los, k.velocity, k.down);
+  }
+  const Vec3 apart = believed_position(state, time) - k.position;
+  const Vec3 aim = guidance.loft ? lofted(*guidance.loft, apart, k.down, k.altitude) : apart;
+  return steer(guidance, line_of_sight(aim, state.target_velocity - k.velocity), k.velocity,
+               k.down);
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/launch_zone.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "core/angle.hpp"
+#include "core/math.hpp"
+#include "model/weapon/engagement.hpp"
+#include "model/weapon/infrared.hpp"
+#include "model/weapon/missile_type.hpp"
+#include "model/weapon/seeker.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+// the grid, slowest index first: the three last axes lie together in memory
+constexpr std::array kAspect{0.0, radians(25), radians(50), radians(90), radians(135), kPi};
+constexpr std::array kAltitude{300.0, 3000.0, 6000.0, 9000.0, 12000.0, 15000.0};  // shooter
+constexpr std::array kClimb{-5000.0, 0.0, 5000.0};  // target's altitude less the shooter's
+constexpr std::array kShooterSpeed{180.0, 420.0};
+constexpr std::array kTargetSpeed{150.0, 400.0};
+constexpr std::array kOffBoresight{0.0, radians(60)};
+constexpr std::size_t kInner = kShooterSpeed.size() * kTargetSpeed.size() * kOffBoresight.size();
+static_assert(kInner == 8);
+
+constexpr double kLowest = 100;      // m, no target is lower
+constexpr double kNearest = 100;     // m, nothing is launched nearer
+constexpr double kFarthest = 250e3;  // m, nothing reaches farther
+constexpr double kStep = 1.2;        // factor between two ranges of a search
+constexpr double kTolerance = 1.02;  // factor between success and failure at its end
+
+/// Where a value lies on an axis, clamped to it.
+struct Place {
+  std::size_t index;
+  float share;  // of the upper neighbor
+  [[nodiscard]] float weight(bool upper) const { return upper ? share : 1 - share; }
+};
+template <std::size_t N>
+Place place(const std::array<double, N>& axis, double x) {
+  std::size_t i = 0;
+  while (i + 2 < N && x >= axis[i + 1])
+    ++i;
+  const double share = (x - axis[i]) / (axis[i + 1] - axis[i]);
+  return {i, static_cast<float>(std::clamp(share, 0.0, 1.0))};
+}
+
+/// Searches the ranges of one situation by flying.
+class Search {
+ public:
+  Search(const MissileType& type, const Atmosphere& atmosphere, const LaunchSituation& situation)
+      : type_(type), atmosphere_(atmosphere) {
+    engagement_.situation = situation;
+    const double climb = situation.target_altitude - situation.shooter_altitude;
+    least_ = std::max(kNearest, 1.001 * std::fabs(climb));
+  }
+
+  /// The longest range that succeeds, searched from `guess` (m); 0 if there is none.
+  double farthest(double escape_load_factor, double guess) {
+    engagement_.escape_load_factor = escape_load_factor;
+    double good = std::clamp(guess, least_, kFarthest);
+    double bad = good * kStep;
+    if (succeeds(good)) {
+      for (; bad < kFarthest && succeeds(bad); bad *= kStep)
+        good = bad;
+    } else {
+      do {
+        bad = good;
+        good = bad / kStep;
+        if (good < least_)
+          return 0;
+      } while (!succeeds(good));
+    }
+    bisect(good, bad);
+    return good;
+  }
+
+  /// The shortest range up to `good` (m, which succeeds) from which on every range succeeds.
+  double nearest(double good) {
+    engagement_.escape_load_factor = 1;
+    double bad = least_;
+    if (succeeds(bad))
+      return bad;
+    bisect(good, bad);
+    return good;
+  }
+
+ private:
+  bool succeeds(double range) {
+    engagement_.range = range;
+    return engage(type_, atmosphere_, engagement_).success(type_);
+  }
+  void bisect(double& good, double& bad) {
+    while (std::max(good, bad) > std::min(good, bad) * kTolerance) {
+      const double range = std::sqrt(good * bad);
+      (succeeds(range) ? good : bad) = range;
+    }
+  }
+
+  const MissileType& type_;
+  const Atmosphere& atmosphere_;
+  Engagement engagement_;
+  double least_ = kNearest;
+};
+
+/// The zone of one situation; `guess` is that of a neighbor.
+EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
+  EmploymentZone zone;
+  zone.r_max = search.farthest(1, guess.r_max);
+  if (zone.r_max == 0)
+    return {};
+  const double near = guess.r_ne > 0 ? guess.r_ne : 0.4 * zone.r_max;
+  zone.r_ne = std::min(search.farthest(LaunchZone::kEscapeLoadFactor, near), zone.r_max);
+  zone.r_min = search.nearest(zone.r_max);
+  return zone;
+}
+
+}  // namespace
+
+LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& target) {
+  const Vec3 sight = target.position - shooter.position;
+  return {.shooter_altitude = shooter.altitude,
+          .target_altitude = target.altitude,
+          .shooter_speed = norm(shooter.velocity),
+          .target_speed = norm(target.velocity),
+          .aspect = angle_between(target.velocity, -sight),
+          .off_boresight = angle_between(shooter.velocity, sight)};
+}
+
+LaunchZone LaunchZone::build(const MissileType& type) {
+  const Atmosphere atmosphere;
+  LaunchZone zone;
+  if (type.locks_before_launch())
+    zone.seeker_ = type.seeker;
+  zone.cells_.reserve(kAspect.size() * kAltitude.size() * kClimb.size() * kInner);
+  // a search begins where that of the cell with the same speeds ended before
+  std::array<EmploymentZone, kInner> found{};
+  found.fill({.r_max = 40e3, .r_ne = 15e3});
+  for (const double aspect : kAspect)
+    for (const double altitude : kAltitude)
+      for (const double climb : kClimb)
+        for (std::size_t i = 0; i < kInner; ++i) {
+          const LaunchSituation situation{.shooter_altitude = altitude,
+                                          .target_altitude = std::max(altitude + climb, kLowest),
+                                          .shooter_speed = kShooterSpeed[i >> 2],
+                                          .target_speed = kTargetSpeed[(i >> 1) & 1],
+                                          .aspect = aspect,
+                                          .off_boresight = kOffBoresight[i & 1]};
+          const EmploymentZone z = search_zone({type, atmosphere, situation}, found[i]);
+          if (z.r_max > 0)
+            found[i] = z;
+          zone.cells_.push_back({static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
+                                 static_cast<float>(z.r_min)});
+        }
+  return zone;
+}
+
+EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
+  if (cells_.empty() || (seeker_ && s.off_boresight > seeker_->gimbal))
+    return {};
+  const Place shooter_speed = place(kShooterSpeed, s.shooter_speed);
+  const Place target_speed = place(kTargetSpeed, s.target_speed);
+  const Place off_boresight = place(kOffBoresight, s.off_boresight);
+  std::array<float, kInner> inner;
+  for (std::size_t i = 0; i < kInner; ++i)
+    inner[i] = shooter_speed.weight((i & 4) != 0) * target_speed.weight((i & 2) != 0) *
+               off_boresight.weight((i & 1) != 0);
+
+  const Place aspect = place(kAspect, s.aspect);
+  const Place altitude = place(kAltitude, s.shooter_altitude);
+  const Place climb = place(kClimb, s.target_altitude - s.shooter_altitude);
+  Cell sum;
+  for (std::size_t o = 0; o < 8; ++o) {
+    const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
+    const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
+    const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
+    const Cell* cell = &cells_[(row * kClimb.size() + climb.index + c) * kInner];
+    for (std::size_t i = 0; i < kInner; ++i, ++cell) {
+      const float w = weight * inner[i];
+      sum.r_max += w * cell->r_max;
+      sum.r_ne += w * cell->r_ne;
+      sum.r_min += w * cell->r_min;
+      sum.spare += w * cell->spare;
+    }
+  }
+  double seen = kFarthest;
+  if (seeker_) {
+    const InfraredSignature typical;
+    seen = acquisition_range(*seeker_, radiant_intensity(typical, math::cos(s.aspect), 1));
+  }
+  return {.r_max = std::min<double>(sum.r_max, seen),
+          .r_ne = std::min<double>(sum.r_ne, seen),
+          .r_min = sum.r_min};
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  From where a missile reaches a target: found by flying it, kept as a table.
+#include <optional>
+#include <vector>
+
+#include "core/vec.hpp"
+#include "model/weapon/seeker_type.hpp"
+
+namespace eyrie::model {
+
+struct MissileType;
+
+/// A launch situation. Altitudes in m, speeds in m/s.
+struct LaunchSituation {
+  double shooter_altitude = 0;
+  double target_altitude = 0;
+  double shooter_speed = 0;
+  double target_speed = 0;
+  double aspect = 0;         ///< rad in [0, pi]: 0 the target comes head-on, pi it flies away
+  double off_boresight = 0;  ///< rad in [0, pi]: shooter's velocity to line of sight
+};
+
+/// Ranges in m from the shooter to the target at launch. All 0 where no launch succeeds.
+struct EmploymentZone {
+  double r_max = 0;  ///< reaches a target that keeps its course
+  double r_ne = 0;   ///< no escape: reaches a target that turns away at launch and runs
+  double r_min = 0;  ///< nearer, it can not arm, turn or stay clear in time
+
+  [[nodiscard]] bool possible() const { return r_max > r_min; }
+};
+
+/// One player at launch: local frame, m and m/s; altitude in m.
+struct LaunchParty {
+  Vec3 position, velocity;
+  double altitude = 0;
+};
+[[nodiscard]] LaunchSituation launch_situation(const LaunchParty& shooter,
+                                               const LaunchParty& target);
+
+/// The employment zone of one missile type: const, filled once by build().
+class LaunchZone {
+ public:
+  /// A no-escape target turns away from the shooter with this load factor.
+  static constexpr double kEscapeLoadFactor = 5;
+
+  /// Everywhere impossible.
+  LaunchZone() = default;
+  /// Flies the missile against targets that keep their course and that turn away, and bisects the
+  /// ranges on a grid. Deterministic on every CPU. docs/models/missile.md has the grid and what it
+  /// is worth.
+  [[nodiscard]] static LaunchZone build(const MissileType& type);
+
+  /// Multilinear between the situations that were flown, constant beyond them. A missile that must
+  /// be locked on before launch reaches no farther than it sees a target of the default
+  /// InfraredSignature at military power, and nothing outside its gimbal.
+  [[nodiscard]] EmploymentZone at(const LaunchSituation& situation) const;
+
+ private:
+  struct Cell {
+    float r_max = 0, r_ne = 0, r_min = 0, spare = 0;
+  };
+  std::vector<Cell> cells_;
+  std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
+};
+
+}  // namespace eyrie::model

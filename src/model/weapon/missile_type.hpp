@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A type of air-to-air missile: motor, aerodynamics, guidance, seeker, fuze and warhead.
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "core/describe.hpp"
+#include "model/weapon/launch_zone.hpp"
+#include "model/weapon/seeker_type.hpp"
+
+namespace eyrie::model {
+
+/// Mass and thrust over the time since launch. The motor burns until the last breakpoint of thrust.
+struct Motor {
+  Table1 mass = Table1::constant(100);  ///< kg, the whole missile
+  Table1 thrust;                        ///< N at sea level
+  double nozzle_area = 0;               ///< m^2, thrust grows by (p0 - p) times this
+
+  [[nodiscard]] double launch_mass() const { return mass(0); }
+  [[nodiscard]] double burnout_mass() const { return mass.values().back(); }
+  [[nodiscard]] double burn_time() const { return thrust.breakpoints().back(); }
+  /// N s at sea level: exact for a table that is linear between breakpoints.
+  [[nodiscard]] double total_impulse() const;
+  /// s, of the propellant at sea level: total impulse / (g0 * mass burnt).
+  [[nodiscard]] double specific_impulse() const;
+  /// m/s, without drag and gravity (Tsiolkovsky).
+  [[nodiscard]] double ideal_speed_gain() const;
+
+  static constexpr std::string_view type_name = "motor";
+  static constexpr std::string_view help = "mass and thrust over the time since launch";
+  static constexpr auto params() {
+    return std::tuple{
+        param("mass", &Motor::mass, axis("time", "s"), "kg", positive(), "the whole missile")
+            .required(),
+        param("thrust", &Motor::thrust, axis("time", "s"), "N", at_least(0), "at sea level")
+            .required(),
+        param("nozzle_area", &Motor::nozzle_area, "m2", at_least(0),
+              "exit area: thrust grows by this times the lack of outside pressure")};
+  }
+};
+
+/// Drag polar C_D = C_D0(M) + k(M) C_L^2 with a largest C_L(M), all per reference area.
+struct MissileAero {
+  double reference_area = 0.02;                   ///< m^2
+  Table1 drag_power_on = Table1::constant(0.5);   ///< C_D0 while the motor burns
+  Table1 drag_power_off = Table1::constant(0.6);  ///< C_D0 afterwards
+  Table1 induced_drag = Table1::constant(0.08);   ///< k
+  Table1 greatest_lift = Table1::constant(8);     ///< C_L at the greatest angle of attack
+  double greatest_load_factor = 30;               ///< g, of structure and autopilot
+
+  static constexpr std::string_view type_name = "missile_aero";
+  static constexpr std::string_view help = "lift and drag of a missile";
+  static constexpr auto params() {
+    using A = MissileAero;
+    return std::tuple{
+        param("reference_area", &A::reference_area, "m2", positive(), "of all coefficients")
+            .required(),
+        param("drag_power_on", &A::drag_power_on, axis("mach", {}), {}, positive(),
+              "zero-lift drag coefficient while the motor burns")
+            .required(),
+        param("drag_power_off", &A::drag_power_off, axis("mach", {}), {}, positive(),
+              "zero-lift drag coefficient after burnout")
+            .required(),
+        param("induced_drag", &A::induced_drag, axis("mach", {}), {}, at_least(0),
+              "k in C_D = C_D0 + k C_L^2")
+            .required(),
+        param("greatest_lift", &A::greatest_lift, axis("mach", {}), {}, positive(),
+              "lift coefficient at the greatest angle of attack")
+            .required(),
+        param("greatest_load_factor", &A::greatest_load_factor, range(1, 100), "g").required()};
+  }
+};
+
+/// Climbs over thin air: aims above the target while it is far.
+struct Loft {
+  double angle = 0.1;       ///< rad, aim above the line to the target
+  double end_range = 20e3;  ///< m, from here on it aims at the target
+  double ceiling = 25e3;    ///< m, altitude that it never aims above
+
+  static constexpr std::string_view type_name = "loft";
+  static constexpr std::string_view help = "aims above a distant target to fly in thin air";
+  static constexpr auto params() {
+    return std::tuple{
+        param("angle", &Loft::angle, "rad", range(0, 1), "above the line to the target"),
+        param("end_range", &Loft::end_range, "m", positive(), "nearer targets are aimed at"),
+        param("ceiling", &Loft::ceiling, "m", positive(), "never aims above this altitude")};
+  }
+};
+
+/// The guidance computer and the autopilot behind it.
+struct MissileGuidance {
+  double navigation_gain = 4;           ///< N of proportional navigation
+  double autopilot_lag = 0.1;           ///< s, first order, from wanted to achieved acceleration
+  double separation_time = 0.4;         ///< s after launch without any steering
+  std::optional<double> link_interval;  ///< s between updates from the shooter; none: no link
+  std::optional<Loft> loft;
+
+  static constexpr std::string_view type_name = "missile_guidance";
+  static constexpr std::string_view help = "proportional navigation and what surrounds it";
+  static constexpr auto params() {
+    using G = MissileGuidance;
+    return std::tuple{param("navigation_gain", &G::navigation_gain, range(1, 10),
+                            "N: acceleration per closing speed and line-of-sight rate"),
+                      param("autopilot_lag", &G::autopilot_lag, "s", positive(),
+                            "first-order lag from wanted to achieved acceleration"),
+                      param("separation_time", &G::separation_time, "s", at_least(0),
+                            "flies straight for this long after launch"),
+                      param("link_interval", &G::link_interval, "s", positive(),
+                            "between midcourse updates from the shooter; null: it has no link"),
+                      param("loft", &G::loft, "null: it never lofts")};
+  }
+};
+
+/// Proximity fuze and warhead. Pk(miss) = best_kill * exp(-(miss / lethal_radius)^2).
+struct Warhead {
+  double arming_time = 1;    ///< s after launch
+  double fuze_range = 10;    ///< m: fires at the closest approach if it is nearer than this
+  double lethal_radius = 8;  ///< m
+  double best_kill = 0.95;   ///< probability at no miss: reliability of fuze and warhead
+
+  static constexpr std::string_view type_name = "warhead";
+  static constexpr std::string_view help = "proximity fuze and kill probability";
+  static constexpr auto params() {
+    using W = Warhead;
+    return std::tuple{
+        param("arming_time", &W::arming_time, "s", at_least(0), "after launch"),
+        param("fuze_range", &W::fuze_range, "m", positive(),
+              "fires at the closest approach to anybody nearer than this"),
+        param("lethal_radius", &W::lethal_radius, "m", positive(),
+              "miss distance at which the kill probability has fallen to 37 %"),
+        param("best_kill", &W::best_kill, range(0, 1), "kill probability of a direct hit")};
+  }
+};
+
+/// A type of missile. Const after prepare(); shared by every missile of the type.
+struct MissileType {
+  std::string label;  ///< what the story calls it
+  Motor motor;
+  MissileAero aero;
+  MissileGuidance guidance;
+  SeekerType seeker;
+  Warhead warhead;
+  double greatest_time = 60;      ///< s, battery
+  double least_speed = 250;       ///< m/s, slower it can not be steered and ends
+  double release_interval = 1;    ///< s, between two releases of the aircraft
+  double launch_delay = 0.3;      ///< s, from release to motor ignition
+  double ejection_speed = 0;      ///< m/s, down and away from the aircraft; 0 from a rail
+  double carriage_drag_area = 0;  ///< m^2, added to the aircraft while it hangs there
+  LaunchZone zone;                ///< filled by prepare()
+
+  [[nodiscard]] bool locks_before_launch() const { return seeker.kind == SeekerKind::infrared; }
+  /// Flies the model to find its employment zone. Call once after binding; takes about 0.1 s.
+  void prepare();
+
+  static constexpr std::string_view type_name = "missile";
+  static constexpr std::string_view help = "an air-to-air missile";
+  static constexpr auto params() {
+    using M = MissileType;
+    return std::tuple{
+        param("label", &M::label, "name in the story").required(),
+        param("motor", &M::motor, "mass and thrust").required(),
+        param("aero", &M::aero, "lift and drag").required(),
+        param("guidance", &M::guidance, "how it steers").required(),
+        param("seeker", &M::seeker, "what it sees").required(),
+        param("warhead", &M::warhead, "fuze and kill probability").required(),
+        param("greatest_time", &M::greatest_time, "s", positive(), "of flight: battery").required(),
+        param("least_speed", &M::least_speed, "m/s", positive(),
+              "slower it can not be steered and destroys itself")
+            .required(),
+        param("release_interval", &M::release_interval, "s", at_least(0),
+              "shortest time between two releases of one aircraft"),
+        param("launch_delay", &M::launch_delay, "s", at_least(0), "from release to launch"),
+        param("ejection_speed", &M::ejection_speed, "m/s", range(0, 30),
+              "away from the aircraft's belly; 0 from a rail"),
+        param("carriage_drag_area", &M::carriage_drag_area, "m2", at_least(0),
+              "drag area that one adds to the aircraft that carries it")};
+  }
+};
+
+}  // namespace eyrie::model

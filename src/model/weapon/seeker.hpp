@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a missile's seeker sees and how it follows it.
+#include "core/draw.hpp"
+#include "core/vec.hpp"
+#include "model/weapon/line_of_sight.hpp"
+#include "model/weapon/missile_state.hpp"
+#include "model/weapon/seeker_type.hpp"
+
+namespace eyrie::model {
+
+/// Where a seeker is and where its missile points.
+struct SeekerView {
+  Vec3 position;       ///< m
+  Vec3 velocity;       ///< m/s
+  Vec3 axis{1, 0, 0};  ///< unit vector: nose of the missile
+  Vec3 down{0, 0, 1};  ///< unit vector
+};
+
+/// How far it sees a signature (m^2 or W/sr), m: the fourth root for an active radar (two-way range
+/// equation), the square root for an infrared seeker (irradiance falls with the square of range).
+[[nodiscard]] double acquisition_range(const SeekerType& seeker, double signature);
+
+/// Whether the seeker can rest on something at `los` that moves with `velocity` and shows
+/// `signature`: range, gimbal, rate of the line of sight and, for a radar that looks down, the
+/// notch. A missile looks down when the line of sight points below the horizontal.
+[[nodiscard]] bool visible(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,
+                           const Vec3& velocity, double signature);
+
+/// One look's measurement of what is at `los`. An infrared seeker takes its own speed for the
+/// closing speed and knows no range.
+struct SeekerLook {
+  Vec3 direction{1, 0, 0};  ///< unit vector
+  double range = 0;         ///< m
+  double closing = 0;       ///< m/s
+};
+[[nodiscard]] SeekerLook measure(const SeekerType& seeker, const SeekerView& view,
+                                 const LineOfSight& los, Draw noise);
+
+/// Begins to follow: the filter starts at the measurement and at the line-of-sight rate that was
+/// expected (rad/s).
+void start_following(MissileState& state, const SeekerLook& look, const Vec3& expected_rate,
+                     double time);
+
+/// Brings a measurement into the line-of-sight filter, a critically damped alpha-beta filter on the
+/// unit vector (Blackman & Popoli, Design and Analysis of Modern Tracking Systems, sec. 4.2), and a
+/// radar's range and closing speed into the believed place of the target.
+void follow(const SeekerType& seeker, const SeekerView& view, const SeekerLook& look, double time,
+            MissileState& state);
+
+/// The filtered line of sight carried on to `time` (s).
+[[nodiscard]] Vec3 sight_at(const MissileState& state, double time);
+
+}  // namespace eyrie::model

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The sensor in the nose of a missile: what it can see and how well.
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "core/describe.hpp"
+
+namespace eyrie::model {
+
+enum class SeekerKind : std::uint8_t {
+  radar,     ///< active: measures angles, range and closing speed; heard by warning receivers
+  infrared,  ///< measures angles only; must be locked on before launch
+};
+
+}  // namespace eyrie::model
+
+template <>
+struct eyrie::EnumNames<eyrie::model::SeekerKind> {
+  using E = eyrie::model::SeekerKind;
+  static constexpr std::array names{std::pair<std::string_view, E>{"radar", E::radar},
+                                    std::pair<std::string_view, E>{"infrared", E::infrared}};
+};
+
+namespace eyrie::model {
+
+/// Const. Angles in radians, everything else SI.
+struct SeekerType {
+  SeekerKind kind = SeekerKind::radar;
+  double detection_range = 15e3;   ///< m, at the reference signature
+  double reference_signature = 5;  ///< m^2 (radar) or W/sr (infrared)
+  double greatest_range = 40e3;    ///< m, however bright the target
+  double activation_range = 15e3;  ///< m, to the believed target: switch on
+  double field_of_view = 0.1;      ///< rad, whole cone in which it searches
+  double gimbal = 0.9;             ///< rad, off the axis of the missile
+  double greatest_rate = 0.5;      ///< rad/s, of the line of sight, that it can follow
+  double look_rate = 50;           ///< Hz
+  double angle_noise = 1e-3;       ///< rad, 1 sigma of each of two angles in one look
+  double range_noise = 10;         ///< m, 1 sigma (radar)
+  double closing_noise = 2;        ///< m/s, 1 sigma (radar)
+  double filter_time = 0.1;        ///< s, time constant of the line-of-sight filter
+  double memory = 5;               ///< s without seeing anything before it destroys itself
+  double notch_speed = 50;         ///< m/s (radar): slower along the line of sight is clutter
+
+  static constexpr std::string_view type_name = "seeker";
+  static constexpr std::string_view help = "the sensor of a missile";
+  static constexpr auto params() {
+    using S = SeekerType;
+    return std::tuple{
+        param("kind", &S::kind, "radar (active) or infrared").required(),
+        param("detection_range", &S::detection_range, "m", positive(),
+              "detection range of the reference signature")
+            .required(),
+        param("reference_signature", &S::reference_signature, positive(),
+              "m2 of radar cross section, or W/sr in its infrared band")
+            .required(),
+        param("greatest_range", &S::greatest_range, "m", positive(),
+              "it sees nothing farther away, however bright"),
+        param("activation_range", &S::activation_range, "m", at_least(0),
+              "radar: switches on when the target is believed to be this near"),
+        param("field_of_view", &S::field_of_view, "rad", range(1e-3, kPi),
+              "whole angle of the cone that it searches around the expected direction"),
+        param("gimbal", &S::gimbal, "rad", range(0.01, kPi),
+              "greatest angle between the missile's axis and the line of sight"),
+        param("greatest_rate", &S::greatest_rate, "rad/s", positive(),
+              "fastest turn of the line of sight that it can follow"),
+        param("look_rate", &S::look_rate, "Hz", positive(), "measurements per second"),
+        param("angle_noise", &S::angle_noise, "rad", at_least(0),
+              "one standard deviation of each angle in one look"),
+        param("range_noise", &S::range_noise, "m", at_least(0),
+              "radar: one standard deviation in one look"),
+        param("closing_noise", &S::closing_noise, "m/s", at_least(0),
+              "radar: one standard deviation in one look"),
+        param("filter_time", &S::filter_time, "s", positive(),
+              "time constant of the filter behind the line-of-sight rate"),
+        param("memory", &S::memory, "s", positive(),
+              "destroys itself after seeing nothing for this long"),
+        param("notch_speed", &S::notch_speed, "m/s", at_least(0),
+              "radar, looking down: a target slower than this along the line of sight is clutter")};
+  }
+};
+
+}  // namespace eyrie::model

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/stores_system.hpp"
+
+#include <utility>
+
+#include "model/events.hpp"
+#include "model/sensor/geometry.hpp"
+#include "model/weapon/birth.hpp"
+#include "model/weapon/stores.hpp"
+#include "model/weapon/target_scene.hpp"
+
+namespace eyrie::model {
+
+namespace {
+
+/// Whether the seeker of a missile on its rail sees somebody where the track is.
+bool locked_on(const SeekerType& seeker, const Kinematics& own, PlayerId self, const Track& track,
+               double time, const TargetScene& scene) {
+  const SeekerView view{.position = own.position,
+                        .velocity = own.velocity,
+                        .axis = body_axes(own).forward,
+                        .down = own.down};
+  const Vec3 apart = position_at(track, time) - own.position;
+  const SearchVolume volume{.direction = normalized(apart, view.axis), .except = self};
+  return search(seeker, view, scene, volume).has_value();
+}
+
+}  // namespace
+
+StoresSystem::StoresSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
+                           std::shared_ptr<const Library> library)
+    : aircraft_(aircraft), missiles_(missiles), library_(std::move(library)) {}
+
+void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                       sim::Outbox& out) const {
+  const auto ids = world.ids(aircraft_.table);
+  const auto requests = world.rows(aircraft_.request);
+  const auto stores = world.rows(aircraft_.stores);
+  const auto tracks = world.rows(aircraft_.tracks);
+  const auto kinematics = world.rows(aircraft_.kinematics);
+  const double time = info.time();
+
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const Request& request = requests[i];
+    if (!stores[i].pending_track && (request.store == 0 || !request.shoot_at))
+      continue;
+    const Kinematics& own = kinematics[i];
+
+    // a launch that is under way
+    const Track* pending = find(tracks[i], stores[i].pending_track);
+    if (const auto ejection = finish_release(stores[i], pending != nullptr, time)) {
+      out.emit({.kind = EventKind::eject,
+                .aux = ejection->station,
+                .detail = ejection->track.value,
+                .who = ids[i],
+                .whom = pending->truth,
+                .place = own.position,
+                .values = {static_cast<float>(ejection->type)}});
+      if (ejection->last)
+        out.emit({.kind = EventKind::winchester, .who = ids[i], .place = own.position});
+    }
+
+    // a new one
+    const Track* target = find(tracks[i], request.shoot_at);
+    if (request.store == 0 || request.store > library_->missiles.size() || target == nullptr)
+      continue;
+    const auto type = static_cast<std::uint16_t>(request.store - 1);
+    const MissileType& missile = library_->missiles[type];
+    if (!can_release(stores[i], type, time))
+      continue;
+    if (missile.locks_before_launch() && !locked_on(missile.seeker, own, ids[i], *target, time,
+                                                    TargetScene::of(world, aircraft_, *library_)))
+      continue;
+    begin_release(stores[i], type, missile, request.shoot_at, time);
+    const double range = norm(position_at(*target, time) - own.position);
+    out.emit({.kind = EventKind::release,
+              .who = ids[i],
+              .whom = target->truth,
+              .place = own.position,
+              .values = {static_cast<float>(type), static_cast<float>(range)}});
+  }
+}
+
+void StoresSystem::commit(sim::World& world, const sim::StepInfo& info,
+                          std::span<const sim::Event> events, sim::CommitContext& context) const {
+  for (const sim::Event& event : events)
+    if (event.kind == EventKind::eject)
+      launch(world, info, event, context);
+}
+
+void StoresSystem::launch(sim::World& world, const sim::StepInfo& info, const sim::Event& eject,
+                          sim::CommitContext& context) const {
+  const auto row = world.row(aircraft_.table, eject.who);
+  if (!row)
+    return;
+  const TrackId track_id{eject.detail};
+  const Track* track = find(world.rows(aircraft_.tracks)[*row], track_id);
+  if (track == nullptr)
+    return;
+  const auto born = context.spawn(missiles_.table);
+  if (!born)
+    return;  // no room: World::refused_births() counts it
+  const auto type = static_cast<std::uint16_t>(eject.values[0]);
+  const Kinematics& shooter = world.rows(aircraft_.kinematics)[*row];
+  const Newborn missile = launched({.type = library_->missiles[type],
+                                    .type_index = type,
+                                    .shooter = eject.who,
+                                    .side = world.rows(aircraft_.fit)[*row].side,
+                                    .time = info.time() + info.dt},
+                                   shooter, *track);
+  world.rows(missiles_.kinematics)[born->row] = missile.kinematics;
+  world.rows(missiles_.state)[born->row] = missile.state;
+  const double range = norm(missile.state.target_position - shooter.position);
+  context.emit({.kind = EventKind::launch,
+                .detail = eject.who.value,
+                .who = born->id,
+                .whom = track->truth,
+                .place = shooter.position,
+                .values = {static_cast<float>(range), static_cast<float>(type)}});
+}
+
+}  // namespace eyrie::model

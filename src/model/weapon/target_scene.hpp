@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The aircraft as a missile's seeker could see them, and the search among them.
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/id.hpp"
+#include "model/columns.hpp"
+#include "model/library.hpp"
+#include "model/weapon/seeker.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::model {
+
+/// A view of the rows of all aircraft. Good in phases in which nobody writes them: perceive, decide
+/// and act.
+struct TargetScene {
+  std::span<const PlayerId> ids;
+  std::span<const Kinematics> kinematics;
+  std::span<const Fit> fit;
+  std::span<const Propulsion> propulsion;
+  const Library& library;
+
+  [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
+                                      const Library& library);
+
+  /// Radar cross section (m^2) or radiant intensity (W/sr) of aircraft `row` seen along `direction`
+  /// (unit vector from the observer to it).
+  [[nodiscard]] double signature(SeekerKind kind, std::size_t row, const Vec3& direction) const;
+};
+
+/// Where a seeker searches.
+struct SearchVolume {
+  Vec3 direction{1, 0, 0};  ///< unit vector: middle of the field of view
+  std::optional<Vec3> place =
+      std::nullopt;   ///< m, where a radar expects the target; without it the angle decides
+  PlayerId except{};  ///< who is not looked at
+};
+
+/// An aircraft that a seeker sees.
+struct Seen {
+  std::uint32_t row = 0;  ///< of the aircraft table
+  PlayerId id;
+  LineOfSight los;
+};
+
+/// Whether the seeker can rest on aircraft `row`, and how it sees it then.
+[[nodiscard]] std::optional<Seen> look_at(const SeekerType& seeker, const SeekerView& view,
+                                          const TargetScene& scene, std::uint32_t row);
+
+/// The aircraft in the field of view that is nearest to the expected place, friend or foe: a
+/// missile does not ask. Between equals the first row wins.
+[[nodiscard]] std::optional<Seen> search(const SeekerType& seeker, const SeekerView& view,
+                                         const TargetScene& scene, const SearchVolume& volume);
+
+}  // namespace eyrie::model
