@@ -86,19 +86,4 @@ Status tick_agent(const Trees<State, Action>& trees, Brain<Bytes>& brain, Tick<S
   return tree.tick(tick, out);
 }
 
-/// What the first sequencer in the agent's tree has in charge: its label, such as "ingress". Empty
-/// if the tree has no sequencer or was not ticked yet.
-template <class State, class Action>
-[[nodiscard]] std::string_view active_name(const Tree<State, Action>& tree,
-                                           std::span<const std::byte> memory) {
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    const auto& node = tree.node(static_cast<NodeIndex>(i));
-    if (node.type() != "sequencer")
-      continue;
-    const NodeIndex active = node.active_child(memory.data());
-    return active == kNone ? std::string_view{} : node.children()[active]->label();
-  }
-  return {};
-}
-
 }  // namespace eyrie::ubf

@@ -110,6 +110,8 @@ class Behavior {
   [[nodiscard]] virtual NodeIndex active_child(const std::byte* /*slab*/) const noexcept {
     return kNone;
   }
+  /// Whether the active child is a phase of the agent, worth telling: true for sequencers.
+  [[nodiscard]] virtual bool is_sequencer() const noexcept { return false; }
   /// What is wrong with the parameters taken together, in words; empty if nothing is.
   [[nodiscard]] virtual std::string problem() const { return {}; }
 

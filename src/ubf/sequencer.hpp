@@ -20,7 +20,7 @@ struct SequencerMemory {
 /// before that tree is asked, the conditions of the transitions that leave it are asked in file
 /// order, and the first that answers success hands control over: at most one transition per tick,
 /// and the new tree decides in the same tick. The tree that is left forgets, once, and so do the
-/// conditions that do not apply in the new one. Entering (also the first tree) is logged.
+/// conditions that were asked while it was in charge. Entering (also the first tree) is logged.
 template <class State, class Action>
 class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory> {
   using Base = WithMemory<Voting<State, Action>, SequencerMemory>;
@@ -80,6 +80,7 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
   [[nodiscard]] std::uint16_t start() const { return start_; }
 
   [[nodiscard]] bool stands() const noexcept override { return true; }
+  [[nodiscard]] bool is_sequencer() const noexcept override { return true; }
   /// The tree in charge; kNone before the first tick.
   [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
     const auto& m = this->memory(slab);
@@ -106,7 +107,7 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       if (!applies(rules_[i], before) || this->ask(condition(i), t, out) != Status::success)
         continue;
-      leave(t, before, rules_[i].to, first);
+      leave(t, before, !first);
       enter(t, before, rules_[i].to);
       break;
     }
@@ -124,11 +125,11 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
   [[nodiscard]] static bool applies(const Rule& rule, std::uint16_t tree) {
     return rule.from == tree || (rule.from == kNone && rule.to != tree);
   }
-  void leave(const Tick<State>& t, std::uint16_t tree, std::uint16_t next, bool never_asked) const {
-    if (!never_asked)
+  void leave(const Tick<State>& t, std::uint16_t tree, bool was_asked) const {
+    if (was_asked)
       this->halt(*this->children_[tree], t);
     for (std::size_t i = 0; i < rules_.size(); ++i)
-      if (applies(rules_[i], tree) && !applies(rules_[i], next))
+      if (applies(rules_[i], tree))
         this->halt(condition(i), t);
   }
   void enter(const Tick<State>& t, std::uint16_t from, std::uint16_t to) const {

@@ -15,18 +15,18 @@ namespace eyrie::ubf::testing {
 
 /// What a robot can be asked to do.
 struct Action {
-  std::optional<double> heading;         ///< rad
-  std::optional<double> altitude;        ///< m
-  std::optional<float> speed;            ///< m/s
-  std::optional<std::uint32_t> release;  ///< number of what is to be dropped
-  std::optional<std::uint8_t> mode;
+  std::optional<double> heading{};         ///< rad
+  std::optional<double> altitude{};        ///< m
+  std::optional<float> speed{};            ///< m/s
+  std::optional<std::uint32_t> release{};  ///< number of what is to be dropped
+  std::optional<std::uint8_t> mode{};
 };
 
 /// What a probe is to answer in this tick.
 struct Cue {
   Status status = Status::failure;
   float vote = 0;
-  Action action;
+  Action action{};
 };
 
 struct State {

@@ -71,6 +71,16 @@ class Tree {
   /// The root has depth 0.
   [[nodiscard]] std::size_t depth(NodeIndex index) const { return nodes_[index].depth; }
 
+  /// What the first sequencer of the tree has in charge according to a slab: its label, such as
+  /// "ingress". Empty if the tree has no sequencer or was not ticked yet.
+  [[nodiscard]] std::string_view active_name(std::span<const std::byte> memory) const {
+    if (sequencer_ == kNone)
+      return {};
+    const Node& node = this->node(sequencer_);
+    const NodeIndex active = node.active_child(memory.data());
+    return active == kNone ? std::string_view{} : node.children()[active]->label();
+  }
+
   /// "root/engage[1]/pursue": labels from the root down; siblings of one label are counted from 0.
   [[nodiscard]] std::string path(NodeIndex index) const {
     if (index == 0)
@@ -108,6 +118,8 @@ class Tree {
     EYRIE_THROW_UNLESS(problem.empty(), problem.c_str());
     node.index_ = static_cast<NodeIndex>(nodes_.size());
     nodes_.push_back({&node, parent, static_cast<std::uint16_t>(depth)});
+    if (sequencer_ == kNone && node.is_sequencer())
+      sequencer_ = node.index_;
     node.memory_begin_ = static_cast<std::uint32_t>(memory_);
     memory_ += slab_bytes(node.memory_bytes());
     EYRIE_THROW_UNLESS(memory_ <= kMaxMemory, "the tree needs more than 1 MiB per agent");
@@ -123,6 +135,7 @@ class Tree {
   std::string name_;
   std::unique_ptr<Node> root_;
   std::vector<Place> nodes_;
+  NodeIndex sequencer_ = kNone;  ///< the first one
   std::size_t memory_ = 0;
 };
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/control/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ubf/testing.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+using Par = Parallel<State, Action>;
+using Wta = WinnerTakesAll<State, Action>;
+
+Child parallel(std::size_t children, std::optional<std::uint32_t> successes,
+               std::uint32_t failures) {
+  auto node = make<Par>(probes(children));
+  node->success_count = successes;
+  node->failure_count = failures;
+  return node;
+}
+
+TEST(Parallel, SucceedsWhenAllDoUnlessToldOtherwise) {
+  Robot robot(make<Par>(probes(2)));
+  robot.say(0, kSuccess);
+  robot.say(1, kRunning);
+  EXPECT_EQ(robot.tick(), kRunning);
+  robot.say(1, kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  robot.say(1, kFailure);
+  EXPECT_EQ(robot.tick(), kFailure);
+}
+
+TEST(Parallel, LetsSuccessWinWhenBothThresholdsAreReachedInOneTick) {
+  Robot robot(parallel(2, 1, 1));
+  robot.say(0, kFailure);
+  robot.say(1, kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+}
+
+TEST(Parallel, GoesOnWhenEveryChildHasEndedWithoutReachingAThreshold) {
+  Robot robot(parallel(3, 3, 2));
+  robot.say(0, kSuccess);
+  robot.say(1, kSuccess);
+  robot.say(2, kFailure);
+  EXPECT_EQ(robot.tick(), kRunning);
+}
+
+TEST(Parallel, MergesFieldByFieldFromTheHighestVote) {
+  Robot robot(parallel(3, 3, 2));
+  robot.cue(0) = {kRunning, 2, {.heading = 1, .altitude = 100}};
+  robot.cue(1) = {kSuccess, 3, {.heading = 2}};
+  robot.cue(2) = {kFailure, 9, {.heading = 3, .release = 1}};
+  robot.tick();
+  EXPECT_TRUE(equal(robot.out.action, {.heading = 2, .altitude = 100}));
+  EXPECT_EQ(robot.out.vote, 3);
+  EXPECT_EQ(robot.supplier(0), "root/probe[1]");
+  EXPECT_EQ(robot.supplier(1), "root/probe[0]");
+}
+
+TEST(Parallel, AlsoMergesActionsWithoutAVoteAsPlainTreesHaveThem) {
+  Robot robot(parallel(2, 2, 2));
+  robot.cue(0) = {kRunning, 0, {.heading = 1}};
+  robot.cue(1) = {kRunning, 0, {.heading = 2, .speed = 5}};
+  robot.tick();
+  EXPECT_TRUE(equal(robot.out.action, {.heading = 1, .speed = 5}));
+  EXPECT_EQ(robot.supplier(0), "root/probe[0]");
+}
+
+TEST(Parallel, ProposesNothingWhenItFails) {
+  Robot robot(parallel(2, 2, 1));
+  robot.cue(0) = {kRunning, 5, {.heading = 1}};
+  robot.say(1, kFailure);
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_TRUE(robot.out.is_empty());
+}
+
+TEST(Parallel, MakesChildrenThatStillRunForgetOnceWhenItEnds) {
+  Robot robot(parallel(3, 1, 3));
+  robot.say(0, kRunning);
+  robot.say(1, kFailure);
+  robot.say(2, kRunning);
+  robot.tick();
+  EXPECT_EQ(robot.halts("root/probe[0]"), 0);
+  robot.say(2, kSuccess);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.halts("root/probe[0]"), 1);
+  EXPECT_EQ(robot.asked("root/probe[0]"), 0u);
+  EXPECT_EQ(robot.halts("root/probe[1]"), 0);
+  EXPECT_EQ(robot.asked("root/probe[1]"), 2u) << "it had ended by itself";
+  EXPECT_EQ(robot.halts("root/probe[2]"), 0);
+}
+
+TEST(Parallel, ClosesItsArbitersWhenItEnds) {
+  Robot robot(make<Par>(make<Wta>(probe(0), probe(1))));
+  robot.say(0, kSuccess, 5);
+  robot.say(1, kRunning, 1);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.halts("root/winner_takes_all/probe[1]"), 1);
+}
+
+TEST(Parallel, RefusesThresholdsThatCannotBeReached) {
+  EXPECT_EQ(parallel(3, 4, 1)->problem(), "success_count is 4, but there are 3 children");
+  EXPECT_EQ(parallel(1, 1, 2)->problem(), "failure_count is 2, but there is 1 child");
+  EXPECT_EQ(parallel(65, 1, 1)->problem(), "parallel takes at most 64 children, here are 65");
+  EXPECT_EQ(parallel(64, 64, 64)->problem(), "");
+}
+
+TEST(Parallel, HaltsTheLastOfSixtyFourChildren) {
+  auto node = make<Par>(probes(State::kCues));
+  Children many;
+  for (std::size_t i = 0; i < Par::kMaxChildren; ++i)
+    many.push_back(probe(i < 63 ? 0 : 1));
+  node->adopt(std::move(many));
+  node->success_count = 63;
+  Robot robot(std::move(node));
+  robot.say(0, kSuccess);
+  robot.say(1, kRunning);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.halts("root/probe[63]"), 1);
+  EXPECT_EQ(robot.halts("root/probe[62]"), 0);
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing
