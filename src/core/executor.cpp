@@ -3,7 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <cstdint>
+#include <latch>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -61,18 +61,28 @@ class Doorbell {
 }  // namespace
 
 struct Executor::Pool {
-  explicit Pool(unsigned helpers) : spin(helpers < std::thread::hardware_concurrency()) {
+  explicit Pool(unsigned helpers)
+      : spin(helpers < std::thread::hardware_concurrency()), started(helpers) {
     threads.reserve(helpers);
-    for (unsigned i = 0; i < helpers; ++i)
-      threads.emplace_back([this] { help(); });
+    try {
+      for (unsigned i = 0; i < helpers; ++i)
+        threads.emplace_back([this] { help(); });
+    } catch (...) {
+      end();  // those that did start
+      throw;
+    }
+    started.wait();  // what a thread allocates to start is not left for the first call
   }
 
-  ~Pool() {
+  ~Pool() { end(); }
+
+  void end() {
     stop.store(true);
     work_bell.ring();
   }
 
   void help() {
+    started.count_down();
     for (;;) {
       work_bell.wait(spin, [this] { return unclaimed.load() > 0 || stop.load(); });
       if (stop.load())
@@ -100,6 +110,7 @@ struct Executor::Pool {
 
   Job job{};
   bool spin;
+  std::latch started;
   alignas(64) std::atomic<std::size_t> unclaimed{0};
   alignas(64) std::atomic<std::size_t> unfinished{0};
   alignas(64) std::atomic<bool> stop{false};
