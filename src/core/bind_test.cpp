@@ -305,6 +305,19 @@ TEST(Bind, LeavesKeysOfOthersToThem) {
   EXPECT_EQ(found.text(), "waypoint has no parameter 'children'");
 }
 
+struct Plain {
+  static constexpr std::string_view type_name = "level";
+  static constexpr auto params() { return std::tuple{}; }
+};
+
+TEST(Bind, ReadsATypeWithoutParameters) {
+  Plain out;
+  Diagnostics found;
+  EXPECT_TRUE(bind(out, Value::null(), found));
+  EXPECT_FALSE(bind(out, map({entry("vote", "1")}), found));
+  EXPECT_EQ(found.text(), "level has no parameter 'vote'");
+}
+
 TEST(Bind, RefusesWhatIsNotAMap) {
   Point out;
   Diagnostics found;
