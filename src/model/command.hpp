@@ -38,11 +38,11 @@ struct Command {
   double load_factor = 5;  ///< g, the most that turning may use
   /// follow: last known position of who is followed (local frame, m), valid at reference_time.
   /// loiter: the center.
-  Vec3 reference_position;
-  Vec3 reference_velocity;    ///< m/s, local frame
-  double reference_time = 0;  ///< s
-  Vec3 offset;                ///< follow: m, forward / right / down of the reference's heading
-  double loiter_radius = 0;   ///< m
+  Vec3 reference_position = {};
+  Vec3 reference_velocity = {};  ///< m/s, local frame
+  double reference_time = 0;     ///< s
+  Vec3 offset = {};              ///< follow: m, forward / right / down of the reference's heading
+  double loiter_radius = 0;      ///< m
   AutopilotMode mode = AutopilotMode::hold;
   std::uint8_t route = 0;  ///< route: which route of the flight, an index into Flight::routes
   std::uint8_t reserved[6] = {};

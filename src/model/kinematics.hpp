@@ -12,11 +12,11 @@ namespace eyrie::model {
 /// the geodetic north-east-down axes at the player itself. Heading, pitch and speed are those of
 /// the motion through the air; only `velocity` has the wind in it.
 struct Kinematics {
-  Vec3 position;           ///< m
-  Vec3 velocity;           ///< m/s over the ground
-  Vec3 north;              ///< unit vector: local geodetic north at the player
-  Vec3 east;               ///< unit vector: local geodetic east
-  Vec3 down;               ///< unit vector: local geodetic down
+  Vec3 position = {};      ///< m
+  Vec3 velocity = {};      ///< m/s over the ground
+  Vec3 north = {};         ///< unit vector: local geodetic north at the player
+  Vec3 east = {};          ///< unit vector: local geodetic east
+  Vec3 down = {};          ///< unit vector: local geodetic down
   double altitude = 0;     ///< m above the WGS-84 ellipsoid
   double heading = 0;      ///< rad, true, clockwise from north, in (-pi, pi]
   double pitch = 0;        ///< rad, of the velocity vector and the nose, positive up

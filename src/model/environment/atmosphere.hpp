@@ -44,7 +44,7 @@ struct Air {
 [[nodiscard]] Air standard_air(double altitude);
 
 /// The same, fast: pressure by cubic Hermite pieces of 500 m that meet the hydrostatic slope at
-/// both ends. Within 1e-7 (relative) of standard_air. Immutable once built.
+/// both ends. Within 2e-7 (relative) of standard_air. Immutable once built.
 class Atmosphere {
  public:
   Atmosphere();

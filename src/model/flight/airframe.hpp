@@ -11,12 +11,16 @@
 
 namespace eyrie::model {
 
-/// Lift and drag: C_D = C_D0(M) + k(M) C_L^2 with a largest C_L(M), all per wing area.
+/// Lift and drag, all per wing area: C_D = C_D0(M) + k(M) C_L^2, and k_s (|C_L| - C_Ls)^2 more from
+/// C_Ls on, where the flow over the wing begins to separate and leading-edge suction is lost. C_L
+/// reaches up to a largest value over the Mach number.
 struct Aerodynamics {
   double wing_area = 50;  ///< m2
   Table1 zero_lift_drag = Table1::constant(0.02);
   Table1 induced_drag = Table1::constant(0.15);
   Table1 max_lift = Table1::constant(1.2);
+  double separation_lift = 0.35;
+  double separation_drag = 0.2;
 
   static constexpr std::string_view type_name = "aerodynamics";
   static constexpr std::string_view help = "lift and drag of an aircraft over the Mach number";
@@ -28,11 +32,15 @@ struct Aerodynamics {
               "C_D0, without stores")
             .required(),
         param("induced_drag", &A::induced_drag, axis("mach", {}), {}, range(1e-3, 5),
-              "k in C_D = C_D0 + k C_L^2")
+              "k in C_D = C_D0 + k C_L^2 at small C_L")
             .required(),
         param("max_lift", &A::max_lift, axis("mach", {}), {}, range(0.05, 5),
               "C_L that it can pull to")
-            .required()};
+            .required(),
+        param("separation_lift", &A::separation_lift, range(0, 5),
+              "C_L from which drag grows faster"),
+        param("separation_drag", &A::separation_drag, range(0, 5),
+              "k_s: drag coefficient more per square of C_L beyond that")};
   }
 };
 

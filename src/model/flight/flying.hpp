@@ -27,8 +27,8 @@ struct Flying {
   double last_heading_rate = 0;  ///< rad/s, laero: of the step before (Adams-Bashforth)
   double last_pitch_rate = 0;    ///< rad/s, laero
   double last_acceleration = 0;  ///< m/s2, laero
-  Vec3 last_velocity;            ///< m/s, laero
-  NavState nav;
+  Vec3 last_velocity = {};       ///< m/s, laero
+  NavState nav = {};
   std::uint8_t started = 0;      ///< laero: 1 once the rates of the step before are there
   std::uint8_t following = 0;    ///< 1 while lead_heading is being tracked
   std::uint8_t afterburner = 0;  ///< point_mass: 1 while the autopilot lets itself use it

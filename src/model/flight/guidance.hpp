@@ -59,10 +59,10 @@ struct GuidanceGains {
 
 /// Whom to follow, and where.
 struct FollowOrder {
-  Vec3 position;            ///< m, local frame: where the lead is now
-  Vec3 velocity;            ///< m/s, over the ground
+  Vec3 position = {};       ///< m, local frame: where the lead is now
+  Vec3 velocity = {};       ///< m/s, over the ground
   double lead_heading = 0;  ///< rad: frame of `offset`, low-passed
-  Vec3 offset;              ///< m, forward and right of the lead (its `z` is not used)
+  Vec3 offset = {};         ///< m, forward and right of the lead (its `z` is not used)
   double altitude = 0;      ///< m, to hold
 };
 

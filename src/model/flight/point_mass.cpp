@@ -96,6 +96,8 @@ FlightCondition PointMass::condition(const Kinematics& k, const Air& air, double
   const double weight = c.mass * kGravity;
   c.zero_lift_drag = lift * blend(&ByMach::zero_lift_drag) + pressure * load.drag_area;
   c.induced_drag = blend(&ByMach::induced_drag) * weight * weight / lift;
+  c.separation = airframe_.aerodynamics.separation_lift * lift / weight;
+  c.separation_drag = airframe_.aerodynamics.separation_drag * weight * weight / lift;
   c.lift_limit = blend(&ByMach::max_lift) * lift / weight;
   c.thrust = fuel > 0 ? thrust_at(cell, k.altitude) : Thrust{};
   return c;

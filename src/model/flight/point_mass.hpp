@@ -2,6 +2,8 @@
 #pragma once
 /// \file  point_mass: an aircraft as a point with lift, drag, thrust, weight and fuel, in
 /// coordinated flight. Three degrees of freedom; docs/models/flight.md has the equations.
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/table.hpp"
@@ -29,16 +31,20 @@ struct Controls {
 struct FlightCondition {
   double mass = 0;  ///< kg
   double mach = 0;
-  double temperature = 0;     ///< K
-  double density_root = 1;    ///< root of density over sea-level density: EAS = TAS times this
-  double speed_of_sound = 0;  ///< m/s
-  double zero_lift_drag = 0;  ///< N, of aircraft and stores
-  double induced_drag = 0;    ///< N at one g; grows with the square of the load factor
-  double lift_limit = 0;      ///< g, largest load factor that the wing gives
+  double temperature = 0;      ///< K
+  double density_root = 1;     ///< root of density over sea-level density: EAS = TAS times this
+  double speed_of_sound = 0;   ///< m/s
+  double zero_lift_drag = 0;   ///< N, of aircraft and stores
+  double induced_drag = 0;     ///< N at one g; grows with the square of the load factor
+  double separation = 0;       ///< g, load factor from which drag grows faster
+  double separation_drag = 0;  ///< N at one g beyond that; grows with the square
+  double lift_limit = 0;       ///< g, largest load factor that the wing gives
   Thrust thrust;
 
   [[nodiscard]] double drag(double load_factor) const {
-    return zero_lift_drag + induced_drag * load_factor * load_factor;
+    const double beyond = std::max(std::fabs(load_factor) - separation, 0.0);
+    return zero_lift_drag + induced_drag * load_factor * load_factor +
+           separation_drag * beyond * beyond;
   }
 };
 
