@@ -44,10 +44,14 @@ template <class Action>
 struct Proposal {
   Action action{};
   float vote = 0;
+  /// The node that this comes from: the behavior whose vote carried it, or the arbiter that blended
+  /// it. Filled in on the way up, so that it is known without a trace.
+  NodeIndex leader = kNone;
 
   void clear() noexcept {
     ubf::clear(action);
     vote = 0;
+    leader = kNone;
   }
   /// Neither a vote nor any field: this is no proposal.
   [[nodiscard]] bool is_empty() const noexcept { return vote == 0 && ubf::is_empty(action); }

@@ -47,6 +47,8 @@ class Composite : public Behavior<State, Action> {
   Status ask_into_empty(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
     const Status status = child.tick(t, out);
     EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
+    if (out.leader == kNone)
+      out.leader = child.index_;
     if (t.trace) [[unlikely]]
       record(*t.trace, child.index_, status, out);
     return status;

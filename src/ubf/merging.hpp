@@ -14,12 +14,15 @@ namespace eyrie::ubf {
 struct StrongestChild {
   float vote = 0;
   Status status = Status::failure;
+  NodeIndex leader = kNone;
 
-  void add(float child_vote, Status answer) {
-    if (!(child_vote > vote))
+  template <class Action>
+  void add(const Proposal<Action>& proposal, Status answer) {
+    if (!(proposal.vote > vote))
       return;
-    vote = child_vote;
+    vote = proposal.vote;
     status = answer;
+    leader = proposal.leader;
   }
 };
 
@@ -139,11 +142,12 @@ class Blending : public Voting<State, Action> {
       const Status answer = this->ask(*child, t, out);
       if (answer == Status::failure || out.vote == 0)
         continue;
-      strongest.add(out.vote, answer);
+      strongest.add(out, answer);
       sums.add(out.action, [&](const auto& f) { return weigh(f, out.vote); });
     }
     sums.get(out.action);
     out.vote = strongest.vote;
+    out.leader = kNone;  // the blend is nobody's but this node's
     this->rescale(out);
     if (t.trace) [[unlikely]]
       trace_blend(*t.trace, *this);

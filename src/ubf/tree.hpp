@@ -54,6 +54,8 @@ class Tree {
     EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
     if (status == Status::failure)
       out.clear();
+    else if (out.leader == kNone)
+      out.leader = 0;
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).record(0, status, out);
     return status;

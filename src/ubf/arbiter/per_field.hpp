@@ -28,10 +28,11 @@ class PerField final : public Voting<State, Action> {
       const Status answer = this->ask(*child, t, next);
       if (answer == Status::failure || next.vote == 0)
         continue;
-      strongest.add(next.vote, answer);
+      strongest.add(next, answer);
       merge.add(next, out.action);
     }
     out.vote = strongest.vote;
+    out.leader = strongest.leader;
     this->rescale(out);
     if (t.trace) [[unlikely]]
       trace_merge(*t.trace, *this, Heard::voters);

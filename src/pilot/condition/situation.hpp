@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Conditions about the enemy: is one known, in sight, gone; is somebody shooting.
+#include "pilot/state.hpp"
+#include "pilot/trees.hpp"
+
+namespace eyrie::pilot {
+
+/// A track that is identified as hostile is near enough.
+class HostileTrack final : public Condition {
+ public:
+  static constexpr std::string_view type_name = "hostile_track";
+  static constexpr std::string_view help = "a track identified as hostile is within a range";
+  static constexpr auto params() {
+    return std::tuple{param("within", &HostileTrack::within_, "m", range(0, 1e6), "from here")};
+  }
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    for (const Seen& seen : t.state.tracks_seen())
+      if (seen.hostile() && seen.range <= within_)
+        return true;
+    return false;
+  }
+
+ private:
+  double within_ = si(60, "nmi");
+};
+
+/// A hostile is seen by eye, or so near that it might as well be.
+class InSight final : public Condition {
+ public:
+  static constexpr std::string_view type_name = "in_sight";
+  static constexpr std::string_view help = "a hostile is seen by eye or within a range";
+  static constexpr auto params() {
+    return std::tuple{
+        param("within", &InSight::within_, "m", range(0, 100e3), "counts as seen in any case"),
+        param("memory", &InSight::memory_, "s", range(0, 60), "a glance is good for so long")};
+  }
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    for (const Seen& seen : t.state.tracks_seen())
+      if (seen.hostile() &&
+          (seen.range <= within_ || t.state.time - seen.track->seen_time <= memory_))
+        return true;
+    return false;
+  }
+
+ private:
+  double within_ = si(5, "nmi");
+  double memory_ = 5;
+};
+
+struct ClearSince {
+  double time = 0;          ///< s, when the area became clear
+  std::uint32_t clear = 0;  ///< 1: it is
+  std::uint32_t reserved = 0;
+};
+
+/// No hostile and no unknown track inside a radius for some time.
+class AreaClear final : public ubf::WithMemory<Condition, ClearSince> {
+ public:
+  static constexpr std::string_view type_name = "area_clear";
+  static constexpr std::string_view help = "nobody but friends within a range for some time";
+  static constexpr auto params() {
+    return std::tuple{
+        param("within", &AreaClear::within_, "m", range(0, 1e6), "from here"),
+        param("for", &AreaClear::for_, "s", range(0, 3600), "how long it must have been clear")};
+  }
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    ClearSince& m = memory(t);
+    for (const Seen& seen : t.state.tracks_seen())
+      if (seen.track->confirmed && seen.track->identity != model::Identity::friendly &&
+          seen.range <= within_) {
+        m = {};
+        return false;
+      }
+    if (!m.clear)
+      m = {t.state.time, 1, 0};
+    return t.state.time - m.time >= for_;
+  }
+
+ private:
+  double within_ = si(60, "nmi");
+  double for_ = 20;
+};
+
+/// A missile is believed to come for this aircraft.
+class Threatened final : public Condition {
+ public:
+  static constexpr std::string_view type_name = "threatened";
+  static constexpr std::string_view help = "a missile is believed to come for this aircraft";
+  [[nodiscard]] bool holds(const Tick& t) const override { return t.state.threats.count > 0; }
+};
+
+/// A target is chosen.
+class HasTarget final : public Condition {
+ public:
+  static constexpr std::string_view type_name = "has_target";
+  static constexpr std::string_view help = "a target is chosen";
+  static constexpr auto params() {
+    return std::tuple{param("within", &HasTarget::within_, "m", range(0, 1e6), "from here")};
+  }
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    const Seen* target = t.state.target();
+    return target && target->range <= within_;
+  }
+
+ private:
+  double within_ = 1e6;
+};
+
+/// The own missile is on its way to the chosen target.
+class ShotInFlight final : public Condition {
+ public:
+  static constexpr std::string_view type_name = "shot_in_flight";
+  static constexpr std::string_view help = "the own missile is on its way to the chosen target";
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    const Seen* target = t.state.target();
+    return target && t.state.own_shot_flies(target->id());
+  }
+};
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The UBF types for pilots, under one name each.
+#include "pilot/action.hpp"
+#include "ubf/agent.hpp"
+#include "ubf/registry.hpp"
+
+namespace eyrie::pilot {
+
+struct State;
+
+using Behavior = ubf::Behavior<State, Action>;
+using Condition = ubf::Condition<State, Action>;
+using Tick = ubf::Tick<State>;
+using Proposal = ubf::Proposal<Action>;
+using Status = ubf::Status;
+using Tree = ubf::Tree<State, Action>;
+using Trees = ubf::Trees<State, Action>;
+using Registry = ubf::Registry<State, Action>;
+using Trace = ubf::Trace<Action>;
+
+}  // namespace eyrie::pilot
