@@ -114,8 +114,8 @@ struct LogCell {
 constexpr int kCells = 128;  // per unit of m; m is in the cell around round(m kCells) / kCells
 constexpr int kFirstCell = 90, kLastCell = 182;
 
-/// -log(n / 2048) to 2^-100: -2 atanh(s) = -2 s (1 + s^2 / 3 + s^4 / 5 ...), s = (n - 2048) / (n +
-/// 2048).
+/// -log(n / 2048) to 2^-100, for s = (n - 2048) / (n + 2048) by the series
+/// -2 atanh(s) = -2 s (1 + s^2 / 3 + s^4 / 5 ...). Evaluated by the compiler only.
 constexpr Pair minus_log(int n) {
   const auto ratio = [](double a, double b) -> Pair {
     const double quotient = a / b;
