@@ -78,7 +78,7 @@ void listen_for_seekers(const Scene& scene, Self& self) {
 
 void read_datalink(const Scene& scene, Self& self) {
   DatalinkState& state = self.datalink;
-  const auto members = scene.library.flights[self.fit.flight].members;
+  const auto& members = scene.library.flights[self.fit.flight].members;
   if (state.count == 0)
     start(state, members, self.id, scene.time);
 
