@@ -138,6 +138,36 @@ RC_GTEST_PROP(Digest, NamesTheFieldAndRowOfAnyChangedBit, ()) {
   RC_ASSERT(by_world->left != by_world->right);
 }
 
+TEST(Digest, SeesThatTwoRowsExchangedAValue) {
+  const Swarm swarm;
+  World left = swarm.world(9);
+  const World right = left;
+  std::swap(left.rows(swarm.keys.body)[2].position.y, left.rows(swarm.keys.body)[5].position.y);
+  const auto found = compare(left.schema(), digest(left), digest(right));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->field, "position.y");
+  EXPECT_EQ(found->row, 2u);
+}
+
+TEST(Digest, NamesARowOfTheTableWhoseFieldDiffers) {
+  SchemaBuilder mixed;  // the first column that differs is of the second table
+  const TableId a = mixed.add_table("a", 5);
+  const TableId b = mixed.add_table("b", 5);
+  const auto column_b = mixed.add_column<swarm::Vitals>(b, "vitals");
+  const auto column_a = mixed.add_column<swarm::Vitals>(a, "vitals");
+  World one(mixed.build(), 1);
+  for (int i = 0; i < 2; ++i)
+    ASSERT_TRUE(one.spawn(a) && one.spawn(b));
+  World two = one;
+  two.rows(column_a)[0].hits = 1;
+  two.rows(column_b)[1].hits = 1;
+  const auto found = compare(one.schema(), digest(one), digest(two));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->table, "b");
+  EXPECT_EQ(found->row, 1u);
+  EXPECT_EQ(found->player, PlayerId{4});
+}
+
 TEST(Digest, SeesTheHeader) {
   const Swarm swarm;
   const auto found =

@@ -131,12 +131,26 @@ TEST(Run, ThatIsParanoidIsTheSameRun) {
   const Swarm swarm;
   sim::Run plain(swarm.simulation, swarm.world(300));
   sim::Run paranoid(swarm.simulation, swarm.world(300), {.workers = 1, .paranoid_workers = 3});
+  Diary diary;
+  paranoid.attach(diary);
   for (int i = 0; i < 40; ++i) {
     plain.step();
     paranoid.step();
   }
   EXPECT_FALSE(paranoid.difference());
+  EXPECT_EQ(diary.lines.size(), 41u) << "every step is seen once";
   EXPECT_TRUE(paranoid.world().same_bytes(plain.world()));
+}
+
+TEST(Run, ThatIsParanoidMayBeRolledBack) {
+  const Swarm swarm;
+  sim::Run run(swarm.simulation, swarm.world(100), {.workers = 1, .paranoid_workers = 3});
+  const World start = run.world();
+  for (int i = 0; i < 20; ++i)
+    run.step();
+  run.restore(start);
+  run.step();
+  EXPECT_FALSE(run.difference()) << run.difference()->text();
 }
 
 /// Counts its calls where no World can see it.

@@ -67,7 +67,6 @@ std::uint64_t hash_layout(const Schema& schema) {
     for (const std::uint32_t index : table.columns) {
       const ColumnInfo& column = schema.column(index);
       add_text(hasher, column.name);
-      hasher.word(column.stride);
       hasher.word(column.fields.size());
       for (const FieldInfo& field : column.fields) {
         add_text(hasher, field.name);

@@ -142,10 +142,8 @@ TEST(SchemaBuilder, RefusesNamesThatAreTakenOrNoIdentifiers) {
 }
 
 TEST(SchemaBuilder, RefusesRowsWhoseFieldsLeaveBytesOut) {
-  const auto add = [](auto row) {
-    return [row](SchemaBuilder& b) {
-      b.add_column<std::remove_const_t<decltype(row)>>(b.add_table("bird", 1), "row");
-    };
+  const auto add = []<class Row>(Row) {
+    return [](SchemaBuilder& b) { b.add_column<Row>(b.add_table("bird", 1), "row"); };
   };
   EXPECT_EQ(complaint(add(Forgetful{})),
             "schema: bird.row: the fields end at byte 3, the row at 4");

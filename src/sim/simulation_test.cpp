@@ -14,11 +14,9 @@
 namespace eyrie::sim {
 namespace {
 
-using swarm::Body;
 using swarm::Happening;
 using swarm::Swarm;
 using swarm::Vitals;
-using swarm::Wish;
 
 /// A world of birds without systems; tests add their own.
 struct Bare {
@@ -218,31 +216,6 @@ TEST(Step, ShowsSecondaryEventsToLaterSystemsAndToObserversLast) {
       << "row 2 of the commit is row 1 once bird 1 is gone";
 }
 
-TEST(Step, AppliesOrdersInTheirOrderBeforeAnythingElse) {
-  const Swarm swarm;
-  World world = swarm.world(3);
-  Workspace work(*swarm.simulation);
-  const std::vector<Order> orders{
-      order_for(0, PlayerId{2}, Wish::turn, swarm::Turn{{1, 0, 0}}),
-      order_for(0, PlayerId{2}, Wish::turn, swarm::Turn{{5e6, 0, 0}}),
-      order_for(0, PlayerId{77}, Wish::turn, swarm::Turn{}),
-  };
-  const auto events = swarm.simulation->step(world, work, orders);
-  ASSERT_GE(events.size(), 2u);
-  EXPECT_TRUE(events[0].kind == Happening::turned);
-  EXPECT_TRUE(events[1].kind == Happening::turned);
-  const double way = world.rows(swarm.keys.body)[1].position.x - 3;
-  EXPECT_NEAR(way, 5e6 * swarm.simulation->dt(), 200) << "the last order holds, in the same step";
-}
-
-TEST(StepDeathTest, EndsTheProgramOnAnOrderForAnotherStep) {
-  const Swarm swarm;
-  World world = swarm.world(3);
-  Workspace work(*swarm.simulation);
-  const std::array orders{order_for(1, PlayerId{2}, Wish::turn, swarm::Turn{})};
-  EXPECT_DEATH(swarm.simulation->step(world, work, orders), "applied in the step it names");
-}
-
 TEST(Step, RefusesAWorldOrWorkspaceOfAnotherSimulation) {
   const Swarm small(10, 10);
   const Swarm large(1000, 10);
@@ -251,43 +224,6 @@ TEST(Step, RefusesAWorldOrWorkspaceOfAnotherSimulation) {
   Workspace small_work(*small.simulation);
   EXPECT_THROW(small.simulation->step(foreign, small_work), std::logic_error);
   EXPECT_THROW(large.simulation->step(own, small_work), std::logic_error);
-}
-
-TEST(Phases, AreThoseThatASystemOverrides) {
-  using Phases = std::array<bool, kPhases>;
-  EXPECT_EQ(phases_of<swarm::Hunter>(), (Phases{false, true, true, true, false, false, false}));
-  EXPECT_EQ(phases_of<swarm::Wings>(), (Phases{true, false, false, false, true, false, false}));
-  EXPECT_EQ(phases_of<swarm::Referee>(), (Phases{false, false, false, false, false, false, true}));
-  EXPECT_EQ(phase_name(Phase::orders), "orders");
-  EXPECT_EQ(phase_name(Phase::commit), "commit");
-}
-
-TEST(SimulationBuilder, RefusesOrdersThatNobodyOrTwoAccept) {
-  const auto complaint = [](int handlers) -> std::string {
-    SchemaBuilder schema;
-    const auto keys = Swarm::describe(schema, 1, 1);
-    SimulationBuilder builder(schema.build());
-    try {
-      for (int i = 0; i < handlers; ++i)
-        builder.add<swarm::Wings>(keys);
-      (void)builder.build();
-    } catch (const std::logic_error& error) {
-      return error.what();
-    }
-    return {};
-  };
-  EXPECT_NE(complaint(0).find("nobody accepts"), std::string::npos);
-  EXPECT_EQ(complaint(1), "");
-  EXPECT_NE(complaint(2).find("two systems accept"), std::string::npos);
-}
-
-TEST(SimulationBuilder, RefusesAStepWithoutLength) {
-  SchemaBuilder schema;
-  (void)schema.add_table("bird", 1);
-  const auto built = schema.build();
-  EXPECT_THROW(SimulationBuilder(built, 0.0), std::logic_error);
-  EXPECT_THROW(SimulationBuilder(built, -1.0), std::logic_error);
-  EXPECT_THROW(SimulationBuilder(nullptr), std::logic_error);
 }
 
 }  // namespace

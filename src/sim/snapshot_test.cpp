@@ -142,6 +142,15 @@ TEST(DamagedWorld, IsRefusedWhenItsPlayersAreForgedWithAGoodChecksum) {
   EXPECT_EQ(read(forged(good, kFirstIdAt, 1000000u)).error, disorder);
   constexpr std::size_t kNextIdAt = kHeaderAt + 24;
   EXPECT_EQ(read(forged(good, kNextIdAt, 1u)).error, disorder);
+
+  // a pellet that claims the id of a bird: in order in its own table, but there twice
+  const std::uint32_t bird = flown().ids(swarm_of_test().keys.birds)[0].value;
+  const Schema& schema = flown().schema();
+  std::size_t first_pellet_at = kFirstIdAt;
+  for (std::uint32_t i = 0; i < schema.table(swarm_of_test().keys.pellets).columns[0]; ++i)
+    first_pellet_at += flown().column_bytes(i).size();
+  EXPECT_EQ(read(forged(good, first_pellet_at, bird)).error, disorder);
+
   constexpr std::size_t kTablesAt = kHeaderAt + 28;
   EXPECT_EQ(read(forged(good, kTablesAt, 9u)).error, disorder);
 }

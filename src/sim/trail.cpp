@@ -87,8 +87,7 @@ void TrailChecker::check_mark(const World& world) {
     return;
   const HashTrail::Mark& mark = expected_.marks[next_mark_++];
   if (mark.hash == world.hash()) {
-    if (!departure_)
-      last_good_ = world.step();
+    last_good_ = world.step();
     return;
   }
   if (!departure_)
