@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/autopilot.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/math.hpp"
 
@@ -46,18 +46,19 @@ Guidance guide(const Autopilot& autopilot, const Kinematics& own, const Command&
     memory.nav = advance_leg(gains, own, *route, memory.nav, plan.turn_radius);
   if (command.mode != AutopilotMode::follow)
     memory.following = 0;
+  const double asked = command.loiter_radius > 0 ? command.loiter_radius : gains.loiter_radius;
+  const double radius = std::max(asked, plan.turn_radius);  // a circle that it can fly
 
   switch (command.mode) {
     case AutopilotMode::route:
       if (route)
-        return route_guidance(gains, own, *route, memory.nav, command.speed, command.loiter_radius,
-                              wind_ned);
+        return route_guidance(gains, own, *route, memory.nav, command.speed, radius, wind_ned);
       break;
     case AutopilotMode::follow:
       return follow(autopilot, own, command, memory, wind_ned, time, dt);
     case AutopilotMode::loiter:
-      return loiter_guidance(gains, own, command.reference_position, command.loiter_radius,
-                             command.altitude, command.speed, wind_ned);
+      return loiter_guidance(gains, own, command.reference_position, radius, command.altitude,
+                             command.speed, wind_ned);
     case AutopilotMode::hold:
       break;
   }

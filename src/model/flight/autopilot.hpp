@@ -59,12 +59,13 @@ struct Autopilot {
 /// What guide() needs besides gains and command.
 struct FlightPlan {
   std::span<const Route> routes;  ///< of the flight
-  double turn_radius = 0;         ///< m, of the turns it will fly: where turns onto a leg begin
+  double turn_radius = 0;         ///< m, of its tightest turn: where turns onto a leg begin
 };
 
 /// Turns a command into heading, altitude and speed. Keeps the leg, and the low-passed heading of
 /// who is followed, in `memory`; `time` and `dt` in s. The leg counts on in every mode, so that a
-/// wingman who becomes the lead knows where the flight is going.
+/// wingman who becomes the lead knows where the flight is going. Circles are no tighter than it
+/// turns.
 [[nodiscard]] Guidance guide(const Autopilot& autopilot, const Kinematics& own,
                              const Command& command, const FlightPlan& plan, Flying& memory,
                              const Vec3& wind_ned, double time, double dt);
