@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// The sensors of data/: they bind, their rates fit the step, and the numbers agree with each other.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/bind.hpp"
+#include "model/datalink/datalink.hpp"
+#include "model/sensor/iff.hpp"
+#include "model/sensor/radar.hpp"
+#include "model/sensor/rwr.hpp"
+#include "model/sensor/visual.hpp"
+#include "model/track/tracker.hpp"
+#include "sim/rate.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// Files of this kind are flat: one "key: value  # source" a line. The real loader is a layer
+/// above.
+Value read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  EXPECT_TRUE(file) << path;
+  Value map = Value::map({}, {path.string(), 1, 1});
+  std::string line;
+  for (int number = 1; std::getline(file, line); ++number) {
+    line.erase(std::min(line.find(" #"), line.size()));
+    const std::size_t colon = line.find(": ");
+    if (line.empty() || line[0] == '#' || colon == std::string::npos)
+      continue;
+    std::string text = line.substr(colon + 2);
+    text.erase(text.find_last_not_of(' ') + 1);
+    map.entries.push_back(entry(line.substr(0, colon), text, {path.string(), number, 1}));
+  }
+  return map;
+}
+
+template <class Model>
+std::vector<Model> all(const std::string& kind) {
+  std::vector<Model> models;
+  std::vector<std::filesystem::path> paths;
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::string(EYRIE_SOURCE_DIR "/data/") + kind))
+    paths.push_back(file.path());
+  std::sort(paths.begin(), paths.end());
+  for (const auto& path : paths) {
+    Diagnostics diagnostics;
+    Model model;
+    EXPECT_TRUE(bind(model, read(path), diagnostics)) << diagnostics.text();
+    models.push_back(model);
+  }
+  EXPECT_FALSE(models.empty()) << kind;
+  return models;
+}
+
+bool fits(double rate) {
+  return static_cast<bool>(sim::period_steps(rate, 0.02));
+}
+
+TEST(SensorData, RadarsAreWholeAndTheirScansCanBeFlown) {
+  for (const Radar& radar : all<Radar>("radars")) {
+    EXPECT_TRUE(fits(radar.scan_rate) && fits(radar.track_rate));
+    EXPECT_LE(radar.scan_half_azimuth, radar.gimbal);
+    EXPECT_LT(radar.track_sigma_angle, radar.sigma_angle);
+    EXPECT_LE(radar.sigma_angle, radar.beam_width / 2);
+    EXPECT_LE(radar.bar_spacing, 1.5 * radar.beam_width) << "no gaps between the rows";
+    // a mechanical antenna of that time does not turn faster than 80 deg/s
+    const double speed = 2 * radar.scan_half_azimuth * radar.scan_bars * radar.scan_rate;
+    EXPECT_LE(speed, radians(80));
+    EXPECT_GE(radar.instrumented_range, radar.reference_range);
+  }
+}
+
+TEST(SensorData, TheBestRadarSeesTheOthersWhereTheFactsSaySo) {
+  // 80 nmi at 3.2 m^2 is 94 nmi for the 6 m^2 of a MiG-29 (docs/models/radar.md)
+  Diagnostics diagnostics;
+  Radar apg63;
+  ASSERT_TRUE(bind(apg63, read(EYRIE_SOURCE_DIR "/data/radars/apg63.yaml"), diagnostics));
+  const Detector detector(apg63);
+  const double range = si(94, "nmi");
+  EXPECT_NEAR(detector.probability(detector.signal_to_noise(range * range, 6)), 0.5, 0.01);
+}
+
+TEST(SensorData, TheRestIsWholeToo) {
+  for (const Rwr& rwr : all<Rwr>("rwr"))
+    EXPECT_TRUE(fits(rwr.search_rate) && fits(rwr.seeker_rate));
+  for (const Visual& visual : all<Visual>("visual")) {
+    EXPECT_TRUE(fits(visual.rate));
+    EXPECT_GT(visual.cued_search, visual.search);
+    EXPECT_NEAR(visual.identify_angle / visual.least_angle, 6.4, 0.1) << "Johnson 1958";
+  }
+  for (const Iff& iff : all<Iff>("iff"))
+    EXPECT_GT(iff.tries, 1u) << "one lost reply must not make a hostile of a friend";
+  for (const Datalink& link : all<Datalink>("datalinks")) {
+    EXPECT_TRUE(fits(link.rate));
+    EXPECT_EQ(link.problem(), "");
+    EXPECT_GT(link.timeout, 2 / link.rate + link.delay);
+  }
+  for (const Tracker& tracker : all<Tracker>("trackers"))
+    EXPECT_TRUE(fits(tracker.rate));
+}
+
+TEST(SensorData, AMissileSeekerIsHeardBeforeItArrives) {
+  for (const Rwr& rwr : all<Rwr>("rwr")) {
+    // a 15 km seeker against 5 m^2, the class of data/missiles
+    const double heard = emission_figure(15e3, 5) * std::pow(10, -rwr.insensitivity / 20);
+    EXPECT_GT(heard, 15e3);
+    EXPECT_LT(heard, 60e3);
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::model
