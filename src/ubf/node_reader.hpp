@@ -35,14 +35,17 @@ class NodeReader {
 
   /// The node and everything below it, or null after reporting at least one mistake.
   [[nodiscard]] Child read(const Value& value) {
-    if (full_ || !within_limits(value.where))
+    if (full_)
       return nullptr;
-    std::optional<NodeSpec> spec = read_spec(value, diagnostics_);
+    const std::optional<NodeSpec> spec = read_spec(value, diagnostics_);
     if (!spec)
       return nullptr;
+    if (spec->type == kTreeReference)
+      return read_reference(*spec);
+    if (!within_limits(spec->where))
+      return nullptr;
     ++depth_;
-    Child node =
-        spec->type == kTreeReference ? read_reference(*spec) : registry_.make(*spec, *this);
+    Child node = registry_.make(*spec, *this);
     --depth_;
     return node;
   }
@@ -116,7 +119,10 @@ class NodeReader {
         error(spec.body->where, *cycle);
         return nullptr;
       }
-      --count_;  // the reference itself is no node
+      if (open_.size() >= kMaxDepth) {
+        error(spec.where, fmt::format("trees refer to one another more than {} deep", kMaxDepth));
+        return nullptr;
+      }
       Child root = read_tree(name, *tree.value);
       if (root && root->label() == root->type())
         root->set_label(name);

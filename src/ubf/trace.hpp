@@ -34,7 +34,7 @@ class Trace final : public AnyTrace {
   struct Row {
     bool ticked = false;
     Status status = Status::failure;
-    std::uint16_t halts = 0;    ///< how often the node was made to forget in this tick
+    std::uint16_t halts = 0;    ///< how often it, or a subtree with it, was made to forget
     Proposal<Action> proposal;  ///< as it went up; empty after a failure
     /// Per field the node that supplied it: a leaf, or the arbiter that blended it; kNone if the
     /// field is empty.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/action_traits.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "ubf/testing.hpp"
+
+namespace eyrie::ubf::testing {
+
+/// An action whose description forgets a field.
+struct Forgetful {
+  std::optional<double> heading;
+  std::optional<float> speed;
+};
+
+}  // namespace eyrie::ubf::testing
+
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Forgetful> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("heading", &testing::Forgetful::heading, "rad")};
+};
+
+namespace eyrie::ubf::testing {
+namespace {
+
+const Action kFull{.heading = 1, .altitude = 2, .speed = 3.0F, .release = 4, .mode = 5};
+
+TEST(ActionTraits, KnowsTheFieldsInOrder) {
+  EXPECT_EQ(kFields<Action>, 5u);
+  const auto names = field_names<Action>();
+  EXPECT_EQ(names.front(), "heading");
+  EXPECT_EQ(names.back(), "mode");
+}
+
+TEST(ActionTraits, NoticesAForgottenField) {
+  EXPECT_TRUE(fields_cover_action<Action>());
+  EXPECT_FALSE(fields_cover_action<Forgetful>());
+}
+
+TEST(ActionTraits, ClearsEveryField) {
+  Action action = kFull;
+  EXPECT_FALSE(is_empty(action));
+  clear(action);
+  EXPECT_TRUE(is_empty(action));
+  EXPECT_TRUE(equal(action, Action{}));
+}
+
+TEST(ActionTraits, ComparesFieldByField) {
+  EXPECT_TRUE(equal(kFull, kFull));
+  for_each_field<Action>([&](const auto& f, auto) {
+    Action other = kFull;
+    (other.*f.member).reset();
+    EXPECT_FALSE(equal(other, kFull)) << f.name;
+    EXPECT_FALSE(is_empty(other));
+  });
+}
+
+TEST(ActionTraits, PacksIntoBytesAndBack) {
+  Action back{.altitude = 99};
+  PackedAction<Action>(kFull).unpack(back);
+  EXPECT_TRUE(equal(back, kFull));
+  const Action some{.speed = 7.0F};
+  PackedAction<Action>(some).unpack(back);
+  EXPECT_TRUE(equal(back, some));
+}
+
+TEST(ActionTraits, PacksEqualActionsIntoEqualBytesWhateverWasThereBefore) {
+  Action reused = kFull;
+  clear(reused);
+  reused.mode = 1;
+  const Action fresh{.mode = 1};
+  PackedAction<Action> a(kFull), b;
+  a.assign(reused);
+  b.assign(fresh);
+  EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+  static_assert(NoPadding<PackedAction<Action>>);
+}
+
+TEST(ActionTraits, HashesWhatIsSetAndItsValue) {
+  const auto hash = [](const Action& action) {
+    Hasher hasher;
+    PackedAction<Action>(action).hash(hasher);
+    return hasher.value();
+  };
+  EXPECT_EQ(hash({.heading = 1}), hash({.heading = 1}));
+  EXPECT_NE(hash({.heading = 1}), hash({.altitude = 1}));
+  EXPECT_NE(hash({.release = 0}), hash({}));
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing

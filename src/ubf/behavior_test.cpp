@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/behavior.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "ubf/testing.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+/// Recommends an altitude by lot.
+class Gambler final : public Node {
+ public:
+  static constexpr std::string_view type_name = "gambler";
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    Draw lot = draw(t);
+    out.action.altitude = lot.uniform();
+    out.action.heading = lot.uniform();
+    out.vote = 1;
+    return Status::running;
+  }
+};
+
+TEST(Vote, IsFiniteAndNotNegative) {
+  EXPECT_TRUE(is_vote(0));
+  EXPECT_TRUE(is_vote(1e30F));
+  EXPECT_FALSE(is_vote(-1e-9F));
+  EXPECT_FALSE(is_vote(std::numeric_limits<float>::quiet_NaN()));
+  EXPECT_FALSE(is_vote(std::numeric_limits<float>::infinity()));
+}
+
+TEST(Proposal, IsEmptyOnlyWithoutVoteAndFields) {
+  EXPECT_TRUE(RobotProposal{}.is_empty());
+  EXPECT_FALSE((RobotProposal{{}, 1}.is_empty()));
+  EXPECT_FALSE((RobotProposal{{.mode = 0}, 0}.is_empty()));
+}
+
+TEST(Condition, SucceedsOrFailsAndRecommendsNothing) {
+  Robot robot(check(0));
+  EXPECT_EQ(robot.tick(), kFailure);
+  robot.say(0, kSuccess, 9);
+  robot.cue(0).action.heading = 1;
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_TRUE(robot.out.is_empty());
+}
+
+TEST(Behavior, IsCalledByItsTypeUnlessItHasALabel) {
+  const Child node = probe(0);
+  EXPECT_EQ(node->label(), "probe");
+  node->set_label("left wing");
+  EXPECT_EQ(node->label(), "left wing");
+  EXPECT_EQ(node->type(), "probe");
+}
+
+TEST(Behavior, DrawsAreAFunctionOfSeedPlayerStepAndNode) {
+  const RobotTree tree("dice", make<Parallel<State, Action>>(make<Gambler>(), make<Gambler>()));
+  const State state;
+  const auto drawn = [&](std::uint64_t seed, std::uint32_t player, std::uint64_t step,
+                         NodeIndex node) {
+    RobotTrace trace(tree.size());
+    RobotProposal out;
+    tree.tick({.state = state, .step = step, .seed = seed, .player = {player}, .trace = &trace},
+              out);
+    return *trace.row(node).proposal.action.altitude;
+  };
+  const double value = drawn(1, 2, 3, 1);
+  EXPECT_EQ(drawn(1, 2, 3, 1), value);
+  EXPECT_NE(drawn(2, 2, 3, 1), value);
+  EXPECT_NE(drawn(1, 3, 3, 1), value);
+  EXPECT_NE(drawn(1, 2, 4, 1), value);
+  EXPECT_NE(drawn(1, 2, 3, 2), value);
+}
+
+#if EYRIE_ASSERT_ENABLED
+TEST(BehaviorDeathTest, AVoteThatIsNotANumberIsOurMistakeAndStopsAtOnce) {
+  Robot robot(make<WinnerTakesAll<State, Action>>(probes(1)));
+  robot.say(0, kRunning, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_DEATH(robot.tick(), "is_vote");
+  robot.say(0, kRunning, -1);
+  EXPECT_DEATH(robot.tick(), "is_vote");
+}
+#endif
+
+}  // namespace
+}  // namespace eyrie::ubf::testing

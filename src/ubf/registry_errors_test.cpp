@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+/// \file  Every mistake that a file can make in a tree, and the words that the user reads.
+#include <gtest/gtest.h>
+
+#include "ubf/registry.hpp"
+#include "ubf/testing.hpp"
+#include "ubf/testing_document.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+const RobotRegistry& registry() {
+  static const RobotRegistry kRegistry = [] {
+    RobotRegistry made;
+    add_standard_nodes(made);
+    made.add<Probe>();
+    made.add<Check>();
+    return made;
+  }();
+  return kRegistry;
+}
+
+std::string mistakes(std::string_view text, std::span<const NamedSpec> others = {}) {
+  Diagnostics diagnostics;
+  const auto tree = registry().build_tree("test", Document::parse(text), diagnostics, others);
+  EXPECT_EQ(tree.has_value(), diagnostics.ok());
+  return diagnostics.text();
+}
+
+TEST(RegistryErrors, AnUnknownNodeIsAnsweredWithTheNearestName) {
+  EXPECT_EQ(mistakes("{winer_takes_all: []}"),
+            "test.yaml:1:2: there is no node 'winer_takes_all'; did you mean 'winner_takes_all'?");
+  EXPECT_EQ(mistakes("prob"), "test.yaml:1:1: there is no node 'prob'; did you mean 'probe'?");
+  EXPECT_EQ(mistakes("xyzzy"), "test.yaml:1:1: there is no node 'xyzzy'");
+}
+
+TEST(RegistryErrors, AnUnknownParameterIsAnsweredWithTheNearestName) {
+  EXPECT_EQ(mistakes("{probe: {cue: 1, bais: 2}}"),
+            "test.yaml:1:18: probe has no parameter 'bais'; did you mean 'bias'?");
+}
+
+TEST(RegistryErrors, AValueOutOfRangeAndAMissingOneAreToldWithTheirPlace) {
+  EXPECT_EQ(mistakes("{probe: {bias: -4}}"),
+            "test.yaml:1:9: probe needs the parameter 'cue'\n"
+            "test.yaml:1:16: bias: -4 is outside [0, 100]");
+  EXPECT_EQ(mistakes("{timeout: {after: 5 kg, child: {check: {cue: 1}}}}"),
+            "test.yaml:1:19: after: expected a time such as '3 min', got '5 kg' (a mass)");
+}
+
+TEST(RegistryErrors, AllMistakesAreToldTogether) {
+  EXPECT_EQ(mistakes("{winner_takes_all: {vote_scale: -1, children:\n"
+                     "  [{prob: {cue: 1}},\n"
+                     "   {inverter: {check: {cue: 99}}},\n"
+                     "   {selector: []}]}}"),
+            "test.yaml:1:33: vote_scale: -1 is outside [0, 1000]\n"
+            "test.yaml:2:5: there is no node 'prob'; did you mean 'probe'?\n"
+            "test.yaml:3:29: cue: 99 is outside [0, 31]\n"
+            "test.yaml:4:15: selector needs at least one child");
+}
+
+TEST(RegistryErrors, WhatIsNoNodeIsRefused) {
+  EXPECT_EQ(mistakes("[probe, probe]"),
+            "test.yaml:1:1: expected a node, such as 'navigate' or {navigate: {...}}, got a list");
+  EXPECT_EQ(mistakes("{}"),
+            "test.yaml:1:1: expected a node, such as 'navigate' or {navigate: {...}}, got a map");
+  EXPECT_EQ(mistakes("{selector: [{inverter: }]}"), "test.yaml:1:14: inverter needs a 'child'");
+  EXPECT_EQ(mistakes("{inverter: {child: }}"),
+            "test.yaml:1:20: expected a node, such as 'navigate' or {navigate: {...}}, got "
+            "nothing");
+}
+
+TEST(RegistryErrors, ParametersThatAreNotIndentedAreRecognised) {
+  EXPECT_EQ(mistakes("{probe: , cue: 3}"),
+            "test.yaml:1:11: a node is one name with its parameters below it, but beside 'probe' "
+            "there is 'cue'; a parameter must be indented further than its node");
+}
+
+TEST(RegistryErrors, ALeafTakesNoChildren) {
+  EXPECT_EQ(mistakes("{probe: [{check: {cue: 1}}]}"),
+            "test.yaml:1:2: probe is a behavior and takes no children");
+  EXPECT_EQ(mistakes("{check: {cue: 1, children: [probe]}}"),
+            "test.yaml:1:28: check is a condition and takes no children");
+  EXPECT_EQ(mistakes("{probe: 5}"), "test.yaml:1:9: probe: expected a map, got '5'");
+}
+
+TEST(RegistryErrors, ACompositeNeedsChildrenAsAList) {
+  EXPECT_EQ(mistakes("winner_takes_all"),
+            "test.yaml:1:1: winner_takes_all needs at least one child");
+  EXPECT_EQ(mistakes("{fusion: {children: {probe: {cue: 1}}}}"),
+            "test.yaml:1:21: children: expected a list of nodes, got a map");
+  EXPECT_EQ(mistakes("{selector: {probe: {cue: 1}, check: {cue: 2}}}"),
+            "test.yaml:1:13: 'probe' is a node, not a parameter of selector; write children as a "
+            "list: selector: [probe, ...]");
+}
+
+TEST(RegistryErrors, ADecoratorTakesExactlyOneChild) {
+  EXPECT_EQ(mistakes("{inverter: [{check: {cue: 1}}, {check: {cue: 2}}]}"),
+            "test.yaml:1:2: inverter takes exactly one 'child'; put several nodes under an arbiter "
+            "or a control node");
+  EXPECT_EQ(mistakes("{timeout: {after: 1 s, children: [{check: {cue: 1}}]}}"),
+            "test.yaml:1:2: timeout takes exactly one 'child'; put several nodes under an arbiter "
+            "or a control node");
+  EXPECT_EQ(mistakes("{cooldown: {check: {cue: 1}}}"),
+            "test.yaml:1:2: cooldown needs the parameter 'duration'");
+  EXPECT_EQ(mistakes("{inverter: {chek: {cue: 1}}}"),
+            "test.yaml:1:13: there is no node 'chek'; did you mean 'check'?");
+  EXPECT_EQ(mistakes("{guard: {child: {probe: {cue: 1}}}}"), "test.yaml:1:2: guard needs a 'when'");
+}
+
+TEST(RegistryErrors, CommitmentTakesOneFormOfChildren) {
+  EXPECT_EQ(mistakes("{commitment: {margin: 1, child: {probe: {cue: 1}}, children: []}}"),
+            "test.yaml:1:33: commitment has either 'child' or 'children'");
+  EXPECT_EQ(mistakes("{commitment: [{probe: {cue: 1}}]}"),
+            "test.yaml:1:2: commitment needs 'margin', 'min_time' or 'hold' above 0, or it commits "
+            "to nothing");
+}
+
+TEST(RegistryErrors, ContradictingParametersAreRefused) {
+  EXPECT_EQ(mistakes("{parallel: {success_count: 3, children: [{probe: {cue: 1}}]}}"),
+            "test.yaml:1:2: success_count is 3, but there is 1 child");
+  EXPECT_EQ(mistakes("{selector: {vote: 3, vote_scale: 2, children: [{probe: {cue: 1}}]}}"),
+            "test.yaml:1:2: give either 'vote' or 'vote_scale', not both");
+}
+
+TEST(RegistryErrors, ALabelIsATextThatAPathCanHold) {
+  EXPECT_EQ(mistakes("{probe: {cue: 1, name: [a]}}"),
+            "test.yaml:1:24: name: expected a text, got a list");
+  EXPECT_EQ(mistakes("{probe: {cue: 1, name: a/b}}"),
+            "test.yaml:1:24: name: 'a/b' must not contain '/', '[' or ']'");
+  EXPECT_EQ(mistakes("{probe: {cue: 1, name: ''}}"), "test.yaml:1:24: name: must not be empty");
+}
+
+TEST(RegistryErrors, AReferenceNamesATreeThatExists) {
+  const Value ingress = Document::parse("{probe: {cue: 1}}");
+  const std::array others{NamedSpec{"ingress", &ingress}};
+  EXPECT_EQ(mistakes("{tree: ingres}", others),
+            "test.yaml:1:8: there is no tree 'ingres'; did you mean 'ingress'?");
+  EXPECT_EQ(mistakes("tree"), "test.yaml:1:1: a reference names its tree, as in {tree: ingress}");
+  EXPECT_EQ(mistakes("{tree: {name: ingress}}", others),
+            "test.yaml:1:2: a reference names its tree, as in {tree: ingress}");
+}
+
+TEST(RegistryErrors, ATreeThatRefersToItselfIsRefusedWithTheWayRound) {
+  const Value a = Document::parse("{selector: [{tree: b}]}", "a.yaml");
+  const Value b = Document::parse("{selector: [{tree: c}]}", "b.yaml");
+  const Value c = Document::parse("{selector: [{tree: a}]}", "c.yaml");
+  const std::array others{NamedSpec{"a", &a}, NamedSpec{"b", &b}, NamedSpec{"c", &c}};
+  EXPECT_EQ(mistakes("{selector: [{tree: a}]}", others),
+            "c.yaml:1:20: tree 'a' refers to itself: a -> b -> c -> a");
+
+  const Value self = Document::parse("{selector: [{tree: test}]}");
+  const std::array own{NamedSpec{"test", &self}};
+  EXPECT_EQ(mistakes("{selector: [{tree: test}]}", own),
+            "test.yaml:1:20: tree 'test' refers to itself: test -> test");
+}
+
+TEST(RegistryErrors, MistakesInASharedTreeAreToldOnce) {
+  const Value bad = Document::parse("{probe: {cue: 99}}", "bad.yaml");
+  const std::array others{NamedSpec{"bad", &bad}};
+  EXPECT_EQ(mistakes("{selector: [{tree: bad}, {tree: bad}]}", others),
+            "bad.yaml:1:15: cue: 99 is outside [0, 31]");
+}
+
+TEST(RegistryErrors, DepthIsLimited) {
+  std::string text = "{check: {cue: 1}}";
+  for (std::size_t i = 1; i < kMaxDepth; ++i)
+    text = "{inverter: " + text + "}";
+  EXPECT_EQ(mistakes(text), "");
+  EXPECT_EQ(mistakes("{inverter: " + text + "}"),
+            "test.yaml:1:706: nodes are nested more than 64 deep");
+}
+
+/// Each tree refers twice to the next: 2^40 nodes from 40 lines.
+TEST(RegistryErrors, TreesThatMultiplyAreStoppedAtTheNodeLimit) {
+  std::vector<Value> values;
+  std::vector<std::string> names;
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "{tree: t" + std::to_string(i + 1) + "}";
+    values.push_back(Document::parse("{selector: [" + next + ", " + next + "]}"));
+    names.push_back("t" + std::to_string(i));
+  }
+  values.push_back(Document::parse("{check: {cue: 1}}"));
+  names.push_back("t40");
+  std::vector<NamedSpec> others;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    others.push_back({names[i], &values[i]});
+  EXPECT_EQ(mistakes("{tree: t0}", others), "test.yaml:1:2: the tree has more than 65535 nodes");
+}
+
+TEST(RegistryErrors, AChainOfReferencesIsLimited) {
+  std::vector<Value> values;
+  std::vector<std::string> names;
+  for (int i = 0; i < 100; ++i) {
+    values.push_back(Document::parse("{tree: t" + std::to_string(i + 1) + "}"));
+    names.push_back("t" + std::to_string(i));
+  }
+  std::vector<NamedSpec> others;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    others.push_back({names[i], &values[i]});
+  EXPECT_EQ(mistakes("{tree: t0}", others),
+            "test.yaml:1:2: trees refer to one another more than 64 deep");
+}
+
+TEST(RegistryErrors, MemoryIsLimited) {
+  const Value holder = Document::parse("{commitment: {hold: 1 s, child: {probe: {cue: 1}}}}");
+  std::string text = "{selector: [";
+  for (int i = 0; i < 20'000; ++i)
+    text += "{tree: holder},";
+  const std::array others{NamedSpec{"holder", &holder}};
+  EXPECT_EQ(mistakes(text + "]}", others),
+            "test.yaml:1:1: tree 'test' needs 1600008 bytes of memory per agent, the most is "
+            "1048576");
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing

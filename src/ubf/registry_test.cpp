@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+/// \file  What a file may say of a tree. What it may not say: registry_errors_test.cpp.
+#include "ubf/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ubf/testing.hpp"
+#include "ubf/testing_document.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+RobotRegistry standard() {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  registry.add<Check>();
+  return registry;
+}
+
+/// The tree as an outline: "type" or "type:label", children in parentheses.
+std::string outline(const Node& node) {
+  std::string text(node.type());
+  if (node.label() != node.type())
+    text += ":" + std::string(node.label());
+  if (node.children().empty())
+    return text;
+  text += "(";
+  for (const auto& child : node.children())
+    text += (text.ends_with('(') ? "" : " ") + outline(*child);
+  return text + ")";
+}
+
+RobotTree build(std::string_view text, std::span<const NamedSpec> others = {}) {
+  Diagnostics diagnostics;
+  auto tree = standard().build_tree("test", Document::parse(text), diagnostics, others);
+  if (!tree)
+    throw ConfigError(diagnostics);
+  return std::move(*tree);
+}
+
+std::string built(std::string_view text) {
+  return outline(build(text).root());
+}
+
+template <class B>
+const B& root_as(const RobotTree& tree) {
+  return dynamic_cast<const B&>(tree.root());
+}
+
+TEST(Registry, ReadsALeafByNameOrWithParameters) {
+  EXPECT_EQ(built("{probe: {cue: 3}}"), "probe");
+  const RobotTree tree = build("{probe: {cue: 3, bias: 2.5, name: left}}");
+  EXPECT_EQ(root_as<Probe>(tree).cue, 3u);
+  EXPECT_EQ(root_as<Probe>(tree).bias, 2.5F);
+  EXPECT_EQ(tree.root().label(), "left");
+}
+
+/// Needs no parameters.
+class Rest final : public Node {
+ public:
+  static constexpr std::string_view type_name = "rest";
+  static constexpr std::string_view help = "does nothing";
+  Status tick(const RobotTick&, RobotProposal&) const override { return Status::running; }
+};
+
+TEST(Registry, ReadsANodeWithoutParametersInEveryWayAFileMayWriteIt) {
+  RobotRegistry registry = standard();
+  registry.add<Rest>();
+  for (const char* text : {"rest", "{rest: }", "{rest: {}}"}) {
+    Diagnostics diagnostics;
+    const auto tree = registry.build_tree("test", Document::parse(text), diagnostics);
+    ASSERT_TRUE(tree) << text << ": " << diagnostics.text();
+    EXPECT_EQ(outline(tree->root()), "rest");
+  }
+}
+
+TEST(Registry, ReadsChildrenAsAListOrUnderTheirKey) {
+  EXPECT_EQ(built("{winner_takes_all: [{probe: {cue: 0}}, {check: {cue: 1}}]}"),
+            "winner_takes_all(probe check)");
+  const RobotTree tree =
+      build("{winner_takes_all: {vote_scale: 2, name: engage, children: [{probe: {cue: 0}}]}}");
+  EXPECT_EQ(outline(tree.root()), "winner_takes_all:engage(probe)");
+  using Wta = WinnerTakesAll<State, Action>;
+  EXPECT_EQ(root_as<Wta>(tree).vote_scale, 2.0F);
+}
+
+TEST(Registry, ReadsADecoratorsChildAloneOrUnderItsKey) {
+  EXPECT_EQ(built("{inverter: {probe: {cue: 0}}}"), "inverter(probe)");
+  EXPECT_EQ(built("{inverter: {child: {probe: {cue: 0}}, name: not}}"), "inverter:not(probe)");
+  const RobotTree tree = build("{timeout: {after: 5 s, child: {probe: {cue: 0}}}}");
+  using Timer = Timeout<State, Action>;
+  EXPECT_EQ(root_as<Timer>(tree).after, 5);
+}
+
+TEST(Registry, ReadsAGuardAndACommitment) {
+  EXPECT_EQ(built("{guard: {when: {check: {cue: 0}}, child: {probe: {cue: 1}}}}"),
+            "guard(check probe)");
+  EXPECT_EQ(built("{commitment: {hold: 2 s, child: {probe: {cue: 1}}}}"), "commitment(probe)");
+  EXPECT_EQ(built("{commitment: {margin: 2, children: [{probe: {cue: 1}}, {probe: {cue: 2}}]}}"),
+            "commitment(probe probe)");
+}
+
+TEST(Registry, ReadsTheParametersOfEveryStandardNode) {
+  EXPECT_EQ(built("{parallel: {success_count: 1, failure_count: 2, vote: 3,"
+                  " children: [{cooldown: {duration: 1 min, child: {probe: {cue: 0}}}},"
+                  " {force_success: {force_failure: {probe: {cue: 1}}}}]}}"),
+            "parallel(cooldown(probe) force_success(force_failure(probe)))");
+  EXPECT_EQ(built("{selector: [{sequence: [{check: {cue: 0}}]},"
+                  " {selector_with_memory: [{sequence_with_memory: [{check: {cue: 0}}]}]}]}"),
+            "selector(sequence(check) selector_with_memory(sequence_with_memory(check)))");
+  EXPECT_EQ(built("{per_field: [{fusion: [{paper_fusion: {high_vote: 50,"
+                  " children: [{probe: {cue: 0}}]}}]}]}"),
+            "per_field(fusion(paper_fusion(probe)))");
+}
+
+constexpr std::string_view kMission =
+    "{sequencer: {start: out, name: mission,"
+    " trees: {out: {probe: {cue: 0}}, home: {winner_takes_all: [{probe: {cue: 1}}]}},"
+    " transitions: [{from: out, to: home, when: {check: {cue: 2}}},"
+    "               {from: any, to: out, when: {inverter: {check: {cue: 2}}}}]}}";
+
+TEST(Registry, ReadsASequencer) {
+  const RobotTree tree = build(kMission);
+  EXPECT_EQ(outline(tree.root()),
+            "sequencer:mission(probe:out winner_takes_all:home(probe) check inverter(check))");
+  using Seq = Sequencer<State, Action>;
+  const auto& sequencer = root_as<Seq>(tree);
+  EXPECT_EQ(sequencer.tree_count(), 2u);
+  EXPECT_EQ(sequencer.start(), 0);
+  EXPECT_EQ(sequencer.rules()[0].to, 1);
+  EXPECT_EQ(sequencer.rules()[1].from, kNone);
+}
+
+TEST(Registry, ASequencerFromAFileWorks) {
+  const RobotTree tree = build(kMission);
+  std::vector<std::byte> slab(tree.memory_bytes());
+  State state;
+  RobotProposal out;
+  state.cues[2].status = kSuccess;
+  tree.tick({.state = state, .memory = slab.data()}, out);
+  EXPECT_EQ(tree.active_name(slab), "home");
+  state.cues[2].status = kFailure;
+  tree.tick({.state = state, .memory = slab.data()}, out);
+  EXPECT_EQ(tree.active_name(slab), "out");
+}
+
+TEST(Registry, CopiesNamedTreesWhereTheyAreReferredTo) {
+  const Value attack = Document::parse("{winner_takes_all: [{tree: shoot}, {probe: {cue: 1}}]}");
+  const Value shoot = Document::parse("{probe: {cue: 0}}");
+  const Value home = Document::parse("{probe: {cue: 2, name: back}}");
+  const std::array others{NamedSpec{"attack", &attack}, NamedSpec{"shoot", &shoot},
+                          NamedSpec{"home", &home}};
+  const RobotTree tree = build("{selector: [{tree: attack}, {tree: shoot}, {tree: home}]}", others);
+  EXPECT_EQ(outline(tree.root()),
+            "selector(winner_takes_all:attack(probe:shoot probe) probe:shoot probe:back)");
+  EXPECT_EQ(tree.path(2), "root/attack/shoot");
+}
+
+TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
+  const RobotRegistry registry = standard();
+  const auto with_child = [](const NodeInfo& info, const std::string& child) {
+    static const std::map<std::string, std::string> kRequired{
+        {"paper_fusion", "high_vote: 1, "},
+        {"commitment", "margin: 1, "},
+        {"timeout", "after: 1 s, "},
+        {"cooldown", "duration: 1 s, "},
+        {"guard", "when: {check: {cue: 0}}, "}};
+    if (info.name == "sequencer")
+      return "{sequencer: {start: a, trees: {a: " + child + "}}}";
+    const auto required = kRequired.find(info.name);
+    const std::string parameters = required == kRequired.end() ? "" : required->second;
+    const std::string& key = info.child_keys.back();
+    return "{" + info.name + ": {" + parameters + key + ": " +
+           (key == "children" ? "[" + child + "]" : child) + "}}";
+  };
+  int pairs = 0;
+  for (const NodeInfo& outer : registry.catalog())
+    for (const NodeInfo& inner : registry.catalog()) {
+      if (outer.child_keys.empty() || inner.child_keys.empty())
+        continue;
+      const std::string text = with_child(outer, with_child(inner, "{probe: {cue: 0}}"));
+      Diagnostics diagnostics;
+      const auto tree = registry.build_tree("pair", Document::parse(text), diagnostics);
+      ASSERT_TRUE(tree) << text << "\n" << diagnostics.text();
+      ++pairs;
+    }
+  EXPECT_EQ(pairs, 17 * 17);
+}
+
+TEST(Registry, CatalogTellsEverythingAboutEachType) {
+  const RobotRegistry registry = standard();
+  const NodeInfo* timeout = registry.find("timeout");
+  ASSERT_TRUE(timeout);
+  EXPECT_EQ(timeout->kind, Kind::decorator);
+  EXPECT_EQ(timeout->help, "fails and halts a child that runs for too long");
+  EXPECT_EQ(timeout->child_keys, std::vector<std::string>{"child"});
+  EXPECT_EQ(timeout->origin, "eyrie");
+  ASSERT_EQ(timeout->parameters.size(), 1u);
+  EXPECT_EQ(timeout->parameters[0].name, "after");
+  EXPECT_EQ(timeout->parameters[0].unit.si_symbol, "s");
+  EXPECT_TRUE(timeout->parameters[0].required);
+  EXPECT_EQ(registry.find("probe")->kind, Kind::behavior);
+  EXPECT_EQ(registry.find("check")->kind, Kind::condition);
+  EXPECT_EQ(registry.find("fusion")->kind, Kind::arbiter);
+  EXPECT_EQ(registry.find("selector")->kind, Kind::control);
+  EXPECT_EQ(registry.find("nothing"), nullptr);
+  for (const NodeInfo& info : registry.catalog()) {
+    EXPECT_FALSE(info.help.empty()) << info.name;
+    for (const ParamInfo& parameter : info.parameters)
+      EXPECT_FALSE(parameter.help.empty()) << info.name << "." << parameter.name;
+  }
+}
+
+TEST(Registry, KnowsWhoRegisteredAType) {
+  RobotRegistry registry;
+  registry.add<Rest>("libmine.so");
+  EXPECT_EQ(registry.find("rest")->origin, "libmine.so");
+}
+
+TEST(Registry, RefusesANameThatIsTaken) {
+  RobotRegistry registry = standard();
+  EXPECT_THROW(registry.add<Probe>(), std::logic_error);
+}
+
+TEST(Registry, BuildsAThousandNodesTheSameFromOneValueEveryTime) {
+  std::string text = "{winner_takes_all: [";
+  for (int i = 0; i < 250; ++i)
+    text += "{selector: [{inverter: {check: {cue: 1}}}, {probe: {cue: 2}}]},";
+  const RobotTree tree = build(text + "]}");
+  EXPECT_EQ(tree.size(), 1001u);
+  EXPECT_EQ(outline(build(text + "]}").root()), outline(tree.root()));
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Random trees of every kind of node, for laws that hold for all trees.
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/draw.hpp"
+#include "ubf/testing.hpp"
+
+namespace eyrie::ubf::testing {
+
+/// Grows a tree: up to five levels, up to State::kCues leaves, each with a cue of its own. The same
+/// seed grows the same tree.
+class Gardener {
+ public:
+  /// `blends`: also nodes that make values of their own (fusion and paper_fusion).
+  explicit Gardener(std::uint64_t seed, bool blends = true)
+      : draw_(seed, PlayerId{1}, Stream::test, 0), blends_(blends) {}
+
+  [[nodiscard]] Child tree() { return composite(0); }
+
+ private:
+  static constexpr std::size_t kDepth = 5;
+
+  [[nodiscard]] std::uint32_t pick(std::uint32_t count) {
+    return static_cast<std::uint32_t>(draw_.uniform() * count);
+  }
+  [[nodiscard]] std::uint32_t next_cue() { return cue_++ % State::kCues; }
+  [[nodiscard]] Child node(std::size_t depth) {
+    if (depth >= kDepth || cue_ > State::kCues - 6 || pick(3) == 0)
+      return pick(4) == 0 ? check(next_cue()) : probe(next_cue());
+    return composite(depth);
+  }
+  [[nodiscard]] Children nodes(std::size_t count, std::size_t depth) {
+    Children children;
+    for (std::size_t i = 0; i < count; ++i)
+      children.push_back(node(depth + 1));
+    return children;
+  }
+  template <class Node>
+  [[nodiscard]] Child several(std::size_t depth) {
+    auto made = make<Node>(nodes(1 + pick(3), depth));
+    if (pick(4) == 0)
+      made->vote_scale = 0.5F * static_cast<float>(pick(4));
+    else if (pick(6) == 0)
+      made->vote = static_cast<float>(pick(5));
+    return made;
+  }
+  [[nodiscard]] Child composite(std::size_t depth) {
+    using S = State;
+    using A = Action;
+    switch (pick(blends_ ? 17 : 15)) {
+      case 0:
+      case 1:
+        return several<WinnerTakesAll<S, A>>(depth);
+      case 2:
+        return several<PerField<S, A>>(depth);
+      case 3:
+        return several<Selector<S, A>>(depth);
+      case 4:
+        return several<Sequence<S, A>>(depth);
+      case 5:
+        return several<SelectorWithMemory<S, A>>(depth);
+      case 6:
+        return several<SequenceWithMemory<S, A>>(depth);
+      case 7:
+        return parallel(depth);
+      case 8:
+        return make<Inverter<S, A>>(node(depth + 1));
+      case 9:
+        return make<ForceSuccess<S, A>>(node(depth + 1));
+      case 10:
+        return make<ForceFailure<S, A>>(node(depth + 1));
+      case 11:
+        return timeout(depth);
+      case 12:
+        return cooldown(depth);
+      case 13:
+        return make<Guard<S, A>>(node(depth + 1), node(depth + 1));
+      case 14:
+        return pick(2) ? sequencer(depth) : commitment(depth);
+      case 15:
+        return several<Fusion<S, A>>(depth);
+      default:
+        return several<PaperFusion<S, A>>(depth);
+    }
+  }
+  [[nodiscard]] Child parallel(std::size_t depth) {
+    const std::uint32_t width = 1 + pick(3);
+    auto made = make<Parallel<State, Action>>(nodes(width, depth));
+    made->success_count = 1 + pick(width);
+    made->failure_count = 1 + pick(width);
+    return made;
+  }
+  [[nodiscard]] Child timeout(std::size_t depth) {
+    auto made = make<Timeout<State, Action>>(node(depth + 1));
+    made->after = 0.1 * (1 + pick(4));
+    return made;
+  }
+  [[nodiscard]] Child cooldown(std::size_t depth) {
+    auto made = make<Cooldown<State, Action>>(node(depth + 1));
+    made->duration = 0.1 * (1 + pick(4));
+    return made;
+  }
+  [[nodiscard]] Child commitment(std::size_t depth) {
+    auto made = make<Commitment<State, Action>>(nodes(1 + pick(3), depth));
+    made->margin = static_cast<float>(pick(3));
+    made->min_time = 0.1 * pick(3);
+    made->hold = blends_ ? 0.1 * (1 + pick(3)) : 0;
+    if (!blends_)
+      made->margin += 1;
+    return made;
+  }
+  [[nodiscard]] Child sequencer(std::size_t depth) {
+    const std::uint32_t count = 2 + pick(2);
+    Children trees = nodes(count, depth), conditions;
+    std::vector<Sequencer<State, Action>::Rule> rules;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto from = static_cast<std::uint16_t>(pick(count));
+      const auto to = static_cast<std::uint16_t>((from + 1) % count);
+      rules.push_back({pick(3) ? from : kNone, to});
+      conditions.push_back(node(kDepth));
+    }
+    return make<Sequencer<State, Action>>(std::move(trees), std::move(rules),
+                                          std::move(conditions));
+  }
+
+  Draw draw_;
+  bool blends_;
+  std::uint32_t cue_ = 0;
+};
+
+/// Cues that change from tick to tick; leaves answer running more often than not.
+class Weather {
+ public:
+  explicit Weather(std::uint64_t seed) : draw_(seed, PlayerId{2}, Stream::test, 0) {}
+
+  void blow(State& state) {
+    for (Cue& cue : state.cues) {
+      cue.status = static_cast<Status>(std::min(pick(4), 2u));
+      if (cue.status == kSuccess && pick(2))
+        cue.status = kRunning;
+      cue.vote = static_cast<float>(pick(6));
+      cue.action.heading = maybe(draw_.uniform(0, 6));
+      cue.action.altitude = maybe(draw_.uniform(0, 9000));
+      cue.action.speed = maybe(static_cast<float>(pick(300)));
+      cue.action.release = maybe(pick(4));
+      cue.action.mode = maybe(static_cast<std::uint8_t>(pick(2)));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t pick(std::uint32_t count) {
+    return static_cast<std::uint32_t>(draw_.uniform() * count);
+  }
+  template <class T>
+  [[nodiscard]] std::optional<T> maybe(T value) {
+    return pick(2) ? std::optional<T>(value) : std::nullopt;
+  }
+  Draw draw_;
+};
+
+}  // namespace eyrie::ubf::testing

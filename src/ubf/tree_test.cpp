@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ubf/testing.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+using Wta = WinnerTakesAll<State, Action>;
+using Select = Selector<State, Action>;
+
+Child labelled(std::string label, Child node) {
+  node->set_label(std::move(label));
+  return node;
+}
+
+RobotTree engage() {
+  return RobotTree("engage",
+                   make<Wta>(labelled("attack", make<Select>(probe(0), probe(1))), check(2),
+                             labelled("attack", make<Select>(labelled("last", probe(3))))));
+}
+
+TEST(Tree, NumbersItsNodesInPreOrder) {
+  const RobotTree tree = engage();
+  ASSERT_EQ(tree.size(), 7u);
+  const std::vector<std::string_view> labels{
+      "winner_takes_all", "attack", "probe", "probe", "check", "attack", "last"};
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const auto& node = tree.node(static_cast<NodeIndex>(i));
+    EXPECT_EQ(node.label(), labels[i]);
+    EXPECT_EQ(node.index(), i);
+  }
+  EXPECT_EQ(tree.node(1).end_index(), 4);
+  EXPECT_EQ(tree.parent(3), 1);
+  EXPECT_EQ(tree.parent(0), kNone);
+  EXPECT_EQ(tree.depth(6), 2u);
+}
+
+TEST(Tree, NamesEachNodeByAPathThatFindsIt) {
+  const RobotTree tree = engage();
+  EXPECT_EQ(tree.path(0), "root");
+  EXPECT_EQ(tree.path(3), "root/attack[0]/probe[1]");
+  EXPECT_EQ(tree.path(4), "root/check");
+  EXPECT_EQ(tree.path(6), "root/attack[1]/last");
+  for (std::size_t i = 0; i < tree.size(); ++i)
+    EXPECT_EQ(tree.find(tree.path(static_cast<NodeIndex>(i))), i);
+  EXPECT_EQ(tree.find("root/nowhere"), std::nullopt);
+}
+
+TEST(Tree, GivesEachNodeMemoryOfItsOwn) {
+  Robot robot(make<Wta>(probes(3)));
+  EXPECT_EQ(robot.tree.memory_bytes(), 3 * slab_bytes(sizeof(ProbeMemory)));
+  robot.tick();
+  robot.tick();
+  for (const char* path : {"root/probe[0]", "root/probe[1]", "root/probe[2]"})
+    EXPECT_EQ(robot.asked(path), 2u);
+}
+
+TEST(Tree, OfOneLeafIsATree) {
+  Robot robot(probe(0));
+  robot.cue(0) = {kSuccess, 2, {.heading = 1}};
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.out.action.heading, 1);
+  EXPECT_EQ(robot.supplier(0), "root");
+}
+
+TEST(Tree, EmptiesTheProposalAfterAFailure) {
+  Robot robot(probe(0));
+  robot.out = {{.altitude = 5}, 3};
+  robot.cue(0) = {kFailure, 2, {.heading = 1}};
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_TRUE(robot.out.is_empty());
+}
+
+TEST(Tree, IsSharedByManyAgents) {
+  const RobotTree tree("pair", make<Wta>(probes(2)));
+  State state;
+  state.cues[0] = {kRunning, 1, {}};
+  std::vector<std::byte> one(tree.memory_bytes()), two(tree.memory_bytes());
+  RobotProposal out;
+  tree.tick({.state = state, .memory = one.data()}, out);
+  tree.tick({.state = state, .memory = one.data()}, out);
+  tree.tick({.state = state, .memory = two.data()}, out);
+  const auto& probe = static_cast<const Probe&>(tree.node(1));
+  EXPECT_EQ(probe.asked(one.data()), 2u);
+  EXPECT_EQ(probe.asked(two.data()), 1u);
+}
+
+template <class Make>
+std::string refusal(Make make_root) {
+  try {
+    const RobotTree tree("bad", make_root());
+  } catch (const std::logic_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+template <class Make>
+::testing::AssertionResult refused(Make make_root, std::string_view words) {
+  const std::string said = refusal(make_root);
+  if (said.find(words) != std::string::npos)
+    return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "it said: " << said;
+}
+
+TEST(Tree, RefusesWhatIsNoTree) {
+  EXPECT_TRUE(refused([] { return Child(); }, "a tree needs a root"));
+  EXPECT_TRUE(
+      refused([]() -> Child { return make<Wta>(probe(0), Child()); }, "a child is missing"));
+  EXPECT_TRUE(refused([]() -> Child { return make<Inverter<State, Action>>(); },
+                      "a decorator has exactly one child"));
+}
+
+Child chain(std::size_t length) {
+  Child node = probe(0);
+  for (std::size_t i = 1; i < length; ++i)
+    node = make<Select>(std::move(node));
+  return node;
+}
+
+TEST(Tree, RefusesMoreThan64Levels) {
+  EXPECT_EQ(refusal([] { return chain(kMaxDepth); }), "accepted");
+  EXPECT_TRUE(refused([] { return chain(kMaxDepth + 1); }, "deeper than 64 levels"));
+}
+
+Child many_checks(std::size_t count) {
+  Children children;
+  for (std::size_t i = 0; i < count; ++i)
+    children.push_back(check(0));
+  return make<Wta>(std::move(children));
+}
+
+TEST(Tree, RefusesMoreThan65535Nodes) {
+  EXPECT_EQ(refusal([] { return many_checks(kMaxNodes - 1); }), "accepted");
+  EXPECT_TRUE(refused([] { return many_checks(kMaxNodes); }, "more than 65535 nodes"));
+}
+
+/// Remembers a quarter of what one agent may remember.
+class Elephant final : public Node {
+ public:
+  static constexpr std::string_view type_name = "elephant";
+  std::size_t memory_bytes() const noexcept override { return kMaxMemory / 4; }
+  Status tick(const RobotTick&, RobotProposal&) const override { return Status::failure; }
+};
+
+TEST(Tree, RefusesMoreThanAMebibyteOfMemory) {
+  EXPECT_EQ(refusal([]() -> Child {
+              return make<Wta>(make<Elephant>(), make<Elephant>(), make<Elephant>(),
+                               make<Elephant>());
+            }),
+            "accepted");
+  EXPECT_TRUE(refused(
+      []() -> Child {
+        return make<Wta>(make<Elephant>(), make<Elephant>(), make<Elephant>(), make<Elephant>(),
+                         probe(0));
+      },
+      "more than 1 MiB"));
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing
