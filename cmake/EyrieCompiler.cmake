@@ -11,7 +11,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 add_library(eyrie_options INTERFACE)
 target_include_directories(eyrie_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
 target_compile_options(eyrie_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror
+  -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion -Werror
   -ffp-contract=off -fno-fast-math)
 foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log log2 log10 pow cbrt)
   target_compile_options(eyrie_options INTERFACE -fno-builtin-${function})

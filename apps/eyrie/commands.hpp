@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The subcommands of the program. Each gives the exit code: 0 done, 1 failed, 2 the user's
+/// mistake.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eyrie::app {
+
+struct FlyOptions {
+  std::string scenario;  ///< file, or the name of one in scenarios/; empty: the sweep
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> sets;
+  std::string out;    ///< folder; empty: runs/<scenario>-<seed>
+  std::string until;  ///< quantity; empty: as the scenario says
+  unsigned workers = 1;
+  unsigned paranoid = 0;           ///< workers of the second step; 0: off
+  std::optional<double> realtime;  ///< factor
+  bool quiet = false, json = false, force = false;
+};
+
+int fly(const FlyOptions& options);
+int validate(const std::vector<std::string>& files);
+int replay(const std::string& run, unsigned workers, bool json);
+
+enum class CatalogFormat { text, markdown, json_schema };
+int catalog(CatalogFormat format);
+
+/// The folder with data/ and scenarios/: EYRIE_HOME, or the one the program was built from.
+[[nodiscard]] std::string home();
+/// "eyrie 0.1.0 (gcc 12.2.0, Release)"
+[[nodiscard]] std::string version_text();
+
+}  // namespace eyrie::app

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "locate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+#include "commands.hpp"
+#include "core/diagnostics.hpp"
+
+namespace eyrie::app {
+namespace fs = std::filesystem;
+
+std::string home() {
+  if (const char* set = std::getenv("EYRIE_HOME"); set && *set)
+    return set;
+  return EYRIE_HOME_DEFAULT;
+}
+
+std::string scenario_file(const std::string& name) {
+  const std::string wanted = name.empty() ? "sweep" : name;
+  std::error_code ignored;
+  if (fs::is_regular_file(wanted, ignored))
+    return wanted;
+  const fs::path shipped = fs::path(home()) / "scenarios" / (wanted + ".yaml");
+  if (!fs::is_regular_file(shipped, ignored))
+    return wanted;
+  // relative if that is shorter to read
+  const fs::path near = fs::relative(shipped, ignored);
+  return !ignored && near.native().size() < shipped.native().size() ? near.generic_string()
+                                                                    : shipped.generic_string();
+}
+
+std::shared_ptr<const scenario::Scenario> load_or_complain(const std::string& name,
+                                                           const std::vector<std::string>& sets) {
+  const std::string file = scenario_file(name);
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(fs::path(home()) / "scenarios", ignored))
+      if (entry.path().extension() == ".yaml")
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    fmt::print(stderr, "eyrie: there is no scenario {}{}\n", quote(name),
+               did_you_mean(fs::path(name).stem().string(), names));
+    return nullptr;
+  }
+  try {
+    return scenario::load({file, sets}, scenario::Source::disk(home()));
+  } catch (const ConfigError& e) {
+    fmt::print(stderr, "{}\n", e.diagnostics().text());
+    return nullptr;
+  }
+}
+
+}  // namespace eyrie::app

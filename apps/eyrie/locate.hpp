@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  From what the user typed to a loaded scenario.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.hpp"
+
+namespace eyrie::app {
+
+/// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
+[[nodiscard]] std::string scenario_file(const std::string& name);
+
+/// Loads it, or prints every mistake on stderr and gives null.
+[[nodiscard]] std::shared_ptr<const scenario::Scenario> load_or_complain(
+    const std::string& name, const std::vector<std::string>& sets);
+
+}  // namespace eyrie::app

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "commands.hpp"
+
+namespace {
+
+using namespace eyrie::app;
+
+/// What the user asked for, once the line is parsed.
+struct Commands {
+  FlyOptions fly;
+  std::vector<std::string> files;
+  std::string run;
+  unsigned workers = 1;
+  bool json = false, markdown = false, json_schema = false;
+};
+
+void add_fly(CLI::App& app, Commands& c) {
+  CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
+  fly->add_option("scenario", c.fly.scenario, "a file, or the name of one in scenarios/")
+      ->default_str("sweep");
+  fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)");
+  fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+  fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
+  fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");
+  fly->add_option("--workers", c.fly.workers, "threads that share the step; never the result")
+      ->check(CLI::Range(1, 256));
+  fly->add_option("--paranoid", c.fly.paranoid,
+                  "make every step twice, with this many workers the second time, and compare")
+      ->expected(0, 1)
+      ->default_str("2")
+      ->check(CLI::Range(1, 256));
+  fly->add_option("--realtime", c.fly.realtime, "pace by the clock, times this factor")
+      ->expected(0, 1)
+      ->default_str("1")
+      ->check(CLI::PositiveNumber);
+  fly->add_flag("--force", c.fly.force, "replace the folder given by --out");
+  fly->add_flag("--quiet", c.fly.quiet, "no story, only how it ended");
+  fly->add_flag("--json", c.fly.json, "one JSON object on standard output instead of words");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+  Commands c;
+  add_fly(app, c);
+  CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
+  validate_cmd->add_option("files", c.files, "scenario files")->required();
+  CLI::App* catalog_cmd =
+      app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
+  auto* schema = catalog_cmd->add_flag("--json-schema", c.json_schema, "as a JSON schema");
+  catalog_cmd->add_flag("--markdown", c.markdown, "as the reference page")->excludes(schema);
+  CLI::App* replay_cmd = app.add_subcommand("replay", "Fly a recorded run again and compare");
+  replay_cmd->add_option("run", c.run, "a run folder or its run file")->required();
+  replay_cmd->add_option("--workers", c.workers, "threads that share the step")
+      ->check(CLI::Range(1, 256));
+  replay_cmd->add_flag("--json", c.json, "one JSON object instead of words");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    return code == 0 ? 0 : 2;
+  }
+  try {
+    if (app.got_subcommand("fly"))
+      return fly(c.fly);
+    if (app.got_subcommand(validate_cmd))
+      return validate(c.files);
+    if (app.got_subcommand(replay_cmd))
+      return replay(c.run, c.workers, c.json);
+    return catalog(c.json_schema ? CatalogFormat::json_schema
+                   : c.markdown  ? CatalogFormat::markdown
+                                 : CatalogFormat::text);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "eyrie: %s\n", e.what());
+    return 1;
+  }
+}

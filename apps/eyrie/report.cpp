@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/units.hpp"
+
+namespace eyrie::app {
+using model::Side;
+using record::Tone;
+
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("0x{:016x}", hash);
+}
+
+std::string outcome_text(const scenario::Mission& mission, const record::Tally& tally) {
+  const auto blue = tally.side(Side::blue), red = tally.side(Side::red);
+  std::string text;
+  switch (mission.outcome()) {
+    case scenario::Outcome::blue_home:
+      text = fmt::format("blue is home, {} of {}", blue.home, blue.players);
+      break;
+    case scenario::Outcome::blue_lost:
+      text = "no blue aircraft is left";
+      break;
+    case scenario::Outcome::red_lost:
+      text = "no red aircraft is left";
+      break;
+    case scenario::Outcome::time:
+      text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
+      break;
+    default:
+      text = fmt::format("stopped at {}", record::clock_text(mission.run().time()));
+      break;
+  }
+  return fmt::format("{}; losses: blue {}, red {}", text, blue.losses, red.losses);
+}
+
+std::string Report::paint(std::string text, Tone tone) const {
+  if (!color_ || tone == Tone::plain)
+    return text;
+  const char* code = tone == Tone::blue   ? "34"
+                     : tone == Tone::red  ? "31"
+                     : tone == Tone::kill ? "1;33"
+                                          : "1;36";
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+void Report::header(std::uint64_t seed) const {
+  fmt::print("{}", scenario_.spec.name);
+  if (!scenario_.spec.help_text.empty())
+    fmt::print(": {}", scenario_.spec.help_text);
+  fmt::print("\nseed {}", seed);
+  for (const auto& flight : scenario_.roster.flights) {
+    const auto& lead = scenario_.roster.players[flight.members.front().value - 1];
+    const auto type = scenario_.library->aircraft.find(lead.aircraft);
+    fmt::print(", {}",
+               paint(fmt::format("{} {} {} x {}", scenario::side_name(flight.side), flight.name,
+                                 flight.members.size(),
+                                 type ? scenario_.library->aircraft[*type].label : lead.aircraft),
+                     flight.side == Side::blue ? Tone::blue : Tone::red));
+  }
+  fmt::print("\n\n");
+}
+
+void Report::line(const record::StoryLine& line) const {
+  fmt::print("{:>8}  {}  {}\n", record::clock_text(line.time),
+             paint(fmt::format("{:<9}", line.who), line.tone), line.text);
+}
+
+void Report::table(const scenario::Mission& mission, const record::Tally& tally) const {
+  fmt::print("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "aircraft", "side", "shots", "kills",
+             "end", "fuel kg", "phase");
+  const auto& world = mission.run().world();
+  const auto fuel = world.rows(scenario_.aircraft.propulsion);
+  for (std::size_t i = 0; i < tally.players().size(); ++i) {
+    const auto& p = tally.players()[i];
+    const auto& who = scenario_.roster.players[i];
+    const auto row =
+        world.row(scenario_.aircraft.table, PlayerId{static_cast<std::uint32_t>(i + 1)});
+    const std::string end = p.lost   ? "lost " + record::clock_text(p.end_time)
+                            : p.home ? "home " + record::clock_text(p.end_time)
+                                     : "in the air";
+    fmt::print(
+        "{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
+        paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),
+        scenario::side_name(who.side), p.shots, p.kills, end,
+        row ? fmt::format("{:.0f}", fuel[*row].fuel) : "-", p.phase);
+  }
+  fmt::print("\n");
+  for (const auto& phase : tally.phases())
+    if (scenario_.roster.flights[phase.flight].side == Side::blue)
+      fmt::print("{} {} {}   ", scenario_.roster.flights[phase.flight].name, phase.phase,
+                 record::clock_text(phase.time));
+  fmt::print("\n");
+}
+
+void Report::closing(const scenario::Mission& mission, const record::Tally& tally,
+                     const Timing& timing, const std::string& run_dir) const {
+  table(mission, tally);
+  const double time = mission.run().time();
+  fmt::print("{}\n", outcome_text(mission, tally));
+  fmt::print("world hash {} after {} steps\n", hash_text(mission.run().world().hash()),
+             mission.run().world().step());
+  fmt::print("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
+             timing.wall > 0 ? time / timing.wall : 0);
+  if (timing.paced)
+    fmt::print("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n",
+               timing.missed, timing.deadlines, timing.worst_late * 1000);
+  if (!run_dir.empty())
+    fmt::print("written to {}: run.eyrie, events.csv, flight.acmi\n", run_dir);
+}
+
+std::string json_report(const scenario::Mission& mission, const record::Tally& tally,
+                        std::uint64_t seed, const Timing& timing, const std::string& run_dir) {
+  const auto& scenario = mission.scenario();
+  const double time = mission.run().time();
+  nlohmann::ordered_json j;
+  j["scenario"] = scenario.spec.name;
+  j["seed"] = seed;
+  j["steps"] = mission.run().world().step();
+  j["sim_time_s"] = time;
+  j["wall_time_s"] = timing.wall;
+  j["realtime_factor"] = timing.wall > 0 ? time / timing.wall : 0;
+  j["hash"] = hash_text(mission.run().world().hash());
+  j["phases"] = nlohmann::json::array();
+  for (const auto& phase : tally.phases())
+    j["phases"].push_back({{"flight", scenario.roster.flights[phase.flight].name},
+                           {"phase", phase.phase},
+                           {"time_s", phase.time}});
+  for (const Side side : {Side::blue, Side::red}) {
+    const auto s = tally.side(side);
+    j["sides"][std::string(scenario::side_name(side))] = {{"players", s.players},
+                                                          {"losses", s.losses},
+                                                          {"shots", s.shots},
+                                                          {"kills", s.kills},
+                                                          {"home", s.home}};
+  }
+  j["outcome"] = scenario::outcome_name(mission.outcome());
+  if (timing.paced)
+    j["deadlines"] = {{"total", timing.deadlines},
+                      {"missed", timing.missed},
+                      {"worst_late_s", timing.worst_late}};
+  j["run_dir"] = run_dir;
+  return j.dump(2);
+}
+
+}  // namespace eyrie::app

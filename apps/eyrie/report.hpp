@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What the user reads: header, story, closing table; or one JSON object.
+#include <string>
+
+#include "record/story.hpp"
+#include "record/tally.hpp"
+#include "scenario/mission.hpp"
+
+namespace eyrie::app {
+
+/// How long flying took, and what was asked for.
+struct Timing {
+  double wall = 0;  ///< s
+  std::uint64_t deadlines = 0, missed = 0;
+  double worst_late = 0;  ///< s
+  bool paced = false;
+};
+
+class Report {
+ public:
+  /// `color` only on a terminal.
+  Report(const scenario::Scenario& scenario, bool color) : scenario_(scenario), color_(color) {}
+
+  void header(std::uint64_t seed) const;
+  void line(const record::StoryLine& line) const;
+  void closing(const scenario::Mission& mission, const record::Tally& tally, const Timing& timing,
+               const std::string& run_dir) const;
+
+ private:
+  [[nodiscard]] std::string paint(std::string text, record::Tone tone) const;
+  void table(const scenario::Mission& mission, const record::Tally& tally) const;
+
+  const scenario::Scenario& scenario_;
+  bool color_;
+};
+
+/// The object that `fly --json` prints.
+[[nodiscard]] std::string json_report(const scenario::Mission& mission, const record::Tally& tally,
+                                      std::uint64_t seed, const Timing& timing,
+                                      const std::string& run_dir);
+
+/// "0x0123456789abcdef"
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
+/// One line for people: "blue is home (4 of 4), red lost 2 of 2".
+[[nodiscard]] std::string outcome_text(const scenario::Mission& mission,
+                                       const record::Tally& tally);
+
+}  // namespace eyrie::app

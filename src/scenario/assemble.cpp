@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/assemble.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/math.hpp"
+#include "model/events.hpp"
+#include "model/flight/flight_system.hpp"
+#include "model/sensor/sensor_system.hpp"
+#include "model/weapon/damage_system.hpp"
+#include "model/weapon/gun.hpp"
+#include "model/weapon/gun_system.hpp"
+#include "model/weapon/missile_system.hpp"
+#include "model/weapon/stores_system.hpp"
+#include "pilot/pilot_system.hpp"
+#include "scenario/place.hpp"
+#include "sim/rate.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+/// Missiles that can be in the air at once: all that hang under all aircraft.
+std::uint32_t all_missiles(std::span<const Start> starts) {
+  std::uint32_t count = 0;
+  for (const Start& s : starts)
+    for (const model::Station& station : s.stations)
+      if (station.store)
+        count += station.count;
+  return std::max<std::uint32_t>(count, 1);
+}
+
+void populate(const Scenario& scenario, std::span<const Start> starts, sim::World& world) {
+  const model::AircraftColumns& c = scenario.aircraft;
+  const model::Library& library = *scenario.library;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const Start& s = starts[i];
+    const auto born = world.spawn(c.table);
+    EYRIE_DEMAND(born && born->id.value == i + 1, "aircraft are born in the order of the roster");
+    const std::uint32_t row = born->row;
+    const Roster::Player& player = scenario.roster.players[i];
+    const model::AircraftType& type = library.aircraft[s.type];
+
+    model::Kinematics& k = world.rows(c.kinematics)[row];
+    k = model::placed(library.reference, library.environment, s.position, s.heading, s.speed);
+    world.rows(c.fit)[row] = {.type = s.type,
+                              .flight = player.flight,
+                              .rank = player.rank,
+                              .side = player.side,
+                              .privileged = s.privileged};
+    model::Command command{.heading = k.heading, .altitude = k.altitude, .speed = s.speed};
+    if (!s.tree && !library.flights[player.flight].routes.empty())
+      command.mode = model::AutopilotMode::route;
+    world.rows(c.command)[row] = command;
+    world.rows(c.propulsion)[row] = {.fuel = s.fuel};
+    world.rows(c.flying)[row] = {};
+    world.rows(c.request)[row] = {};
+    world.rows(c.radar)[row] = {};
+    world.rows(c.rwr)[row] = {};
+    world.rows(c.threats)[row] = {};
+    world.rows(c.tracks)[row] = {};
+    world.rows(c.datalink)[row] = {};
+    world.rows(c.sent)[row] = {};
+    world.rows(c.emission)[row] = {};
+    model::Stores stores;
+    stores.stations = s.stations;
+    world.rows(c.stores)[row] = stores;
+    model::GunState gun;
+    if (type.index.gun)
+      gun = model::loaded(library.guns[*type.index.gun]);
+    if (s.rounds)
+      gun.rounds = *s.rounds;
+    world.rows(c.gun)[row] = gun;
+    world.rows(c.damage)[row] = {};
+    world.rows(scenario.pilots.agent)[row] = {.bingo = s.bingo,
+                                              .tree = s.tree.value_or(pilot::kNoTree)};
+  }
+}
+
+}  // namespace
+
+Vec3 beside(const Reference& reference, const Vec3& lead, double heading, const Vec3& offset) {
+  const Vertical at = reference.vertical_at(lead);
+  const auto [sin, cos] = math::sin_cos(heading);
+  const Vec3 ned{offset.x * cos - offset.y * sin, offset.x * sin + offset.y * cos, 0};
+  const Vec3 level = lead + from_ned(at, ned);
+  return at_altitude(reference, level.x, level.y, at.altitude - offset.z);
+}
+
+sim::World Scenario::world(std::uint64_t seed) const {
+  sim::World world = simulation->world(seed);
+  for (std::size_t t = 0; t < world.schema().tables().size(); ++t) {
+    const TableId table{static_cast<std::uint32_t>(t + 1)};
+    const auto& columns = world.schema().table(table).columns;
+    for (std::uint32_t row = 0; row < start->rows(table); ++row) {
+      const auto born = world.spawn(table);
+      EYRIE_DEMAND(born.has_value(), "the same capacity");
+      // the first two columns are the ids and the leaving marks, which spawn has set
+      for (std::size_t c = 2; c < columns.size(); ++c) {
+        const auto to = world.bytes(sim::ByteColumn{columns[c]}, row);
+        const auto from = std::as_const(*start).bytes(sim::ByteColumn{columns[c]}, row);
+        std::memcpy(to.data(), from.data(), to.size());
+      }
+    }
+  }
+  return world;
+}
+
+std::string assemble(Scenario& scenario, std::span<const Start> starts) {
+  const double dt = 1 / scenario.spec.rates.kinematics;
+  const sim::Period decisions = sim::period_steps(scenario.spec.rates.decisions, dt);
+  if (!decisions)
+    return "decisions: " + decisions.error;
+  for (const std::string& problem : model::sensor_problems(*scenario.library, dt))
+    return problem;
+
+  sim::SchemaBuilder schema;
+  scenario.aircraft =
+      model::AircraftColumns::define(schema, static_cast<std::uint32_t>(starts.size()));
+  scenario.missiles = model::MissileColumns::define(schema, all_missiles(starts));
+  scenario.pilots =
+      pilot::PilotColumns::define(schema, scenario.aircraft.table,
+                                  static_cast<std::uint32_t>(scenario.trees->max_memory()));
+  model::describe_events(schema);
+  pilot::add_orders(schema);
+
+  sim::SimulationBuilder builder(schema.build(), dt);
+  builder.add<model::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
+  builder.add<pilot::PilotSystem>(pilot::PilotSetup{.aircraft = scenario.aircraft,
+                                                    .pilots = scenario.pilots,
+                                                    .library = scenario.library,
+                                                    .trees = scenario.trees,
+                                                    .flights = scenario.plans,
+                                                    .dt = dt,
+                                                    .period = decisions.steps});
+  builder.add<model::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
+  builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
+  builder.add<model::GunSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::FlightSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::DamageSystem>(scenario.aircraft);
+  scenario.simulation = builder.build();
+
+  sim::World world = scenario.simulation->world(scenario.spec.seed);
+  populate(scenario, starts, world);
+  scenario.start = std::move(world);
+  return {};
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  From a library, trees and starts to a simulation and its first world.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "core/diagnostics.hpp"
+#include "core/frames.hpp"
+#include "model/weapon/stores_state.hpp"
+#include "scenario/scenario.hpp"
+
+namespace eyrie::scenario {
+
+/// How one aircraft begins; in the order of the roster.
+struct Start {
+  Vec3 position;       ///< m, local frame
+  double heading = 0;  ///< rad, true
+  double speed = 0;    ///< m/s true airspeed
+  double fuel = 0;     ///< kg
+  double bingo = 0;    ///< kg
+  std::optional<std::uint16_t> rounds;
+  std::uint16_t type = 0;
+  std::optional<std::uint16_t> tree;
+  bool privileged = false;
+  std::array<model::Station, model::kMaxStations> stations{};
+  Location where;
+};
+
+/// The place `offset` (forward, right, down) from a lead that flies `heading` (rad).
+[[nodiscard]] Vec3 beside(const Reference& reference, const Vec3& lead, double heading,
+                          const Vec3& offset);
+
+/// Builds schema, systems and start world of a scenario whose spec, roster, library and trees are
+/// complete. Gives why that is impossible (a rate that does not divide), or "".
+[[nodiscard]] std::string assemble(Scenario& scenario, std::span<const Start> starts);
+
+}  // namespace eyrie::scenario

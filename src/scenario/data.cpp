@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "scenario/yaml.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+constexpr std::array<std::string_view, 10> kKinds{"aircraft", "airframes", "radars",    "rwr",
+                                                  "visual",   "iff",       "datalinks", "trackers",
+                                                  "missiles", "guns"};
+
+std::string_view singular(std::string_view kind) {
+  if (kind == "rwr")
+    return "radar warning receiver";
+  if (kind == "visual")
+    return "visual model";
+  if (kind == "aircraft" || kind == "iff")
+    return kind;
+  return kind.substr(0, kind.size() - 1);
+}
+
+/// `over` on top of `base`: maps are merged key by key, everything else is replaced.
+Value merged(Value base, const Value& over) {
+  if (!base.is_map() || !over.is_map())
+    return over;
+  for (const Value::Entry& e : over.entries) {
+    const auto there = std::find_if(base.entries.begin(), base.entries.end(),
+                                    [&](const Value::Entry& b) { return b.key == e.key; });
+    if (there == base.entries.end()) {
+      base.entries.push_back(e);
+    } else {
+      there->value = merged(std::move(there->value), e.value);
+      there->where = e.where;
+    }
+  }
+  base.where = over.where;
+  return base;
+}
+
+}  // namespace
+
+std::vector<std::string_view> DataLoader::kinds() {
+  return {kKinds.begin(), kKinds.end()};
+}
+
+DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source& source,
+                       Diagnostics& diagnostics)
+    : library_(library), inline_(inline_data), source_(source), diagnostics_(diagnostics) {
+  check_inline();
+}
+
+void DataLoader::check_inline() {
+  if (!inline_ || inline_->is_null())
+    return;
+  if (!inline_->is_map()) {
+    diagnostics_.error(inline_->where, "data: expected a map of kinds, got " + inline_->shown());
+    return;
+  }
+  for (const Value::Entry& kind : inline_->entries) {
+    if (std::find(kKinds.begin(), kKinds.end(), kind.key) == kKinds.end())
+      diagnostics_.error(kind.where, fmt::format("data has no kind '{}'{}", kind.key,
+                                                 did_you_mean(kind.key, std::span(kKinds))));
+    else if (!kind.value.is_map())
+      diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
+                                                       kind.key, kind.value.shown()));
+    for (std::size_t i = 0; i < kind.value.entries.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (kind.value.entries[i].key == kind.value.entries[k].key)
+          diagnostics_.error(
+              kind.value.entries[i].where,
+              fmt::format("{} '{}' is defined twice (also at {})", singular(kind.key),
+                          kind.value.entries[i].key, kind.value.entries[k].where.text()));
+  }
+}
+
+std::optional<Value> DataLoader::document(std::string_view kind, const std::string& name,
+                                          const Location& where, std::vector<std::string>& chain) {
+  if (std::find(chain.begin(), chain.end(), name) != chain.end()) {
+    std::string loop;
+    for (const std::string& link : chain)
+      loop += link + " -> ";
+    diagnostics_.error(
+        where, fmt::format("{} '{}' is based on itself: {}{}", singular(kind), name, loop, name));
+    return std::nullopt;
+  }
+  chain.push_back(name);
+
+  std::optional<Value> found;
+  const Value* group = inline_ ? inline_->find(kind) : nullptr;
+  if (const Value* there = group ? group->find(name) : nullptr) {
+    found = *there;
+  } else if (const auto text = source_.read(source_.data_name(kind, name))) {
+    const std::size_t before = diagnostics_.count();
+    Value v = parse_yaml(*text, source_.data_name(kind, name), diagnostics_);
+    if (diagnostics_.count() != before)
+      return std::nullopt;
+    found = std::move(v);
+  }
+  if (!found) {
+    std::vector<std::string> names = source_.data_names(kind);
+    if (group)
+      for (const Value::Entry& e : group->entries)
+        names.push_back(e.key);
+    diagnostics_.error(
+        where, fmt::format("unknown {} '{}'{}", singular(kind), name, did_you_mean(name, names)));
+    return std::nullopt;
+  }
+  if (const Value* base = found->find("base")) {
+    if (!base->is_scalar()) {
+      diagnostics_.error(base->where, "base: expected a name, got " + base->shown());
+      return std::nullopt;
+    }
+    auto below = document(kind, base->text, base->where, chain);
+    if (!below)
+      return std::nullopt;
+    return merged(std::move(*below), *found);
+  }
+  return found;
+}
+
+template <Described Model>
+std::optional<std::uint16_t> DataLoader::load(model::Shelf<Model>& shelf, std::string_view kind,
+                                              const std::string& name, const Location& where) {
+  if (const auto known = shelf.find(name))
+    return known;
+  if (failed_[{std::string(kind), name}])
+    return std::nullopt;
+  std::vector<std::string> chain;
+  const auto map = document(kind, name, where, chain);
+  Model model;
+  static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
+  if (!map || !bind(model, *map, diagnostics_, kAlso)) {
+    failed_[{std::string(kind), name}] = true;
+    return std::nullopt;
+  }
+  if constexpr (requires { model.name = name; })
+    model.name = name;
+  if constexpr (requires { model.prepare(); })
+    model.prepare();
+  return shelf.add(name, std::move(model));
+}
+
+template <Described Model>
+void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+                      model::Shelf<Model>& shelf, std::string_view kind, const Location& where) {
+  if (name)
+    index = load(shelf, kind, *name, where);
+}
+
+std::optional<std::uint16_t> DataLoader::missile(const std::string& name, const Location& where) {
+  return load(library_.missiles, "missiles", name, where);
+}
+
+std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {
+  if (const auto known = library_.aircraft.find(name))
+    return known;
+  if (failed_[{"aircraft", name}])
+    return std::nullopt;
+  const std::size_t before = diagnostics_.count();
+  std::vector<std::string> chain;
+  const auto map = document("aircraft", name, where, chain);
+  model::AircraftType type;
+  static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
+  if (map && bind(type, *map, diagnostics_, kAlso)) {
+    const auto place = [&](std::string_view key) {
+      const Value* v = map->find(key);
+      return v ? v->where : map->where;
+    };
+    if (const auto frame = load(library_.airframes, "airframes", type.airframe, place("airframe")))
+      type.index.airframe = *frame;
+    part(type.index.radar, type.radar, library_.radars, "radars", place("radar"));
+    part(type.index.rwr, type.rwr, library_.rwrs, "rwr", place("rwr"));
+    part(type.index.visual, type.visual, library_.visuals, "visual", place("visual"));
+    part(type.index.iff, type.iff, library_.iffs, "iff", place("iff"));
+    part(type.index.datalink, type.datalink, library_.datalinks, "datalinks", place("datalink"));
+    part(type.index.tracker, type.tracker, library_.trackers, "trackers", place("tracker"));
+    part(type.index.gun, type.gun, library_.guns, "guns", place("gun"));
+    for (const model::StationFit& station : type.stations)
+      missile(station.store, place("stations"));
+  }
+  if (diagnostics_.count() != before) {
+    failed_[{"aircraft", name}] = true;
+    return std::nullopt;
+  }
+  return library_.aircraft.add(name, std::move(type));
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Models by name: data/<kind>/<name>.yaml, or the `data:` map of a scenario.
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bind.hpp"
+#include "core/diagnostics.hpp"
+#include "core/value.hpp"
+#include "model/library.hpp"
+#include "scenario/source.hpp"
+
+namespace eyrie::scenario {
+
+/// Puts models on the shelves of a Library when they are first asked for. A model stands in the
+/// scenario's `data: {<kind>: {<name>: {...}}}` or in a file; in both a key `base: <name>` takes
+/// everything that is not said from another model of the kind. `source:` is free text about where
+/// the numbers come from.
+class DataLoader {
+ public:
+  /// `inline_data` is the scenario's `data:` map, or null.
+  DataLoader(model::Library& library, const Value* inline_data, Source& source,
+             Diagnostics& diagnostics);
+
+  /// The index of an aircraft type with everything that it is put together from. Nothing if there
+  /// is a mistake, which is then in the diagnostics: `where` is who asked.
+  std::optional<std::uint16_t> aircraft(const std::string& name, const Location& where);
+  std::optional<std::uint16_t> missile(const std::string& name, const Location& where);
+
+  /// Every kind that has a folder in data/.
+  [[nodiscard]] static std::vector<std::string_view> kinds();
+
+ private:
+  /// The document of a model with its bases merged in, or nothing after a mistake.
+  std::optional<Value> document(std::string_view kind, const std::string& name,
+                                const Location& where, std::vector<std::string>& chain);
+  template <Described Model>
+  std::optional<std::uint16_t> load(model::Shelf<Model>& shelf, std::string_view kind,
+                                    const std::string& name, const Location& where);
+  template <Described Model>
+  void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+            model::Shelf<Model>& shelf, std::string_view kind, const Location& where);
+  void check_inline();
+
+  model::Library& library_;
+  const Value* inline_;
+  Source& source_;
+  Diagnostics& diagnostics_;
+  std::map<std::pair<std::string, std::string>, bool> failed_;  ///< said once is enough
+};
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One flight of a scenario, from its first world to its end.
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "scenario/scenario.hpp"
+#include "sim/run.hpp"
+
+namespace eyrie::scenario {
+
+/// Why a mission was over.
+enum class Outcome : std::uint8_t {
+  running,
+  blue_home,  ///< every blue aircraft that lived came home
+  blue_lost,  ///< no blue aircraft lives
+  red_lost,   ///< no red aircraft lives
+  time,       ///< `until` came first
+  stopped,    ///< from outside
+};
+[[nodiscard]] std::string_view outcome_name(Outcome outcome);
+
+/// A sim::Run that knows when it is over.
+class Mission {
+ public:
+  /// `until` (s) replaces the scenario's own if given.
+  Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
+          std::optional<double> until = {}, const sim::RunOptions& options = {});
+
+  [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
+  [[nodiscard]] sim::Run& run() { return run_; }
+  [[nodiscard]] const sim::Run& run() const { return run_; }
+  [[nodiscard]] double until() const { return until_; }
+
+  /// One step; false when the mission is over, and then no step was made.
+  bool step();
+  /// Ends it now.
+  void stop() { outcome_ = Outcome::stopped; }
+  /// Steps to the end, then tells the observers.
+  void fly();
+
+  [[nodiscard]] Outcome outcome() const { return outcome_; }
+
+ private:
+  [[nodiscard]] Outcome judge() const;
+
+  std::shared_ptr<const Scenario> scenario_;
+  sim::Run run_;
+  double until_;
+  std::uint64_t last_step_;
+  bool any_home_ = false;
+  Outcome outcome_ = Outcome::running;
+};
+
+}  // namespace eyrie::scenario

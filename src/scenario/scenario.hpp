@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A scenario that is ready to fly: const models, trees and systems, and the first world.
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/columns.hpp"
+#include "model/library.hpp"
+#include "pilot/columns.hpp"
+#include "pilot/state.hpp"
+#include "pilot/trees.hpp"
+#include "scenario/roster.hpp"
+#include "scenario/source.hpp"
+#include "scenario/spec.hpp"
+#include "sim/order.hpp"
+#include "sim/simulation.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::scenario {
+
+/// Everything about a run that does not change, and the world it begins with. Shared by any number
+/// of runs and threads.
+struct Scenario {
+  std::string file;  ///< as the user named it
+  ScenarioSpec spec;
+  Roster roster;
+  std::shared_ptr<const model::Library> library;
+  std::shared_ptr<const pilot::Trees> trees;
+  model::AircraftColumns aircraft;
+  model::MissileColumns missiles;
+  pilot::PilotColumns pilots;
+  std::vector<pilot::FlightPlan> plans;  ///< by Fit::flight
+  std::shared_ptr<const sim::Simulation> simulation;
+  std::optional<sim::World> start;  ///< with the scenario's own seed; use world()
+  std::vector<sim::Order> orders;
+  std::map<std::string, std::string> files;  ///< every text it was made from
+  std::vector<std::string> sets;             ///< overrides, as given
+
+  /// The world at step 0 for a seed.
+  [[nodiscard]] sim::World world(std::uint64_t seed) const;
+};
+
+/// What to load: a file, and `path=value` overrides.
+struct LoadRequest {
+  std::string file;
+  std::vector<std::string> sets;
+};
+
+/// Reads, checks and builds. Throws ConfigError with every mistake that was found.
+[[nodiscard]] std::shared_ptr<const Scenario> load(const LoadRequest& request, Source source);
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a scenario file says, as typed values before anything is built from them.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "core/describe.hpp"
+#include "core/units.hpp"
+
+namespace eyrie::scenario {
+
+/// When a run is over, besides `until`.
+enum class Ends : std::uint8_t {
+  blue_home,  ///< every living blue aircraft is home, or none lives
+  last_side,  ///< one side has no aircraft left
+  time,       ///< only `until` counts
+};
+
+/// A place: north and east of the reference point, or geodetic.
+struct PlaceSpec {
+  static constexpr std::string_view type_name = "place";
+  static constexpr std::string_view help =
+      "a place, as north/east of the reference point or as latitude/longitude";
+  static constexpr auto params() {
+    return std::tuple{
+        param("north", &PlaceSpec::north, "m", range(-500e3, 500e3),
+              "distance north of the reference point, along its meridian"),
+        param("east", &PlaceSpec::east, "m", range(-500e3, 500e3),
+              "distance east of the reference point, along its parallel"),
+        param("latitude", &PlaceSpec::latitude, "rad",
+              range(-1.5707963267948966, 1.5707963267948966), "geodetic latitude, WGS-84"),
+        param("longitude", &PlaceSpec::longitude, "rad",
+              range(-6.283185307179586, 6.283185307179586), "longitude, WGS-84")};
+  }
+  std::optional<double> north, east, latitude, longitude;
+};
+
+struct StartSpec : PlaceSpec {
+  static constexpr std::string_view type_name = "start";
+  static constexpr std::string_view help = "where and how an aircraft begins";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        PlaceSpec::params(),
+        std::tuple{param("altitude", &StartSpec::altitude, "m", range(0, 30e3),
+                         "height above the ellipsoid"),
+                   param("heading", &StartSpec::heading, "rad",
+                         range(-6.283185307179586, 6.283185307179586), "true heading"),
+                   param("speed", &StartSpec::speed, "m/s", range(1, 1000), "true airspeed")});
+  }
+  std::optional<double> altitude, heading, speed;
+};
+
+struct WaypointSpec : PlaceSpec {
+  static constexpr std::string_view type_name = "waypoint";
+  static constexpr std::string_view help = "one point of a route";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        PlaceSpec::params(),
+        std::tuple{param("altitude", &WaypointSpec::altitude, "m", range(0, 30e3),
+                         "height above the ellipsoid to fly on the leg to this point"),
+                   param("speed", &WaypointSpec::speed, "m/s", range(1, 1000),
+                         "true airspeed to fly on the leg to this point")});
+  }
+  std::optional<double> altitude, speed;
+};
+
+struct FormationSpec {
+  static constexpr std::string_view type_name = "formation";
+  static constexpr std::string_view help = "the wall formation: spacing from one place to the next";
+  static constexpr auto params() {
+    return std::tuple{
+        param("abreast", &FormationSpec::abreast, "m", range(50, 50e3),
+              "to the side of the lead, per place"),
+        param("behind", &FormationSpec::behind, "m", range(-50e3, 50e3),
+              "behind the lead, per place"),
+        param("below", &FormationSpec::below, "m", range(-5e3, 5e3), "below the lead, per place")};
+  }
+  double abreast = si(6000, "ft"), behind = si(1000, "ft"), below = si(500, "ft");
+};
+
+/// What may be said of a whole flight and again of one of its players.
+struct PlayerSpec {
+  static constexpr std::string_view type_name = "player";
+  static constexpr std::string_view help =
+      "one aircraft; what it does not say comes from its flight";
+  static constexpr auto params() {
+    return std::tuple{
+        param("aircraft", &PlayerSpec::aircraft, "name of an aircraft in data/aircraft"),
+        param("tree", &PlayerSpec::tree,
+              "name of the tree that flies it; none: the autopilot alone"),
+        param("start", &PlayerSpec::start, "where and how it begins"),
+        param("fuel", &PlayerSpec::fuel, "kg", range(0, 100e3),
+              "fuel at the start; not given: full tanks"),
+        param("bingo", &PlayerSpec::bingo, "kg", range(0, 100e3),
+              "fuel at which the pilot goes home"),
+        param("loadout", &PlayerSpec::loadout, "stores by name, one per station in order"),
+        param("rounds", &PlayerSpec::rounds, range(0, 10e3),
+              "gun rounds at the start; not given: what the gun holds"),
+        param("privileged", &PlayerSpec::privileged,
+              "true: its tracks are the truth, as in the paper")};
+  }
+  std::string aircraft, tree;
+  StartSpec start;
+  std::optional<double> fuel, bingo;
+  std::optional<std::vector<std::string>> loadout;
+  std::optional<std::uint16_t> rounds;
+  bool privileged = false;
+};
+
+struct FlightSpec : PlayerSpec {
+  static constexpr std::string_view type_name = "flight";
+  static constexpr std::string_view help = "aircraft that fly together, ranked by their names";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        PlayerSpec::params(),
+        std::tuple{param("formation", &FlightSpec::formation, "spacing of the wall formation"),
+                   param("route", &FlightSpec::route, "the waypoints, in order"),
+                   param("home", &FlightSpec::home, "where it lands; not given: the side's home")});
+  }
+  FormationSpec formation;
+  std::vector<WaypointSpec> route;
+  std::optional<PlaceSpec> home;
+};
+
+struct RatesSpec {
+  static constexpr std::string_view type_name = "rates";
+  static constexpr std::string_view help = "how often things happen; each must divide the first";
+  static constexpr auto params() {
+    return std::tuple{
+        param("kinematics", &RatesSpec::kinematics, "Hz", range(1, 1000), "steps of the world"),
+        param("decisions", &RatesSpec::decisions, "Hz", range(0.1, 1000),
+              "ticks of each pilot's tree")};
+  }
+  double kinematics = 50, decisions = 10;
+};
+
+struct ReferenceSpec {
+  static constexpr std::string_view type_name = "reference";
+  static constexpr std::string_view help = "the reference point: origin of the local frame";
+  static constexpr auto params() {
+    return std::tuple{
+        param("latitude", &ReferenceSpec::latitude, "rad",
+              range(-1.5707963267948966, 1.5707963267948966), "geodetic latitude, WGS-84")
+            .required(),
+        param("longitude", &ReferenceSpec::longitude, "rad",
+              range(-6.283185307179586, 6.283185307179586), "longitude, WGS-84")
+            .required()};
+  }
+  double latitude = 0, longitude = 0;
+};
+
+/// An order that comes with the scenario.
+struct OrderSpec {
+  static constexpr std::string_view type_name = "order";
+  static constexpr std::string_view help = "something asked of a player from outside, at a time";
+  static constexpr auto params() {
+    return std::tuple{
+        param("at", &OrderSpec::at, "s", range(0, 1e6), "simulated time").required(),
+        param("player", &OrderSpec::player, "who").required(),
+        param("swap_tree", &OrderSpec::swap_tree, "the tree to fly from then on").required()};
+  }
+  double at = 0;
+  std::string player, swap_tree;
+};
+
+/// The top level of a scenario file; trees, data, routes, blue and red are read by hand.
+struct ScenarioSpec {
+  static constexpr std::string_view type_name = "scenario";
+  static constexpr std::string_view help = "a scenario: who flies what, where, and until when";
+  static constexpr auto params() {
+    return std::tuple{
+        param("eyrie", &ScenarioSpec::eyrie, range(1, 1), "version of the file format").required(),
+        param("name", &ScenarioSpec::name, "what the run is called").required(),
+        param("help", &ScenarioSpec::help_text, "one line on what it is for"),
+        param("reference", &ScenarioSpec::reference, "origin of the local frame").required(),
+        param("seed", &ScenarioSpec::seed, "default seed of the draws"),
+        param("rates", &ScenarioSpec::rates, "how often things happen"),
+        param("until", &ScenarioSpec::until, "s", range(0.02, 1e6),
+              "the run ends at the latest then"),
+        param("ends", &ScenarioSpec::ends, "what else ends the run"),
+        param("orders", &ScenarioSpec::orders, "orders from outside, carried out on time")};
+  }
+  int eyrie = 1;
+  std::string name, help_text;
+  ReferenceSpec reference;
+  std::uint64_t seed = 1;
+  RatesSpec rates;
+  double until = si(60, "min");
+  Ends ends = Ends::blue_home;
+  std::vector<OrderSpec> orders;
+};
+
+}  // namespace eyrie::scenario
+
+template <>
+struct eyrie::EnumNames<eyrie::scenario::Ends> {
+  static constexpr std::array names{
+      std::pair<std::string_view, eyrie::scenario::Ends>{"blue_home",
+                                                         eyrie::scenario::Ends::blue_home},
+      std::pair<std::string_view, eyrie::scenario::Ends>{"last_side",
+                                                         eyrie::scenario::Ends::last_side},
+      std::pair<std::string_view, eyrie::scenario::Ends>{"time", eyrie::scenario::Ends::time}};
+};
