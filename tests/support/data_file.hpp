@@ -18,7 +18,7 @@ namespace eyrie::test {
 class DataFile {
  public:
   static Value read(const std::string& path) {
-    std::ifstream in(std::string(EYRIE_SOURCE_DIR) + "/" + path);
+    std::ifstream in(path);
     if (!in)
       throw std::runtime_error("cannot read " + path);
     DataFile file;
@@ -119,6 +119,7 @@ class DataFile {
   std::vector<Line> lines_;
 };
 
+/// Paths are relative to the root of the source tree, where tests run.
 /// `const auto missile = test::load<MissileType>("data/missiles/aim120.yaml");` Throws with every
 /// mistake of the file.
 template <Described T>

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/homing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/weapon/birth.hpp"
+#include "model/weapon/test_range.hpp"
+
+namespace eyrie::model {
+namespace {
+
+using test::kMedium;
+using test::kShort;
+using test::Range;
+
+/// A missile at the origin, 8 km up, northbound at 800 m/s, 5 s after launch at `track`.
+struct Missile {
+  Kinematics k;
+  MissileState state;
+};
+Missile missile(const Range& range, std::uint16_t type, const Track& track) {
+  const Library& library = range.library();
+  const Kinematics shooter = placed(library.reference, library.environment, {0, 0, -8000}, 0, 800);
+  const Newborn born = launched(
+      {.type = library.missiles[type], .type_index = type, .shooter = PlayerId{1}, .time = -5},
+      shooter, track);
+  Missile m{born.kinematics, born.state};
+  m.state.active = 1;
+  return m;
+}
+
+struct Homing : ::testing::Test {
+  Range range;
+  TargetScene scene() { return TargetScene::of(range.world(), range.aircraft(), range.library()); }
+  Track track_of(PlayerId whom) {
+    const Kinematics& k = range.row(range.aircraft().kinematics, whom);
+    return {.position = k.position, .velocity = k.velocity, .id = TrackId{1}, .truth = whom};
+  }
+  std::optional<Seen> look_once(Missile& m, double time = 0) {
+    return look(range.library().missiles[m.state.type], m.k, time, scene(),
+                Draw(1, PlayerId{9}, Stream::seeker, 0), m.state);
+  }
+};
+
+TEST_F(Homing, TakesTheCandidateNearestToTheExpectedPlaceFriendOrFoe) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy = range.add({9000, 400, -8000}, kPi, 250, Side::red);
+  const PlayerId friendly = range.add({8800, -100, -8000}, kPi, 250, Side::blue);
+  Track track = track_of(enemy);
+  track.position = {8900, 0, -8000};  // a poor track, nearer to the friend
+  Missile m = missile(range, kMedium, track);
+  const auto seen = look_once(m);
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->id, friendly);
+  EXPECT_EQ(m.state.seen, friendly);
+}
+
+TEST_F(Homing, KeepsWhomItRestsOn) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy = range.add({9000, 0, -8050}, kPi, 250, Side::red);
+  Missile m = missile(range, kMedium, track_of(enemy));
+  ASSERT_TRUE(look_once(m));
+  // somebody else is now exactly where it expects the enemy
+  range.add({8995, 1, -8050}, kPi, 250, Side::blue);
+  EXPECT_FALSE(look_once(m, 0.02));
+  EXPECT_EQ(m.state.seen, enemy);
+  EXPECT_EQ(m.state.locked, 1);
+}
+
+TEST_F(Homing, LosesATargetInTheNotchAndFindsItAgain) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy = range.add({9000, 0, -6000}, kPi, 250, Side::red);
+  Missile m = missile(range, kMedium, track_of(enemy));
+  ASSERT_TRUE(look_once(m));
+  Kinematics& target = range.row(range.aircraft().kinematics, enemy);
+  const Vec3 coming = target.velocity;
+  target.velocity = {0, 250, 0};
+  EXPECT_FALSE(look_once(m, 0.02));
+  EXPECT_EQ(m.state.locked, 0);
+  target.velocity = coming;
+  EXPECT_FALSE(look_once(m, 0.04)) << "the same one again is no news";
+  EXPECT_EQ(m.state.locked, 1);
+}
+
+TEST_F(Homing, SeesNobodyOutsideItsFieldOfView) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy = range.add({9000, 0, -8050}, kPi, 250, Side::red);
+  Track track = track_of(enemy);
+  track.position = {9000, 2500, -8050};  // 15 degrees off; the field of view is 12 wide
+  Missile m = missile(range, kMedium, track);
+  EXPECT_FALSE(look_once(m));
+  EXPECT_EQ(m.state.locked, 0);
+}
+
+TEST_F(Homing, SwitchesOnNearTheTargetOnlyAndOnce) {
+  const MissileType& type = range.library().missiles[kMedium];
+  range.add({0, 0, -8000}, 0, 250);
+  Missile m = missile(range, kMedium, {.position = {20e3, 0, -8000}, .velocity = {-250, 0, 0}});
+  m.state.active = 0;
+  EXPECT_FALSE(switch_on(type, m.k, 0, m.state));
+  m.state.target_position = {13e3, 0, -8000};
+  EXPECT_TRUE(switch_on(type, m.k, 0, m.state));
+  EXPECT_FALSE(switch_on(type, m.k, 0.02, m.state));
+}
+
+TEST_F(Homing, ListensToNewerTracksUntilItSeesForItself) {
+  MissileState state;
+  state.target_time = 5;
+  hear({.position = {1, 0, 0}, .time = 4}, state);
+  EXPECT_EQ(state.target_position, Vec3{});
+  hear({.position = {2, 0, 0}, .time = 6}, state);
+  EXPECT_EQ(state.target_position, (Vec3{2, 0, 0}));
+  state.locked = 1;
+  hear({.position = {3, 0, 0}, .time = 7}, state);
+  EXPECT_EQ(state.target_position, (Vec3{2, 0, 0}));
+}
+
+TEST_F(Homing, ExtrapolatesWithoutLink) {
+  MissileState state;
+  state.target_position = {1000, 0, 0};
+  state.target_velocity = {-100, 20, 0};
+  state.target_time = 3;
+  EXPECT_EQ(believed_position(state, 8), (Vec3{500, 100, 0}));
+}
+
+TEST_F(Homing, NeverTurnsBeforeItIsClear) {
+  const MissileType& type = range.library().missiles[kShort];
+  Missile m = missile(range, kShort, {.position = {0, 4000, -8000}, .velocity = {0, -250, 0}});
+  m.state.launch_time = 10;
+  EXPECT_EQ(guide(type, m.k, 10 + type.guidance.separation_time - 0.02, m.state), Vec3{});
+  EXPECT_NE(guide(type, m.k, 10 + type.guidance.separation_time + 0.02, m.state), Vec3{});
+}
+
+TEST_F(Homing, OfAnInfraredMissilePrefersHeat) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId ahead = range.add({6000, 0, -8000}, kPi, 250, Side::red);
+  Missile m = missile(range, kShort, track_of(ahead));
+  EXPECT_FALSE(look_once(m)) << "too faint from the front at 6 km";
+  range.row(range.aircraft().propulsion, ahead).throttle = 2;
+  EXPECT_TRUE(look_once(m)) << "afterburner";
+}
+
+}  // namespace
+}  // namespace eyrie::model
