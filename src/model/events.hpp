@@ -31,12 +31,12 @@ enum class EventKind : std::uint16_t {
   kill,             ///< who (shooter) killed whom; detail = missile, or 0 for the gun
   crash,            ///< who hit the ground
   fuel_out,         ///< who's tanks are empty
-  bingo,            ///< who reached bingo fuel
+  bingo,            ///< who reached bingo fuel; values: fuel (kg)
   winchester,       ///< who has no missile left
   home,             ///< who is home and leaves the run
   phase,            ///< who's sequencer changed; values: from, to, sequencer node
   lead_change,      ///< who now leads its flight, whom led before; values: flight
-  commit,           ///< who commits on whom
+  commit,           ///< who commits on whom; values: range
   defend,           ///< who breaks against missile whom or an unseen one; values: phase 1 or 2
   in_charge,        ///< who's winning behavior changed; values: node index, vote
   order,            ///< an order from outside was carried out on who; values: order kind
