@@ -42,12 +42,16 @@ Contact as_contact(const SharedTrack& shared, const TrackContext& context, doubl
 std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
                           const Contact& contact, double& best) {
   std::size_t nearest = kMaxTracks;
+  const double far2 = context.tracker.max_gate * context.tracker.max_gate;
   for (std::size_t i = 0; i < file.count; ++i) {
-    const Prediction p = predict(file.tracks[i], context.tracker, context.observer, context.time);
-    const Fitting fitting = fit_of(p, contact);
-    if (fitting.deviations2 < best && fitting.distance <= context.tracker.max_gate) {
+    const Track& track = file.tracks[i];
+    if (norm2(position_at(track, context.time) - contact.position) > far2)
+      continue;
+    const double deviations2 =
+        deviations_of(predict(track, context.tracker, context.observer, context.time), contact);
+    if (deviations2 < best) {
       nearest = i;
-      best = fitting.deviations2;
+      best = deviations2;
     }
   }
   return nearest;

@@ -30,12 +30,14 @@ std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
   std::array<Pair, kMaxTracks * kMaxContacts> pairs;
   std::size_t count = 0;
   const double gate2 = tracker.gate * tracker.gate;
+  const double far2 = tracker.max_gate * tracker.max_gate;
   for (std::size_t t = 0; t < tracks.size(); ++t)
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const Fitting fitting = fit_of(tracks[t], contacts[c]);
-      if (fitting.deviations2 <= gate2 && fitting.distance <= tracker.max_gate)
-        pairs[count++] = {fitting.deviations2, static_cast<std::uint8_t>(t),
-                          static_cast<std::uint8_t>(c)};
+      if (norm2(contacts[c].position - tracks[t].position) > far2)
+        continue;
+      const double deviations2 = deviations_of(tracks[t], contacts[c]);
+      if (deviations2 <= gate2)
+        pairs[count++] = {deviations2, static_cast<std::uint8_t>(t), static_cast<std::uint8_t>(c)};
     }
 
   // the closest first

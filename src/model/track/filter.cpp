@@ -60,15 +60,15 @@ Prediction predict(const Track& track, const Tracker& tracker, const Observer& o
   return result;
 }
 
-Fitting fit_of(const Prediction& prediction, const Contact& contact) {
+double deviations_of(const Prediction& prediction, const Contact& contact) {
   const Vec3 residual = contact.position - prediction.position;
-  const double along = dot(residual, contact.line), distance2 = norm2(residual);
-  const double across2 = std::max(distance2 - along * along, 0.0);
+  const double along = dot(residual, contact.line);
+  const double across2 = std::max(norm2(residual) - along * along, 0.0);
   const double along_variance =
       prediction.along.position + contact.sigma_along * contact.sigma_along;
   const double across_variance =
       prediction.across.position + contact.sigma_across * contact.sigma_across;
-  return {along * along / along_variance + across2 / across_variance, std::sqrt(distance2)};
+  return along * along / along_variance + across2 / across_variance;
 }
 
 void filter(Track& track, const Prediction& prediction, const Contact& contact, double time) {

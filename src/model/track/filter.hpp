@@ -74,13 +74,9 @@ struct Prediction {
 [[nodiscard]] Prediction predict(const Track& track, const Tracker& tracker,
                                  const Observer& observer, double time);
 
-/// A contact against a prediction: distance in standard deviations, squared, with the contact's own
-/// error in it (Mahalanobis distance); and in metres.
-struct Fitting {
-  double deviations2 = 0;
-  double distance = 0;
-};
-[[nodiscard]] Fitting fit_of(const Prediction& prediction, const Contact& contact);
+/// Distance of a contact from a prediction in standard deviations, squared, with the contact's own
+/// error in it (Mahalanobis distance).
+[[nodiscard]] double deviations_of(const Prediction& prediction, const Contact& contact);
 
 /// A track after one more contact at `time` (s).
 void filter(Track& track, const Prediction& prediction, const Contact& contact, double time);

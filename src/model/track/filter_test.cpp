@@ -120,7 +120,7 @@ TEST(Filter, FollowsATurnWithinItsGates) {
       continue;
     }
     const Prediction p = predict(track, tracker, kAtRest, t);
-    outside += fit_of(p, c).deviations2 > 16;
+    outside += deviations_of(p, c) > 16;
     filter(track, p, c, t);
     if (i > 10) {
       EXPECT_LT(norm(track.position - place), 3.5 * 40);
@@ -138,7 +138,7 @@ TEST(Filter, MakesTheMahalanobisDistanceChiSquare) {
     const Outcome o = fly(run, 8, 2, tracker, 3);
     const Vec3 start{60e3, 10e3, -6000}, velocity{-250, 40, 5};
     const Contact next = noisy(start + 18 * velocity, velocity, 50, 400, 3, draw(run, 9));
-    const double d2 = fit_of(predict(o.track, tracker, kAtRest, 18), next).deviations2;
+    const double d2 = deviations_of(predict(o.track, tracker, kAtRest, 18), next);
     sum += d2 / kRuns;
     beyond += d2 > 11.345;  // 1 % point of chi-square with three degrees of freedom
   }

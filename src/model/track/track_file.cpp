@@ -122,11 +122,21 @@ void absorb(Track& into, const Track& from, bool from_is_better, const TrackCont
   confirm_if_due(into, context);
 }
 
+/// Farther apart than this no two tracks can be one: cheap, and true of nearly all pairs.
+bool far_apart(const Track& a, const Track& b, const TrackContext& context) {
+  const double gate = context.tracker.merge_gate;
+  const auto sigma = [](const Track& t) { return static_cast<double>(t.position_sigma); };
+  const double variance = sigma(a) * sigma(a) + sigma(b) * sigma(b);
+  return norm2(position_at(a, context.time) - position_at(b, context.time)) >
+         gate * gate * variance * (1 + 1e-6);
+}
+
+/// Needs sigmas of now.
 void merge_duplicates(TrackFile& file, const TrackContext& context) {
   for (std::size_t i = 0; i + 1 < file.count; ++i)
     for (std::size_t j = i + 1; j < file.count;) {
       Track &older = file.tracks[i], &newer = file.tracks[j];
-      if (!may_be_one(older, newer)) {
+      if (!may_be_one(older, newer) || far_apart(older, newer, context)) {
         ++j;
         continue;
       }
@@ -139,6 +149,7 @@ void merge_duplicates(TrackFile& file, const TrackContext& context) {
       const bool newer_is_better =
           b.along.position + 2 * b.across.position < a.along.position + 2 * a.across.position;
       absorb(older, newer, newer_is_better, context);
+      refresh_sigmas(older, context.tracker, context.time);
       newer.confirmed = 0;  // it is not lost, it lives on in the older one
       drop(file, j, context);
     }
@@ -176,9 +187,19 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
   if (contacts.empty())
     return;
 
+  // only where a contact is anywhere near
   std::array<Prediction, kMaxTracks> predictions;
-  for (std::size_t i = 0; i < file.count; ++i)
-    predictions[i] = predict(file.tracks[i], context.tracker, context.observer, context.time);
+  for (std::size_t i = 0; i < file.count; ++i) {
+    const Vec3 position = position_at(file.tracks[i], context.time);
+    const double gate2 = context.tracker.max_gate * context.tracker.max_gate;
+    const bool near = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+      return norm2(c.position - position) <= gate2;
+    });
+    if (near)
+      predictions[i] = predict(file.tracks[i], context.tracker, context.observer, context.time);
+    else
+      predictions[i].position = position;
+  }
   const auto track_of =
       associate(context.tracker, std::span(predictions).first(file.count), contacts);
 
@@ -214,9 +235,9 @@ void upkeep(TrackFile& file, const TrackContext& context) {
     else
       ++i;
   }
-  merge_duplicates(file, context);
   for (std::size_t i = 0; i < file.count; ++i)
     refresh_sigmas(file.tracks[i], context.tracker, context.time);
+  merge_duplicates(file, context);
 }
 
 }  // namespace eyrie::model
