@@ -44,8 +44,9 @@ template <class Action>
 struct Proposal {
   Action action{};
   float vote = 0;
-  /// The node that this comes from: the behavior whose vote carried it, or the arbiter that blended
-  /// it. Filled in on the way up, so that it is known without a trace.
+  /// The node that this comes from: the behavior that recommended it, of several mixed field by
+  /// field the strongest, or the arbiter that blended it; kNone for no proposal. Filled in on the
+  /// way up, not by behaviors, so that it is known without a trace.
   NodeIndex leader = kNone;
 
   void clear() noexcept {

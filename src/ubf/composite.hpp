@@ -60,6 +60,7 @@ class Composite : public Behavior<State, Action> {
     Status status;
     bool proposed;
     if (out.is_empty()) {
+      out.leader = kNone;
       status = ask_into_empty(child, t, out);
       if (status == Status::failure) {
         out.clear();

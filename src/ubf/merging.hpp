@@ -9,8 +9,9 @@
 
 namespace eyrie::ubf {
 
-/// The highest vote and its child's status, the earlier of equals: what an arbiter that mixes its
-/// children answers, so that exchanging one arbiter for another does not change the statuses.
+/// The highest vote, its child's status and leader, the earlier of equals: what an arbiter that
+/// mixes its children answers, so that exchanging one arbiter for another does not change the
+/// statuses.
 struct StrongestChild {
   float vote = 0;
   Status status = Status::failure;

@@ -171,6 +171,10 @@ class Robot {
   }
   [[nodiscard]] bool asked_now(const std::string& path) const { return row(path).ticked; }
   [[nodiscard]] int halts(const std::string& path) const { return row(path).halts; }
+  /// The path of the leaf that led, "" if there is no proposal.
+  [[nodiscard]] std::string leader() const {
+    return out.leader == kNone ? "" : tree.path(out.leader);
+  }
   /// The path of the node that supplied a field of the final action, "" if it is empty.
   [[nodiscard]] std::string supplier(std::size_t field) const {
     const NodeIndex node = trace.row(0).supplier[field];

@@ -75,6 +75,8 @@ class Trace final : public AnyTrace {
       row.proposal.clear();
     else
       row.proposal = proposal;
+    if (row.proposal.is_empty())
+      row.proposal.leader = kNone;
     for_each_field<Action>([&](const auto& f, auto i) {
       if (!(row.proposal.action.*f.member))
         row.supplier[i] = kNone;

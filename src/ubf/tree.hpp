@@ -52,7 +52,7 @@ class Tree {
     out.clear();
     const Status status = root_->tick(t, out);
     EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
-    if (status == Status::failure)
+    if (status == Status::failure || out.is_empty())
       out.clear();
     else if (out.leader == kNone)
       out.leader = 0;

@@ -104,7 +104,8 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
   struct Held {
     PackedAction<Action> action;
     float vote = 0;
-    std::uint32_t reserved = 0;
+    NodeIndex leader = 0;
+    std::uint16_t reserved = 0;
   };
 
   void listen(const Tick<State>& t, Choice& incumbent, Choice& rival) const {
@@ -124,6 +125,7 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
       return false;
     held(t).action.unpack(incumbent.proposal.action);
     incumbent.proposal.vote = held(t).vote;
+    incumbent.proposal.leader = held(t).leader;
     incumbent.status = Status::running;
     return true;
   }
@@ -133,6 +135,7 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
       return;
     held(t).action.assign(proposal.action);
     held(t).vote = proposal.vote;
+    held(t).leader = proposal.leader;
   }
   void release(const Tick<State>& t) const {
     std::memset(t.memory + this->memory_begin(), 0, memory_bytes());

@@ -55,6 +55,8 @@ class Parallel final : public Voting<State, Action> {
       if (answer == Status::failure)
         continue;
       merge.add(next, out.action);
+      if (next.vote > out.vote || (out.leader == kNone && !next.is_empty()))
+        out.leader = next.leader;
       out.vote = std::max(out.vote, next.vote);
     }
     const Status status = verdict(successes, failures);
