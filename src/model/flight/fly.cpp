@@ -53,11 +53,11 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
 
   if (dynamics == Dynamics::laero) {
     const Laero& laero = airframe.laero;
-    plan.turn_radius =
-        turn_radius(k.speed, laero.turn_rate_limit(k.speed, load_factor), laero.heading_time);
+    const double turn_limit = laero.turn_rate_limit(k.speed, load_factor);
+    plan.turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time);
     const Guidance wanted =
         guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
-    laero.step(k, rows.flying, wanted, load_factor, rows.propulsion, air, wind, context.dt);
+    laero.step(k, rows.flying, wanted, turn_limit, rows.propulsion, air, wind, context.dt);
     rows.propulsion.flow = rows.propulsion.fuel > 0 ? laero.fuel_flow : 0;
   } else {
     const FlightCondition condition = model.condition(k, air, rows.propulsion.fuel, context.load);

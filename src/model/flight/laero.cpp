@@ -26,13 +26,12 @@ double Laero::turn_rate_limit(double speed, double load_factor) const {
   return std::min(max_turn_rate, kGravity * sideways / std::max(speed, 1.0));
 }
 
-void Laero::step(Kinematics& k, Flying& memory, const Guidance& wanted, double load_factor,
+void Laero::step(Kinematics& k, Flying& memory, const Guidance& wanted, double turn_limit,
                  const Propulsion& engines, const Air& air, const Vec3& wind_ned, double dt) const {
   const bool powered = fuel_flow == 0 || engines.fuel > 0;
   const double speed = std::max(k.speed, 1.0);
 
   // heading: the short way, no faster than the turn rate, the bank and the load factor allow
-  const double turn_limit = turn_rate_limit(speed, load_factor);
   const double heading_rate =
       std::clamp(angle_between(k.heading, wanted.heading) / heading_time + wanted.turn_rate,
                  -turn_limit, turn_limit);

@@ -56,12 +56,12 @@ struct Laero {
   /// rad/s, the largest at a speed (m/s) and a load factor (g): turn rate, bank and load factor.
   [[nodiscard]] double turn_rate_limit(double speed, double load_factor) const;
 
-  /// One step of `dt` (s) towards what is asked. `load_factor` (g) limits the turn as a level turn
-  /// does. Without fuel it can neither accelerate nor climb: it sinks at the largest climb rate and
-  /// slows down. Integration is Adams-Bashforth of two steps, the first one Euler.
-  /// Leaves position, velocity, heading, pitch, roll, speed, mach and load factor; the caller sets
-  /// the vertical axes and the altitude of the new position.
-  void step(Kinematics& k, Flying& memory, const Guidance& wanted, double load_factor,
+  /// One step of `dt` (s) towards what is asked, turning at most at `turn_limit` (rad/s). Without
+  /// fuel it can neither accelerate nor climb: it sinks at the largest climb rate and slows down.
+  /// Integration is Adams-Bashforth of two steps, the first one Euler. Leaves position, velocity,
+  /// heading, pitch, roll, speed, mach and load factor; the caller sets the vertical axes and the
+  /// altitude of the new position.
+  void step(Kinematics& k, Flying& memory, const Guidance& wanted, double turn_limit,
             const Propulsion& engines, const Air& air, const Vec3& wind_ned, double dt) const;
 };
 

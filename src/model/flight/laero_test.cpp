@@ -105,7 +105,7 @@ TEST(Laero, IntegratesASteadyTurnToSecondOrder) {
     const int steps = static_cast<int>(std::lround(100 / dt));
     for (int i = 0; i < steps; ++i) {
       const Guidance on{.heading = k.heading + 1, .altitude = k.altitude, .speed = 250};
-      limits.step(k, memory, on, 5, f.propulsion, standard_air(6000), {}, dt);
+      limits.step(k, memory, on, rate, f.propulsion, standard_air(6000), {}, dt);
     }
     const double turned = rate * 100;
     const Vec3 moved = k.position - f.kinematics.position;

@@ -24,8 +24,8 @@ Axis common(std::initializer_list<std::span<const double>> axes) {
 /// sin and cos of an angle a little further, for |turn| < 0.1: series to the fifth order.
 math::SinCos turned(const math::SinCos& from, double turn) {
   const double t2 = turn * turn;
-  const double sine = turn * (1 - t2 / 6 * (1 - t2 / 20));
-  const double cosine = 1 - t2 / 2 * (1 - t2 / 12);
+  const double sine = turn * (1 - t2 * (1.0 / 6) * (1 - t2 * (1.0 / 20)));
+  const double cosine = 1 - t2 * 0.5 * (1 - t2 * (1.0 / 12));
   return {from.sin * cosine + from.cos * sine, from.cos * cosine - from.sin * sine};
 }
 
@@ -43,7 +43,10 @@ constexpr double kLeastSpeed = 1;  // m/s: a direction of flight must exist
 
 }  // namespace
 
-PointMass::PointMass(const Airframe& airframe) : airframe_(airframe) {
+PointMass::PointMass(const Airframe& airframe)
+    : airframe_(airframe),
+      steepest_climb_(math::sin(airframe.autopilot.max_climb_angle)),
+      steepest_dive_(math::sin(airframe.autopilot.max_dive_angle)) {
   const Aerodynamics& a = airframe_.aerodynamics;
   const Engine& e = airframe_.engine;
   mach_ = common({a.zero_lift_drag.breakpoints(), a.induced_drag.breakpoints(),

@@ -55,6 +55,9 @@ class PointMass {
   explicit PointMass(const Airframe& airframe);
 
   [[nodiscard]] const Airframe& airframe() const { return airframe_; }
+  /// Sines of the autopilot's largest climb and dive angles.
+  [[nodiscard]] double steepest_climb() const { return steepest_climb_; }
+  [[nodiscard]] double steepest_dive() const { return steepest_dive_; }
 
   /// At the speed and altitude of `k`, in that air.
   [[nodiscard]] FlightCondition condition(const Kinematics& k, const Air& air, double fuel,
@@ -78,6 +81,7 @@ class PointMass {
   [[nodiscard]] Thrust thrust_at(const TableCell& mach, double altitude) const;
 
   Airframe airframe_;
+  double steepest_climb_, steepest_dive_;
   Axis mach_, altitude_;
   std::vector<ByMach> by_mach_;
   std::vector<Power> power_;  ///< by Mach number, then by altitude

@@ -11,9 +11,10 @@ namespace eyrie::model {
 namespace {
 
 /// Sine of the climb angle that leads to the altitude, as far as energy allows.
-double wanted_climb(const Autopilot& a, const Kinematics& k, const FlightCondition& c,
+double wanted_climb(const PointMass& model, const Kinematics& k, const FlightCondition& c,
                     const Guidance& wanted, double speed_wanted, double slowest, double fastest,
                     double thrust) {
+  const Autopilot& a = model.airframe().autopilot;
   const double speed = std::max(k.speed, 1.0);
   const double asked = (wanted.altitude - k.altitude) / (a.altitude_time * speed);
   const double drag = c.drag(1);
@@ -23,16 +24,15 @@ double wanted_climb(const Autopilot& a, const Kinematics& k, const FlightConditi
   // upwards: excess thrust and excess speed, less the share that goes into speed
   const double for_speed = std::min(too_slow, a.acceleration_share * std::max(excess, 0.0));
   double highest = std::max((excess - for_speed) / kGravity, 0.0);
-  highest = std::min(highest, math::sin(a.max_climb_angle));
+  highest = std::min(highest, model.steepest_climb());
   // near the slowest speed the nose goes down, whatever was asked
   highest = std::min(highest, (excess + (k.speed - slowest) / a.speed_time) / kGravity);
 
   // downwards: as steep as the overspeed permits
   const double most = std::min(speed_wanted + a.dive_overspeed, fastest);
   const double too_fast = (k.speed - most) / a.speed_time;
-  const double lowest =
-      std::max(std::min((c.thrust.idle - drag) / c.mass + too_fast, 0.0) / kGravity,
-               -math::sin(a.max_dive_angle));
+  const double lowest = std::max(
+      std::min((c.thrust.idle - drag) / c.mass + too_fast, 0.0) / kGravity, -model.steepest_dive());
   return std::min(std::max(asked, lowest), highest);
 }
 
@@ -64,7 +64,7 @@ Controls steer(const PointMass& model, const Kinematics& k, const FlightConditio
 
   // wanted lift, upwards and sideways, in g; upwards first
   const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
-  const double climb = wanted_climb(a, k, c, wanted, speed_wanted, slowest, fastest, power);
+  const double climb = wanted_climb(model, k, c, wanted, speed_wanted, slowest, fastest, power);
   const double climb_rate = (climb - sin_climb) / (a.climb_time * std::max(cos_climb, 0.1));
   const double most = std::max(std::min({load_factor, limits.max_load_factor, c.lift_limit}),
                                std::max(a.push_limit, 0.0));
