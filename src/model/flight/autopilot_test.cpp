@@ -164,11 +164,11 @@ TEST_P(AutopilotModes, FollowTheLeadIntoTheWallFormation) {
   const double at_first = pair.error();
   pair.run(120, 0.1);
   EXPECT_GT(at_first, 900);
-  EXPECT_LT(pair.error(), 50);
+  EXPECT_LT(pair.error(), 5);
   EXPECT_NEAR(pair.wing.kinematics.altitude, 6000 - si(500, "ft"), 5);
   EXPECT_NEAR(pair.wing.kinematics.speed, 240, 2);
   pair.run(120, 0.1);
-  EXPECT_LT(pair.error(), 5);
+  EXPECT_LT(pair.error(), 2);
 }
 
 TEST_P(AutopilotModes, FollowTheLeadThroughATurn) {
