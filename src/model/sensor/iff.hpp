@@ -36,16 +36,17 @@ struct Iff {
   return asking == asked && asking != Side::none && draw.chance(iff.reply_probability);
 }
 
-/// The declared rule: a reply makes a friend; `tries` interrogations in a row without one make a
-/// hostile. Changes nothing on a track that is identified already.
+/// The declared rule: a reply makes a friend, even of a track that was held for hostile (the track
+/// may have passed from one aircraft to another); `tries` interrogations in a row without one make a
+/// hostile of an unknown. Silence changes nothing on a track that is identified already.
 constexpr void conclude(Track& track, std::uint32_t tries, bool reply) {
-  if (track.identity != Identity::unknown)
-    return;
   if (reply) {
     track.identity = Identity::friendly;
     track.unanswered = 0;
     return;
   }
+  if (track.identity != Identity::unknown)
+    return;
   if (track.unanswered < 255)
     ++track.unanswered;
   if (tries != 0 && track.unanswered >= tries)

@@ -44,6 +44,14 @@ TEST(Conclude, ZeroTriesNeverDeclareAnyoneHostile) {
   EXPECT_EQ(track.unanswered, 255);
 }
 
+TEST(Conclude, MakesAFriendOfAHostileThatReplies) {
+  Track track{.identity = Identity::hostile};
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+  conclude(track, 3, true);
+  EXPECT_EQ(track.identity, Identity::friendly);
+}
+
 TEST(Conclude, LeavesWhoIsKnownAlone) {
   Track track{.identity = Identity::friendly};
   for (int i = 0; i < 5; ++i)
