@@ -66,12 +66,12 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
                  degrees(origin.longitude), degrees(origin.latitude));
   time_ = static_cast<double>(world.step()) * dt;
   frame(time_);
-  const auto kinematics = world.rows(scenario_.aircraft.kinematics);
   const auto ids = world.ids(scenario_.aircraft.table);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto& player = scenario_.roster.players[ids[i].value - 1];
     const auto type = scenario_.library->aircraft.find(player.aircraft);
-    place(ids[i], kinematics[i]);
+    aircraft(world, i);
+    out_.resize(out_.size() - 1);  // the same line says who it is
     fmt::format_to(std::back_inserter(out_),
                    ",Type=Air+FixedWing,Name={},CallSign={},Pilot={},Group={},Slot={},Coalition={},"
                    "Color={}\n",
@@ -79,7 +79,6 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
                    player.name, player.name, scenario_.roster.flights[player.flight].name,
                    player.rank - 1, player.side == model::Side::blue ? "Allies" : "Enemies",
                    player.side == model::Side::blue ? "Blue" : "Red");
-    aircraft(world, i);
   }
 }
 

@@ -54,6 +54,11 @@ std::string Story::name(PlayerId id) const {
   return id ? scenario_.roster.name(id) : "someone";
 }
 
+bool Story::same_side(PlayerId a, PlayerId b) const {
+  const auto *first = scenario_.roster.find(a), *second = scenario_.roster.find(b);
+  return first && second && first->side == second->side;
+}
+
 void Story::say(PlayerId who, std::string text, Tone tone) {
   const auto* player = scenario_.roster.find(who);
   if (tone == Tone::plain && player)
@@ -94,7 +99,7 @@ void Story::tell(const sim::Event& e) {
   const auto* player = scenario_.roster.find(e.who);
   switch (kind_of(e)) {
     case EventKind::contact:
-      if (first_in_flight(e.kind.value, e.who, e.whom))
+      if (!same_side(e.who, e.whom) && first_in_flight(e.kind.value, e.who, e.whom))
         say(e.who, fmt::format("contact, {}", miles(e.values[0])));
       break;
     case EventKind::identified:

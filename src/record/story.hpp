@@ -24,8 +24,8 @@ struct StoryLine {
   std::string who, text;
 };
 
-/// Turns events into lines. Tells the first contact and identification of each flight, not those of
-/// each aircraft, and what a flight's lead does for its flight.
+/// Turns events into lines. Tells the first contact with and identification of each enemy by each
+/// flight, not those of each aircraft, and what a flight's lead does for its flight.
 class Story final : public sim::Observer {
  public:
   using Tell = std::function<void(const StoryLine&)>;
@@ -47,6 +47,7 @@ class Story final : public sim::Observer {
   void ended(const sim::Event& e);
   bool first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom);
   [[nodiscard]] std::string name(PlayerId id) const;
+  [[nodiscard]] bool same_side(PlayerId a, PlayerId b) const;
 
   const scenario::Scenario& scenario_;
   Tell tell_;
