@@ -24,9 +24,9 @@ Contact contact_at(double x, double y) {
 const Tracker kTracker{.gate = 4, .max_gate = 5000};
 
 TEST(Associate, TakesTheNearestPairFirst) {
-  // the contact at 250 is nearer to the first track, but another contact is nearer still
-  const std::vector tracks{track_at(0, 0), track_at(600, 0)};
-  const std::vector contacts{contact_at(250, 0), contact_at(10, 0)};
+  // the contact at 140 is nearer to the first track, but another contact is nearer still
+  const std::vector tracks{track_at(0, 0), track_at(300, 0)};
+  const std::vector contacts{contact_at(140, 0), contact_at(10, 0)};
   const auto track_of = associate(kTracker, tracks, contacts);
   EXPECT_EQ(track_of[0], 1);
   EXPECT_EQ(track_of[1], 0);

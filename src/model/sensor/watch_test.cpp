@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The eyes and the missile warnings of the sensor system.
+#include <gtest/gtest.h>
+
+#include "model/sensor/test_world.hpp"
+
+namespace eyrie::model {
+namespace {
+
+using test::AirWar;
+using test::flying;
+
+constexpr double kHigh = -6096;  // m, local z of 20 000 ft
+constexpr double kMile = 1852;
+
+TEST(Watch, SeesAndRecognizesAnAircraftNearBy) {
+  AirWar war;
+  war.models.radars = {};
+  war.models.radars.add("weak", {.reference_range = 1, .reference_rcs = 1e4});
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({500, 1500, kHigh - 500}, 0, 250));
+  war.build();
+  war.fly(20);
+  const Track* track = war.track_of(eagle, bogey);
+  ASSERT_NE(track, nullptr);
+  EXPECT_EQ(track->sources, kFromVisual);
+  EXPECT_EQ(track->identity, Identity::hostile);
+  EXPECT_LT(norm(position_at(*track, 20) - war.row(war.aircraft.kinematics, bogey).position), 500);
+}
+
+TEST(Watch, WarnsOfAMissileByEarAndByEye) {
+  AirWar war;
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId mate = war.add(Side::red, flying({30 * kMile, 20e3, kHigh}, 0, 250));
+  war.build();
+  const PlayerId missile =
+      war.launch(mate, Side::red, flying({9000, 0, kHigh - 300}, kPi, 800), eagle);
+  war.fly(0.2);
+  EXPECT_EQ(war.row(war.aircraft.threats, eagle).count, 0u) << "silent and far";
+  Emission& e = war.world->rows(war.missiles.emission)[0];
+  e = {.position = {9000, 0, kHigh - 300},
+       .boresight = {-1, 0, 0},
+       .cos_half_angle = 0.99,
+       .figure = emission_figure(15e3, 5),
+       .kind = EmissionKind::missile_seeker,
+       .side = Side::red};
+  war.fly(1);
+  const Threats* threats = &war.row(war.aircraft.threats, eagle);
+  ASSERT_EQ(threats->count, 1u);
+  EXPECT_EQ(threats->missiles[0].sources & kThreatFromRwr, kThreatFromRwr);
+  EXPECT_EQ(war.told(EventKind::missile_warning, eagle, missile), 1);
+  EXPECT_EQ(war.row(war.aircraft.rwr, eagle).warnings[0].kind, EmissionKind::missile_seeker);
+  war.fly(6);
+  threats = &war.row(war.aircraft.threats, eagle);
+  EXPECT_EQ(threats->missiles[0].sources, kThreatFromRwr | kThreatFromSight);
+  EXPECT_EQ(war.told(EventKind::missile_warning, eagle, missile), 1) << "still the same one";
+}
+
+/// Threats that a pilot with perfect eyes makes out of one missile of that side in 3 s.
+std::uint32_t threats_of(Side side, const Kinematics& missile) {
+  AirWar war;
+  war.models.visuals = {};
+  war.models.visuals.add("eagle-eyed", {.search = 1e8, .cued_search = 1e8});
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({30 * kMile, 0, kHigh}, 0, 250));
+  war.build();
+  war.launch(side == Side::red ? bogey : eagle, side, missile, eagle);
+  war.fly(3);
+  return war.row(war.aircraft.threats, eagle).count;
+}
+
+TEST(Watch, IsNotAlarmedByMissilesOfItsOwnSideOrThatFlyAway) {
+  const Kinematics coming = flying({6000, 0, kHigh}, kPi, 800);
+  EXPECT_EQ(threats_of(Side::red, coming), 1u);
+  EXPECT_EQ(threats_of(Side::blue, coming), 0u);
+  EXPECT_EQ(threats_of(Side::red, flying({3000, 500, kHigh}, 0, 800)), 0u);
+  EXPECT_EQ(threats_of(Side::red, flying({6000, -2000, kHigh}, kPi / 2, 800)), 0u) << "crossing";
+}
+
+TEST(Watch, KeepsItsEyesOnWhatItHasSeen) {
+  AirWar war;
+  war.models.visuals = {};
+  war.models.visuals.add("alert", {.search = 140e3});
+  war.models.radars = {};
+  war.models.radars.add("weak", {.reference_range = 1, .reference_rcs = 1e4});
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({2500, 3000, kHigh}, 0, 250));
+  war.build();
+  war.fly(60);
+  ASSERT_NE(war.track_of(eagle, bogey), nullptr);
+  const double seen_for = 60 - war.track_of(eagle, bogey)->first_time;
+  EXPECT_GT(war.track_of(eagle, bogey)->hits, 0.85 * 2 * seen_for) << "two looks a second";
+}
+
+}  // namespace
+}  // namespace eyrie::model
