@@ -15,6 +15,7 @@ namespace eyrie::model {
 namespace {
 
 constexpr Vec3 kDown{0, 0, 1};
+constexpr double kNear = 0.5;  // s to go, within which the closest approach is looked for
 
 /// A target in level flight that may turn until it flies along `away`.
 struct Target {
@@ -79,39 +80,45 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
     const LineOfSight truth = line_of_sight(apart, drift);
     const double speed = norm(missile.velocity);
 
-    // a tenth of the time to go, and no more than a small turn
+    const bool burning = age < type.motor.burn_time();
+
+    // a tenth of the time to go, a small turn, a small gain of speed
     const double to_go = truth.range / std::max(truth.closing, 1.0);
-    const double turn = 0.1 * speed / std::max(norm(missile.lift), 1.0);
-    const double dt = std::clamp(std::min(to_go / 10, turn), e.shortest_step, e.longest_step);
+    double wish = std::min(to_go / 10, 0.1 * speed / std::max(norm(missile.lift), 1.0));
+    if (burning) {
+      const double gain = type.motor.thrust(age) / type.motor.mass(age);
+      wish = std::min(wish, 0.15 * std::max(speed, 100.0) / std::max(gain, 1.0));
+    }
+    const double dt = std::clamp(wish, e.shortest_step, e.longest_step);
 
     Vec3 wanted;
-    if (age >= type.guidance.separation_time) {
-      const auto& loft = type.guidance.loft;
-      const double altitude = -missile.position.z;
-      wanted = steer(type.guidance,
-                     loft ? line_of_sight(lofted(*loft, apart, kDown, altitude), drift) : truth,
-                     missile.velocity, kDown);
+    if (age < type.guidance.separation_time) {
+      wanted = {};
+    } else if (const auto& loft = type.guidance.loft) {
+      const Vec3 aim = lofted(*loft, apart, kDown, -missile.position.z);
+      wanted = steer(type.guidance, line_of_sight(aim, drift), missile.velocity, kDown);
+    } else {
+      wanted = steer(type.guidance, truth, missile.velocity, kDown);
     }
     fly(type, atmosphere.at(-missile.position.z), {}, kDown, age, dt, wanted, missile);
     target.move(dt);
 
     const Vec3 apart_now = target.position - missile.position;
-    const ClosestApproach nearest = closest_approach(apart, (apart_now - apart) / dt, 0, dt);
-    result.greatest_speed = std::max(result.greatest_speed, norm(missile.velocity));
+    result.greatest_speed = std::max(result.greatest_speed, speed);
     result.greatest_lift = std::max(result.greatest_lift, norm(missile.lift));
     result.greatest_altitude = std::max(result.greatest_altitude, -missile.position.z);
-    if (nearest.distance < result.miss) {
-      result.miss = nearest.distance;
-      result.time = age + nearest.time;
-      result.speed = norm(missile.velocity);
-      result.armed =
-          result.time >= std::max(type.warhead.arming_time, type.guidance.separation_time);
+    if (to_go < kNear) {
+      const ClosestApproach nearest = closest_approach(apart, (apart_now - apart) / dt, 0, dt);
+      if (nearest.distance < result.miss) {
+        result.miss = nearest.distance;
+        result.time = age + nearest.time;
+        result.speed = norm(missile.velocity);
+        result.armed =
+            result.time >= std::max(type.warhead.arming_time, type.guidance.separation_time);
+      }
     }
     age += dt;
-    const bool coasting = age > type.motor.burn_time();
-    if (coasting && norm(missile.velocity) < type.least_speed)
-      break;
-    if (coasting && dot(apart_now, target.velocity - missile.velocity) > 0)
+    if (!burning && (speed < type.least_speed || truth.closing < 0))
       break;
     if (missile.position.z > 0)
       break;

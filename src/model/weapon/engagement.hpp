@@ -21,7 +21,7 @@ struct Engagement {
 };
 
 struct EngagementResult {
-  double miss = 0;               ///< m, closest approach
+  double miss = 0;               ///< m, closest approach; infinite if it never came near
   double time = 0;               ///< s, of flight until then
   double speed = 0;              ///< m/s, of the missile then
   double greatest_speed = 0;     ///< m/s, on the way

@@ -30,8 +30,7 @@ static_assert(kInner == 8);
 constexpr double kLowest = 100;      // m, no target is lower
 constexpr double kNearest = 100;     // m, nothing is launched nearer
 constexpr double kFarthest = 250e3;  // m, nothing reaches farther
-constexpr double kStep = 1.2;        // factor between two ranges of a search
-constexpr double kTolerance = 1.02;  // factor between success and failure at its end
+constexpr double kStep = 1.25;       // factor between two ranges of a search
 
 /// Where a value lies on an axis, clamped to it.
 struct Place {
@@ -74,18 +73,28 @@ class Search {
           return 0;
       } while (!succeeds(good));
     }
-    bisect(good, bad);
-    return good;
+    return bisected(good, bad, 1.04);
   }
 
-  /// The shortest range up to `good` (m, which succeeds) from which on every range succeeds.
-  double nearest(double good) {
+  /// The shortest range up to `longest` (m, which succeeds) from which on every range succeeds,
+  /// searched from `guess` (m).
+  double nearest(double longest, double guess) {
     engagement_.escape_load_factor = 1;
+    if (succeeds(least_))
+      return least_;
+    double good = std::clamp(guess, least_, longest);
     double bad = least_;
-    if (succeeds(bad))
-      return bad;
-    bisect(good, bad);
-    return good;
+    if (succeeds(good)) {
+      for (double next = good / kStep; next > least_ && succeeds(next); next = good / kStep)
+        good = next;
+      bad = std::max(good / kStep, least_);
+    } else {
+      do {
+        bad = good;
+        good = std::min(bad * kStep, longest);
+      } while (good < longest && !succeeds(good));
+    }
+    return bisected(good, bad, 1.1);
   }
 
  private:
@@ -93,11 +102,13 @@ class Search {
     engagement_.range = range;
     return engage(type_, atmosphere_, engagement_).success(type_);
   }
-  void bisect(double& good, double& bad) {
-    while (std::max(good, bad) > std::min(good, bad) * kTolerance) {
+  /// The last range that succeeded when the next that failed is within a factor.
+  double bisected(double good, double bad, double tolerance) {
+    while (std::max(good, bad) > std::min(good, bad) * tolerance) {
       const double range = std::sqrt(good * bad);
       (succeeds(range) ? good : bad) = range;
     }
+    return good;
   }
 
   const MissileType& type_;
@@ -114,7 +125,7 @@ EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
     return {};
   const double near = guess.r_ne > 0 ? guess.r_ne : 0.4 * zone.r_max;
   zone.r_ne = std::min(search.farthest(LaunchZone::kEscapeLoadFactor, near), zone.r_max);
-  zone.r_min = search.nearest(zone.r_max);
+  zone.r_min = search.nearest(zone.r_max, guess.r_min);
   return zone;
 }
 
@@ -138,7 +149,7 @@ LaunchZone LaunchZone::build(const MissileType& type) {
   zone.cells_.reserve(kAspect.size() * kAltitude.size() * kClimb.size() * kInner);
   // a search begins where that of the cell with the same speeds ended before
   std::array<EmploymentZone, kInner> found{};
-  found.fill({.r_max = 40e3, .r_ne = 15e3});
+  found.fill({.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3});
   for (const double aspect : kAspect)
     for (const double altitude : kAltitude)
       for (const double climb : kClimb)

@@ -18,15 +18,19 @@ struct LineOfSight {
 /// distance the direction is the x axis and nothing turns.
 [[nodiscard]] inline LineOfSight line_of_sight(const Vec3& relative_position,
                                                const Vec3& relative_velocity) {
-  const double range2 = norm2(relative_position);
+  const Vec3& r = relative_position;
+  const Vec3& v = relative_velocity;
+  const double range2 = norm2(r);
   if (!(range2 > 1e-12))
     return {};
   const double range = std::sqrt(range2);
-  const Vec3 direction = relative_position / range;
-  return {.direction = direction,
-          .rate = cross(relative_position, relative_velocity) / range2,
+  const double a = 1 / range, b = 1 / range2;
+  // built in place: copies of freshly written vectors stall the processor
+  return {.direction = {a * r.x, a * r.y, a * r.z},
+          .rate = {b * (r.y * v.z - r.z * v.y), b * (r.z * v.x - r.x * v.z),
+                   b * (r.x * v.y - r.y * v.x)},
           .range = range,
-          .closing = -dot(direction, relative_velocity)};
+          .closing = -a * dot(r, v)};
 }
 
 /// Proportional navigation: the acceleration (m/s^2) perpendicular to the line of sight that turns
