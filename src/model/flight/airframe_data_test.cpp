@@ -90,7 +90,8 @@ TEST_P(AirframeData, HasTheThrustOfTheFormulaItNames) {
         }
       }
   };
-  check(airframe_.engine.military, 0.84 * published().static_military / 0.6, military_lapse, false);
+  check(airframe_.engine.military, 0.84 * published().static_military / 0.6,
+        test::installed_military, false);
   check(airframe_.engine.afterburner, 0.95 * published().static_afterburner, afterburner_lapse,
         published().variable_inlet);
 }

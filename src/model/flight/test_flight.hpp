@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  For the tests of this folder: one aircraft in the air, without a World around it.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -35,6 +36,11 @@ inline Airframe ideal_airframe() {
   a.aerodynamics.max_lift = Table1::constant(100);
   a.engine.idle_share = 0;
   return a;
+}
+
+/// The lapse that data/airframes uses: less than the book's at speed, as NASA TP-1538 shows.
+inline double installed_military(double mach, const Air& air, double throttle_ratio) {
+  return military_lapse(mach, air, throttle_ratio) * (1 - 0.3 * std::max(mach - 0.6, 0.0));
 }
 
 struct TestFlight {
