@@ -54,6 +54,12 @@ struct Proposal {
     vote = 0;
     leader = kNone;
   }
+  /// What plain assignment does, faster just after the other was written.
+  void copy(const Proposal& other) noexcept {
+    ubf::copy(other.action, action);
+    vote = other.vote;
+    leader = other.leader;
+  }
   /// Neither a vote nor any field: this is no proposal.
   [[nodiscard]] bool is_empty() const noexcept { return vote == 0 && ubf::is_empty(action); }
 };

@@ -49,29 +49,37 @@ struct Angle {
       const double x = static_cast<double>(value);
       if (weight_ == 0)
         first_ = x;
-      all_equal_ &= x == first_;
+      if (alone_ && x != first_) {
+        alone_ = false;
+        add_vector(first_, weight_);
+      }
+      if (!alone_)
+        add_vector(x, vote);
       if (vote > strongest_vote_) {
         strongest_ = x;
         strongest_vote_ = vote;
       }
-      const auto [sin, cos] = math::sin_cos(x);
-      east_ += vote * sin;
-      north_ += vote * cos;
       weight_ += vote;
     }
     [[nodiscard]] std::optional<T> get() const {
       if (!(weight_ > 0))
         return std::nullopt;
-      if (all_equal_)
+      if (alone_)
         return static_cast<T>(first_);
       const bool cancels = east_ * east_ + north_ * north_ <= 1e-18 * weight_ * weight_;
       return static_cast<T>(wrap_tau(cancels ? strongest_ : math::atan2(east_, north_)));
     }
 
    private:
+    void add_vector(double x, double vote) {
+      const auto [sin, cos] = math::sin_cos(x);
+      east_ += vote * sin;
+      north_ += vote * cos;
+    }
+
+    bool alone_ = true;  ///< all opinions so far are the first one
     double first_ = 0, strongest_ = 0, strongest_vote_ = 0;
     double east_ = 0, north_ = 0, weight_ = 0;
-    bool all_equal_ = true;
   };
 };
 

@@ -40,11 +40,8 @@ class Composite : public Behavior<State, Action> {
   /// Asks a child for its proposal. Everything goes through here: what arrives in `out` is emptied
   /// first, and the answer is checked and traced.
   Status ask(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
-    out.clear();
-    return ask_into_empty(child, t, out);
-  }
-  /// The same for an `out` that is known to be empty, as a node's own `out` is when it arrives.
-  Status ask_into_empty(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
+    if (out.leader != kNone)  // somebody was asked into it; a fresh one is empty
+      out.clear();
     const Status status = child.tick(t, out);
     EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
     if (out.leader == kNone)
@@ -53,29 +50,23 @@ class Composite : public Behavior<State, Action> {
       record(*t.trace, child.index_, status, out);
     return status;
   }
-
   /// Asks a child whose proposal replaces what is in `out`, unless it fails or proposes nothing, as
   /// a condition does.
   Status ask_over(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
-    Status status;
-    bool proposed;
     if (out.is_empty()) {
-      out.leader = kNone;
-      status = ask_into_empty(child, t, out);
-      if (status == Status::failure) {
+      const Status status = ask(child, t, out);
+      if (status == Status::failure)
         out.clear();
-        return status;
-      }
-      proposed = !out.is_empty();
-    } else {
-      Proposal<Action> next;
-      status = ask_into_empty(child, t, next);
-      proposed = status != Status::failure && !next.is_empty();
-      if (proposed)
-        out = next;
+      else if (!out.is_empty())
+        took(t, child);
+      return status;
     }
-    if (proposed)
+    Proposal<Action> next;
+    const Status status = ask(child, t, next);
+    if (status != Status::failure && !next.is_empty()) {
+      out.copy(next);
       took(t, child);
+    }
     return status;
   }
 

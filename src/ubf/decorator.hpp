@@ -24,7 +24,7 @@ class Decorator : public Composite<State, Action> {
 
   /// Asks the child on behalf of this node.
   Status ask_child(const Tick<State>& t, Proposal<Action>& out) const {
-    const Status answer = this->ask_into_empty(child(), t, out);
+    const Status answer = this->ask(child(), t, out);
     this->took(t, child());
     return answer;
   }

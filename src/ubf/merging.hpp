@@ -36,7 +36,7 @@ class FieldMerge {
     for_each_field<Action>([&](const auto& f, auto i) {
       if (!(proposal.action.*f.member) || !(proposal.vote > votes_[i]))
         return;
-      into.*f.member = proposal.action.*f.member;
+      into.*f.member = *(proposal.action.*f.member);
       votes_[i] = proposal.vote;
     });
   }

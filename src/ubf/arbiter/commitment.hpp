@@ -84,7 +84,7 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
 
     const Choice& chosen = change ? rival : incumbent;
     const bool stands_in = bridged && !change;
-    out = chosen.proposal;
+    out.copy(chosen.proposal);
     trace(t, *this->children_[chosen.child], out, stands_in);
     if (chosen.status == Status::success)
       release(t);
@@ -115,8 +115,11 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
       if (answer == Status::failure || next.vote == 0)
         continue;
       Choice& choice = i == incumbent.child ? incumbent : rival;
-      if (next.vote > choice.proposal.vote)
-        choice = {static_cast<NodeIndex>(i), answer, next};
+      if (!(next.vote > choice.proposal.vote))
+        continue;
+      choice.child = static_cast<NodeIndex>(i);
+      choice.status = answer;
+      choice.proposal.copy(next);
     }
   }
   bool bridge(const Tick<State>& t, Choice& incumbent) const {

@@ -38,7 +38,7 @@ class WinnerTakesAll final : public Voting<State, Action> {
     if (!winner)
       return Status::failure;
     if (best != &out)
-      out = other;
+      out.copy(other);
     this->rescale(out);
     this->took(t, *winner);
     return status;

@@ -23,7 +23,8 @@ class Selector final : public Reactive<State, Action> {
     Status status = Status::failure;
     std::size_t asked = 0;
     for (const auto& child : this->children_) {
-      status = asked++ ? this->ask(*child, t, out) : this->ask_into_empty(*child, t, out);
+      ++asked;
+      status = this->ask(*child, t, out);
       if (status == Status::failure)
         continue;
       this->took(t, *child);

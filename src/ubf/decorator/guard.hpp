@@ -28,7 +28,7 @@ class Guard final : public WithMemory<Composite<State, Action>, GuardMemory> {
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     const auto &when = *this->children_[0], &child = *this->children_[1];
     auto& m = this->memory(t);
-    const Status holds = this->ask_into_empty(when, t, out);
+    const Status holds = this->ask(when, t, out);
     if (holds == Status::success) {
       const Status answer = this->ask(child, t, out);
       this->took(t, child);
