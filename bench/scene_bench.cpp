@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/// \file  Whole scenes. line_abreast: N/2 against N/2 aircraft, 6000 ft apart, 40 nmi between the
+/// sides, 480 kt at 20,000 ft, with rate-limited dynamics, autopilot, radar, warning receiver,
+/// tracks, datalink, four missiles on stations and one agent of five behaviors under one arbiter;
+/// nobody fires. "ns" is the time of one player-step: one aircraft for one step of 20 ms with its
+/// share of everything slower. sweep: the mission from start to end; "x_real_time" is simulated
+/// over wall time. Labels carry the world hash, so a benchmark is a determinism test as well.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "model/flight/fly.hpp"
+#include "scenario/mission.hpp"
+#include "support/no_allocation.hpp"
+
+namespace {
+
+using namespace eyrie;
+
+std::string home() {
+  const char* set = std::getenv("EYRIE_HOME");
+  return set ? set : EYRIE_SOURCE_DIR;
+}
+
+/// "a", "b", ... "z", "ba" ...: flight names must not end in a digit.
+std::string letters(int i) {
+  std::string text;
+  do
+    text.insert(text.begin(), static_cast<char>('a' + i % 26));
+  while (i /= 26);
+  return text;
+}
+
+std::string side(const char* name, int aircraft, double east, int heading) {
+  std::string text = fmt::format("{}:\n  flights:\n", name);
+  for (int i = 0; i < aircraft; i += 4) {
+    const std::string flight = fmt::format("{}_{}", name, letters(i / 4));
+    text += fmt::format(
+        "    {}:\n      aircraft: paper_fighter\n      tree: pilot\n"
+        "      start: {{altitude: 20000 ft, heading: {} deg, speed: 480 kt}}\n"
+        "      route: [{{north: 0 nmi, east: {} nmi, altitude: 20000 ft, speed: 480 kt}}]\n"
+        "      players:\n",
+        flight, heading, -4 * east);
+    for (int k = i; k < std::min(i + 4, aircraft); ++k)
+      text += fmt::format("        - {}{}: {{start: {{north: {:.1f} ft, east: {} nmi}}}}\n", flight,
+                          k - i + 1, (k - (aircraft - 1) / 2.0) * 6000, east);
+  }
+  return text;
+}
+
+/// As facts about the peer describe it, so that both can be read side by side.
+std::shared_ptr<const scenario::Scenario> line_abreast(int aircraft) {
+  const std::string text =
+      "eyrie: 1\nname: line_abreast\nreference: {latitude: 33 deg, longitude: -68 deg}\n"
+      "ends: time\nuntil: 1 h\n"
+      "trees:\n  pilot:\n    winner_takes_all:\n      - avoid_ground: {vote: 100}\n"
+      "      - break_turn: {vote: 70}\n      - egress: {vote: 1}\n"
+      "      - follow_lead: {vote: 5}\n      - navigate: {vote: 10}\n" +
+      side("blue", aircraft / 2, -20, 90) + side("red", aircraft - aircraft / 2, 20, 270);
+  auto source = scenario::Source::disk(home());
+  source.add("line_abreast.yaml", text);
+  return scenario::load({"line_abreast.yaml", {}}, std::move(source));
+}
+
+void count_bytes(benchmark::State& state, const scenario::Scenario& s) {
+  std::size_t bytes = 0;
+  for (const std::uint32_t column : s.simulation->schema().table(s.aircraft.table).columns)
+    bytes += s.simulation->schema().column(column).stride;
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+
+void line_abreast(benchmark::State& state) {
+  const int aircraft = static_cast<int>(state.range(0));
+  const auto scene = line_abreast(aircraft);
+  sim::Workspace work(*scene->simulation);
+  sim::World warm = scene->world(1);
+  for (int i = 0; i < 500; ++i)  // ten seconds: radars have turned, tracks are there
+    scene->simulation->step(warm, work);
+  sim::World world = warm;
+  constexpr std::uint64_t kSteps = 500;
+  NoAllocation guard;
+  for (auto _ : state) {
+    if (world.step() == warm.step() + kSteps)
+      world = warm;
+    scene->simulation->step(world, work);
+  }
+  state.counters["allocs"] = static_cast<double>(guard.count());
+  guard.dismiss();
+  state.counters["ns"] =
+      benchmark::Counter(static_cast<double>(state.iterations()) * aircraft * 1e-9,
+                         benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  count_bytes(state, *scene);
+  sim::World last = warm;
+  for (std::uint64_t i = 0; i < kSteps; ++i)
+    scene->simulation->step(last, work);
+  state.SetLabel(fmt::format("hash 0x{:016x}", last.hash()));
+}
+BENCHMARK(line_abreast)->Arg(2)->Arg(6)->Arg(20)->Arg(100)->Arg(500)->Arg(1000);
+
+/// The same aircraft flown in a bare loop: autopilot, dynamics and vertical, nothing else.
+void bare_loop(benchmark::State& state) {
+  const auto scene = line_abreast(static_cast<int>(state.range(0)));
+  sim::World world = scene->world(1);
+  const auto kinematics = world.rows(scene->aircraft.kinematics);
+  const auto flying = world.rows(scene->aircraft.flying);
+  const auto propulsion = world.rows(scene->aircraft.propulsion);
+  const auto command = world.rows(scene->aircraft.command);
+  const auto fit = world.rows(scene->aircraft.fit);
+  const auto& library = *scene->library;
+  const model::AircraftType& type = library.aircraft[fit[0].type];
+  const model::PointMass flight_model(library.airframes[type.index.airframe]);
+  double time = 0;
+  NoAllocation guard;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < kinematics.size(); ++i) {
+      const model::FlightContext context{.reference = library.reference,
+                                         .environment = library.environment,
+                                         .routes = library.flights[fit[i].flight].routes,
+                                         .time = time,
+                                         .dt = 0.02};
+      benchmark::DoNotOptimize(model::fly(flight_model, type.dynamics, context,
+                                          {kinematics[i], flying[i], propulsion[i], command[i]}));
+    }
+    time += 0.02;
+  }
+  state.counters["allocs"] = static_cast<double>(guard.count());
+  guard.dismiss();
+  state.counters["ns"] = benchmark::Counter(
+      static_cast<double>(state.iterations() * static_cast<std::int64_t>(kinematics.size())) * 1e-9,
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(bare_loop)->Arg(6)->Arg(1000);
+
+void fly(benchmark::State& state, const char* name) {
+  const auto scene = scenario::load({fmt::format("{}/scenarios/{}.yaml", home(), name), {}},
+                                    scenario::Source::disk(home()));
+  double time = 0, allocations = 0;
+  std::uint64_t hash = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    scenario::Mission mission(scene, scene->spec.seed);
+    for (int i = 0; i < 500; ++i)
+      mission.step();
+    NoAllocation guard;
+    state.ResumeTiming();
+    mission.fly();
+    state.PauseTiming();
+    allocations += static_cast<double>(guard.count());
+    guard.dismiss();
+    time += mission.run().time() - 10;
+    hash = mission.run().world().hash();
+    state.ResumeTiming();
+  }
+  state.counters["allocs"] = allocations;
+  state.counters["x_real_time"] = benchmark::Counter(time, benchmark::Counter::kIsRate);
+  state.SetLabel(fmt::format("hash 0x{:016x}", hash));
+}
+BENCHMARK_CAPTURE(fly, sweep, "sweep")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fly, sweep_paper, "sweep_paper")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(fly, sweep_even, "sweep_even")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
