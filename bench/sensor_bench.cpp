@@ -2,6 +2,7 @@
 /// \file  What sensors, tracks and datalink cost: the peer's scene line_abreast with nothing else
 /// in it, and the kernels that the cost is made of.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <atomic>
 #include <cstdint>
@@ -123,13 +124,10 @@ void sensors(benchmark::State& state) {
   const LineAbreast scene(n, static_cast<int>(state.range(1)));
   sim::World world = *scene.world;
   sim::Workspace work(*scene.simulation, 1, 4096);
-  const auto warm_up = [&] {
-    world = *scene.world;
-    for (int i = 0; i < 1000; ++i)  // 20 s: tracks are confirmed and identified
-      static_cast<void>(scene.simulation->step(world, work));
-  };
-  warm_up();
+  for (int i = 0; i < 1000; ++i)  // 20 s: tracks are confirmed and identified
+    static_cast<void>(scene.simulation->step(world, work));
   const sim::World warm = world;
+  state.SetLabel(fmt::format("hash 0x{:016x}", warm.hash()));
   const std::uint64_t before = allocations.load();
   for (auto _ : state) {
     if (world.step() == warm.step() + 2000) {
