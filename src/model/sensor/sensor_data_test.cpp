@@ -41,8 +41,7 @@ template <class Model>
 std::vector<Model> all(const std::string& kind) {
   std::vector<Model> models;
   std::vector<std::filesystem::path> paths;
-  for (const auto& file :
-       std::filesystem::directory_iterator(std::string(EYRIE_SOURCE_DIR "/data/") + kind))
+  for (const auto& file : std::filesystem::directory_iterator(std::string("data/") + kind))
     paths.push_back(file.path());
   std::sort(paths.begin(), paths.end());
   for (const auto& path : paths) {
@@ -77,7 +76,7 @@ TEST(SensorData, TheBestRadarSeesTheOthersWhereTheFactsSaySo) {
   // 80 nmi at 3.2 m^2 is 94 nmi for the 6 m^2 of a MiG-29 (docs/models/radar.md)
   Diagnostics diagnostics;
   Radar apg63;
-  ASSERT_TRUE(bind(apg63, read(EYRIE_SOURCE_DIR "/data/radars/apg63.yaml"), diagnostics));
+  ASSERT_TRUE(bind(apg63, read("data/radars/apg63.yaml"), diagnostics));
   const Detector detector(apg63);
   const double range = si(94, "nmi");
   EXPECT_NEAR(detector.probability(detector.signal_to_noise(range * range, 6)), 0.5, 0.01);
