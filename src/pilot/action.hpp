@@ -3,8 +3,10 @@
 /// \file  What a pilot wants: numbers to fly, and orders. An empty field is "no opinion".
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <tuple>
 
+#include "core/enum_names.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
 #include "model/command.hpp"
@@ -12,7 +14,7 @@
 
 namespace eyrie::pilot {
 
-/// Whom to follow, and where: what the autopilot's follow mode needs.
+/// Whom to follow, and where: what the autopilot's modes follow and loiter need.
 struct Follow {
   Vec3 position;    ///< m, local frame, at `time`
   Vec3 velocity;    ///< m/s
@@ -20,6 +22,8 @@ struct Follow {
   Vec3 offset;      ///< m, forward, right, down of the heading of who is followed
   friend constexpr bool operator==(const Follow&, const Follow&) = default;
 };
+/// "2000 m behind, 1829 m left, 152 m below", for traces.
+[[nodiscard]] std::string to_text(const Follow& follow);
 
 /// Which store at which track.
 struct Release {
@@ -27,27 +31,46 @@ struct Release {
   std::uint32_t store = 0;  ///< index of the missile type in the Library
   friend constexpr bool operator==(const Release&, const Release&) = default;
 };
+/// "store 2 at #7", for traces.
+[[nodiscard]] std::string to_text(const Release& release);
 
-/// What the pilot calls out while doing it; told as an event when it changes.
+/// What the pilot calls out while doing it: told as an event when it changes. `land` also ends the
+/// flight.
 enum class Call : std::uint32_t { none, defend_far, defend_near, land };
 
-/// The recommendation of one behavior, or of a whole tree. A field that stays empty up to the root
-/// leaves the last command as it is.
+/// The recommendation of one behavior, or of a whole tree. What a field that stays empty up to the
+/// root means is said beside it: "stays" leaves the last order as it is, "ends" takes it back.
+///
+/// A behavior that recommends a heading or an altitude also says by which mode they are to be flown
+/// (docs/adr/0004-modes-in-actions.md), or else the mode of another one would overrule it in a
+/// fusion.
 struct Action {
-  std::optional<double> heading;             ///< rad, true
-  std::optional<double> altitude;            ///< m
-  std::optional<double> speed;               ///< m/s true airspeed
-  std::optional<double> load_factor;         ///< g, the most that turning may use
-  std::optional<model::AutopilotMode> mode;  ///< flown instead of the numbers unless it is hold
-  std::optional<Follow> follow;              ///< for the mode follow
-  std::optional<TrackId> target;             ///< the track to lock
-  std::optional<Release> release;
-  std::optional<bool> trigger;  ///< of the gun
-  std::optional<bool> radar;    ///< radiate or be silent
-  std::optional<Call> call;
+  std::optional<double> heading;      ///< rad, true; stays
+  std::optional<double> altitude;     ///< m above the ellipsoid; stays
+  std::optional<double> speed;        ///< m/s true airspeed; stays
+  std::optional<double> load_factor;  ///< g, the most that turning may use; stays
+  /// Flown instead of the numbers unless it is hold. Empty: hold if there is a heading or an
+  /// altitude to fly, otherwise it stays.
+  std::optional<model::AutopilotMode> mode;
+  std::optional<Follow> follow;  ///< for the mode follow; of loiter its position is the center
+  std::optional<std::uint32_t> route;  ///< for the mode route: index into the flight's routes
+  std::optional<TrackId> target;       ///< the track to attack, an empty id for nobody; stays
+  std::optional<Release> release;      ///< ends
+  std::optional<bool> trigger;         ///< of the gun; ends
+  std::optional<bool> radar;           ///< true: radiates, false: silent; stays
+  std::optional<Call> call;            ///< ends
 };
 
 }  // namespace eyrie::pilot
+
+template <>
+struct eyrie::EnumNames<eyrie::pilot::Call> {
+  using E = eyrie::pilot::Call;
+  static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
+                                    std::pair<std::string_view, E>{"defend_far", E::defend_far},
+                                    std::pair<std::string_view, E>{"defend_near", E::defend_near},
+                                    std::pair<std::string_view, E>{"land", E::land}};
+};
 
 template <>
 struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
@@ -59,6 +82,7 @@ struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
       field<blend::Mean>("load_factor", &A::load_factor),
       field<blend::Agreed>("mode", &A::mode),
       field<blend::Agreed>("follow", &A::follow),
+      field<blend::Agreed>("route", &A::route),
       field<blend::Strongest>("target", &A::target),
       field<blend::Strongest>("release", &A::release),
       field<blend::Strongest>("trigger", &A::trigger),

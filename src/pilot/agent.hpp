@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What one pilot keeps from decision to decision besides the memory of his tree.
+#include <array>
 #include <cstdint>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "pilot/action.hpp"
-#include "sim/schema.hpp"
 #include "ubf/transition.hpp"
 
 namespace eyrie::pilot {
@@ -14,32 +14,58 @@ namespace eyrie::pilot {
 /// No tree: the autopilot flies alone.
 inline constexpr std::uint16_t kNoTree = ubf::kNone;
 
+/// A missile that left the own aircraft and may still be on its way, as far as its pilot can tell.
+struct Shot {
+  double until = 0;         ///< s, when it will have arrived
+  TrackId track{};          ///< at whom; none: an empty place
+  std::uint32_t store = 0;  ///< index of the missile type in the Library
+
+  static constexpr auto fields() {
+    return field_list(field("until", &Shot::until, "s"), field("track", &Shot::track),
+                      field("store", &Shot::store));
+  }
+};
+static_assert(fields_cover_row<Shot>());
+
+/// One pilot. A scenario sets `bingo` and `tree` at birth; everything else begins at its default.
+/// Recorders find here what the last decision was: step, node, vote, phase, target.
 struct Agent {
-  double bingo = 0;         ///< kg, fuel at which he goes home; set at birth
-  double shot_time = 0;     ///< s, of the last release
-  double shot_until = 0;    ///< s, when that missile will have arrived
-  TrackId target;           ///< the chosen track
-  TrackId shot_track;       ///< the track of the last release
-  PlayerId lead;            ///< who he believes leads
-  std::uint32_t ticks = 0;  ///< decisions so far
-  float vote = 0;           ///< of what the tree recommended last
-  std::uint16_t tree = kNoTree;
-  std::uint16_t node = ubf::kNone;  ///< the behavior whose recommendation led; kNone: none
+  static constexpr std::size_t kShots = 4;
+
+  double bingo = 0;                  ///< kg, fuel at which he goes home; set at birth
+  std::uint64_t decided = 0;         ///< step of the last decision
+  std::array<Shot, kShots> shots{};  ///< the last ones
+  TrackId target{};                  ///< whom he attacks; none: nobody
+  TrackId asked_track{};             ///< at whom he last asked for a release
+  PlayerId committed{};              ///< on whom he committed last, for telling
+  PlayerId lead{};                   ///< who he believes leads
+  std::uint32_t asked_store = 0;     ///< index of the missile type that he asked for
+  std::uint32_t ticks = 0;           ///< decisions so far
+  float vote = 0;                    ///< of what the tree recommended last
   Call call = Call::none;
+  std::uint16_t tree = kNoTree;      ///< index into the scenario's trees
+  std::uint16_t node = ubf::kNone;   ///< the behavior whose recommendation led; kNone: none
+  std::uint16_t phase = ubf::kNone;  ///< what the outermost sequencer has in charge; kNone: none
+  std::uint8_t missiles = 0;         ///< that hung on the stations at the last decision
   std::uint8_t said_bingo = 0;
-  std::uint8_t shots = 0;           ///< releases so far, saturating
-  std::uint8_t shots_at_track = 0;  ///< of these, how many in a row at shot_track
-  std::uint8_t reserved = 0;
 
   static constexpr auto fields() {
     return field_list(
-        field("bingo", &Agent::bingo, "kg"), field("shot_time", &Agent::shot_time, "s"),
-        field("shot_until", &Agent::shot_until, "s"), field("target", &Agent::target),
-        field("shot_track", &Agent::shot_track), field("lead", &Agent::lead),
-        field("ticks", &Agent::ticks), field("vote", &Agent::vote), field("tree", &Agent::tree),
-        field("node", &Agent::node), field("call", &Agent::call),
-        field("said_bingo", &Agent::said_bingo), field("shots", &Agent::shots),
-        field("shots_at_track", &Agent::shots_at_track), field("reserved", &Agent::reserved));
+        field("bingo", &Agent::bingo, "kg"), field("decided", &Agent::decided),
+        field("shots", &Agent::shots), field("target", &Agent::target),
+        field("asked_track", &Agent::asked_track), field("committed", &Agent::committed),
+        field("lead", &Agent::lead), field("asked_store", &Agent::asked_store),
+        field("ticks", &Agent::ticks), field("vote", &Agent::vote), field("call", &Agent::call),
+        field("tree", &Agent::tree), field("node", &Agent::node), field("phase", &Agent::phase),
+        field("missiles", &Agent::missiles), field("said_bingo", &Agent::said_bingo));
+  }
+
+  /// Own missiles that may still be on their way to a track at `time` (s).
+  [[nodiscard]] constexpr std::uint32_t flying_at(TrackId track, double time) const {
+    std::uint32_t count = 0;
+    for (const Shot& shot : shots)
+      count += shot.track == track && track && time < shot.until ? 1 : 0;
+    return count;
   }
 };
 static_assert(fields_cover_row<Agent>());

@@ -3,11 +3,18 @@
 
 #include <algorithm>
 
+#include "model/weapon/stores.hpp"
+
 namespace eyrie::pilot {
 namespace {
 
+using model::AutopilotMode;
+
 void fly(const Action& action, model::Command& command) {
-  command.mode = action.mode.value_or(action.heading ? model::AutopilotMode::hold : command.mode);
+  if (action.mode)
+    command.mode = *action.mode;
+  else if (action.heading || action.altitude)
+    command.mode = AutopilotMode::hold;
   if (action.heading)
     command.heading = wrap_pi(*action.heading);
   if (action.altitude)
@@ -16,7 +23,11 @@ void fly(const Action& action, model::Command& command) {
     command.speed = *action.speed;
   if (action.load_factor)
     command.load_factor = *action.load_factor;
-  if (command.mode != model::AutopilotMode::follow)
+
+  // what the modes need
+  if (command.mode == AutopilotMode::route && action.route)
+    command.route = static_cast<std::uint8_t>(*action.route);
+  if (command.mode != AutopilotMode::follow && command.mode != AutopilotMode::loiter)
     return;
   if (action.follow) {
     command.reference_position = action.follow->position;
@@ -24,41 +35,56 @@ void fly(const Action& action, model::Command& command) {
     command.reference_time = action.follow->time;
     command.offset = action.follow->offset;
   } else if (action.mode) {
-    command.mode = model::AutopilotMode::hold;
+    command.mode = AutopilotMode::hold;
   }
+}
+
+bool is_hostile(const State& state, TrackId track) {
+  const Seen* seen = state.find(track);
+  return seen && seen->hostile();
 }
 
 }  // namespace
 
-double time_of_flight(const State& state, const Seen& target) {
-  // an average over the flights of docs/models/missile.md: 2.3 to 3 times the speed of sound
-  constexpr double kMeanSpeed = 750;
+double time_of_flight(const State& state, const Seen& target, const model::MissileType& missile) {
   const double own = target.range > 0 ? dot(target.ned, state.velocity_ned) / target.range : 0;
-  return target.range / (kMeanSpeed + std::max(0.0, target.closing - own)) + 3;
+  const double mean_speed = state.own.speed + missile.motor.ideal_speed_gain() / 2;
+  const double closing = std::max(mean_speed + target.closing - own, 50.0);
+  return std::min(target.range / closing, missile.greatest_time);
+}
+
+void account_for_shots(const State& state, Agent& agent) {
+  const auto left = static_cast<std::uint8_t>(std::min(model::missiles_left(state.stores), 255U));
+  if (agent.ticks > 0 && left < agent.missiles && agent.asked_track) {
+    Shot* oldest = &agent.shots[0];
+    for (Shot& shot : agent.shots)
+      if (shot.until < oldest->until)
+        oldest = &shot;
+    const Seen* target = state.find(agent.asked_track);
+    const model::MissileType& missile = state.library.missiles[agent.asked_store];
+    *oldest = {.until = state.time + (target ? time_of_flight(state, *target, missile) : 0.0),
+               .track = agent.asked_track,
+               .store = agent.asked_store};
+  }
+  agent.missiles = left;
 }
 
 void execute(const Action& action, const State& state, model::Command& command,
              model::Request& request, Agent& agent) {
   fly(action, command);
 
-  agent.target = action.target.value_or(TrackId{});
-  request = {};
-  request.target = agent.target;
-  request.trigger = action.trigger.value_or(false) ? 1 : 0;
-  request.radar_off = action.radar.value_or(true) ? 0 : 1;
-  if (action.release) {
-    request.shoot_at = action.release->track;
+  if (action.target)
+    agent.target = *action.target;
+  if (!is_hostile(state, agent.target))
+    agent.target = {};
+  const bool silent = action.radar ? !*action.radar : request.radar_off != 0;
+  request = {.target = agent.target,
+             .trigger = static_cast<std::uint8_t>(action.trigger.value_or(false)),
+             .radar_off = static_cast<std::uint8_t>(silent)};
+  if (action.release && is_hostile(state, action.release->track)) {
+    request.shoot_at = agent.asked_track = action.release->track;
     request.store = static_cast<std::uint8_t>(action.release->store + 1);
-    for (const Seen& seen : state.tracks_seen()) {
-      if (seen.id() != action.release->track)
-        continue;
-      const bool again = agent.shot_track == seen.id() && state.time < agent.shot_until;
-      agent.shots_at_track = static_cast<std::uint8_t>(again ? agent.shots_at_track + 1 : 1);
-      agent.shots = static_cast<std::uint8_t>(std::min(agent.shots + 1, 255));
-      agent.shot_track = seen.id();
-      agent.shot_time = state.time;
-      agent.shot_until = state.time + time_of_flight(state, seen);
-    }
+    agent.asked_store = action.release->store;
   }
 }
 

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The platform's side of an aircraft: how an action is carried out.
+/// \file  The platform's side of an aircraft: how a state is perceived (pilot/state.hpp) and how an
+/// action is carried out.
 #include "model/command.hpp"
 #include "pilot/agent.hpp"
 #include "pilot/state.hpp"
-#include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
 
 /// Carries out what the tree recommends: numbers and mode go to the autopilot, orders become
-/// requests to radar, stores and gun. Fields that are empty leave the last command as it is;
-/// requests that nobody makes end. A mode that lacks what it needs (a follow without anybody to
-/// follow) is flown as hold with the numbers.
+/// requests to radar, stores and gun. What an empty field means is said in pilot/action.hpp.
+///
+/// A mode that lacks what it needs (a follow without anybody to follow) is flown as hold with the
+/// numbers. A target that is no longer held, or no longer hostile, is dropped; a release at anybody
+/// who is not identified as hostile is refused, whoever recommends it.
 void execute(const Action& action, const State& state, model::Command& command,
              model::Request& request, Agent& agent);
 
-/// s, until a missile released now may have arrived: the range over the mean speed of a missile
-/// plus what the target closes by itself.
-[[nodiscard]] double time_of_flight(const State& state, const Seen& target);
+/// Notices which missiles have left since the last decision. To be called before the tree is asked.
+void account_for_shots(const State& state, Agent& agent);
+
+/// s, until a missile that leaves now will have arrived, as a pilot reckons: the range over the
+/// speed at which they close, where the missile adds half of its ideal speed gain to the speed of
+/// the aircraft on average (drag takes the other half, [judgement]: docs/models/missile.md has the
+/// flights), and no longer than its battery lasts.
+[[nodiscard]] double time_of_flight(const State& state, const Seen& target,
+                                    const model::MissileType& missile);
 
 }  // namespace eyrie::pilot

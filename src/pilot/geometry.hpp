@@ -11,11 +11,6 @@ namespace eyrie::pilot {
 
 /// m; mean radius of the Earth (R1 of WGS-84), for the drop of the horizon only.
 inline constexpr double kEarthRadius = 6371008.8;
-/// m/s2; standard gravity.
-inline constexpr double kGravity = 9.80665;
-/// m/s; muzzle velocity of the M61, to which a pilot's sight is set (facts of the maker, General
-/// Electric; the guns in data/ are near it).
-inline constexpr double kBulletSpeed = 1030;
 
 /// A vector of the scenario's local frame in the north-east-down axes at the ownship.
 [[nodiscard]] constexpr Vec3 to_ned(const model::Kinematics& own, const Vec3& local) {

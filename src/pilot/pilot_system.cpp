@@ -5,69 +5,64 @@
 #include <array>
 #include <cstring>
 
-#include "model/events.hpp"
 #include "pilot/controller.hpp"
+#include "pilot/teller.hpp"
 #include "sim/rate.hpp"
 
 namespace eyrie::pilot {
 namespace {
 
-using model::EventKind;
-
 constexpr std::array kOrders{sim::OrderKind(OrderKind::swap_tree)};
 
-/// What one decision told, as events of one pilot.
-struct Teller {
-  PlayerId who;
-  const model::Kinematics& own;
-  sim::Outbox& out;
+/// The columns that pilots read, looked up once per chunk.
+struct Rows {
+  Rows(const sim::World& world, const model::AircraftColumns& c)
+      : fit(world.rows(c.fit)),
+        kinematics(world.rows(c.kinematics)),
+        propulsion(world.rows(c.propulsion)),
+        flying(world.rows(c.flying)),
+        stores(world.rows(c.stores)),
+        gun(world.rows(c.gun)),
+        tracks(world.rows(c.tracks)),
+        rwr(world.rows(c.rwr)),
+        threats(world.rows(c.threats)),
+        datalink(world.rows(c.datalink)),
+        command(world.rows(c.command)) {}
 
-  void tell(EventKind kind, PlayerId whom, std::uint16_t aux, double a = 0, double b = 0,
-            double c = 0) const {
-    out.emit({.kind = kind,
-              .aux = aux,
-              .who = who,
-              .whom = whom,
-              .place = own.position,
-              .values = {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)}});
+  /// What the pilot of `row` reads; what his sensors wrote is that of `sensed_row` of `sensed`.
+  [[nodiscard]] Cockpit cockpit(std::size_t row, const Agent& agent, const Rows& sensed,
+                                std::size_t sensed_row) const {
+    return {kinematics[row],
+            propulsion[row],
+            flying[row],
+            stores[row],
+            gun[row],
+            sensed.tracks[sensed_row],
+            sensed.rwr[sensed_row],
+            sensed.threats[sensed_row],
+            sensed.datalink[sensed_row],
+            command[row],
+            agent};
   }
+
+  std::span<const model::Fit> fit;
+  std::span<const model::Kinematics> kinematics;
+  std::span<const model::Propulsion> propulsion;
+  std::span<const model::Flying> flying;
+  std::span<const model::Stores> stores;
+  std::span<const model::GunState> gun;
+  std::span<const model::TrackFile> tracks;
+  std::span<const model::RwrState> rwr;
+  std::span<const model::Threats> threats;
+  std::span<const model::DatalinkState> datalink;
+  std::span<const model::Command> command;
 };
 
-void tell_transitions(const ubf::TransitionLog& log, const Agent& agent, const Teller& teller) {
-  for (const ubf::Transition& t : log.entries())
-    teller.tell(EventKind::phase, {}, agent.tree, t.from == ubf::kNone ? -1 : t.from, t.to, t.node);
-}
-
-/// Who leads, fuel: what the pilot notices whatever his tree says.
-void notice(const State& s, Agent& agent, const Teller& teller) {
-  const model::Mate* lead = s.lead();
-  const PlayerId now = lead ? lead->id : teller.who;
-  if (agent.lead && agent.lead != now && now == teller.who)
-    teller.tell(EventKind::lead_change, agent.lead, 0);
-  agent.lead = now;
-  if (!agent.said_bingo && s.bingo()) {
-    agent.said_bingo = 1;
-    teller.tell(EventKind::bingo, {}, 0, s.propulsion.fuel);
-  }
-}
-
-void tell_changes(const State& s, const Agent& before, Agent& agent, const Proposal& decided,
-                  const Teller& teller) {
-  if (agent.node != before.node || agent.ticks == 1)
-    teller.tell(EventKind::in_charge, {}, agent.tree, agent.node, decided.vote);
-  if (agent.target && !before.target)
-    for (const Seen& seen : s.tracks_seen())
-      if (seen.id() == agent.target)
-        teller.tell(EventKind::commit, seen.track->truth, 0, seen.range);
-  const Call call = decided.action.call.value_or(Call::none);
-  if (call != before.call) {
-    if (call == Call::defend_far || call == Call::defend_near)
-      teller.tell(EventKind::defend, s.threats.count ? s.threats.missiles[0].truth : PlayerId{}, 0,
-                  call == Call::defend_far ? 1 : 2);
-    if (call == Call::land)
-      teller.tell(EventKind::home, {}, 0);
-  }
-  agent.call = call;
+void swap(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
+  agent.tree = tree;
+  agent.node = agent.phase = ubf::kNone;
+  agent.call = Call::none;
+  std::memset(memory.data(), 0, memory.size());
 }
 
 }  // namespace
@@ -86,6 +81,19 @@ PilotColumns PilotColumns::define(sim::SchemaBuilder& builder, TableId aircraft,
           .brain = builder.add_bytes(aircraft, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
 }
 
+PilotSystem::PilotSystem(PilotSetup setup) : setup_(std::move(setup)) {
+  EYRIE_THROW_UNLESS(setup_.library && setup_.trees, "pilots need a library and trees");
+  EYRIE_THROW_UNLESS(setup_.flights.size() >= setup_.library->flights.size(),
+                     "every flight needs a plan");
+  EYRIE_THROW_UNLESS(setup_.period > 0, "a decision every 0 steps");
+  for (const auto& tree : *setup_.trees) {
+    std::size_t node = 0;
+    while (node < tree.size() && !tree.node(static_cast<ubf::NodeIndex>(node)).is_sequencer())
+      ++node;
+    outermost_.push_back(node < tree.size() ? static_cast<ubf::NodeIndex>(node) : ubf::kNone);
+  }
+}
+
 std::span<const sim::OrderKind> PilotSystem::accepts() const {
   return kOrders;
 }
@@ -96,32 +104,33 @@ void PilotSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim
   const auto tree = order.as<SwapTree>().tree;
   if (!row || tree >= setup_.trees->size())
     return;
-  Agent& agent = world.rows(setup_.pilots.agent)[*row];
-  agent.tree = tree;
-  agent.node = ubf::kNone;
-  agent.call = Call::none;
-  const auto memory = world.bytes(setup_.pilots.brain, *row);
-  std::memset(memory.data(), 0, memory.size());
-  out.emit({.kind = EventKind::order,
+  swap(world.rows(setup_.pilots.agent)[*row], world.bytes(setup_.pilots.brain, *row), tree);
+  out.emit({.kind = model::EventKind::order,
             .aux = tree,
             .who = order.player,
             .place = world.rows(setup_.aircraft.kinematics)[*row].position,
             .values = {static_cast<float>(order.kind.value)}});
 }
 
-State PilotSystem::state_of(const sim::World& world, std::size_t row, double time) const {
-  const model::AircraftColumns& c = setup_.aircraft;
-  const model::Fit& fit = world.rows(c.fit)[row];
-  return pilot::perceive(
-      {world.rows(c.kinematics)[row], world.rows(c.propulsion)[row], world.rows(c.flying)[row],
-       world.rows(c.stores)[row], world.rows(c.gun)[row], world.rows(c.tracks)[row],
-       world.rows(c.threats)[row], world.rows(c.datalink)[row], world.rows(c.command)[row],
-       world.rows(setup_.pilots.agent)[row]},
-      *setup_.library, fit, setup_.flights[fit.flight], time);
+Proposal PilotSystem::ask(const State& state, const sim::StepInfo& info, PlayerId who,
+                          std::byte* memory, ubf::TransitionLog* log, Trace* trace) const {
+  Proposal decided;
+  (*setup_.trees)[state.agent.tree].tick({.state = state,
+                                          .time = info.time(),
+                                          .dt = setup_.period * info.dt,
+                                          .step = info.step,
+                                          .seed = info.seed,
+                                          .player = who,
+                                          .memory = memory,
+                                          .trace = trace,
+                                          .log = log},
+                                         decided);
+  return decided;
 }
 
 void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                          sim::Outbox& out) const {
+  const Rows rows(world, setup_.aircraft);
   const auto ids = world.ids(setup_.aircraft.table);
   const auto agents = world.rows(setup_.pilots.agent);
   const auto commands = world.rows(setup_.aircraft.command);
@@ -129,58 +138,88 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
   for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
     Agent& agent = agents[row];
     requests[row].shoot_at = {};  // a release is asked for once, not until the next decision
+    requests[row].store = 0;
     if (agent.tree == kNoTree || !sim::due(info.step, ids[row], setup_.period))
       continue;
+    EYRIE_ASSERT(agent.tree < setup_.trees->size());
 
     // perceive
-    const State state = state_of(world, row, info.time());
-    const Teller teller{ids[row], state.own, out};
-    const Agent before = agent;
-    notice(state, agent, teller);
+    const model::Fit& fit = rows.fit[row];
+    const State state = pilot::perceive(rows.cockpit(row, agent, rows, row), *setup_.library, fit,
+                                        setup_.flights[fit.flight], info.time());
+    const Teller teller(ids[row], state, out);
+    account_for_shots(state, agent);
+    teller.notice(agent, fit);
 
     // decide
     ubf::TransitionLog log;
-    Proposal decided;
-    (*setup_.trees)[agent.tree].tick({.state = state,
-                                      .time = info.time(),
-                                      .dt = setup_.period * info.dt,
-                                      .step = info.step,
-                                      .seed = info.seed,
-                                      .player = ids[row],
-                                      .memory = world.bytes(setup_.pilots.brain, row).data(),
-                                      .log = &log},
-                                     decided);
+    const auto memory = world.bytes(setup_.pilots.brain, row);
+    EYRIE_ASSERT((*setup_.trees)[agent.tree].memory_bytes() <= memory.size());
+    const Proposal decided = ask(state, info, ids[row], memory.data(), &log, nullptr);
 
     // act
+    const Agent before = agent;
+    agent.decided = info.step;
     ++agent.ticks;
     agent.node = decided.leader;
     agent.vote = decided.vote;
     execute(decided.action, state, commands[row], requests[row], agent);
-    tell_transitions(log, agent, teller);
-    tell_changes(state, before, agent, decided, teller);
+    teller.transitions(log, outermost_[agent.tree], agent);
+    teller.changes(before, decided, agent);
   }
 }
 
-Proposal PilotSystem::trace_decision(const sim::World& world, const sim::StepInfo& info,
-                                     std::size_t row, Trace& trace) const {
+Proposal PilotSystem::retrace(const Cockpit& cockpit, const model::Fit& fit,
+                              const sim::StepInfo& info, PlayerId who,
+                              std::span<const std::byte> memory, Trace& trace) const {
+  Agent agent = cockpit.agent;
+  const Cockpit copied{cockpit.own,      cockpit.propulsion, cockpit.flying, cockpit.stores,
+                       cockpit.gun,      cockpit.tracks,     cockpit.rwr,    cockpit.threats,
+                       cockpit.datalink, cockpit.command,    agent};
+  const State state =
+      pilot::perceive(copied, *setup_.library, fit, setup_.flights[fit.flight], info.time());
+  account_for_shots(state, agent);
+  std::vector<std::uint64_t> slab((memory.size() + 7) / 8);
+  std::memcpy(slab.data(), memory.data(), memory.size());
+  return ask(state, info, who, reinterpret_cast<std::byte*>(slab.data()), nullptr, &trace);
+}
+
+std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,
+                                                    const sim::StepInfo& info, std::size_t row,
+                                                    Trace& trace) const {
   const Agent& agent = world.rows(setup_.pilots.agent)[row];
-  Proposal decided;
   if (agent.tree == kNoTree)
-    return decided;
-  const State state = state_of(world, row, info.time());
-  const auto memory = world.bytes(setup_.pilots.brain, row);
-  std::vector<std::uint64_t> copy((memory.size() + 7) / 8);
-  std::memcpy(copy.data(), memory.data(), memory.size());
-  (*setup_.trees)[agent.tree].tick({.state = state,
-                                    .time = info.time(),
-                                    .dt = setup_.period * info.dt,
-                                    .step = info.step,
-                                    .seed = info.seed,
-                                    .player = world.ids(setup_.aircraft.table)[row],
-                                    .memory = reinterpret_cast<std::byte*>(copy.data()),
-                                    .trace = &trace},
-                                   decided);
-  return decided;
+    return std::nullopt;
+  const Rows rows(world, setup_.aircraft);
+  return retrace(rows.cockpit(row, agent, rows, row), rows.fit[row], info,
+                 world.ids(setup_.aircraft.table)[row], world.bytes(setup_.pilots.brain, row),
+                 trace);
+}
+
+std::optional<Proposal> PilotSystem::trace_decision(const sim::World& before,
+                                                    const sim::World& after, PlayerId who,
+                                                    Trace& trace,
+                                                    std::span<const sim::Order> orders) const {
+  const auto row = before.row(setup_.aircraft.table, who);
+  const auto sensed_row = after.row(setup_.aircraft.table, who);
+  const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
+  if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
+    return std::nullopt;
+
+  // what the orders of the step left him with
+  Agent agent = before.rows(setup_.pilots.agent)[*row];
+  const auto slab = before.bytes(setup_.pilots.brain, *row);
+  std::vector<std::byte> memory(slab.begin(), slab.end());
+  for (const sim::Order& order : orders)
+    if (order.player == who && order.kind == OrderKind::swap_tree &&
+        order.as<SwapTree>().tree < setup_.trees->size())
+      swap(agent, memory, order.as<SwapTree>().tree);
+  if (agent.tree == kNoTree)
+    return std::nullopt;
+
+  const Rows rows(before, setup_.aircraft), sensed(after, setup_.aircraft);
+  return retrace(rows.cockpit(*row, agent, sensed, *sensed_row), rows.fit[*row], info, who, memory,
+                 trace);
 }
 
 }  // namespace eyrie::pilot

@@ -3,8 +3,10 @@
 /// \file  Every pilot's decision: perceive, ask the tree, act. The decide phase of aircraft.
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
-#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pilot/columns.hpp"
@@ -43,10 +45,13 @@ struct PilotSetup {
   std::uint32_t period = 5;         ///< steps between two decisions of one pilot
 };
 
-/// Emits phase, in_charge, defend, commit, lead_change, bingo, home and order events.
+/// decide: each pilot writes his own command, request, agent row and the memory of his tree, and
+/// tells phase, in_charge, defend, commit, lead_change, bingo and home. Orders: swap_tree; one that
+/// names no tree of the scenario, or a player who is gone, is ignored.
 class PilotSystem final : public sim::System {
  public:
-  explicit PilotSystem(PilotSetup setup) : setup_(std::move(setup)) {}
+  /// std::logic_error without library or trees, for a flight without a plan, and for no period.
+  explicit PilotSystem(PilotSetup setup);
 
   [[nodiscard]] std::string_view name() const override { return "pilot"; }
   [[nodiscard]] TableId table() const override { return setup_.aircraft.table; }
@@ -58,15 +63,29 @@ class PilotSystem final : public sim::System {
 
   [[nodiscard]] const PilotSetup& setup() const { return setup_; }
 
-  /// Ticks the tree of one aircraft as its pilot would now, on a copy of its memory, and records
-  /// every node's answer. `trace` must have room for Trees::max_size() nodes. Gives the proposal.
-  [[nodiscard]] Proposal trace_decision(const sim::World& world, const sim::StepInfo& info,
-                                        std::size_t row, Trace& trace) const;
+  /// What the pilot of one aircraft decides on what he knows at this moment of `world`: asks his
+  /// tree on a copy of its memory and records every node's answer. `trace` must have room for
+  /// Trees::max_size() nodes. Nothing for a pilot without a tree. Allocates; for debriefs.
+  [[nodiscard]] std::optional<Proposal> trace_decision(const sim::World& world,
+                                                       const sim::StepInfo& info, std::size_t row,
+                                                       Trace& trace) const;
+
+  /// The decision that a pilot made in a step, exactly, from the worlds before and after it: what
+  /// the sensors wrote in that step is taken from `after`, everything else from `before`. `orders`
+  /// are those of the step. Nothing if he had no decision due, no tree, or left in that step.
+  [[nodiscard]] std::optional<Proposal> trace_decision(
+      const sim::World& before, const sim::World& after, PlayerId who, Trace& trace,
+      std::span<const sim::Order> orders = {}) const;
 
  private:
-  [[nodiscard]] State state_of(const sim::World& world, std::size_t row, double time) const;
+  [[nodiscard]] Proposal ask(const State& state, const sim::StepInfo& info, PlayerId who,
+                             std::byte* memory, ubf::TransitionLog* log, Trace* trace) const;
+  [[nodiscard]] Proposal retrace(const Cockpit& cockpit, const model::Fit& fit,
+                                 const sim::StepInfo& info, PlayerId who,
+                                 std::span<const std::byte> memory, Trace& trace) const;
 
   PilotSetup setup_;
+  std::vector<ubf::NodeIndex> outermost_;  ///< the first sequencer of each tree, kNone if none
 };
 
 }  // namespace eyrie::pilot

@@ -1,64 +1,101 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/state.hpp"
 
-#include <bit>
+#include <algorithm>
 
 #include "core/math.hpp"
+#include "core/units.hpp"
+#include "pilot/sort.hpp"
 
 namespace eyrie::pilot {
 namespace {
 
-/// Mates of a better rank, believed alive, who said that the track is their target.
-int taken(const State& s, const model::Track& track) {
-  std::uint32_t better = 0;
-  for (std::uint32_t i = 0; i < s.datalink.self; ++i)
-    better |= static_cast<std::uint32_t>(s.datalink.members[i].alive) << i;
-  return std::popcount(better & track.targeted_by);
+/// A mate who falls silent this near home has landed: the same radius as egress.arrival, and some.
+constexpr double kLandedRange = si(6, "nmi");
+
+double across_ground(const Vec3& ned) {
+  return std::sqrt(ned.x * ned.x + ned.y * ned.y);
 }
 
-std::int32_t choose_target(const State& s) {
-  std::int32_t best = -1;
-  int best_taken = 0;
-  double best_range = 0;
-  for (std::uint32_t i = 0; i < s.seen_count; ++i) {
-    const Seen& seen = s.seen[i];
-    if (!seen.hostile())
+/// Who of the flight is alive, who was lost, and the own rank among the living.
+void count_flight(State& s, const model::Fit& fit) {
+  s.lost = 0;
+  s.alive = 0;
+  s.rank = fit.rank > 0 ? fit.rank : 1;
+  if (s.datalink.count == 0)
+    return;
+  s.rank = model::living_rank(s.datalink);
+  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (mate.alive) {
+      s.alive |= 1U << i;
       continue;
-    const int mates = taken(s, *seen.track);
-    const double range = seen.id() == s.agent.target ? seen.range * 0.67 : seen.range;
-    if (best < 0 || mates < best_taken || (mates == best_taken && range < best_range)) {
-      best = static_cast<std::int32_t>(i);
-      best_taken = mates;
-      best_range = range;
     }
+    const bool landed = mate.reported && s.flight.home &&
+                        across_ground(to_ned(s.own, mate.position - *s.flight.home)) < kLandedRange;
+    s.lost += landed ? 0 : 1;
   }
-  return best;
+}
+
+Vec3 vec(const std::array<float, 3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
 }  // namespace
 
 State perceive(const Cockpit& cockpit, const model::Library& library, const model::Fit& fit,
                const FlightPlan& plan, double time) {
-  State s{cockpit, library, library.aircraft[fit.type], library.flights[fit.flight], plan, time};
+  State s(cockpit, library, fit, plan, time);
   s.velocity_ned = to_ned(s.own, s.own.velocity);
-  for (std::uint32_t i = 0; i < s.tracks.count; ++i) {
+  s.seen_count = s.tracks.count;
+  for (std::uint32_t i = 0; i < s.seen_count; ++i) {
     const model::Track& track = s.tracks.tracks[i];
-    Seen& seen = s.seen[s.seen_count++];
-    seen.track = &track;
     const Vec3 offset = model::position_at(track, time) - s.own.position;
+    Seen& seen = s.seen[i];
+    seen.track = &track;
     seen.ned = to_ned(s.own, offset);
     seen.velocity = to_ned(s.own, track.velocity);
     seen.range = norm(offset);
-    if (seen.range > 0)
-      seen.closing = dot(offset, s.own.velocity - track.velocity) / seen.range;
+    seen.closing = seen.range > 0 ? dot(offset, s.own.velocity - track.velocity) / seen.range : 0.0;
   }
-  if (s.datalink.count) {
-    s.rank = model::living_rank(s.datalink);
-    for (std::uint32_t i = 0; i < s.datalink.count; ++i)
-      s.lost += s.datalink.members[i].alive ? 0 : 1;
-  }
+  count_flight(s, fit);
   s.target_index = choose_target(s);
   return s;
+}
+
+const Seen* State::find(TrackId id) const {
+  for (const Seen& one : tracks_seen())
+    if (one.id() == id)
+      return &one;
+  return nullptr;
+}
+
+std::optional<Leader> State::leader() const {
+  const model::Mate* mate = lead();
+  if (!mate)
+    return std::nullopt;
+  if (mate->reported)
+    return Leader{model::position_at(*mate, time), vec(mate->velocity)};
+  for (const Seen& one : tracks_seen())
+    if ((one.track->sources & model::kFromTruth) && one.track->truth == mate->id)
+      return Leader{model::position_at(*one.track, time), one.track->velocity};
+  return std::nullopt;
+}
+
+std::optional<double> State::home_distance() const {
+  if (!flight.home)
+    return std::nullopt;
+  return across_ground(to_ned(own, *flight.home - own.position));
+}
+
+const model::InboundMissile* State::threat() const {
+  const model::InboundMissile* worst = nullptr;
+  for (std::uint32_t i = 0; i < threats.count; ++i) {
+    const model::InboundMissile& m = threats.missiles[i];
+    if (!worst || (m.has_position && (!worst->has_position || m.range < worst->range)))
+      worst = &m;
+  }
+  return worst;
 }
 
 model::EmploymentZone State::zone(std::uint16_t store, const Seen& against) const {
@@ -69,8 +106,14 @@ model::EmploymentZone State::zone(std::uint16_t store, const Seen& against) cons
 }
 
 double State::off_nose(const Vec3& ned) const {
-  const double size = norm(ned);
-  return size > 0 ? math::acos(std::clamp(dot(nose_of(own), ned) / size, -1.0, 1.0)) : 0;
+  return angle_between(nose_of(own), ned);
+}
+
+double State::altitude_for(double climb_angle) const {
+  const model::Airframe& a = airframe();
+  const double seconds =
+      type.dynamics == model::Dynamics::laero ? a.laero.altitude_time : a.autopilot.altitude_time;
+  return own.altitude + own.speed * math::sin(climb_angle) * seconds;
 }
 
 }  // namespace eyrie::pilot

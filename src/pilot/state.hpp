@@ -16,14 +16,18 @@ namespace eyrie::pilot {
 
 /// One track as seen from the cockpit, carried on to the time of the decision.
 struct Seen {
-  const model::Track* track = nullptr;
-  Vec3 ned;            ///< m, from the ownship, north-east-down at the ownship
-  Vec3 velocity;       ///< m/s over the ground, same axes
-  double range = 0;    ///< m
-  double closing = 0;  ///< m/s, positive if the range shrinks
+  const model::Track* track;
+  Vec3 ned;        ///< m, from the ownship, north-east-down at the ownship
+  Vec3 velocity;   ///< m/s over the ground, same axes
+  double range;    ///< m
+  double closing;  ///< m/s, positive if the range shrinks
 
   [[nodiscard]] bool hostile() const {
     return track->confirmed && track->identity == model::Identity::hostile;
+  }
+  /// Confirmed and not a friend: a hostile, or nobody knows.
+  [[nodiscard]] bool suspect() const {
+    return track->confirmed && track->identity != model::Identity::friendly;
   }
   [[nodiscard]] TrackId id() const { return track->id; }
 };
@@ -41,49 +45,78 @@ struct Cockpit {
   const model::Stores& stores;
   const model::GunState& gun;
   const model::TrackFile& tracks;
+  const model::RwrState& rwr;
   const model::Threats& threats;
   const model::DatalinkState& datalink;
   const model::Command& command;  ///< the last one
   const Agent& agent;
 };
 
-/// Views into the pilot's own rows and what follows from them; good for one decision.
+/// Where whoever leads the flight is believed to be, and how he moves.
+struct Leader {
+  Vec3 position;  ///< m, local frame, now
+  Vec3 velocity;  ///< m/s over the ground, local frame
+};
+
+/// Views into the pilot's own rows and what follows from them; good for one decision. Every track
+/// in it is a belief: with a privileged player the beliefs happen to be true, and nothing here
+/// knows the difference.
 struct State : Cockpit {
+  State(const Cockpit& cockpit, const model::Library& models, const model::Fit& fit,
+        const FlightPlan& flight_plan, double now)
+      : Cockpit(cockpit),
+        library(models),
+        type(models.aircraft[fit.type]),
+        flight(models.flights[fit.flight]),
+        plan(flight_plan),
+        time(now) {}
+
   const model::Library& library;
   const model::AircraftType& type;
   const model::Flight& flight;
   const FlightPlan& plan;
-  double time = 0;  ///< s
+  double time;  ///< s
 
-  std::array<Seen, model::kMaxTracks> seen{};
+  std::uint32_t rank = 1;   ///< among the members believed alive, 1 leads
+  std::uint32_t lost = 0;   ///< members believed lost; who fell silent near home has landed
+  std::uint32_t alive = 0;  ///< bit i: member i is believed alive
   std::uint32_t seen_count = 0;
-  std::int32_t target_index = -1;  ///< into seen
-  std::uint32_t rank = 1;          ///< among the members believed alive
-  std::uint32_t lost = 0;          ///< members believed lost
-  Vec3 velocity_ned{};             ///< m/s over the ground
+  std::int32_t target_index = -1;            ///< into seen; negative: nobody
+  Vec3 velocity_ned;                         ///< m/s over the ground
+  std::array<Seen, model::kMaxTracks> seen;  ///< the first seen_count are set
 
   [[nodiscard]] std::span<const Seen> tracks_seen() const { return {seen.data(), seen_count}; }
-  /// The chosen target, or null.
+  /// The chosen target (pilot/sort.hpp), or null. Identified as hostile, always.
   [[nodiscard]] const Seen* target() const {
     return target_index < 0 ? nullptr : &seen[static_cast<std::size_t>(target_index)];
   }
+  [[nodiscard]] const Seen* find(TrackId id) const;
   [[nodiscard]] bool leads() const { return rank == 1; }
   /// The member believed to lead; null if the datalink has not come up.
   [[nodiscard]] const model::Mate* lead() const { return model::lead(datalink); }
+  /// Where the lead is: by datalink, or else by a privileged player's track of him.
+  [[nodiscard]] std::optional<Leader> leader() const;
   [[nodiscard]] bool bingo() const { return propulsion.fuel <= agent.bingo; }
-  /// Kilometres do not matter: whether a missile of the own may still be on its way to that track.
-  [[nodiscard]] bool own_shot_flies(TrackId track) const {
-    return agent.shot_track == track && time < agent.shot_until;
+  /// m, to the home of the flight along the ground; nothing if it has none.
+  [[nodiscard]] std::optional<double> home_distance() const;
+  /// The missile to worry about: the nearest one of known range, or else the one known longest.
+  [[nodiscard]] const model::InboundMissile* threat() const;
+
+  /// The wind here, m/s, north-east-down.
+  [[nodiscard]] Vec3 wind() const { return library.environment.wind.at(own.altitude); }
+  [[nodiscard]] const model::Airframe& airframe() const {
+    return library.airframes[type.index.airframe];
   }
   /// The employment zone of a missile type against a track, from here and now.
   [[nodiscard]] model::EmploymentZone zone(std::uint16_t store, const Seen& against) const;
-  /// Angle between the nose and a direction in NED axes, rad.
+  /// Angle between the nose and a direction in NED axes, rad in [0, pi].
   [[nodiscard]] double off_nose(const Vec3& ned) const;
+  /// The altitude to ask for (m) so that the autopilot's altitude hold flies a climb angle (rad):
+  /// it turns an error of altitude into a climb rate by a time constant.
+  [[nodiscard]] double altitude_for(double climb_angle) const;
 };
 
-/// Builds the state: carries every track on to `time` and chooses the target. A hostile track that
-/// fewer better-ranked mates have as their target goes first, then the nearest; the target of
-/// before stays unless another has fewer mates on it or is nearer by a third.
+/// Builds the state: carries every track on to `time`, counts the flight and chooses the target.
 [[nodiscard]] State perceive(const Cockpit& cockpit, const model::Library& library,
                              const model::Fit& fit, const FlightPlan& plan, double time);
 

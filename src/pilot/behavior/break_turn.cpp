@@ -1,56 +1,57 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/break_turn.hpp"
 
-namespace eyrie::pilot {
-namespace {
+#include <algorithm>
+#include <cmath>
 
-/// The most urgent one: the nearest of known range, or else the one heard of first.
-const model::InboundMissile* most_urgent(const model::Threats& threats) {
-  const model::InboundMissile* worst = nullptr;
-  for (std::uint32_t i = 0; i < threats.count; ++i) {
-    const model::InboundMissile& m = threats.missiles[i];
-    const bool worse =
-        !worst || (m.has_position && (!worst->has_position || m.range < worst->range));
-    if (worse)
-      worst = &m;
-  }
-  return worst;
+#include "ubf/simulated_time.hpp"
+
+namespace eyrie::pilot {
+
+bool BreakTurn::is_near(const State& s, const model::InboundMissile& missile, bool already) const {
+  constexpr double kHysteresis = 1.5;
+  if (missile.has_position)
+    return missile.range < danger_range_ * (already ? kHysteresis : 1);
+  return already || ubf::passed(s.time, missile.first_time, unknown_delay_);
 }
 
-}  // namespace
+void BreakTurn::defend(const State& s, const model::InboundMissile& missile, BreakMemory& m) const {
+  m.until = s.time + recovery_;
+  if (!is_near(s, missile, m.phase == Call::defend_near)) {
+    m.phase = Call::defend_far;
+    m.turn = Turn::none;
+    m.heading = wrap_tau(missile.bearing);
+    m.altitude = std::min(s.own.altitude + climb_, std::max(ceiling_, s.own.altitude));
+    return;
+  }
+  const double off_nose = angle_between(s.own.heading, missile.bearing);
+  if (m.turn == Turn::none)  // it comes from the right: away is to the left
+    m.turn = off_nose >= 0 ? Turn::left : Turn::right;
+  m.phase = Call::defend_near;
+  // farther behind already: any turn to put it back there would be one towards it
+  m.heading = wrap_tau(std::fabs(off_nose) >= turn_ ? s.own.heading
+                       : m.turn == Turn::left       ? missile.bearing - turn_
+                                                    : missile.bearing + turn_);
+  m.altitude = std::max(s.own.altitude - dive_, std::min(floor_, s.own.altitude));
+}
 
 Status BreakTurn::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   BreakMemory& m = memory(t);
-  const model::InboundMissile* missile = most_urgent(s.threats);
-  if (!missile) {
+  if (const model::InboundMissile* missile = s.threat()) {
+    defend(s, *missile, m);
+  } else if (m.phase == Call::none || ubf::passed(s.time, m.until, 0)) {
     m = {};
     return Status::failure;
   }
-  const bool near = missile->has_position
-                        ? missile->range < danger_range_ * (m.near ? 1.5 : 1)
-                        : s.time - missile->first_time >= unknown_delay_ || m.near;
-  if (near && !m.near) {
-    const double relative = wrap_pi(missile->bearing - s.own.heading);
-    m.side = relative >= 0 ? 1 : 2;  // it comes from the right: away is to the left
-  }
-  m.near = near;
-
-  out.action.mode = model::AutopilotMode::hold;
-  out.action.load_factor = load_factor_;
+  const bool near = m.phase == Call::defend_near;
+  out.action.heading = m.heading;
+  out.action.altitude = m.altitude;
   out.action.speed = speed_;
-  if (near) {
-    m.heading = wrap_tau(missile->bearing + (m.side == 1 ? -turn_ : turn_));
-    out.action.heading = m.heading;
-    out.action.altitude = std::max(s.own.altitude - dive_, floor_);
-    out.action.call = Call::defend_near;
-    out.vote = near_vote_;
-  } else {
-    out.action.heading = wrap_tau(missile->bearing);
-    out.action.altitude = s.own.altitude + climb_;
-    out.action.call = Call::defend_far;
-    out.vote = vote_;
-  }
+  out.action.load_factor = load_factor_;
+  out.action.mode = model::AutopilotMode::hold;
+  out.action.call = m.phase;
+  out.vote = near ? near_vote_ : vote_;
   return Status::running;
 }
 

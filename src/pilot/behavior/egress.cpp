@@ -1,23 +1,64 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/egress.hpp"
 
+#include <algorithm>
+
+#include "core/math.hpp"
+#include "model/flight/guidance.hpp"
+
 namespace eyrie::pilot {
 
 Status Egress::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
-  if (!s.flight.home)
+  const auto distance = s.home_distance();
+  if (!distance)
     return Status::failure;
-  const Vec3 ned = to_ned(s.own, *s.flight.home - s.own.position);
-  const double distance = std::sqrt(ned.x * ned.x + ned.y * ned.y);
-  out.action.heading = wrap_tau(bearing_of(ned));
-  out.action.altitude = distance < descent_range_ ? landing_altitude_ : altitude_;
+  const Vec3& home = *s.flight.home;
+  const bool arrived = *distance <= arrival_;
+
+  // down along the slope, so that it is low when it arrives
+  const double slope = math::tan(descent_);
+  const double on_slope = landing_altitude_ + slope * std::max(*distance - arrival_, 0.0);
+  out.action.altitude = std::min(altitude_, on_slope);
   out.action.speed = speed_;
-  out.action.mode = model::AutopilotMode::hold;
-  // a tenth above the landing altitude is down: the autopilot comes to it from above
-  if (distance < arrival_ && s.own.altitude <= landing_altitude_ * 1.1 + 50)
-    out.action.call = Call::land;
+  out.action.load_factor = load_factor_;
+  out.action.target = TrackId{};
   out.vote = vote_;
-  return Status::running;
+
+  // by the route, while there is one to fly
+  if (!arrived && route_ && *route_ < s.flight.routes.size()) {
+    const model::Route& route = s.flight.routes[*route_];
+    model::NavState nav = s.flying.nav;
+    if (nav.route != *route_)
+      nav = {.leg = 0, .route = *route_};
+    if (nav.leg < route.waypoints.size()) {
+      const model::GuidanceGains& gains = s.airframe().autopilot.guidance;
+      const model::Guidance fly =
+          model::route_guidance(gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
+      out.action.heading = wrap_tau(fly.heading);
+      out.action.altitude = fly.altitude;
+      out.action.speed = fly.speed;
+      out.action.mode = model::AutopilotMode::route;
+      out.action.route = *route_;
+      return Status::running;
+    }
+  }
+
+  const double bearing = bearing_of(to_ned(s.own, home - s.own.position));
+  out.action.heading = wrap_tau(model::crab(bearing, speed_, s.wind()));
+  if (!arrived) {
+    out.action.mode = model::AutopilotMode::hold;
+    return Status::running;
+  }
+
+  // over home: circle down; a tenth above the landing altitude is low, as the autopilot comes to
+  // it from above
+  out.action.mode = model::AutopilotMode::loiter;
+  out.action.follow = Follow{.position = home, .velocity = {}, .time = s.time, .offset = {}};
+  if (s.own.altitude > landing_altitude_ * 1.1 + 50)
+    return Status::running;
+  out.action.call = Call::land;
+  return Status::success;
 }
 
 }  // namespace eyrie::pilot

@@ -1,34 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/follow_lead.hpp"
 
+#include <algorithm>
+
 #include "model/flight/guidance.hpp"
 
 namespace eyrie::pilot {
 
 Status FollowLead::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
-  const model::Mate* lead = s.lead();
-  if (s.leads() || !lead || !lead->reported)
+  if (s.leads())
     return Status::failure;
+  const auto lead = s.leader();
+  if (!lead)
+    return Status::failure;
+
   const Vec3 offset = formation_offset(s.plan.formation, s.rank);
-  const Vec3 velocity{static_cast<double>(lead->velocity[0]),
-                      static_cast<double>(lead->velocity[1]),
-                      static_cast<double>(lead->velocity[2])};
-  const Vec3 position = model::position_at(*lead, s.time);
-  const Vec3 ned = to_ned(s.own, position - s.own.position);
-  const model::FollowOrder order{.position = position,
-                                 .velocity = velocity,
-                                 .lead_heading = bearing_of(to_ned(s.own, velocity)),
+  const double lead_altitude = altitude_of(s.own, to_ned(s.own, lead->position - s.own.position));
+  const model::FollowOrder order{.position = lead->position,
+                                 .velocity = lead->velocity,
+                                 .lead_heading = bearing_of(to_ned(s.own, lead->velocity)),
                                  .offset = offset,
-                                 .altitude = std::max(altitude_of(s.own, ned) - offset.z, 0.0)};
-  const auto& gains = s.library.airframes[s.type.index.airframe].autopilot.guidance;
+                                 .altitude = std::max(lead_altitude - offset.z, floor_)};
   const model::Guidance fly =
-      model::follow_guidance(gains, s.own, order, s.library.environment.wind.at(s.own.altitude));
-  out.action.heading = fly.heading;
+      model::follow_guidance(s.airframe().autopilot.guidance, s.own, order, s.wind());
+  out.action.heading = wrap_tau(fly.heading);
   out.action.altitude = fly.altitude;
   out.action.speed = fly.speed;
+  out.action.load_factor = load_factor_;
   out.action.mode = model::AutopilotMode::follow;
-  out.action.follow = Follow{position, velocity, s.time, offset};
+  out.action.follow = Follow{lead->position, lead->velocity, s.time, offset};
+  out.action.target = TrackId{};
   out.vote = vote_;
   return Status::running;
 }

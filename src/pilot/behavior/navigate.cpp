@@ -7,18 +7,25 @@ namespace eyrie::pilot {
 
 Status Navigate::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
-  if (s.flight.routes.empty() || s.flight.routes[0].waypoints.empty())
+  if (route_ >= s.flight.routes.size() || s.flight.routes[route_].waypoints.empty())
     return Status::failure;
-  const auto& gains = s.library.airframes[s.type.index.airframe].autopilot.guidance;
+  const model::Route& route = s.flight.routes[route_];
+  model::NavState nav = s.flying.nav;
+  if (nav.route != route_)
+    nav = {.leg = 0, .route = route_};
+
+  const model::GuidanceGains& gains = s.airframe().autopilot.guidance;
   const model::Guidance fly =
-      model::route_guidance(gains, s.own, s.flight.routes[0], s.flying.nav, speed_,
-                            gains.loiter_radius, s.library.environment.wind.at(s.own.altitude));
-  out.action.heading = fly.heading;
+      model::route_guidance(gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
+  out.action.heading = wrap_tau(fly.heading);
   out.action.altitude = fly.altitude;
   out.action.speed = fly.speed;
+  out.action.load_factor = load_factor_;
   out.action.mode = model::AutopilotMode::route;
+  out.action.route = route_;
+  out.action.target = TrackId{};
   out.vote = vote_;
-  return Status::running;
+  return nav.leg >= route.waypoints.size() ? Status::success : Status::running;
 }
 
 }  // namespace eyrie::pilot

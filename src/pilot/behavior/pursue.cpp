@@ -1,43 +1,102 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/pursue.hpp"
 
+#include <algorithm>
+
+#include "model/flight/guidance.hpp"
+#include "pilot/gunnery.hpp"
+#include "pilot/sort.hpp"
+
 namespace eyrie::pilot {
+namespace {
+
+/// Where to fly through the air to meet the target (NED, any length): the collision course at the
+/// present airspeed; straight at it if there is none. The target drifts with the same wind.
+Vec3 collision_course(const State& s, const Seen& target) {
+  const Vec3 through_air = target.velocity - s.wind();
+  const auto time = time_to_meet(target.ned, through_air, s.own.speed);
+  return time ? target.ned + *time * through_air : target.ned;
+}
+
+}  // namespace
+
+double Pursue::altitude_of_choice(const State& s, const Seen& target) const {
+  if (altitude_ && target.range > level_range_)
+    return *altitude_;
+  return altitude_of(s.own, target.ned);
+}
+
+double Pursue::speed_of_choice(const Seen& target) const {
+  if (!overtake_ || target.range > level_range_)
+    return speed_;
+  return std::clamp(norm(target.velocity) + *overtake_, speed_ / 2, speed_);
+}
+
+/// m, to go up (or down, from below) to stay clear of a mate who has the right of way.
+double Pursue::clearance(const State& s) const {
+  for (std::uint32_t i = 0; i < s.datalink.self; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (!mate.alive || !mate.reported)
+      continue;
+    const Vec3 apart = to_ned(s.own, model::position_at(mate, s.time) - s.own.position);
+    if (norm2(apart) < separation_ * separation_)
+      return apart.z >= 0 ? separation_ : -separation_;
+  }
+  return 0;
+}
+
+void Pursue::follow(const State& s, const Seen& target, double altitude, Action& action) const {
+  const Follow follow{.position = model::position_at(*target.track, s.time),
+                      .velocity = target.track->velocity,
+                      .time = s.time,
+                      .offset = {-behind_, 0, 0}};
+  const model::FollowOrder order{.position = follow.position,
+                                 .velocity = follow.velocity,
+                                 .lead_heading = bearing_of(target.velocity),
+                                 .offset = follow.offset,
+                                 .altitude = altitude};
+  const model::Guidance fly =
+      model::follow_guidance(s.airframe().autopilot.guidance, s.own, order, s.wind());
+  action.heading = wrap_tau(fly.heading);
+  action.altitude = fly.altitude;
+  action.speed = fly.speed;
+  action.mode = model::AutopilotMode::follow;
+  action.follow = follow;
+}
+
 Status Pursue::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   const Seen* target = s.target();
   if (!target)
     return Status::failure;
-  const double bearing = bearing_of(target->ned);
-  double heading = bearing;
-  if (mode_ == Pursuit::intercept) {
-    if (const auto meet = time_to_meet(target->ned, target->velocity, speed_))
-      heading = bearing_of(target->ned + *meet * target->velocity);
-  } else if (mode_ == Pursuit::lead) {
-    heading = bearing_of(target->ned + target->range / kBulletSpeed * target->velocity);
-  }
-  if (crank_ > 0 && s.own_shot_flies(target->id())) {
-    // to the side on which the nose already is, so that it never crosses the target
-    const double side = wrap_pi(s.own.heading - bearing) >= 0 ? 1 : -1;
-    heading = wrap_pi(bearing + side * crank_);
-  }
-  double altitude = altitude_of(s.own, target->ned);
-  if (altitude_ && target->range > level_range_)
-    altitude = *altitude_;
-
-  out.action.heading = wrap_tau(heading);
-  out.action.altitude = std::max(altitude, floor_);
-  out.action.speed = speed_;
-  out.action.load_factor = load_factor_;
-  out.action.mode = model::AutopilotMode::hold;
-  out.action.target = target->id();
-  if (mode_ == Pursuit::follow) {
-    out.action.mode = model::AutopilotMode::follow;
-    out.action.follow = Follow{model::position_at(*target->track, s.time),
-                               target->track->velocity,
-                               s.time,
-                               {-behind_, 0, 0}};
-  }
+  Action& action = out.action;
   out.vote = vote_;
+  action.target = target->id();
+  action.load_factor = load_factor_;
+  const double altitude = std::max(altitude_of_choice(s, *target) + clearance(s), floor_);
+
+  const bool crank = crank_ > 0 && claims_on(s, *target).own_shots > 0;
+  if (mode_ == Pursuit::follow && !crank) {
+    follow(s, *target, altitude, action);
+    return Status::running;
+  }
+
+  action.mode = model::AutopilotMode::hold;
+  action.speed = speed_of_choice(*target);
+  action.altitude = altitude;
+  if (crank) {
+    // to the side on which the nose already is, so that it never crosses the target
+    const double bearing = bearing_of(target->ned);
+    const double side = angle_between(bearing, s.own.heading) >= 0 ? 1 : -1;
+    action.heading = wrap_tau(bearing + side * crank_);
+    return Status::running;
+  }
+  action.heading = wrap_tau(bearing_of(collision_course(s, *target)));
+  if (mode_ == Pursuit::lead && target->range <= gun_range_)
+    if (const auto sight = gun_sight(s, *target)) {
+      action.heading = wrap_tau(bearing_of(sight->aim));
+      action.altitude = std::max(s.altitude_for(elevation_of(sight->aim)), floor_);
+    }
   return Status::running;
 }
 

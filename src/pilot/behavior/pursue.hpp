@@ -7,8 +7,8 @@ namespace eyrie::pilot {
 
 enum class Pursuit : std::uint8_t {
   follow,     ///< the autopilot follows the enemy as if he were the lead: the paper's way
-  intercept,  ///< collision course
-  lead,       ///< nose ahead of the target by the flight time of a bullet, all the turn there is
+  intercept,  ///< collision course: Shneydor, Missile Guidance and Pursuit (1998), ch. 4
+  lead,       ///< the same from afar; near, the nose where a gun's rounds would meet the target
 };
 
 }  // namespace eyrie::pilot
@@ -23,43 +23,56 @@ struct eyrie::EnumNames<eyrie::pilot::Pursuit> {
 
 namespace eyrie::pilot {
 
-/// Goes after the chosen target. Fails without one. With `crank`, while the own missile is on its
-/// way to the target, it keeps the target that far off the nose instead: that lowers the closure
-/// and still lets the radar support the missile.
+/// Goes after the chosen target (pilot/sort.hpp). Fails without one.
+///
+/// With `crank`, while an own missile is on its way to the target, it keeps the target that far off
+/// the nose instead: that lowers the closure and still lets the radar support the missile. Mates of
+/// a better rank have the right of way: nearer than `separation` to one, it goes above or below.
 class Pursue final : public Behavior {
  public:
   static constexpr std::string_view type_name = "pursue";
   static constexpr std::string_view help = "goes after the chosen target";
   static constexpr auto params() {
+    using P = Pursue;
     return std::tuple{
-        param("vote", &Pursue::vote_, range(0, 1000), "how strongly"),
-        param("mode", &Pursue::mode_, "follow, intercept or lead"),
-        param("speed", &Pursue::speed_, "m/s", range(50, 1000), "true airspeed to fly"),
-        param("altitude", &Pursue::altitude_, "m", range(0, 25e3),
-              "altitude to keep while the target is farther than level_range; not given: the "
-              "target's"),
-        param("level_range", &Pursue::level_range_, "m", range(0, 500e3),
+        param("vote", &P::vote_, range(0, 1000), "how strongly"),
+        param("mode", &P::mode_, "follow, intercept or lead"),
+        param("speed", &P::speed_, "m/s", range(50, 1000), "true airspeed; not in mode follow"),
+        param("overtake", &P::overtake_, "m/s", range(0, 500),
+              "nearer than level_range, at most so much faster than the target; null: never slows"),
+        param("altitude", &P::altitude_, "m", range(0, 25e3),
+              "kept while the target is farther than level_range; null: the target's altitude"),
+        param("level_range", &P::level_range_, "m", range(0, 500e3),
               "nearer than this it goes to the target's altitude"),
-        param("behind", &Pursue::behind_, "m", range(0, 50e3),
-              "mode follow: place behind the target"),
-        param("load_factor", &Pursue::load_factor_, range(1, 12), "g, the most it turns with"),
-        param(
-            "crank", &Pursue::crank_, "rad", range(0, 1.5),
-            "angle off the nose at which the target is kept while the own missile flies; 0: none"),
-        param("floor", &Pursue::floor_, "m", range(0, 25e3), "follows no lower")};
+        param("behind", &P::behind_, "m", range(0, 50e3), "mode follow: place behind the target"),
+        param("gun_range", &P::gun_range_, "m", range(0, 10e3),
+              "mode lead: nearer than this it aims the gun"),
+        param("load_factor", &P::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("crank", &P::crank_, "rad", range(0, 1.5),
+              "angle off the nose at which the target is kept while an own missile flies; 0: none"),
+        param("separation", &P::separation_, "m", range(0, 5e3),
+              "distance to keep from mates of a better rank"),
+        param("floor", &P::floor_, "m", range(0, 25e3), "follows no lower")};
   }
 
   Status tick(const Tick& t, Proposal& out) const override;
 
  private:
+  void follow(const State& s, const Seen& target, double altitude, Action& action) const;
+  [[nodiscard]] double altitude_of_choice(const State& s, const Seen& target) const;
+  [[nodiscard]] double speed_of_choice(const Seen& target) const;
+  [[nodiscard]] double clearance(const State& s) const;
+
   float vote_ = 40;
   Pursuit mode_ = Pursuit::intercept;
   double speed_ = si(560, "kt");
-  std::optional<double> altitude_;
+  std::optional<double> overtake_, altitude_;
   double level_range_ = si(15, "nmi");
   double behind_ = si(1, "nmi");
+  double gun_range_ = 2500;
   double load_factor_ = 6;
   double crank_ = 0;
+  double separation_ = si(500, "ft");
   double floor_ = si(2000, "ft");
 };
 

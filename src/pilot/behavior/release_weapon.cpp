@@ -2,51 +2,75 @@
 #include "pilot/behavior/release_weapon.hpp"
 
 #include "model/weapon/stores.hpp"
+#include "pilot/gunnery.hpp"
+#include "pilot/sort.hpp"
+#include "ubf/simulated_time.hpp"
 
 namespace eyrie::pilot {
 
-bool ReleaseWeapon::hold_fire(const State& s, const Seen& target) const {
-  if (s.own_shot_flies(target.id()) && s.agent.shots_at_track >= salvo_)
-    return true;
-  const std::uint32_t self = 1U << s.datalink.self;
-  const std::uint32_t shot_by = target.track->shot_by & ~self;
-  std::uint32_t alive = 0;
-  for (std::uint32_t i = 0; i < s.datalink.count; ++i)
-    alive |= static_cast<std::uint32_t>(s.datalink.members[i].alive) << i;
-  if (shot_by & alive)
-    return true;
-  // the first shooter is the best-ranked one who has it as his target
-  return (target.track->targeted_by & alive & (self - 1)) != 0;
+std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const Seen& target) const {
+  std::optional<std::uint16_t> best;
+  double best_reach = 0;
+  std::uint8_t last = 0;  // stations of one type mostly lie together
+  for (const model::Station& station : s.stores.stations) {
+    if (station.store == 0 || station.count == 0 || station.store == last)
+      continue;
+    last = station.store;
+    const auto store = static_cast<std::uint16_t>(station.store - 1);
+    if (!model::can_release(s.stores, store, s.time))
+      continue;
+    const model::EmploymentZone zone = s.zone(store, target);
+    const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);
+    if (!zone.possible() || target.range < zone.r_min || target.range > reach ||
+        (best && reach >= best_reach))
+      continue;
+    if (s.library.missiles[store].locks_before_launch() &&
+        friend_in_line(s, target.ned, target.range, clear_cone_))
+      continue;
+    best = store;
+    best_reach = reach;
+  }
+  return best;
 }
 
-bool ReleaseWeapon::in_zone(const State& s, const Seen& target, std::uint16_t store) const {
-  const model::EmploymentZone zone = s.zone(store, target);
-  const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);
-  if (!zone.possible() || target.range < zone.r_min || target.range > std::max(reach, zone.r_min))
+bool ReleaseWeapon::may_shoot(const State& s, const Seen& target) const {
+  return target.hostile() && s.time - target.track->time <= max_age_ && !s.stores.pending_track &&
+         s.off_nose(target.ned) <= off_boresight_;
+}
+
+bool ReleaseWeapon::is_covered(const State& s, const Claims& claims) const {
+  const std::uint32_t mates = s.alive & ~(1U << s.datalink.self);
+  return claims.own_shots >= salvo_ || (one_shooter_ && (claims.shot & mates) != 0);
+}
+
+bool ReleaseWeapon::leaves_it(const State& s, const Seen& target, const Claims& claims,
+                              HoldMemory& m) const {
+  if (!one_shooter_ || claims.own_shots > 0 || shoots_first(s, target)) {
+    m = {};
     return false;
-  return target.range <= zone.r_ne || !hold_fire(s, target);
+  }
+  if (m.track != target.id())
+    m = {.since = s.time, .track = target.id()};
+  return !ubf::passed(s.time, m.since, patience_);
 }
 
 Status ReleaseWeapon::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
+  HoldMemory& m = memory(t);
   const Seen* target = s.target();
-  if (!target || !target->hostile() || s.time - target->track->time > max_age_ ||
-      s.off_nose(target->ned) > off_boresight_)
-    return Status::failure;
-  if (s.own_shot_flies(target->id()) && s.agent.shots_at_track >= salvo_)
-    return Status::failure;
-  // the store with the longest reach that is in its zone comes first on the stations
-  for (const model::Station& station : s.stores.stations) {
-    if (station.store == 0 || station.count == 0)
-      continue;
-    const auto store = static_cast<std::uint16_t>(station.store - 1);
-    if (!model::can_release(s.stores, store, s.time) || !in_zone(s, *target, store))
-      continue;
-    out.action.target = target->id();
-    out.action.release = Release{target->id(), store};
-    out.vote = vote_;
-    return Status::running;
+  if (target && may_shoot(s, *target)) {
+    const Claims claims = claims_on(s, *target);
+    const auto store = is_covered(s, claims) ? std::nullopt : choose_store(s, *target);
+    if (store && leaves_it(s, *target, claims, m))
+      return Status::failure;
+    if (store) {
+      out.action.target = target->id();
+      out.action.release = Release{target->id(), *store};
+      out.vote = vote_;
+      return Status::running;
+    }
   }
+  m = {};
   return Status::failure;
 }
 

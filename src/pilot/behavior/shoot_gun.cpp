@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/shoot_gun.hpp"
 
+#include <algorithm>
+
+#include "pilot/gunnery.hpp"
+#include "ubf/simulated_time.hpp"
+
 namespace eyrie::pilot {
+
+bool ShootGun::trigger(double time, BurstMemory& m) const {
+  if (m.phase == 1 && ubf::passed(time, m.since, burst_))
+    m = {.since = time, .phase = 2};
+  if (m.phase == 2 && ubf::passed(time, m.since, pause_))
+    m = {};
+  if (m.phase == 0)
+    m = {.since = time, .phase = 1};
+  return m.phase == 1;
+}
+
 Status ShootGun::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
+  BurstMemory& m = memory(t);
   const Seen* target = s.target();
-  if (!target || !target->hostile() || s.gun.rounds == 0 || target->range > range_)
+  if (!target || !target->hostile() || s.gun.rounds == 0 || !s.type.index.gun) {
+    m = {};
     return Status::failure;
-  const double flight_time = target->range / kBulletSpeed;
-  const Vec3 aim = target->ned + flight_time * (target->velocity - s.velocity_ned);
-  if (s.off_nose(aim) > tolerance_)
+  }
+  const model::GunType& gun = s.library.guns[*s.type.index.gun];
+  const double reach = range_.value_or(gun.greatest_range);
+  if (target->range > reach) {
+    m = {};
     return Status::failure;
+  }
+  const auto sight = gun_sight(s, *target);
+  if (sight->off_nose > tolerance_.value_or(gun.aim_cone) ||
+      friend_in_line(s, sight->aim, target->range + clear_beyond_, clear_cone_)) {
+    m = {};
+    return Status::failure;
+  }
   out.action.target = target->id();
-  out.action.trigger = true;
+  out.action.trigger = trigger(s.time, m);
+  out.action.heading = wrap_tau(bearing_of(sight->aim));
+  out.action.altitude = std::max(s.altitude_for(elevation_of(sight->aim)), floor_);
+  out.action.load_factor = load_factor_;
+  out.action.mode = model::AutopilotMode::hold;
   out.vote = vote_;
   return Status::running;
 }

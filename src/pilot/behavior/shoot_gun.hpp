@@ -5,25 +5,51 @@
 
 namespace eyrie::pilot {
 
-/// Pulls the trigger while the nose is on the place where the bullets will meet the target. Fails
-/// when it is not, without rounds, and at anyone not identified as hostile.
-class ShootGun final : public Behavior {
+struct BurstMemory {
+  double since = 0;         ///< s, when this burst, or the pause after it, began
+  std::uint32_t phase = 0;  ///< 0 ready, 1 firing, 2 pausing
+  std::uint32_t reserved = 0;
+};
+
+/// Pulls the trigger while the nose is on the place where the rounds will meet the target, and
+/// keeps it there. Fires in bursts; between two of them it goes on aiming. Fails when the target is
+/// too far or not in the sight, without gun or rounds, while a friend is in the line of fire, and
+/// at anyone not identified as hostile.
+class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
  public:
   static constexpr std::string_view type_name = "shoot_gun";
   static constexpr std::string_view help = "fires the gun when the sight is on the target";
   static constexpr auto params() {
-    return std::tuple{param("vote", &ShootGun::vote_, range(0, 1000), "how strongly"),
-                      param("range", &ShootGun::range_, "m", range(50, 3000), "fires no farther"),
-                      param("tolerance", &ShootGun::tolerance_, "rad", range(0.001, 0.5),
-                            "largest angle between the nose and the lead point")};
+    using G = ShootGun;
+    return std::tuple{
+        param("vote", &G::vote_, range(0, 1000), "how strongly"),
+        param("range", &G::range_, "m", range(50, 5000),
+              "fires no farther; null: as far as the gun is good for"),
+        param("tolerance", &G::tolerance_, "rad", range(0.001, 0.5),
+              "largest angle between the nose and the lead point; null: the gun's aim cone"),
+        param("burst", &G::burst_, "s", range(0.05, 60), "longest burst"),
+        param("pause", &G::pause_, "s", range(0, 60), "between two bursts"),
+        param("clear_cone", &G::clear_cone_, "rad", range(0, 0.5),
+              "no friend may be within this angle of the line of fire"),
+        param("clear_beyond", &G::clear_beyond_, "m", range(0, 10e3),
+              "nor so far behind the target"),
+        param("load_factor", &G::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("floor", &G::floor_, "m", range(0, 25e3), "aims no lower")};
   }
 
   Status tick(const Tick& t, Proposal& out) const override;
 
  private:
+  [[nodiscard]] bool trigger(double time, BurstMemory& m) const;
+
   float vote_ = 55;
-  double range_ = 900;
-  double tolerance_ = si(3, "deg");
+  std::optional<double> range_, tolerance_;
+  double burst_ = 1;
+  double pause_ = 0.5;
+  double clear_cone_ = si(3, "deg");
+  double clear_beyond_ = 1000;
+  double load_factor_ = 8;
+  double floor_ = si(1000, "ft");
 };
 
 }  // namespace eyrie::pilot

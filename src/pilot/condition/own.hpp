@@ -57,11 +57,11 @@ class NearHome final : public Condition {
   static constexpr std::string_view type_name = "near_home";
   static constexpr std::string_view help = "home is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &NearHome::within_, "m", range(0, 1e6), "from here")};
+    return std::tuple{param("within", &NearHome::within_, "m", range(0, 1e6), "along the ground")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
-    const State& s = t.state;
-    return s.flight.home && norm(*s.flight.home - s.own.position) <= within_;
+    const auto distance = t.state.home_distance();
+    return distance && *distance <= within_;
   }
 
  private:
@@ -71,11 +71,19 @@ class NearHome final : public Condition {
 class RouteDone final : public Condition {
  public:
   static constexpr std::string_view type_name = "route_done";
-  static constexpr std::string_view help = "the last waypoint of the route is behind";
+  static constexpr std::string_view help = "the last waypoint of a route is behind";
+  static constexpr auto params() {
+    return std::tuple{
+        param("route", &RouteDone::route_, range(0, 255), "which route of the flight")};
+  }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const State& s = t.state;
-    return !s.flight.routes.empty() && s.flying.nav.leg >= s.flight.routes[0].waypoints.size();
+    return route_ < s.flight.routes.size() && s.flying.nav.route == route_ &&
+           s.flying.nav.leg >= s.flight.routes[route_].waypoints.size();
   }
+
+ private:
+  std::uint8_t route_ = 0;
 };
 
 }  // namespace eyrie::pilot

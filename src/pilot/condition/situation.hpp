@@ -1,28 +1,33 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Conditions about the enemy: is one known, in sight, gone; is somebody shooting.
+#include "pilot/sort.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "ubf/simulated_time.hpp"
 
 namespace eyrie::pilot {
 
-/// A track that is identified as hostile is near enough.
+/// A confirmed track that is hostile, or might be, is near enough.
 class HostileTrack final : public Condition {
  public:
   static constexpr std::string_view type_name = "hostile_track";
-  static constexpr std::string_view help = "a track identified as hostile is within a range";
+  static constexpr std::string_view help = "a hostile track is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &HostileTrack::within_, "m", range(0, 1e6), "from here")};
+    return std::tuple{param("within", &HostileTrack::within_, "m", range(0, 1e6), "from here"),
+                      param("identified", &HostileTrack::identified_,
+                            "false: a track that nobody has identified counts as hostile here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     for (const Seen& seen : t.state.tracks_seen())
-      if (seen.hostile() && seen.range <= within_)
+      if ((identified_ ? seen.hostile() : seen.suspect()) && seen.range <= within_)
         return true;
     return false;
   }
 
  private:
   double within_ = si(60, "nmi");
+  bool identified_ = true;
 };
 
 /// A hostile is seen by eye, or so near that it might as well be.
@@ -67,14 +72,13 @@ class AreaClear final : public ubf::WithMemory<Condition, ClearSince> {
   [[nodiscard]] bool holds(const Tick& t) const override {
     ClearSince& m = memory(t);
     for (const Seen& seen : t.state.tracks_seen())
-      if (seen.track->confirmed && seen.track->identity != model::Identity::friendly &&
-          seen.range <= within_) {
+      if (seen.suspect() && seen.range <= within_) {
         m = {};
         return false;
       }
     if (!m.clear)
       m = {t.state.time, 1, 0};
-    return t.state.time - m.time >= for_;
+    return ubf::passed(t.state.time, m.time, for_);
   }
 
  private:
@@ -107,14 +111,14 @@ class HasTarget final : public Condition {
   double within_ = 1e6;
 };
 
-/// The own missile is on its way to the chosen target.
+/// An own missile is believed on its way to the chosen target.
 class ShotInFlight final : public Condition {
  public:
   static constexpr std::string_view type_name = "shot_in_flight";
-  static constexpr std::string_view help = "the own missile is on its way to the chosen target";
+  static constexpr std::string_view help = "an own missile is on its way to the chosen target";
   [[nodiscard]] bool holds(const Tick& t) const override {
     const Seen* target = t.state.target();
-    return target && t.state.own_shot_flies(target->id());
+    return target && claims_on(t.state, *target).own_shots > 0;
   }
 };
 

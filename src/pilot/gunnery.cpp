@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/gunnery.hpp"
+
+#include "core/math.hpp"
+
+namespace eyrie::pilot {
+
+std::optional<Sight> gun_sight(const State& s, const Seen& target) {
+  if (!s.type.index.gun)
+    return std::nullopt;
+  const model::GunType& gun = s.library.guns[*s.type.index.gun];
+  model::Kinematics believed;
+  believed.position = model::position_at(*target.track, s.time);
+  believed.velocity = target.track->velocity;
+  const double density = s.library.environment.atmosphere.at(s.own.altitude).density;
+  const model::Lead lead =
+      model::lead_on(gun, density, s.own, from_ned(s.own, nose_of(s.own)), believed);
+  return Sight{
+      .aim = to_ned(s.own, lead.direction), .off_nose = lead.off_bore, .range = lead.range};
+}
+
+bool friend_in_line(const State& s, const Vec3& direction, double range, double half_angle) {
+  const Vec3 line = normalized(direction, {1, 0, 0});
+  const double cosine = math::cos(half_angle);
+  const auto in_line = [&](const Vec3& ned) {
+    const double distance = norm(ned);
+    return distance < range && dot(ned, line) >= cosine * distance;
+  };
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.track->identity == model::Identity::friendly && in_line(seen.ned))
+      return true;
+  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (i != s.datalink.self && mate.alive && mate.reported &&
+        in_line(to_ned(s.own, model::position_at(mate, s.time) - s.own.position)))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a pilot sees in his sight: where the bore must point, and who else is in the line.
+#include <optional>
+
+#include "model/weapon/gun.hpp"
+#include "pilot/state.hpp"
+
+namespace eyrie::pilot {
+
+/// Where to point the nose so that the rounds meet the target.
+struct Sight {
+  Vec3 aim;             ///< unit vector, north-east-down at the ownship
+  double off_nose = 0;  ///< rad, between `aim` and the nose
+  double range = 0;     ///< m
+};
+
+/// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.
+[[nodiscard]] std::optional<Sight> gun_sight(const State& state, const Seen& target);
+
+/// Whether a friend is believed within `half_angle` (rad) of a direction (NED) and nearer than
+/// `range` (m): a mate by datalink or a track identified as friendly.
+[[nodiscard]] bool friend_in_line(const State& state, const Vec3& direction, double range,
+                                  double half_angle);
+
+}  // namespace eyrie::pilot

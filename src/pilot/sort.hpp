@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The sort: who of a flight takes whom.
+#include <cstdint>
+
+#include "core/units.hpp"
+#include "pilot/state.hpp"
+
+namespace eyrie::pilot {
+
+/// Another hostile has to be nearer than this share of the range before the target is changed.
+inline constexpr double kSwitchShare = 0.67;
+
+/// m. Two hostile tracks nearer to each other than this may be one aircraft that is tracked twice:
+/// what is said of one is then taken to be said of both.
+inline constexpr double kSamePlace = si(0.5, "nmi");
+
+/// What the flight has to do with a hostile track, or with what may be the same aircraft.
+struct Claims {
+  std::uint32_t targeted = 0;   ///< bit i: it is the target of member i
+  std::uint32_t shot = 0;       ///< bit i: member i says that he has a missile on its way to it
+  std::uint32_t own_shots = 0;  ///< own missiles believed on their way to it
+};
+[[nodiscard]] Claims claims_on(const State& state, const Seen& hostile);
+
+/// The target of this pilot, an index into State::seen, or -1 if no track is identified as hostile.
+///
+/// Every member takes the nearest hostile that fewest better-ranked members, believed alive, say
+/// is their target; so each has his own as long as there are enough, and then they double up
+/// evenly. The target of before stays unless another one is less taken or nearer by a third. Ties
+/// go to the older track. All that is known of the mates' targets came over the datalink.
+[[nodiscard]] std::int32_t choose_target(const State& state);
+
+/// Whether this pilot is the one to shoot first at his target: no mate who is believed alive, has
+/// the same target and has no missile on its way to anybody is nearer to it. Of two at the
+/// same range the better-ranked one is. A mate whose place is not known does not count.
+[[nodiscard]] bool shoots_first(const State& state, const Seen& target);
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  For tests only: a cockpit made by hand, without a world around it, and a pilot to sit in.
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/units.hpp"
+#include "model/flight/test_flight.hpp"
+#include "model/sensor/test_players.hpp"
+#include "model/weapon/gun.hpp"
+#include "model/weapon/stores.hpp"
+#include "pilot/catalog.hpp"
+#include "pilot/controller.hpp"
+#include "pilot/state.hpp"
+#include "support/data_file.hpp"
+#include "ubf/testing_document.hpp"
+
+namespace eyrie::pilot::testing {
+
+inline constexpr double kNmi = si(1, "nmi");
+inline constexpr Status kFailure = Status::failure;
+inline constexpr Status kRunning = Status::running;
+inline constexpr Status kSuccess = Status::success;
+
+/// Missile types of the library, by index.
+enum Store : std::uint16_t { kMedium = 0, kShort = 1 };
+
+/// One type of fighter with two missiles of each kind and a gun, and two flights: four blue ones
+/// with a route to the north and a home 50 nmi to the south, and four red ones with nothing.
+inline model::Library make_library() {
+  const auto missile = [](const char* path) {
+    auto type = eyrie::test::load<model::MissileType>(path);
+    type.prepare();
+    return type;
+  };
+  model::Library l;
+  l.missiles.add("medium", missile("data/missiles/aim120.yaml"));
+  l.missiles.add("short", missile("data/missiles/aim9.yaml"));
+  l.guns.add("gun", eyrie::test::load<model::GunType>("data/guns/m61.yaml"));
+  l.airframes.add("simple", model::test::simple_airframe());
+  model::AircraftType fighter;
+  fighter.stations = {{"medium", 1}, {"medium", 1}, {"short", 1}, {"short", 1}};
+  fighter.index.gun = 0;
+  l.aircraft.add("fighter", fighter);
+  l.flights.resize(2);
+  l.flights[0] = {.name = "eagle",
+                  .side = model::Side::blue,
+                  .members = {PlayerId{1}, PlayerId{2}, PlayerId{3}, PlayerId{4}},
+                  .routes = {{.name = "mission",
+                              .waypoints = {{.position = {20e3, 0, 0}, .altitude = 7000},
+                                            {.position = {60e3, 0, 0}, .altitude = 7000}}}},
+                  .home = Vec3{-50 * kNmi, 0, 0}};
+  l.flights[1] = {.name = "bogey",
+                  .side = model::Side::red,
+                  .members = {PlayerId{5}, PlayerId{6}, PlayerId{7}, PlayerId{8}},
+                  .routes = {},
+                  .home = {}};
+  return l;
+}
+/// The same for every test: finding the zones of the missiles takes a while.
+inline const model::Library& library() {
+  static const model::Library l = make_library();
+  return l;
+}
+
+/// The rows of one aircraft, here eagle1 alone: level at 8000 m over the reference point, heading
+/// north at 250 m/s, at 100 s; with all its stores, half of its fuel, and nobody else in the world.
+/// The Earth is flat in the rows and axes are north-east-down.
+struct Desk {
+  model::Kinematics own = model::test::flying({0, 0, -8000}, 0, 250);
+  model::Propulsion propulsion{.fuel = 1500};
+  model::Flying flying;
+  model::Stores stores = model::load_stores(library().aircraft[0].stations, library().missiles);
+  model::GunState gun = model::loaded(library().guns[0]);
+  model::TrackFile tracks;
+  model::RwrState rwr;
+  model::Threats threats;
+  model::DatalinkState datalink;
+  model::Command command{.altitude = 8000, .speed = 250};
+  model::Request request;
+  Agent agent{.bingo = 500, .tree = 0};
+  model::Fit fit{.rank = 1, .side = model::Side::blue};
+  FlightPlan plan;
+  double time = 100;
+
+  /// A confirmed track, up to date, `ned` m from the ownship.
+  model::Track& track(const Vec3& ned, double heading = kPi, double speed = 250,
+                      model::Identity identity = model::Identity::hostile) {
+    EYRIE_DEMAND(tracks.count < model::kMaxTracks, "the track file is full");
+    model::Track& t = tracks.tracks[tracks.count++];
+    t.position = own.position + ned;
+    t.velocity = model::test::flying({}, heading, speed).velocity;
+    t.time = t.sensed_time = time;
+    t.seen_time = model::kNever;
+    t.id = TrackId{tracks.next_id++};
+    t.truth = PlayerId{4 + t.id.value};
+    t.identity = identity;
+    t.sources = t.fresh = model::kFromRadar;
+    t.hits = 10;
+    t.confirmed = 1;
+    return t;
+  }
+  /// A missile is coming: `bearing` is true; without a range a receiver heard it.
+  model::InboundMissile& threat(double bearing, std::optional<double> range = {}) {
+    model::InboundMissile& m = threats.missiles[threats.count++];
+    m.bearing = wrap_pi(bearing);
+    m.time = m.first_time = time;
+    m.truth = PlayerId{100 + threats.count};
+    if (range) {
+      m.range = *range;
+      m.has_position = 1;
+      m.position_time = time;
+    }
+    return m;
+  }
+  /// A flight of `count`, of which this is number `rank` from 1; all alive, the others heard of, a
+  /// mile apart to the east in the order of their rank, on the own course.
+  void in_flight(std::uint32_t count, std::uint32_t rank) {
+    datalink.count = count;
+    datalink.self = rank - 1;
+    fit.rank = static_cast<std::uint16_t>(rank);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      model::Mate& mate = datalink.members[i];
+      mate.id = PlayerId{i + 1};
+      mate.alive = 1;
+      mate.reported = i != datalink.self;
+      mate.time = mate.heard_time = time;
+      mate.position = own.position + Vec3{0, (double(i) - double(datalink.self)) * 1852, 0};
+      mate.velocity = {float(own.velocity.x), float(own.velocity.y), float(own.velocity.z)};
+    }
+  }
+  void lose(std::uint32_t rank) { datalink.members[rank - 1].alive = 0; }
+
+  [[nodiscard]] State state() const {
+    return perceive(
+        {own, propulsion, flying, stores, gun, tracks, rwr, threats, datalink, command, agent},
+        library(), fit, plan, time);
+  }
+};
+
+/// What one decision came to.
+struct Decision {
+  Status status = kFailure;
+  Proposal proposal;
+
+  [[nodiscard]] const Action& action() const { return proposal.action; }
+};
+
+/// A tree and what it remembers: `Pilot pilot("{break_turn: {dive: 500 m}}");`
+class Pilot {
+ public:
+  explicit Pilot(const std::string& text) : tree_(build(text)), slab_(tree_.memory_bytes() / 8) {}
+
+  Decision decide(const Desk& desk) {
+    const State state = desk.state();
+    Decision d;
+    d.status = tree_.tick({.state = state,
+                           .time = desk.time,
+                           .dt = 0.1,
+                           .step = static_cast<std::uint64_t>(desk.time / 0.02 + 0.5),
+                           .player = PlayerId{1},
+                           .memory = reinterpret_cast<std::byte*>(slab_.data())},
+                          d.proposal);
+    return d;
+  }
+  /// Decides and carries it out.
+  Decision fly(Desk& desk) {
+    const State state = desk.state();
+    account_for_shots(state, desk.agent);
+    Decision d = decide(desk);
+    ++desk.agent.ticks;
+    execute(d.proposal.action, desk.state(), desk.command, desk.request, desk.agent);
+    return d;
+  }
+
+ private:
+  static Tree build(const std::string& text) {
+    static const Registry registry = make_registry();
+    Diagnostics diagnostics;
+    auto tree = registry.build_tree("test", ubf::testing::Document::parse(text), diagnostics);
+    if (!tree)
+      throw std::runtime_error(diagnostics.text());
+    return std::move(*tree);
+  }
+
+  Tree tree_;
+  std::vector<std::uint64_t> slab_;
+};
+
+/// One decision of a fresh pilot.
+inline Decision decide(const std::string& text, const Desk& desk) {
+  return Pilot(text).decide(desk);
+}
+/// Whether a condition holds for a fresh pilot.
+inline bool holds(const std::string& text, const Desk& desk) {
+  return decide(text, desk).status == kSuccess;
+}
+
+}  // namespace eyrie::pilot::testing
