@@ -28,8 +28,7 @@ struct Passage {
 /// The probability that the warhead kills at a miss distance (m): the diffuse Gaussian damage
 /// function exp(-miss^2 / (2 b^2)) with b^2 = lethal_radius^2 / 2, scaled by the reliability, so
 /// that the lethal area 2 pi b^2 is that of a disk of the lethal radius. Washburn & Kress, Combat
-/// Modeling (2009), sec. 2.3; Driels, Weaponeering (2004), ch. 6 has it as the circular Carleton
-/// function.
+/// Modeling (2009), ch. 2; Driels, Weaponeering, has it as the circular Carleton function.
 [[nodiscard]] inline double kill_probability(const Warhead& warhead, double miss) {
   const double x = miss / warhead.lethal_radius;
   return warhead.best_kill * math::exp(-x * x);

@@ -12,7 +12,7 @@ namespace eyrie::model {
 /// half the missile's own speed is taken to close with that, because the closing speed is small or
 /// negative at first after a launch far off boresight;
 /// plus a turn towards the target as long as it is more than 45 degrees off the flight path;
-/// plus what holds the missile up against gravity, or it would miss by that (Zarchan, ch. 2).
+/// plus what holds the missile up against gravity.
 [[nodiscard]] Vec3 steer(const MissileGuidance& guidance, const LineOfSight& los,
                          const Vec3& velocity, const Vec3& down);
 

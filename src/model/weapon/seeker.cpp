@@ -45,11 +45,15 @@ SeekerLook measure(const SeekerType& seeker, const SeekerView& view, const LineO
   SeekerLook look{.direction = los.direction,
                   .range = los.range,
                   .closing = radar ? los.closing : norm(view.velocity)};
-  if (seeker.angle_noise > 0) {
+  // the target is no point: its bright center wanders, which is an angle that grows with 1 / range
+  const double glint = seeker.glint / std::max(los.range, 1.0);
+  const double sigma = std::sqrt(seeker.angle_noise * seeker.angle_noise + glint * glint);
+  if (sigma > 0) {
     const Vec3 level = normalized(cross(view.down, los.direction), Vec3{1, 0, 0});
     const Vec3 upright = cross(los.direction, level);
-    const double a = seeker.angle_noise * noise.normal();
-    const double b = seeker.angle_noise * noise.normal();
+    const double outwards = dot(level, view.axis) > 0 ? -sigma : sigma;
+    const double a = outwards * noise.normal();
+    const double b = sigma * noise.normal();
     look.direction = normalized(los.direction + a * level + b * upright, los.direction);
   }
   if (radar && seeker.range_noise > 0)

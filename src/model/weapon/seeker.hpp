@@ -27,8 +27,9 @@ struct SeekerView {
 [[nodiscard]] bool visible(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,
                            const Vec3& velocity, double signature);
 
-/// One look's measurement of what is at `los`. An infrared seeker takes its own speed for the
-/// closing speed and knows no range.
+/// One look's measurement of what is at `los`, with errors. The error to the side is counted
+/// outwards from the nose, so that a mirrored scene gives the mirrored measurement for the same
+/// draw. An infrared seeker takes its own speed for the closing speed; its range is not to be used.
 struct SeekerLook {
   Vec3 direction{1, 0, 0};  ///< unit vector
   double range = 0;         ///< m
@@ -43,7 +44,7 @@ void start_following(MissileState& state, const SeekerLook& look, const Vec3& ex
                      double time);
 
 /// Brings a measurement into the line-of-sight filter, a critically damped alpha-beta filter on the
-/// unit vector (Blackman & Popoli, Design and Analysis of Modern Tracking Systems, sec. 4.2), and a
+/// unit vector (Brookner, Tracking and Kalman Filtering Made Easy, sec. 1.2.6), and a
 /// radar's range and closing speed into the believed place of the target.
 void follow(const SeekerType& seeker, const SeekerView& view, const SeekerLook& look, double time,
             MissileState& state);

@@ -106,6 +106,31 @@ TEST(Measure, HasTheStatedNoise) {
   EXPECT_NEAR(range_sum / kLooks, 0, 0.5);
 }
 
+TEST(Measure, WandersWithTheGlintOfANearTarget) {
+  SeekerType seeker = radar();
+  seeker.angle_noise = 0;
+  seeker.glint = 3;
+  double off2 = 0;
+  const LineOfSight los = line_of_sight({400, 50, 20}, {-900, 100, 0});
+  for (std::uint64_t i = 0; i < 5000; ++i) {
+    const SeekerLook look = measure(seeker, kView, los, Draw(3, PlayerId{7}, Stream::seeker, i));
+    off2 += norm2(los.range * (look.direction - los.direction));
+  }
+  EXPECT_NEAR(std::sqrt(off2 / 5000 / 2), 3, 0.1);
+}
+
+TEST(Measure, OfAMirroredSceneIsTheMirroredMeasurement) {
+  const SeekerType seeker = radar();
+  const auto mirror = [](const Vec3& v) { return Vec3{v.x, -v.y, v.z}; };
+  const Vec3 apart{8e3, 1e3, 500}, drift{-900, 100, 0};
+  const Draw noise(3, PlayerId{7}, Stream::seeker, 9);
+  const SeekerLook right = measure(seeker, kView, line_of_sight(apart, drift), noise);
+  const SeekerLook left =
+      measure(seeker, kView, line_of_sight(mirror(apart), mirror(drift)), noise);
+  EXPECT_EQ(left.direction, mirror(right.direction));
+  EXPECT_NE(right.direction, line_of_sight(apart, drift).direction);
+}
+
 TEST(Measure, OfAnInfraredSeekerTakesTheOwnSpeedForTheClosingSpeed) {
   const LineOfSight los = line_of_sight({5e3, 0, 0}, {-400, 0, 0});
   const SeekerLook look = measure(infrared(), kView, los, Draw(1, PlayerId{1}, Stream::seeker, 0));

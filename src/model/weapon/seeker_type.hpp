@@ -39,6 +39,7 @@ struct SeekerType {
   double greatest_rate = 0.5;      ///< rad/s, of the line of sight, that it can follow
   double look_rate = 50;           ///< Hz
   double angle_noise = 1e-3;       ///< rad, 1 sigma of each of two angles in one look
+  double glint = 0;                ///< m, 1 sigma: how far the target's apparent center wanders
   double range_noise = 10;         ///< m, 1 sigma (radar)
   double closing_noise = 2;        ///< m/s, 1 sigma (radar)
   double filter_time = 0.1;        ///< s, time constant of the line-of-sight filter
@@ -70,6 +71,8 @@ struct SeekerType {
         param("look_rate", &S::look_rate, "Hz", positive(), "measurements per second"),
         param("angle_noise", &S::angle_noise, "rad", at_least(0),
               "one standard deviation of each angle in one look"),
+        param("glint", &S::glint, "m", at_least(0),
+              "one standard deviation of the target's apparent center along each of two axes"),
         param("range_noise", &S::range_noise, "m", at_least(0),
               "radar: one standard deviation in one look"),
         param("closing_noise", &S::closing_noise, "m/s", at_least(0),
