@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/pursue.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "pilot/gunnery.hpp"
+#include "pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+constexpr double kDegree = si(1, "deg");
+
+TEST(Pursue, FailsWithoutAHostile) {
+  Desk desk;
+  EXPECT_EQ(decide("pursue", desk).status, kFailure);
+  desk.track({30e3, 0, 0}, kPi, 250, model::Identity::unknown);
+  desk.track({30e3, 0, 0}, kPi, 250, model::Identity::friendly);
+  EXPECT_EQ(decide("pursue", desk).status, kFailure);
+}
+
+TEST(Pursue, FliesTheCollisionCourse) {
+  Desk desk;
+  desk.track({30e3, 0, 0}, kPi / 2, 200);  // crosses to the right
+  const Decision d = decide("{pursue: {vote: 40, mode: intercept, speed: 290 m/s}}", desk);
+  EXPECT_EQ(d.status, kRunning);
+  EXPECT_NEAR(std::sin(*d.action().heading), 200.0 / 250.0, 1e-9);  // equal way to the east
+  EXPECT_EQ(d.action().speed, 290);
+  EXPECT_EQ(d.action().mode, model::AutopilotMode::hold);
+  EXPECT_EQ(d.action().target, TrackId{1});
+  EXPECT_EQ(d.proposal.vote, 40);
+}
+
+TEST(Pursue, GoesStraightAtATargetThatItCannotCatch) {
+  Desk desk;
+  desk.track({20e3, 20e3, 0}, kPi / 2, 600);
+  EXPECT_NEAR(*decide("pursue", desk).action().heading, kPi / 4, 1e-9);
+}
+
+TEST(Pursue, KeepsItsAltitudeUntilTheTargetIsNear) {
+  Desk desk;
+  desk.track({30e3, 0, 3000});
+  const std::string tree = "{pursue: {altitude: 9000 m, level_range: 20 km}}";
+  EXPECT_EQ(*decide(tree, desk).action().altitude, 9000);
+  desk.tracks.tracks[0].position.x = 19e3;
+  EXPECT_NEAR(*decide(tree, desk).action().altitude, 5000, 50);
+}
+
+TEST(Pursue, FollowsNobodyIntoTheGround) {
+  Desk desk;
+  desk.track({5000, 0, 7900});
+  EXPECT_EQ(*decide("{pursue: {floor: 600 m}}", desk).action().altitude, 600);
+}
+
+TEST(Pursue, HandsAFollowedTargetToTheAutopilot) {
+  Desk desk;
+  desk.track({9000, 0, 0}, 0, 240).time -= 2;
+  const Decision d = decide("{pursue: {mode: follow, behind: 2 km}}", desk);
+  EXPECT_EQ(d.action().mode, model::AutopilotMode::follow);
+  ASSERT_TRUE(d.action().follow.has_value());
+  EXPECT_NEAR(d.action().follow->position.x, 9000 + 2 * 240, 1e-6);
+  EXPECT_EQ(d.action().follow->offset, (Vec3{-2000, 0, 0}));
+  EXPECT_EQ(d.action().follow->time, desk.time);
+}
+
+TEST(Pursue, CranksToTheSideOfItsNoseWhileItsMissileFlies) {
+  for (const double side : {-1.0, 1.0}) {
+    Desk desk;
+    desk.own = model::test::flying(desk.own.position, side * 0.1, 250);
+    desk.track({30e3, 0, 0});
+    const std::string tree = "{pursue: {crank: 50 deg}}";
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), 0, 1e-6);
+    desk.agent.shots[2] = {.until = desk.time + 5, .track = TrackId{1}, .store = kMedium};
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), side * 50 * kDegree, 1e-9);
+    desk.time += 5;
+    EXPECT_NEAR(angle_between(0, *decide(tree, desk).action().heading), 0, 1e-6);
+  }
+}
+
+TEST(Pursue, AimsTheGunWhenItIsNear) {
+  Desk desk;
+  desk.track({800, 0, -100}, kPi / 2, 200);
+  const State s = desk.state();
+  const auto sight = gun_sight(s, s.seen[0]);
+  ASSERT_TRUE(sight.has_value());
+  const Decision d = decide("{pursue: {mode: lead, gun_range: 1 km}}", desk);
+  EXPECT_NEAR(*d.action().heading, bearing_of(sight->aim), 1e-12);
+  EXPECT_GT(*d.action().altitude, 8000);
+  // without a gun in reach it is an intercept
+  EXPECT_EQ(decide("{pursue: {mode: lead, gun_range: 500 m}}", desk).action().heading,
+            decide("{pursue: {mode: intercept}}", desk).action().heading);
+}
+
+TEST(Pursue, SlowsDownBehindASlowTargetIfToldTo) {
+  Desk desk;
+  desk.track({3000, 0, 0}, 0, 200);
+  EXPECT_EQ(*decide("{pursue: {speed: 300 m/s}}", desk).action().speed, 300);
+  EXPECT_NEAR(*decide("{pursue: {speed: 300 m/s, overtake: 30 m/s}}", desk).action().speed, 230,
+              1e-9);
+}
+
+TEST(Pursue, StaysClearOfAMateOfABetterRank) {
+  Desk desk;
+  desk.track({20e3, 0, 0});
+  desk.in_flight(2, 2);
+  const std::string tree = "{pursue: {separation: 200 m}}";
+  const double alone = *decide(tree, desk).action().altitude;
+  desk.datalink.members[0].position = desk.own.position + Vec3{50, 0, 20};  // just below
+  EXPECT_NEAR(*decide(tree, desk).action().altitude, alone + 200, 1e-9);
+  desk.datalink.members[0].position = desk.own.position + Vec3{50, 0, -20};
+  EXPECT_NEAR(*decide(tree, desk).action().altitude, alone - 200, 1e-9);
+}
+
+RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
+  Desk desk;
+  desk.track({double(*rc::gen::inRange(-50, 51)) * 1000 + 500,
+              double(*rc::gen::inRange(-50, 51)) * 1000, 0},
+             *rc::gen::inRange(0, 628) / 100.0, 200);
+  const Seen seen = desk.state().seen[0];
+  const double heading = *decide("pursue", desk).action().heading;
+  const auto time = time_to_meet(seen.ned, seen.velocity, 250);
+  RC_ASSERT(time.has_value());  // it is the faster one
+  const Vec3 there = *time * 250 * Vec3{std::cos(heading), std::sin(heading), 0};
+  RC_ASSERT(norm(there - (seen.ned + *time * seen.velocity)) < 1e-6 * (1 + norm(there)));
+}
+
+}  // namespace
+}  // namespace eyrie::pilot

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/release_weapon.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+const std::string kRelease = "{release_weapon: {vote: 60, zone: 0.4, patience: 8 s}}";
+
+/// A hostile ahead, coming closer, at a share of the medium missile's zone: 0 is its no-escape
+/// range, 1 its greatest range.
+Desk at_share(double share) {
+  Desk desk;
+  desk.track({60e3, 0, 0});
+  double range = 60e3;
+  for (int i = 0; i < 20; ++i) {  // the zone hardly depends on the range: this converges at once
+    const State s = desk.state();
+    const model::EmploymentZone zone = s.zone(kMedium, s.seen[0]);
+    range = zone.r_ne + share * (zone.r_max - zone.r_ne);
+    desk.tracks.tracks[0].position = desk.own.position + Vec3{range, 0, 0};
+  }
+  return desk;
+}
+
+TEST(ReleaseWeapon, ShootsInsideTheZone) {
+  const Desk desk = at_share(0.35);
+  const Decision d = decide(kRelease, desk);
+  ASSERT_EQ(d.status, kRunning);
+  EXPECT_EQ(d.action().release, (Release{TrackId{1}, kMedium}));
+  EXPECT_EQ(d.action().target, TrackId{1});
+  EXPECT_EQ(d.proposal.vote, 60);
+  EXPECT_FALSE(d.action().heading.has_value());
+}
+
+TEST(ReleaseWeapon, ShootsNoEarlierThanItsParameterSays) {
+  EXPECT_EQ(decide(kRelease, at_share(0.45)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 1}}", at_share(0.95)).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {zone: 1}}", at_share(1.05)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 0}}", at_share(0.05)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 0}}", at_share(-0.05)).status, kRunning);
+}
+
+TEST(ReleaseWeapon, TakesTheMissileWithTheShortestReachThatWillDo) {
+  Desk desk;
+  desk.track({3000, 0, 0}, 0, 250);  // close astern of him
+  const Decision d = decide(kRelease, desk);
+  ASSERT_EQ(d.status, kRunning);
+  EXPECT_EQ(d.action().release->store, kShort);
+}
+
+TEST(ReleaseWeapon, DoesNotShootInsideTheLeastRange) {
+  Desk desk;
+  desk.track({150, 0, 0});
+  EXPECT_EQ(decide("{release_weapon: {zone: 1}}", desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, NeedsTheTargetNearTheNose) {
+  Desk desk = at_share(0.2);
+  desk.own = model::test::flying(desk.own.position, 0.6, 250);
+  EXPECT_EQ(decide("{release_weapon: {off_boresight: 0.7 rad}}", desk).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {off_boresight: 0.5 rad}}", desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, NeedsAFreshTrack) {
+  Desk desk = at_share(0.2);
+  desk.tracks.tracks[0].time -= 5;
+  EXPECT_EQ(decide("{release_weapon: {max_age: 6 s}}", desk).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {max_age: 4 s}}", desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, FailsWithoutMissiles) {
+  Desk desk = at_share(0.2);
+  desk.stores = {};
+  EXPECT_EQ(decide(kRelease, desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, WaitsWhileAReleaseIsUnderWay) {
+  Desk desk = at_share(0.2);
+  model::begin_release(desk.stores, kMedium, library().missiles[kMedium], TrackId{1}, desk.time);
+  EXPECT_EQ(decide("{release_weapon: {salvo: 4}}", desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, LetsItsMissilesArriveBeforeTheNextOne) {
+  Desk desk = at_share(0.2);
+  desk.agent.shots[0] = {.until = desk.time + 10, .track = TrackId{1}, .store = kMedium};
+  EXPECT_EQ(decide("{release_weapon: {salvo: 1}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {salvo: 2}}", desk).status, kRunning);
+  desk.time += 10;
+  desk.tracks.tracks[0].time = desk.time;
+  EXPECT_EQ(decide("{release_weapon: {salvo: 1}}", desk).status, kRunning);
+}
+
+TEST(ReleaseWeapon, ShootsAtASecondTargetWhileTheFirstMissileFlies) {
+  Desk desk = at_share(0.2);
+  desk.agent.shots[0] = {.until = desk.time + 10, .track = TrackId{77}, .store = kMedium};
+  EXPECT_EQ(decide("{release_weapon: {salvo: 1}}", desk).status, kRunning);
+}
+
+TEST(ReleaseWeapon, HoldsFireWhileAMatesMissileIsOnItsWay) {
+  Desk desk = at_share(0.3);
+  desk.in_flight(4, 2);
+  desk.tracks.tracks[0].shot_by = 1U << 3;
+  EXPECT_EQ(decide(kRelease, desk).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {one_shooter: false}}", desk).status, kRunning);
+  desk.lose(4);
+  EXPECT_EQ(decide(kRelease, desk).status, kRunning);
+}
+
+TEST(ReleaseWeapon, LeavesTheFirstShotToANearerMateForAWhile) {
+  Desk desk = at_share(0.3);
+  desk.in_flight(2, 2);
+  desk.datalink.members[0].position = desk.own.position + Vec3{5000, 0, 0};
+  desk.tracks.tracks[0].targeted_by = 1;
+  Pilot pilot(kRelease);
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  for (const double wait : {7.9, 0.1}) {
+    desk.time += wait;
+    desk.tracks.tracks[0].time = desk.datalink.members[0].time = desk.time;
+    EXPECT_EQ(pilot.decide(desk).status, wait < 1 ? kRunning : kFailure);
+  }
+}
+
+TEST(ReleaseWeapon, GoesFirstIfItIsNearer) {
+  Desk desk = at_share(0.3);
+  desk.in_flight(2, 2);
+  desk.datalink.members[0].position = desk.own.position - Vec3{5000, 0, 0};
+  desk.tracks.tracks[0].targeted_by = 1;
+  EXPECT_EQ(decide(kRelease, desk).status, kRunning);
+}
+
+TEST(ReleaseWeapon, DoesNotShootAHeatSeekerPastAFriend) {
+  Desk desk;
+  desk.track({3000, 0, 0}, 0, 250);
+  desk.stores.stations[0] = desk.stores.stations[1] = {};  // short-range missiles only
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = desk.own.position + Vec3{1500, 50, 0};
+  EXPECT_EQ(decide(kRelease, desk).status, kFailure);
+  desk.datalink.members[1].position = desk.own.position + Vec3{1500, 800, 0};
+  EXPECT_EQ(decide(kRelease, desk).status, kRunning);
+}
+
+/// Ahead and mostly in reach; any identity, confirmed or not.
+void any_track(Desk& desk) {
+  model::Track& t = desk.track({*rc::gen::inRange(2, 30) * 1e3, *rc::gen::inRange(-9, 10) * 1e3,
+                                *rc::gen::inRange(-2, 3) * 1e3},
+                               *rc::gen::inRange(0, 628) / 100.0);
+  t.identity = static_cast<model::Identity>(*rc::gen::inRange(0, 3));
+  t.confirmed = *rc::gen::inRange<std::uint8_t>(0, 2);
+  t.targeted_by = *rc::gen::arbitrary<std::uint8_t>();
+}
+
+RC_GTEST_PROP(ReleaseWeapon, NeverShootsAtAnybodyButAConfirmedHostile, ()) {
+  Desk desk;
+  for (int i = *rc::gen::inRange(1, 10); i > 0; --i)
+    any_track(desk);
+  desk.agent.target = TrackId{*rc::gen::inRange(0U, 10U)};
+  const Decision d = decide("{release_weapon: {zone: 1, off_boresight: 3 rad}}", desk);
+  RC_CLASSIFY(d.status == kRunning, "shoots");
+  if (!d.action().release)
+    return;
+  const model::Track* track = model::find(desk.tracks, d.action().release->track);
+  RC_ASSERT(track != nullptr);
+  RC_ASSERT(track->confirmed == 1);
+  RC_ASSERT(track->identity == model::Identity::hostile);
+}
+
+}  // namespace
+}  // namespace eyrie::pilot

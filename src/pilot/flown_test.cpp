@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+/// \file  Behaviors in the air: an F-15 that does what one of them says, by the point-mass model.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "model/flight/test_flight.hpp"
+#include "pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+/// The F-15 of data/.
+const model::Airframe& f15() {
+  static const auto airframe = eyrie::test::load<model::Airframe>("data/airframes/f15c.yaml");
+  return airframe;
+}
+
+/// One aircraft and its pilot, who decides ten times per second.
+struct Flown : model::test::TestFlight {
+  explicit Flown(const std::string& tree) : TestFlight(f15()), pilot(tree) {
+    reference = library().reference;
+    propulsion.fuel = 4000;
+  }
+  Decision decide() {
+    desk.own = kinematics;
+    desk.flying = flying;
+    desk.propulsion = propulsion;
+    desk.command = command;
+    desk.time = time;
+    const Decision decision = pilot.fly(desk);
+    command = desk.command;
+    return decision;
+  }
+  /// Until `done(decision)`, at most so many seconds; whether it came to that.
+  template <class Done>
+  bool fly_until(double seconds, Done done) {
+    const auto decisions = static_cast<int>(seconds * 10 + 0.5);
+    for (int i = 0; i < decisions; ++i) {
+      if (done(decide()))
+        return true;
+      for (int n = 0; n < 5; ++n)
+        static_cast<void>(step());
+    }
+    return false;
+  }
+  void fly_for(double seconds) {
+    fly_until(seconds, [](const Decision&) { return false; });
+  }
+
+  Desk desk;
+  Pilot pilot;
+};
+
+TEST(AvoidGround, KeepsAnAircraftThatDivesOnAndOnOffTheGround) {
+  for (const double speed : {200.0, 260.0, 320.0})
+    for (const double altitude : {1000.0, 3000.0, 6000.0}) {
+      Flown f("{avoid_ground: {floor: 457 m}}");
+      f.start(altitude, 0.3, speed);
+      double lowest = altitude;
+      f.fly_until(400, [&](const Decision& d) {
+        if (d.status == kFailure)
+          f.command = {.heading = 0.3, .altitude = -5000, .speed = speed, .load_factor = 5};
+        lowest = std::min(lowest, f.kinematics.altitude);
+        return false;
+      });
+      EXPECT_GT(lowest, 300) << speed << " m/s from " << altitude << " m";
+      EXPECT_LT(lowest, 700) << "pulls up too early: " << speed << " m/s from " << altitude;
+    }
+}
+
+TEST(Egress, LandsFromWhereverItBegins) {
+  const Vec3 home = *library().flights[0].home;
+  for (const double miles : {0.5, 4.0, 20.0, 60.0})
+    for (const double altitude : {1000.0, 8000.0, 12'000.0})
+      for (const double heading : {0.0, 1.6, -1.6}) {
+        Flown f("egress");
+        f.start(altitude, heading, 250, home.x, miles * kNmi);
+        const double in_time = miles * kNmi / 200 + 400;
+        EXPECT_TRUE(
+            f.fly_until(in_time, [](const Decision& d) { return d.action().call == Call::land; }))
+            << miles << " nmi, " << altitude << " m, heading " << heading;
+        EXPECT_LT(*f.desk.state().home_distance(), 5.01 * kNmi);
+        EXPECT_LT(f.kinematics.altitude, si(6000, "ft"));
+      }
+}
+
+TEST(FollowLead, ReachesItsPlaceInTheWall) {
+  // the lead flies east at 240 m/s; the wingman begins 3 km behind and 1 km too high
+  Flown f("follow_lead");
+  f.start(8500, kPi / 2, 240, -1000, -4000);
+  f.desk.in_flight(2, 2);
+  model::test::TestFlight lead(f15());
+  lead.reference = library().reference;
+  lead.propulsion.fuel = 4000;
+  lead.start(7500, kPi / 2, 240);
+  const auto listen = [&] {
+    for (int n = 0; n < 50; ++n)
+      static_cast<void>(lead.step());
+    model::Mate& mate = f.desk.datalink.members[0];
+    mate.position = lead.kinematics.position;
+    mate.velocity = {static_cast<float>(lead.kinematics.velocity.x),
+                     static_cast<float>(lead.kinematics.velocity.y),
+                     static_cast<float>(lead.kinematics.velocity.z)};
+    mate.time = mate.heard_time = lead.time;
+  };
+  for (int second = 0; second < 240; ++second) {
+    listen();
+    f.time = lead.time - 1;  // it hears of the second that it flies, like a datalink extrapolates
+    f.fly_for(1);
+  }
+  const Vec3 apart = to_ned(lead.kinematics, f.kinematics.position - lead.kinematics.position);
+  EXPECT_NEAR(apart.x, si(6000, "ft"), 60);   // heading east, left is north
+  EXPECT_NEAR(apart.y, -si(1000, "ft"), 60);  // behind is west
+  EXPECT_NEAR(f.kinematics.altitude, lead.kinematics.altitude - si(500, "ft"), 30);
+}
+
+TEST(Pursue, CatchesAFlyingTarget) {
+  Flown f("{pursue: {mode: intercept, speed: 300 m/s}}");
+  f.start(8000, 0, 280);
+  Vec3 place{40e3, 30e3, f.kinematics.position.z};
+  const Vec3 velocity{-100, -150, 0};
+  double nearest = 1e9;
+  for (int i = 0; i < 200; ++i) {
+    f.desk.tracks = {};
+    f.desk.own = f.kinematics;
+    f.desk.time = f.time;
+    f.desk.track(place - f.kinematics.position).velocity = velocity;
+    f.fly_for(1);
+    place += velocity;
+    nearest = std::min(nearest, norm(place - f.kinematics.position));
+  }
+  EXPECT_LT(nearest, 600);
+}
+
+TEST(BreakTurn, PutsTheMissileBehindTheWingAndLosesHeight) {
+  Flown f("{break_turn: {turn: 110 deg}}");
+  f.start(6000, 0, 280);
+  f.desk.threat(0.5, 3000);
+  EXPECT_TRUE(f.fly_until(20, [&](const Decision&) {
+    return std::fabs(angle_between(f.kinematics.heading, 0.5)) > si(105, "deg");
+  }));
+  EXPECT_LT(angle_between(0, f.kinematics.heading), 0);  // it came from the right
+  EXPECT_LT(f.kinematics.altitude, 5900);
+}
+
+}  // namespace
+}  // namespace eyrie::pilot
