@@ -16,6 +16,9 @@ constexpr std::array<std::string_view, 10> kKinds{"aircraft", "airframes", "rada
                                                   "visual",   "iff",       "datalinks", "trackers",
                                                   "missiles", "guns"};
 
+/// Far above what anybody needs; a longer chain is an attempt to exhaust the stack.
+constexpr std::size_t kMostBases = 20;
+
 std::string_view singular(std::string_view kind) {
   if (kind == "rwr")
     return "radar warning receiver";
@@ -24,6 +27,16 @@ std::string_view singular(std::string_view kind) {
   if (kind == "aircraft" || kind == "iff")
     return kind;
   return kind.substr(0, kind.size() - 1);
+}
+
+/// Of one kind in one scenario. A station knows its store by one byte (model::Station).
+constexpr std::size_t kMostModels = 200;
+
+/// Whether data/<kind>/<name>.yaml stays in its folder.
+bool names_a_file(std::string_view name) {
+  return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
+    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20;
+  });
 }
 
 /// `over` on top of `base`: maps are merged key by key, everything else is replaced.
@@ -53,41 +66,80 @@ std::vector<std::string_view> DataLoader::kinds() {
 DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source& source,
                        Diagnostics& diagnostics)
     : library_(library), inline_(inline_data), source_(source), diagnostics_(diagnostics) {
-  check_inline();
-}
-
-void DataLoader::check_inline() {
   if (!inline_ || inline_->is_null())
     return;
   if (!inline_->is_map()) {
     diagnostics_.error(inline_->where, "data: expected a map of kinds, got " + inline_->shown());
     return;
   }
-  for (const Value::Entry& kind : inline_->entries) {
-    if (std::find(kKinds.begin(), kKinds.end(), kind.key) == kKinds.end())
-      diagnostics_.error(kind.where, fmt::format("data has no kind '{}'{}", kind.key,
-                                                 did_you_mean(kind.key, std::span(kKinds))));
-    else if (!kind.value.is_map())
-      diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
-                                                       kind.key, kind.value.shown()));
-    for (std::size_t i = 0; i < kind.value.entries.size(); ++i)
-      for (std::size_t k = 0; k < i; ++k)
-        if (kind.value.entries[i].key == kind.value.entries[k].key)
-          diagnostics_.error(
-              kind.value.entries[i].where,
-              fmt::format("{} '{}' is defined twice (also at {})", singular(kind.key),
-                          kind.value.entries[i].key, kind.value.entries[k].where.text()));
+  for (const Value::Entry& kind : inline_->entries)
+    check_inline(kind);
+  // a model that nobody flies is read, too: otherwise its mistakes wait for the day it is needed
+  for (const Value::Entry& kind : inline_->entries)
+    if (kind.value.entries.size() <= kMostModels)
+      for (const Value::Entry& model : kind.value.entries)
+        load_any(kind.key, model.key, model.where);
+}
+
+void DataLoader::check_inline(const Value::Entry& kind) {
+  if (std::find(kKinds.begin(), kKinds.end(), kind.key) == kKinds.end()) {
+    diagnostics_.error(kind.where, fmt::format("data has no kind {}{}", quote(kind.key),
+                                               did_you_mean(kind.key, kKinds)));
+    return;
   }
+  if (const Value::Entry* first = inline_->find_entry(kind.key); first != &kind)
+    diagnostics_.error(kind.where, fmt::format("data: '{}' is given twice (first at line {})",
+                                               kind.key, first->where.line));
+  if (!kind.value.is_map() && !kind.value.is_null())
+    diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
+                                                     kind.key, kind.value.shown()));
+  if (kind.value.entries.size() > kMostModels)
+    diagnostics_.error(kind.where, fmt::format("data.{}: {} models; a scenario has at most {} of a "
+                                               "kind",
+                                               kind.key, kind.value.entries.size(), kMostModels));
+  std::map<std::string_view, const Value::Entry*> known;
+  for (const Value::Entry& model : kind.value.entries) {
+    const auto [first, fresh] = known.emplace(model.key, &model);
+    if (!fresh)
+      diagnostics_.error(model.where,
+                         fmt::format("{} {} is defined twice (also at {})", singular(kind.key),
+                                     quote(model.key), first->second->where.text()));
+  }
+}
+
+void DataLoader::load_any(std::string_view kind, const std::string& name, const Location& where) {
+  const auto into = [&](std::string_view folder, auto& shelf) {
+    if (kind == folder)
+      load(shelf, folder, name, where);
+  };
+  if (kind == "aircraft")
+    aircraft(name, where);
+  into("airframes", library_.airframes);
+  into("radars", library_.radars);
+  into("rwr", library_.rwrs);
+  into("visual", library_.visuals);
+  into("iff", library_.iffs);
+  into("datalinks", library_.datalinks);
+  into("trackers", library_.trackers);
+  into("missiles", library_.missiles);
+  into("guns", library_.guns);
 }
 
 std::optional<Value> DataLoader::document(std::string_view kind, const std::string& name,
                                           const Location& where, std::vector<std::string>& chain) {
-  if (std::find(chain.begin(), chain.end(), name) != chain.end()) {
+  if (const auto first = std::find(chain.begin(), chain.end(), name); first != chain.end()) {
     std::string loop;
-    for (const std::string& link : chain)
-      loop += link + " -> ";
-    diagnostics_.error(
-        where, fmt::format("{} '{}' is based on itself: {}{}", singular(kind), name, loop, name));
+    for (auto link = first; link != chain.end(); ++link) {
+      loop += *link + " -> ";
+      failed_[{std::string(kind), *link}] = true;  // one circle, one mistake
+    }
+    diagnostics_.error(where, fmt::format("{} {} is based on itself: {}{}", singular(kind),
+                                          quote(name), loop, name));
+    return std::nullopt;
+  }
+  if (chain.size() > kMostBases) {
+    diagnostics_.error(where, fmt::format("{} {} has more than {} bases below one another",
+                                          singular(kind), quote(chain.front()), kMostBases));
     return std::nullopt;
   }
   chain.push_back(name);
@@ -96,7 +148,8 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
   const Value* group = inline_ ? inline_->find(kind) : nullptr;
   if (const Value* there = group ? group->find(name) : nullptr) {
     found = *there;
-  } else if (const auto text = source_.read(source_.data_name(kind, name))) {
+  } else if (const auto text =
+                 names_a_file(name) ? source_.read(source_.data_name(kind, name)) : std::nullopt) {
     const std::size_t before = diagnostics_.count();
     Value v = parse_yaml(*text, source_.data_name(kind, name), diagnostics_);
     if (diagnostics_.count() != before)
@@ -108,8 +161,8 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
     if (group)
       for (const Value::Entry& e : group->entries)
         names.push_back(e.key);
-    diagnostics_.error(
-        where, fmt::format("unknown {} '{}'{}", singular(kind), name, did_you_mean(name, names)));
+    diagnostics_.error(where, fmt::format("unknown {} {}{}", singular(kind), quote(name),
+                                          did_you_mean(name, names)));
     return std::nullopt;
   }
   if (const Value* base = found->find("base")) {

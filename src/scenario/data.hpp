@@ -16,7 +16,8 @@
 
 namespace eyrie::scenario {
 
-/// Puts models on the shelves of a Library when they are first asked for. A model stands in the
+/// Puts models on the shelves of a Library: those of the scenario at once, so that all their
+/// mistakes are found, those of files when they are first asked for. A model stands in the
 /// scenario's `data: {<kind>: {<name>: {...}}}` or in a file; in both a key `base: <name>` takes
 /// everything that is not said from another model of the kind. `source:` is free text about where
 /// the numbers come from.
@@ -44,7 +45,8 @@ class DataLoader {
   template <Described Model>
   void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
             model::Shelf<Model>& shelf, std::string_view kind, const Location& where);
-  void check_inline();
+  void check_inline(const Value::Entry& kind);
+  void load_any(std::string_view kind, const std::string& name, const Location& where);
 
   model::Library& library_;
   const Value* inline_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,13 +16,21 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 3> kMergeable{"trees", "data", "routes"};
+constexpr std::array<std::string_view, 2> kMergeable{"trees", "data"};
 
 Value* find(Value& map, std::string_view key) {
   for (Value::Entry& e : map.entries)
     if (e.key == key)
       return &e.value;
   return nullptr;
+}
+
+/// A file name for an error: whole, but without what a terminal would obey.
+std::string shown_name(std::string name) {
+  for (char& c : name)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      c = '?';
+  return "'" + name + "'";
 }
 
 /// Appends the entries of `from` to the map `into`, refusing what is there already.
@@ -31,11 +40,11 @@ void merge_map(Value& into, const Value& from, std::string_view what, bool neste
     Value* there = find(into, e.key);
     if (!there) {
       into.entries.push_back(e);
-    } else if (nested && there->is_map() && e.value.is_map()) {
+    } else if (nested && there->is_map() && e.value.is_map() && from.find_entry(e.key) == &e) {
       merge_map(*there, e.value, what, false, diagnostics);
     } else {
-      diagnostics.error(e.where, fmt::format("{} '{}' is defined twice (also at {})", what, e.key,
-                                             there->where.text()));
+      diagnostics.error(e.where, fmt::format("{} {} is defined twice (also at {})", what,
+                                             quote(e.key), there->where.text()));
     }
   }
 }
@@ -45,16 +54,19 @@ class Includer {
   Includer(Source& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
 
   Value load(const std::string& file, const Location& from) {
-    if (std::find(stack_.begin(), stack_.end(), file) != stack_.end()) {
+    // "./a.yaml" and "a.yaml" are one file
+    const std::string same = std::filesystem::path(file).lexically_normal().generic_string();
+    if (const auto open = std::find(stack_.begin(), stack_.end(), same); open != stack_.end()) {
       std::string chain;
-      for (const std::string& f : stack_)
-        chain += f + " -> ";
-      diagnostics_.error(from, fmt::format("'{}' includes itself: {}{}", file, chain, file));
+      for (auto f = open; f != stack_.end(); ++f)
+        chain += *f + " -> ";
+      diagnostics_.error(from,
+                         fmt::format("{} includes itself: {}{}", shown_name(same), chain, same));
       return {};
     }
     const auto text = source_.read(file);
     if (!text) {
-      diagnostics_.error(from, fmt::format("cannot read '{}'", file));
+      diagnostics_.error(from, "cannot read " + shown_name(file));
       return {};
     }
     Value document = parse_yaml(*text, file, diagnostics_);
@@ -63,7 +75,7 @@ class Includer {
         diagnostics_.error(document.where, "expected a map, got " + document.shown());
       return {};
     }
-    stack_.push_back(file);
+    stack_.push_back(same);
     const Value* found = document.find("include");
     const Value include = found ? *found : Value{};
     if (include.is_list()) {
@@ -72,8 +84,8 @@ class Includer {
     } else if (include.is_scalar()) {
       merge(document, include, file);
     } else if (found) {
-      diagnostics_.error(include.where, "include: expected a file or a list of files, got " +
-                                            include.shown());
+      diagnostics_.error(include.where,
+                         "include: expected a file or a list of files, got " + include.shown());
     }
     stack_.pop_back();
     return document;
@@ -91,19 +103,33 @@ class Includer {
     const Value package = load(name, item.where);
     done_.push_back(name);
     for (const Value::Entry& e : package.entries) {
-      if (e.key == "include")
-        continue;
-      if (std::find(kMergeable.begin(), kMergeable.end(), e.key) == kMergeable.end()) {
-        diagnostics_.error(
-            e.where, fmt::format("an included file holds trees, data and routes, not '{}'", e.key));
-        continue;
-      }
-      if (Value* there = find(into, e.key); !there)
-        into.entries.push_back(e);
-      else if (there->is_map() && e.value.is_map())
-        merge_map(*there, e.value, e.key == "data" ? "data" : e.key == "trees" ? "tree" : "route",
-                  e.key == "data", diagnostics_);
+      if (&package.find_entry(e.key)->value != &e.value)
+        diagnostics_.error(e.where,
+                           fmt::format("{} is given twice (first at line {})", quote(e.key),
+                                       package.find_entry(e.key)->where.line));
+      else if (e.key != "include")
+        merge_entry(into, e);
     }
+  }
+
+  void merge_entry(Value& into, const Value::Entry& e) {
+    if (std::find(kMergeable.begin(), kMergeable.end(), e.key) == kMergeable.end()) {
+      diagnostics_.error(e.where, fmt::format("an included file holds trees and data, not {}{}",
+                                              quote(e.key), did_you_mean(e.key, kMergeable)));
+      return;
+    }
+    if (!e.value.is_map() && !e.value.is_null()) {
+      diagnostics_.error(e.value.where,
+                         fmt::format("{}: expected a map, got {}", e.key, e.value.shown()));
+      return;
+    }
+    Value* there = find(into, e.key);
+    if (!there)
+      into.entries.push_back(e);
+    else if (there->is_null())
+      *there = e.value;
+    else if (there->is_map())  // otherwise whoever reads it says so
+      merge_map(*there, e.value, e.key == "data" ? "data" : "tree", e.key == "data", diagnostics_);
   }
 
   Source& source_;
@@ -133,7 +159,8 @@ std::vector<std::string> names_in(const Value& v) {
 /// Moves every place in a parsed override to where the value stands in the --set text.
 void place_in_override(Value& v, const std::string& text, std::size_t offset) {
   auto move = [&](Location& where) {
-    where = {"--set " + text, 1, static_cast<int>(offset) + std::max(where.column, 1)};
+    const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
+    where = {"--set " + text, std::max(where.line, 1), before + std::max(where.column, 1)};
   };
   move(v.where);
   for (Value& item : v.items)
@@ -153,9 +180,12 @@ class Override {
     const auto equals = text_.find('=');
     if (equals == std::string::npos || equals == 0)
       return error(0, "expected path=value");
-    Diagnostics found;
     const std::string_view after = std::string_view(text_).substr(equals + 1);
-    Value value = after.empty() ? Value::null() : parse_yaml(after, "--set", found);
+    const std::size_t first = after.find_first_not_of(" \t\r\n");
+    if (first != after.npos && after[first] == '#')
+      return error(equals + 1 + first, "'#' begins a comment; put the value in quotes");
+    Diagnostics found;
+    Value value = first == after.npos ? Value::null() : parse_yaml(after, "--set", found);
     if (!found.ok())
       return error(equals + 1, found.sorted().front().message);
     place_in_override(value, text_, equals + 1);
@@ -178,41 +208,58 @@ class Override {
     diagnostics_.error({"--set " + text_, 1, static_cast<int>(offset) + 1}, message);
   }
 
-  /// The value below `at` that `key` names; says what is wrong and gives null when there is none.
-  Value* look_up(Value& at, const std::string& key) {
-    if (at.is_map())
-      return find(at, key);
-    std::size_t index = 0;
-    const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (failed == std::errc{} && end == key.data() + key.size())
-      return index < at.items.size() ? &at.items[index] : nullptr;
-    for (Value& item : at.items)
-      if (item_name(item) == key) {
-        // a bare name becomes the map that its overrides go to: eagle2 -> {eagle2: {}}
-        if (item.is_scalar())
-          item = Value::map({{key, item.where, Value::map({}, item.where)}}, item.where);
-        Value& inside = item.entries[0].value;
-        return inside.is_null() ? &(inside = Value::map({}, item.where)) : &inside;
-      }
-    return nullptr;
-  }
-
+  /// The value below `at` that `key` names, or null after saying why there is none.
   Value* step(Value& at, const std::string& key, std::size_t offset) {
-    Value* next = look_up(at, key);
+    if (at.is_list())
+      return item(at, key, offset);
+    Value* next = at.is_map() ? find(at, key) : nullptr;
     if (!next)
-      error(offset, fmt::format("there is no '{}' here{}", key, did_you_mean(key, names_in(at))));
+      error(offset, fmt::format("there is no {} here{}", quote(key),
+                                at.is_map() ? did_you_mean(key, names_in(at))
+                                            : fmt::format(", only {}", at.shown())));
     return next;
   }
 
+  Value* item(Value& list, const std::string& key, std::size_t offset) {
+    std::size_t index = 0;
+    const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), index);
+    if (failed == std::errc{} && end == key.data() + key.size()) {
+      if (index < list.items.size())
+        return &list.items[index];
+      error(offset, fmt::format("there is no item {} here: the list has {}, counted from 0", key,
+                                list.items.size()));
+      return nullptr;
+    }
+    Value* found = nullptr;
+    for (Value& one : list.items) {
+      if (item_name(one) != key)
+        continue;
+      if (found) {
+        error(offset, fmt::format("{} is in this list more than once; say which by its index, "
+                                  "counted from 0",
+                                  quote(key)));
+        return nullptr;
+      }
+      found = &one;
+    }
+    if (!found) {
+      error(offset,
+            fmt::format("there is no {} here{}", quote(key), did_you_mean(key, names_in(list))));
+      return nullptr;
+    }
+    // a bare name becomes the map that its overrides go to: eagle2 -> {eagle2: {}}
+    if (found->is_scalar())
+      *found = Value::map({{key, found->where, Value::map({}, found->where)}}, found->where);
+    Value& inside = found->entries[0].value;
+    return inside.is_null() ? &(inside = Value::map({}, found->where)) : &inside;
+  }
+
   void put(Value& at, const std::string& key, std::size_t offset, Value value) {
-    if (Value* there = look_up(at, key)) {
-      *there = std::move(value);
-    } else if (at.is_map()) {
+    if (at.is_map() && !find(at, key))
       at.entries.push_back(
           {key, {"--set " + text_, 1, static_cast<int>(offset) + 1}, std::move(value)});
-    } else {
-      step(at, key, offset);  // says what is wrong
-    }
+    else if (Value* there = step(at, key, offset))
+      *there = std::move(value);
   }
 
   const std::string& text_;

@@ -11,13 +11,13 @@
 namespace eyrie::scenario {
 
 /// The point of the local frame `north` and `east` (m) of the reference point whose height above
-/// the ellipsoid is `altitude` (m). Exact arithmetic only: the same bits everywhere, and the mirror
-/// image of a place is the place of its mirror image.
+/// the ellipsoid is `altitude` (m). No libm: the same bits everywhere. What lies as far west instead
+/// of east gets the same bits, too.
 [[nodiscard]] Vec3 at_altitude(const Reference& reference, double north, double east,
                                double altitude);
 
 /// Resolves a place. One that says neither or both ways, or half of one, is a mistake at `where`;
-/// so is a geodetic place more than 500 km from the reference point.
+/// so is a place more than 500 km from the reference point.
 [[nodiscard]] Vec3 resolve(const PlaceSpec& place, double altitude, const Reference& reference,
                            const Location& where, Diagnostics& diagnostics);
 

@@ -60,9 +60,10 @@ class Reader {
     for (const Value::Entry& e : map->entries)
       if (std::find(kKeys.begin(), kKeys.end(), e.key) == kKeys.end())
         error(e.where,
-              fmt::format("{} has no '{}'{}", key, e.key, did_you_mean(e.key, std::span(kKeys))));
+              fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, kKeys)));
       else if (&map->find_entry(e.key)->value != &e.value)
-        error(e.where, fmt::format("'{}' is given twice", e.key));
+        error(e.where, fmt::format("{}: '{}' is given twice (first at line {})", key, e.key,
+                                   map->find_entry(e.key)->where.line));
 
     std::optional<PlaceSpec> home;
     Location home_where;
@@ -113,12 +114,10 @@ class Reader {
       player(plan, item);
     std::stable_sort(plan.players.begin(), plan.players.end(),
                      [](const PlayerPlan& a, const PlayerPlan& b) { return a.rank < b.rank; });
-    if (!plan.players.empty() && plan.players.front().rank != 1)
+    // a player that was refused may have been meant as the lead
+    if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
       error(players->where,
             fmt::format("flight '{0}' has no lead: none of its players is '{0}1'", plan.name));
-    if (players->items.size() > model::kMaxFlight)
-      error(players->where, fmt::format("flight '{}' has {} players; a flight has at most {}",
-                                        plan.name, players->items.size(), model::kMaxFlight));
     flights_.push_back(std::move(plan));
   }
 
@@ -135,6 +134,9 @@ class Reader {
       return error(item.where, fmt::format("{} is not the flight's name and a rank, such as '{}1'",
                                            quote(plan.name), flight.name));
     plan.rank = *rank;
+    if (plan.rank > model::kMaxFlight)
+      return error(item.where, fmt::format("'{}': the ranks of a flight are 1 to {}", plan.name,
+                                           model::kMaxFlight));
     const auto [known, fresh] = places_.emplace(plan.name, item.where);
     if (!fresh)
       return error(item.where, fmt::format("there are two players '{}' (also at {})", plan.name,

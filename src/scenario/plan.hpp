@@ -34,7 +34,7 @@ struct FlightPlan {
 
 /// Reads `blue:` and `red:` of a scenario document, in this order and flights in file order.
 /// Refused: a side or flight without anything in it, a player whose name is not its flight's name
-/// and a rank, two players of one name, a flight without a lead or with more than eight players.
+/// and a rank, two players of one name, a flight without a lead, ranks beyond model::kMaxFlight.
 [[nodiscard]] std::vector<FlightPlan> read_plans(const Value& document, Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

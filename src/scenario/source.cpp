@@ -2,9 +2,9 @@
 #include "scenario/source.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -30,14 +30,23 @@ std::optional<std::string> Source::read(const std::string& name) {
   if (!from_disk_)
     return std::nullopt;
   // data/ stands below home whatever the working folder is; everything else is as the user wrote it
-  const fs::path path = name.starts_with("data/") ? fs::path(home_) / name : fs::path(name);
   std::error_code failed;
-  if (!fs::is_regular_file(path, failed))
+  fs::path path = name;
+  if (const fs::path data = fs::path(home_) / name;
+      name.starts_with("data/") && fs::is_regular_file(data, failed))
+    path = data;
+  if (name.find('\0') != name.npos || !fs::is_regular_file(path, failed))
     return std::nullopt;
+  // one more than anybody accepts, so that what is too large is refused and not cut
+  const std::uintmax_t size = fs::file_size(path, failed);
   std::ifstream in(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in)
+  if (failed || !in)
     return std::nullopt;
+  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kLargest + 1)), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad())
+    return std::nullopt;
+  text.resize(static_cast<std::size_t>(in.gcount()));
   files_[name] = text;
   return text;
 }
@@ -56,7 +65,8 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
         names.push_back(entry.path().stem().string());
   } else {
     for (const auto& [name, text] : files_)
-      if (name.starts_with(folder) && name.ends_with(".yaml"))
+      if (name.starts_with(folder) && name.ends_with(".yaml") &&
+          name.find('/', folder.size()) == name.npos)
         names.push_back(name.substr(folder.size(), name.size() - folder.size() - 5));
   }
   std::sort(names.begin(), names.end());

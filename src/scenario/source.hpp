@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eyrie::scenario {
@@ -18,15 +20,21 @@ class Source {
   /// Serves only these texts: a replay must not read what has changed on the disk since.
   [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);
 
-  /// The text of a file, or nothing when it is missing or unreadable.
+  /// The text of a file, or nothing when it is missing, unreadable or no file. Of a file larger
+  /// than kLargest only so much that a parser sees that it is too large.
   [[nodiscard]] std::optional<std::string> read(const std::string& name);
   /// The name under which `data/<kind>/<name>.yaml` is read.
   [[nodiscard]] std::string data_name(std::string_view kind, std::string_view name) const;
   /// Every name in data/<kind>, sorted: for "did you mean".
   [[nodiscard]] std::vector<std::string> data_names(std::string_view kind) const;
 
+  /// A text that is read under that name from now on, such as a scenario made by a program.
+  void add(std::string name, std::string text) { files_[std::move(name)] = std::move(text); }
+
   /// Every file read so far: name -> text.
   [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
+
+  static constexpr std::size_t kLargest = std::size_t{16} << 20;
 
  private:
   std::string home_;

@@ -70,9 +70,7 @@ class Builder final : public YAML::EventHandler {
     std::optional<Value> key;  ///< of a map: the key that waits for its value
   };
 
-  Location place(const YAML::Mark& mark) const {
-    return {file_, mark.line + 1, mark.column + 1};
-  }
+  Location place(const YAML::Mark& mark) const { return {file_, mark.line + 1, mark.column + 1}; }
 
   static std::size_t nodes_of(const Value& v) {
     std::size_t n = 1;
@@ -87,6 +85,14 @@ class Builder final : public YAML::EventHandler {
     nodes_ += more;
     if (nodes_ > limits_.nodes)
       throw Refused{where, fmt::format("more than {} values, aliases expanded", limits_.nodes)};
+  }
+
+  /// Anchors inside anchors keep copies of copies, so they are counted too.
+  void remember(YAML::anchor_t anchor, const Value& v) {
+    kept_ += nodes_of(v);
+    if (kept_ > limits_.nodes)
+      throw Refused{v.where, fmt::format("more than {} values below anchors", limits_.nodes)};
+    anchors_[anchor] = v;
   }
 
   void open(Value v, const std::string& tag, YAML::anchor_t anchor) {
@@ -106,7 +112,7 @@ class Builder final : public YAML::EventHandler {
   void put(Value v, YAML::anchor_t anchor) {
     count(v.where, 1);
     if (anchor)
-      anchors_[anchor] = v;
+      remember(anchor, v);
     if (open_.empty()) {
       root_ = std::move(v);
       return;
@@ -121,6 +127,8 @@ class Builder final : public YAML::EventHandler {
         throw Refused{v.where, "merge keys ('<<') are not supported; use include or base"};
       parent.key = std::move(v);
     } else {
+      if (v.is_null())
+        v.where = parent.key->where;  // what is not there stands, for the parser, on a later line
       parent.value.entries.push_back({parent.key->text, parent.key->where, std::move(v)});
       parent.key.reset();
     }
@@ -131,7 +139,7 @@ class Builder final : public YAML::EventHandler {
   Value root_;
   std::vector<Open> open_;
   std::map<YAML::anchor_t, Value> anchors_;
-  std::size_t nodes_ = 0;
+  std::size_t nodes_ = 0, kept_ = 0;
 };
 
 /// The line and column of a byte offset.

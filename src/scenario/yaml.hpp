@@ -6,13 +6,14 @@
 
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
+#include "scenario/source.hpp"
 
 namespace eyrie::scenario {
 
 /// Limits against files that are built to hurt: they are far above what a scenario needs.
 struct YamlLimits {
-  std::size_t bytes = std::size_t{16} << 20;
-  std::size_t nodes = 200'000;  ///< after aliases are expanded
+  std::size_t bytes = Source::kLargest;
+  std::size_t nodes = 200'000;  ///< after aliases are expanded; and again of what anchors keep
   std::size_t depth = 100;
 };
 

@@ -60,6 +60,22 @@ TEST(Yaml, RefusesWhatItWouldOtherwiseSilentlyIgnore) {
   EXPECT_EQ(mistakes(""), "a.yaml:1:1: the file is empty");
 }
 
+TEST(Yaml, RefusesAnchorsInsideAnchorsThatWouldKeepCopiesOfCopies) {
+  std::string text;
+  for (int i = 0; i < 50; ++i)
+    text += "&a" + std::to_string(i) + " [";
+  for (int i = 0; i < 50'000; ++i)
+    text += "1,";
+  text += std::string(50, ']') + "\n";
+  EXPECT_EQ(mistakes(text), "a.yaml:1:267: more than 200000 values below anchors");
+}
+
+TEST(Yaml, PlacesAMissingValueAtItsKey) {
+  Diagnostics d;
+  const Value v = parse_yaml("a: 1\nb:\n\nc: 2\n", "a.yaml", d);
+  EXPECT_EQ(v.find("b")->where, (Location{"a.yaml", 2, 1}));
+}
+
 TEST(Yaml, RefusesDeepNesting) {
   EXPECT_EQ(mistakes(std::string(101, '[') + std::string(101, ']')),
             "a.yaml:1:101: nested deeper than 100 levels");

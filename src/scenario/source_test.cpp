@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace eyrie::scenario {
+namespace {
+namespace fs = std::filesystem;
+
+/// A folder of this test alone, removed at the end.
+class SourceOnDisk : public testing::Test {
+ protected:
+  SourceOnDisk()
+      : folder_(fs::path(testing::TempDir()) /
+                ("eyrie_source_" +
+                 std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "data/radars");
+  }
+  ~SourceOnDisk() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(SourceOnDisk, ReadsAndRemembers) {
+  const std::string file = write("a.yaml", "one: 1\n");
+  Source source = Source::disk(folder_.string());
+  EXPECT_TRUE(source.files().empty());
+  EXPECT_EQ(source.read(file), "one: 1\n");
+  write("a.yaml", "changed");
+  EXPECT_EQ(source.read(file), "one: 1\n") << "a run is made from one reading of each file";
+  EXPECT_EQ(source.files(), (std::map<std::string, std::string>{{file, "one: 1\n"}}));
+}
+
+TEST_F(SourceOnDisk, LooksUpDataBelowHomeWhateverTheWorkingFolder) {
+  write("data/radars/x.yaml", "r: 1\n");
+  Source source = Source::disk(folder_.string());
+  EXPECT_EQ(source.data_name("radars", "x"), "data/radars/x.yaml");
+  EXPECT_EQ(source.read("data/radars/x.yaml"), "r: 1\n");
+  EXPECT_EQ(source.files().count("data/radars/x.yaml"), 1u) << "no folder of this machine in a run";
+}
+
+TEST_F(SourceOnDisk, GivesNothingForWhatIsNoFile) {
+  Source source = Source::disk(folder_.string());
+  EXPECT_EQ(source.read((folder_ / "nothing.yaml").string()), std::nullopt);
+  EXPECT_EQ(source.read((folder_ / "data").string()), std::nullopt);
+  EXPECT_EQ(source.read(""), std::nullopt);
+  const std::string file = write("a.yaml", "x");
+  EXPECT_EQ(source.read(file + '\0' + ".yaml"), std::nullopt) << "a name must not be cut at a NUL";
+  EXPECT_TRUE(source.files().empty());
+}
+
+TEST_F(SourceOnDisk, ReadsNoMoreOfAHugeFileThanAParserNeedsToRefuseIt) {
+  const std::string file = write("huge.yaml", "x");
+  fs::resize_file(file, Source::kLargest * 4);
+  Source source = Source::disk(folder_.string());
+  EXPECT_EQ(source.read(file)->size(), Source::kLargest + 1);
+  const std::string largest = write("largest.yaml", "x");
+  fs::resize_file(largest, Source::kLargest);
+  EXPECT_EQ(source.read(largest)->size(), Source::kLargest);
+}
+
+TEST_F(SourceOnDisk, ListsDataInOrder) {
+  for (const char* name : {"b.yaml", "a.yaml", "notes.txt"})
+    write(std::string("data/radars/") + name, "x: 1\n");
+  const Source source = Source::disk(folder_.string());
+  EXPECT_EQ(source.data_names("radars"), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(source.data_names("guns"), std::vector<std::string>{});
+}
+
+TEST(SourceBundle, ServesItsTextsAndNothingElse) {
+  Source source =
+      Source::bundle({{"data/guns/m61.yaml", "a"}, {"s.yaml", "b"}, {"data/guns/x", "c"}});
+  EXPECT_EQ(source.read("s.yaml"), "b");
+  EXPECT_EQ(source.read("/etc/hostname"), std::nullopt);
+  EXPECT_EQ(source.read("CMakeLists.txt"), std::nullopt) << "a replay must not read the disk";
+  EXPECT_EQ(source.data_names("guns"), std::vector<std::string>{"m61"});
+  EXPECT_EQ(source.files().size(), 3u);
+}
+
+TEST(RelativeTo, FollowsTheFolderOfTheFile) {
+  EXPECT_EQ(relative_to("scenarios/a.yaml", "packages/b.yaml"), "scenarios/packages/b.yaml");
+  EXPECT_EQ(relative_to("scenarios/a.yaml", "../b.yaml"), "b.yaml");
+  EXPECT_EQ(relative_to("a.yaml", "b.yaml"), "b.yaml");
+  EXPECT_EQ(relative_to("/x/a.yaml", "./b.yaml"), "/x/b.yaml");
+  EXPECT_EQ(relative_to("x/a.yaml", "/y/b.yaml"), "/y/b.yaml");
+}
+
+}  // namespace
+}  // namespace eyrie::scenario
