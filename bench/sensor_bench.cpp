@@ -4,33 +4,14 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "model/sensor/sensor_system.hpp"
 #include "sim/simulation.hpp"
-
-namespace {
-std::atomic<std::uint64_t> allocations{0};
-}  // namespace
-
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  if (void* p = std::malloc(size))
-    return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
+#include "support/no_allocation.hpp"
 
 namespace {
 
@@ -128,7 +109,8 @@ void sensors(benchmark::State& state) {
     static_cast<void>(scene.simulation->step(world, work));
   const sim::World warm = world;
   state.SetLabel(fmt::format("hash 0x{:016x}", warm.hash()));
-  const std::uint64_t before = allocations.load();
+  NoAllocation guard;
+  guard.dismiss();
   for (auto _ : state) {
     if (world.step() == warm.step() + 2000) {
       state.PauseTiming();
@@ -137,7 +119,7 @@ void sensors(benchmark::State& state) {
     }
     benchmark::DoNotOptimize(scene.simulation->step(world, work));
   }
-  state.counters["allocs"] = static_cast<double>(allocations.load() - before);
+  state.counters["allocs"] = static_cast<double>(guard.count());
   state.counters["ns_per_player_step"] = benchmark::Counter(
       static_cast<double>(n) * 1e-9,
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -199,3 +181,5 @@ void track_update(benchmark::State& state) {
 BENCHMARK(track_update)->Arg(1)->Arg(4)->Arg(16);
 
 }  // namespace
+
+BENCHMARK_MAIN();
