@@ -23,6 +23,17 @@ TEST(AcquisitionProbability, AccumulatesAsThePoissonProcessOfTheReport) {
   EXPECT_NEAR(in_ten_seconds, 1 - std::exp(-10 * rate), 1e-9);
 }
 
+TEST(AcquisitionProbability, OfAHeadOnApproachIsTheClosedFormOfTheReport) {
+  // without haze the integral of beta A / r^2 dt at closing speed v is beta A / (v r)
+  const Visual visual{.rate = 50, .visibility = 1e6, .range = 1e5, .least_angle = 1e-5};
+  const double speed = 500, area = 10, start = 60e3, end = 4e3;
+  double unseen = 1;
+  for (double range = start; range > end; range -= speed / visual.rate)
+    unseen *= 1 - acquisition_probability(visual, 140e3, area, range);
+  const double exponent = 140e3 * area / speed * (1 / end - 1 / start);
+  EXPECT_NEAR(1 - unseen, 1 - std::exp(-exponent), 0.01);
+}
+
 TEST(AcquisitionProbability, DoesNotDependOnHowOftenThePilotLooks) {
   const auto in_six_seconds = [](double rate) {
     const Visual visual{.rate = rate};
