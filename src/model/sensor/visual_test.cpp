@@ -25,7 +25,7 @@ TEST(AcquisitionProbability, AccumulatesAsThePoissonProcessOfTheReport) {
 
 TEST(AcquisitionProbability, OfAHeadOnApproachIsTheClosedFormOfTheReport) {
   // without haze the integral of beta A / r^2 dt at closing speed v is beta A / (v r)
-  const Visual visual{.rate = 50, .visibility = 1e6, .range = 1e5, .least_angle = 1e-5};
+  const Visual visual{.rate = 50, .visibility = 1e9, .range = 1e5, .least_angle = 1e-5};
   const double speed = 500, area = 10, start = 60e3, end = 4e3;
   double unseen = 1;
   for (double range = start; range > end; range -= speed / visual.rate)
