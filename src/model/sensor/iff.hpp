@@ -36,21 +36,24 @@ struct Iff {
   return asking == asked && asking != Side::none && draw.chance(iff.reply_probability);
 }
 
-/// The declared rule: a reply makes a friend, even of a track that was held for hostile (the track
-/// may have passed from one aircraft to another); `tries` interrogations in a row without one make a
-/// hostile of an unknown. Silence changes nothing on a track that is identified already.
+/// The declared rule. A reply makes a friend, even of a track that was held for hostile: a track
+/// may have passed from one aircraft to another. `tries` interrogations in a row without a reply
+/// make a hostile of an unknown, and an unknown again of a friend, for the same reason. A hostile
+/// stays one.
 constexpr void conclude(Track& track, std::uint32_t tries, bool reply) {
   if (reply) {
     track.identity = Identity::friendly;
     track.unanswered = 0;
     return;
   }
-  if (track.identity != Identity::unknown)
-    return;
   if (track.unanswered < 255)
     ++track.unanswered;
-  if (tries != 0 && track.unanswered >= tries)
-    track.identity = Identity::hostile;
+  if (tries == 0 || track.unanswered < tries || track.identity == Identity::hostile)
+    return;
+  const bool was_friendly = track.identity == Identity::friendly;
+  track.identity = was_friendly ? Identity::unknown : Identity::hostile;
+  if (was_friendly)
+    track.unanswered = 0;
 }
 
 }  // namespace eyrie::model

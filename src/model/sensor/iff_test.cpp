@@ -52,11 +52,23 @@ TEST(Conclude, MakesAFriendOfAHostileThatReplies) {
   EXPECT_EQ(track.identity, Identity::friendly);
 }
 
-TEST(Conclude, LeavesWhoIsKnownAlone) {
+TEST(Conclude, AsksAFriendThatFallsSilentAnew) {
   Track track{.identity = Identity::friendly};
-  for (int i = 0; i < 5; ++i)
+  conclude(track, 3, false);
+  conclude(track, 3, true);
+  conclude(track, 3, false);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::friendly) << "not three in a row";
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::unknown) << "perhaps it is somebody else by now";
+  conclude(track, 3, false);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::unknown);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+  for (int i = 0; i < 9; ++i)
     conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::friendly);
+  EXPECT_EQ(track.identity, Identity::hostile);
 }
 
 }  // namespace

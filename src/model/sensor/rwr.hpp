@@ -63,7 +63,7 @@ struct RwrAntenna {
 
 /// Power of an emission at the receiver over the least it hears, or nothing if it is not heard:
 /// too far, not in the beam, outside the antenna coverage, a friend, or radio silence. The horizon
-/// is not looked at here; the caller asks beyond_horizon() only for what made it to the display.
+/// is left to the caller, who asks only for what is worth showing.
 [[nodiscard]] std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna,
                                          const Emission& emission);
 

@@ -47,7 +47,10 @@ void take_identity(Track& track, const Contact& contact, const TrackContext& con
     Track asked = track;
     conclude(asked, context.iff_tries, contact.identity == Identity::friendly);
     track.unanswered = asked.unanswered;
-    identify(track, asked.identity, context);
+    if (asked.identity == Identity::unknown)
+      track.identity = Identity::unknown;
+    else
+      identify(track, asked.identity, context);
   } else if (contact.identity != Identity::unknown) {
     identify(track, contact.identity, context);
   }
@@ -161,6 +164,7 @@ void identify(Track& track, Identity identity, const TrackContext& context) {
   if (identity == track.identity || identity == Identity::unknown)
     return;
   track.identity = identity;
+  track.unanswered = 0;
   context.news.add({.what = TrackNews::What::identified,
                     .bits = static_cast<std::uint8_t>(identity),
                     .id = track.id,

@@ -188,6 +188,21 @@ TEST(TrackFile, DeclaresHostileWhoDoesNotAnswerAndFriendlyWhoDoes) {
   EXPECT_EQ(desk.told(TrackNews::What::identified), 2);
 }
 
+TEST(TrackFile, DoesNotPardonAStrangerThatTookOverAFriendsTrack) {
+  Desk desk;
+  Contact friendly = radar_contact({40e3, 0, 0});
+  friendly.interrogated = true;
+  friendly.identity = Identity::friendly;
+  desk.see(0, {friendly});
+  ASSERT_EQ(desk.file.tracks[0].identity, Identity::friendly);
+  Contact stranger = radar_contact({40e3, 0, 0}, 10);
+  stranger.interrogated = true;
+  for (int i = 1; i <= 6; ++i)
+    desk.see(i, {stranger});
+  EXPECT_EQ(desk.file.tracks[0].identity, Identity::hostile);
+  EXPECT_EQ(desk.told(TrackNews::What::identified), 2);
+}
+
 TEST(TrackFile, BelievesTheEyeMoreThanSilence) {
   Desk desk;
   Contact silent = radar_contact({3e3, 0, 0});
