@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
-#include "pilot/catalog.hpp"
+#include "record/json_schema.hpp"
+#include "scenario/catalog.hpp"
 
 namespace eyrie::app {
 
-int catalog(CatalogFormat) {
-  for (const auto& info : pilot::make_registry().catalog())
-    fmt::print("{:<24} {}\n", info.name, info.help);
+int catalog(CatalogFormat format) {
+  const scenario::Catalog all = scenario::make_catalog(scenario::Source::disk(home()));
+  fmt::print("{}", format == CatalogFormat::json_schema ? record::catalog_json_schema(all)
+                   : format == CatalogFormat::markdown  ? scenario::catalog_markdown(all)
+                                                        : scenario::catalog_text(all));
   return 0;
 }
 

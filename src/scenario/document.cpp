@@ -189,6 +189,8 @@ class Override {
     if (!found.ok())
       return error(equals + 1, found.sorted().front().message);
     place_in_override(value, text_, equals + 1);
+    if (text_.substr(0, std::min(equals, text_.find('.'))) == "include")
+      return error(0, "files are included before anything is set");
     Value* at = &document;
     std::size_t begin = 0;
     while (at) {

@@ -243,6 +243,8 @@ TEST(Overrides, RefuseWhatIsNoOverride) {
   EXPECT_EQ(with({"seed"}).mistakes, "--set seed:1:1: expected path=value");
   EXPECT_EQ(with({"=1"}).mistakes, "--set =1:1:1: expected path=value");
   EXPECT_EQ(with({"blue..eagle=1"}).mistakes, "--set blue..eagle=1:1:6: an empty name in the path");
+  EXPECT_EQ(with({"include=b.yaml"}).mistakes,
+            "--set include=b.yaml:1:1: files are included before anything is set");
   EXPECT_EQ(with({"seed.=1"}).mistakes, "--set seed.=1:1:6: an empty name in the path");
   EXPECT_EQ(with({"help= # x"}).mistakes,
             "--set help= # x:1:7: '#' begins a comment; put the value in quotes");

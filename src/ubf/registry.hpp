@@ -102,6 +102,8 @@ class Registry {
       return {B::child_keys.begin(), B::child_keys.end()};
     else if constexpr (requires { B::slots; })
       return {B::slots.begin(), B::slots.end()};
+    else if constexpr (requires { B::takes_one_child; })
+      return {"children", "child"};
     else if constexpr (std::derived_from<B, Composite<State, Action>>)
       return {"children"};
     else

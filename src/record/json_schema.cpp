@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "record/json_schema.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "record/json_parameter.hpp"
+#include "ubf/sequencer_spec.hpp"
+
+namespace eyrie::record {
+namespace {
+
+using scenario::Catalog;
+using scenario::FilePart;
+using scenario::ModelKind;
+
+constexpr const char* kFlightName = "^[a-z]([a-z0-9_]*[a-z_])?$";
+constexpr const char* kPlayerName = "^[a-z]([a-z0-9_]*[a-z_])?[1-8]$";
+constexpr const char* kLabel = "^[^/\\[\\]]+$";
+
+Json any_of(Json first, Json second) {
+  return {{"anyOf", Json::array({std::move(first), std::move(second)})}};
+}
+Json one_or_nothing(Json schema) {
+  return any_of(std::move(schema), {{"type", "null"}});
+}
+Json list_of(Json item) {
+  return {{"type", "array"}, {"minItems", 1}, {"items", std::move(item)}};
+}
+/// A map with free names.
+Json map_of(Json value) {
+  return {{"type", "object"}, {"additionalProperties", std::move(value)}};
+}
+
+// nodes
+
+bool has(const ubf::NodeInfo& node, std::string_view key) {
+  return std::find(node.child_keys.begin(), node.child_keys.end(), key) != node.child_keys.end();
+}
+
+/// Parameters and label, not yet children.
+Json node_map(const ubf::NodeInfo& node) {
+  Json map = map_schema(node.parameters);
+  map["properties"][std::string(ubf::kLabelKey)] = {
+      {"type", "string"},
+      {"pattern", kLabel},
+      {"description", "what reports and traces call it; default: the type"}};
+  return map;
+}
+
+void require(Json& map, std::string_view key) {
+  map["required"].push_back(key);
+}
+
+Json sequencer(Json map) {
+  Json name{{"type", "string"}, {"pattern", kLabel}};
+  map["properties"]["start"] = {{"type", "string"}, {"description", "the first tree in charge"}};
+  map["properties"]["trees"] = map_of(reference_to("node"));
+  map["properties"]["trees"].update(
+      {{"minProperties", 1},
+       {"propertyNames", {{"pattern", kLabel}, {"not", {{"const", "any"}}}}},
+       {"description", "the trees by name"}});
+  Json link{{"type", "object"},
+            {"properties",
+             {{"from", {{"type", "string"}, {"description", "the tree that is left, or any"}}},
+              {"to", {{"type", "string"}, {"description", "the tree that is entered"}}},
+              {"when", reference_to("node")}}},
+            {"required", {"from", "to", "when"}},
+            {"additionalProperties", false}};
+  map["properties"]["transitions"] = one_or_nothing({{"type", "array"}, {"items", link}});
+  map["properties"]["transitions"]["description"] =
+      "asked in this order, at most one is taken per tick";
+  require(map, "start");
+  require(map, "trees");
+  return map;
+}
+
+/// One list under `children`, one node under `child`, or the list alone.
+Json composite(Json map, bool takes_one_child) {
+  map["properties"]["children"] = list_of(reference_to("node"));
+  Json parameters_left = map.value("required", Json::array());
+  if (takes_one_child) {
+    map["properties"]["child"] = reference_to("node");
+    map["oneOf"] = {{{"required", Json::array({"children"})}},
+                    {{"required", Json::array({"child"})}}};
+  } else {
+    require(map, "children");
+  }
+  return parameters_left.empty() ? any_of(list_of(reference_to("node")), std::move(map)) : map;
+}
+
+/// A node per slot, or the only one alone.
+Json slots(const ubf::NodeInfo& node, Json map) {
+  const bool alone = node.child_keys.size() == 1 && !map.contains("required");
+  for (const std::string& slot : node.child_keys) {
+    map["properties"][slot] = reference_to("node");
+    require(map, slot);
+  }
+  return alone ? any_of(std::move(map), reference_to("node")) : map;
+}
+
+/// What stands below the name of a node.
+Json body(const ubf::NodeInfo& node) {
+  Json map = node_map(node);
+  if (std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
+                 ubf::kSequencerKeys.end()))
+    return sequencer(std::move(map));
+  if (has(node, "children"))
+    return composite(std::move(map), has(node, "child"));
+  if (!node.child_keys.empty())
+    return slots(node, std::move(map));
+  return map.contains("required") ? map : one_or_nothing(std::move(map));
+}
+
+bool stands_alone(const ubf::NodeInfo& node) {
+  return node.child_keys.empty() &&
+         std::none_of(node.parameters.begin(), node.parameters.end(),
+                      [](const ParamInfo& info) { return info.required; });
+}
+
+Json node_definition(const Catalog& catalog) {
+  Json names = Json::array();
+  Json types{{std::string(ubf::kTreeReference),
+              {{"type", "string"}, {"description", "a copy of the tree of that name"}}}};
+  for (const ubf::NodeInfo& node : catalog.nodes) {
+    if (stands_alone(node))
+      names.push_back(node.name);
+    Json schema = body(node);
+    schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + ")";
+    types[node.name] = std::move(schema);
+  }
+  Json node = any_of({{"enum", names}}, {{"type", "object"},
+                                         {"properties", types},
+                                         {"minProperties", 1},
+                                         {"maxProperties", 1},
+                                         {"additionalProperties", false}});
+  node["description"] = "a node of a tree: its name, or its name with parameters or children";
+  return node;
+}
+
+// models
+
+Json model_definition(const ModelKind& kind) {
+  Json map = map_schema(kind.parameters, Required::left_to_base);
+  Json needed = Json::array();
+  for (const ParamInfo& info : kind.parameters)
+    if (info.required)
+      needed.push_back(info.name);
+  map["properties"]["base"] = {
+      {"type", "string"},
+      {"description", "another model of this kind, for everything that is not said here"}};
+  map["properties"]["source"] = {{"description", "where the numbers come from"}};
+  if (!needed.empty())
+    map["anyOf"] = {{{"required", Json::array({"base"})}}, {{"required", needed}}};
+  map["description"] = kind.help;
+  return map;
+}
+
+Json data_schema(const Catalog& catalog) {
+  Json kinds = Json::object();
+  for (const ModelKind& kind : catalog.models)
+    kinds[kind.folder] = one_or_nothing(map_of(reference_to("model." + kind.folder)));
+  return one_or_nothing(
+      {{"type", "object"}, {"properties", kinds}, {"additionalProperties", false}});
+}
+
+// the file
+
+Json include_schema() {
+  return any_of({{"type", "string"}}, {{"type", "array"}, {"items", {{"type", "string"}}}});
+}
+
+class Root {
+ public:
+  explicit Root(const Catalog& catalog) : catalog_(catalog) {}
+
+  Json write() {
+    Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                {"title", "Eyrie scenario"}};
+    const FilePart& top = part("scenario");
+    Json map = map_schema(top.parameters);
+    schema["description"] = top.help;
+    schema.update(map);
+    put(schema, "include", include_schema());
+    put(schema, "trees", trees());
+    put(schema, "data", data_schema(catalog_));
+    put(schema, "blue", reference_to("side"));
+    put(schema, "red", reference_to("side"));
+    schema["anyOf"] = {{{"required", Json::array({"blue"})}}, {{"required", Json::array({"red"})}}};
+    schema["definitions"] = definitions();
+    return schema;
+  }
+
+ private:
+  const FilePart& part(std::string_view name) const {
+    return *std::find_if(catalog_.file.begin(), catalog_.file.end(),
+                         [&](const FilePart& p) { return p.name == name; });
+  }
+
+  /// The shape of a key that is read by hand, under the description it has already.
+  static void put(Json& map, const std::string& key, Json shape) {
+    Json& place = map["properties"].at(key);
+    if (shape.contains("$ref"))
+      shape = {{"allOf", Json::array({shape})}};
+    shape["description"] = place.at("description");
+    place = std::move(shape);
+  }
+
+  static Json trees() { return one_or_nothing(map_of(reference_to("node"))); }
+
+  Json definitions() const {
+    Json result = dimension_definitions();
+    result["node"] = node_definition(catalog_);
+    for (const ModelKind& kind : catalog_.models)
+      result["model." + kind.folder] = model_definition(kind);
+    result["player"] = map_schema(part("player").parameters);
+    add_examples(result["player"]);
+    result["flight"] = flight();
+    result["side"] = map_schema(part("side").parameters);
+    Json flights = map_of(reference_to("flight"));
+    flights.update({{"minProperties", 1}, {"propertyNames", {{"pattern", kFlightName}}}});
+    put(result["side"], "flights", flights);
+    result["package"] = {
+        {"type", "object"},
+        {"description", "a file that scenarios include"},
+        {"properties",
+         {{"include", include_schema()}, {"trees", trees()}, {"data", data_schema(catalog_)}}},
+        {"additionalProperties", false}};
+    return result;
+  }
+
+  Json flight() const {
+    Json map = map_schema(part("flight").parameters);
+    add_examples(map);
+    Json overrides{{"type", "object"},
+                   {"minProperties", 1},
+                   {"maxProperties", 1},
+                   {"propertyNames", {{"pattern", kPlayerName}}},
+                   {"additionalProperties", one_or_nothing(reference_to("player"))}};
+    Json players = list_of(any_of({{"type", "string"}, {"pattern", kPlayerName}}, overrides));
+    players["maxItems"] = 8;
+    put(map, "players", players);
+    return map;
+  }
+
+  /// The models there are, for completion: others may stand in the file itself.
+  void add_examples(Json& map) const {
+    for (const ModelKind& kind : catalog_.models) {
+      if (kind.folder == "aircraft")
+        map["properties"].at("aircraft")["examples"] = kind.names;
+      if (kind.folder == "missiles")
+        map["properties"].at("loadout")["examples"] = Json::array({kind.names});
+    }
+  }
+
+  const Catalog& catalog_;
+};
+
+}  // namespace
+
+std::string catalog_json_schema(const scenario::Catalog& catalog) {
+  return Root(catalog).write().dump(2) + "\n";
+}
+
+}  // namespace eyrie::record

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/catalog.hpp"
+
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "core/describe.hpp"
+#include "model/library.hpp"
+#include "pilot/catalog.hpp"
+#include "scenario/data.hpp"
+#include "scenario/spec.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+/// The groups that the loader binds by hand, at the top level and in a side.
+struct ByHand {
+  static constexpr std::string_view type_name = "by_hand";
+  static constexpr auto params() {
+    return std::tuple{
+        param("environment", &ByHand::environment, "the air and its wind"),
+        param("home", &ByHand::home, "where its flights land that have no home of their own")};
+  }
+  model::EnvironmentSpec environment;
+  std::optional<PlaceSpec> home;
+};
+
+ParamInfo by_hand(std::string_view name) {
+  for (ParamInfo& info : parameters<ByHand>())
+    if (info.name == name)
+      return std::move(info);
+  return {};
+}
+
+ParamInfo custom(std::string name, std::string shape, std::string help, bool required = false) {
+  ParamInfo info;
+  info.type_name = std::move(shape);
+  info.name = std::move(name);
+  info.help = std::move(help);
+  info.required = required;
+  return info;
+}
+
+std::vector<ParamInfo> with(std::vector<ParamInfo> all, std::vector<ParamInfo> more) {
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  return all;
+}
+
+std::vector<FilePart> file_parts() {
+  const std::string side_help = "its flights; at least one side has some";
+  return {
+      {"scenario", "", std::string(ScenarioSpec::help),
+       with(parameters<ScenarioSpec>(),
+            {custom("include", "text or list of texts",
+                    "a file, or a list of files, whose `trees` and `data` are added"),
+             by_hand("environment"), custom("trees", "map", "trees by name: see *Trees*"),
+             custom("data", "map", "models by kind and name: see *Models*"),
+             custom("blue", "map", side_help), custom("red", "map", side_help)})},
+      {"side",
+       "blue, red",
+       "the flights of one side",
+       {by_hand("home"),
+        custom("flights", "map", "flights by name: small letters, digits and '_', no digit last",
+               true)}},
+      {"flight", "blue.flights.<name>", std::string(FlightSpec::help),
+       with(parameters<FlightSpec>(),
+            {custom("players", "list",
+                    "a list of names, each the flight's name and a rank from 1 (the lead) to 8; or "
+                    "of maps with one such name and what it says differently from its flight",
+                    true)})},
+      {"player", "blue.flights.<name>.players.<player>", std::string(PlayerSpec::help),
+       parameters<PlayerSpec>()}};
+}
+
+template <Described Model>
+ModelKind kind(std::string_view folder, const Source& source) {
+  return {std::string(folder), std::string(Model::type_name), std::string(Model::help),
+          parameters<Model>(), source.data_names(folder)};
+}
+
+}  // namespace
+
+Catalog make_catalog(const Source& source) {
+  Catalog result;
+  result.file = file_parts();
+  const auto registry = pilot::make_registry();
+  result.nodes.assign(registry.catalog().begin(), registry.catalog().end());
+  using namespace model;
+  result.models = {kind<AircraftType>("aircraft", source), kind<Airframe>("airframes", source),
+                   kind<Radar>("radars", source),          kind<Rwr>("rwr", source),
+                   kind<Visual>("visual", source),         kind<Iff>("iff", source),
+                   kind<Datalink>("datalinks", source),    kind<Tracker>("trackers", source),
+                   kind<MissileType>("missiles", source),  kind<GunType>("guns", source)};
+  return result;
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Everything that files may say, gathered from the descriptions that also read the files:
+/// the generated references cannot differ from the program.
+#include <string>
+#include <vector>
+
+#include "core/param.hpp"
+#include "scenario/source.hpp"
+#include "ubf/spec.hpp"
+
+namespace eyrie::scenario {
+
+/// Part of a scenario file.
+struct FilePart {
+  std::string name;  ///< "flight"
+  std::string path;  ///< where it stands: "blue.flights.<name>"; "" for the top level
+  std::string help;
+  /// What is read by hand has the kind custom and its shape in words as type_name.
+  std::vector<ParamInfo> parameters;
+};
+
+/// One kind of model.
+struct ModelKind {
+  std::string folder;     ///< "radars": of data/<folder>/<name>.yaml and data.<folder>.<name>
+  std::string type_name;  ///< "radar"
+  std::string help;
+  std::vector<ParamInfo> parameters;
+  std::vector<std::string> names;  ///< of the files there are, sorted
+};
+
+struct Catalog {
+  std::vector<FilePart> file;        ///< "scenario", "side", "flight", "player"
+  std::vector<ubf::NodeInfo> nodes;  ///< in the order of registration
+  std::vector<ModelKind> models;     ///< in the order of DataLoader::kinds()
+};
+
+/// The names of models come from `source`, everything else from the program.
+[[nodiscard]] Catalog make_catalog(const Source& source);
+
+/// A short list for the terminal: names and one line of help each, grouped.
+[[nodiscard]] std::string catalog_text(const Catalog& catalog);
+
+/// The reference with every parameter, docs/reference.md.
+[[nodiscard]] std::string catalog_markdown(const Catalog& catalog);
+
+}  // namespace eyrie::scenario

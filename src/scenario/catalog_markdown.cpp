@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "core/units.hpp"
+#include "scenario/catalog.hpp"
+#include "scenario/param_text.hpp"
+#include "ubf/sequencer_spec.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+constexpr std::string_view kHead =
+    "# Reference\n"
+    "\n"
+    "<!-- Generated from the program's own descriptions; do not edit. Make it anew with\n"
+    "     ./eyrie catalog --markdown > docs/reference.md -->\n"
+    "\n"
+    "What files may say: every key, node, model and parameter, as this program reads them. The\n"
+    "same as a JSON schema for editors: `./eyrie catalog --json-schema`.\n"
+    "\n"
+    "A quantity is a number and its unit, `6000 ft`; only 0 may go without. A parameter that is\n"
+    "not given has its default; where that is `null`, the meaning says what then happens.\n"
+    "`[]` in a name stands for each item of a list.\n";
+
+constexpr std::string_view kModels =
+    "\nA model is a file `data/<kind>/<name>.yaml`, or stands in a scenario or an included file\n"
+    "under `data: {<kind>: {<name>: {...}}}`, which wins over a file of that name. In both,\n"
+    "`base: <name>` takes from another model of the kind what this one does not say (also what\n"
+    "is required), and `source:` is free text on where the numbers come from.\n"
+    "\n"
+    "A table is written `{mach: [0, 0.9], value: [0.02, 0.03]}`; one over two variables has a\n"
+    "row of values per breakpoint of the first. `units: {altitude: ft, value: lbf}` gives a\n"
+    "whole axis its unit.\n";
+
+constexpr std::string_view kTrees =
+    "\nEach entry of `trees` is a node. A node is a name, a name with its parameters, or a name\n"
+    "with its children:\n"
+    "\n"
+    "```yaml\n"
+    "trees:\n"
+    "  one: navigate                             # without parameters\n"
+    "  two: {navigate: {speed: 480 kt}}\n"
+    "  three: {winner_takes_all: [navigate, {tree: two}]}   # a copy of another tree\n"
+    "  four: {winner_takes_all: {vote: 3, children: [navigate, egress]}}\n"
+    "  five: {inverter: bingo}                   # a decorator with its child\n"
+    "```\n"
+    "\n"
+    "Every node may also have a `name`, which reports and traces show.\n";
+
+constexpr std::string_view kSequencer =
+    "\n```yaml\n"
+    "sequencer:\n"
+    "  start: ingress                            # required\n"
+    "  trees: {ingress: {tree: ingress}, egress: egress}    # required: nodes by name\n"
+    "  transitions:                              # asked in this order, at most one per tick\n"
+    "    - {from: ingress, to: egress, when: bingo}         # `from: any` is every tree\n"
+    "```\n";
+
+struct Section {
+  ubf::Kind kind;
+  std::string_view title, help;
+};
+constexpr std::array kSections{
+    Section{ubf::Kind::behavior, "Behaviors", "A behavior proposes an action with a vote."},
+    Section{ubf::Kind::condition, "Conditions",
+            "A condition succeeds or fails and proposes nothing."},
+    Section{ubf::Kind::arbiter, "Arbiters",
+            "An arbiter asks all its children and makes one proposal of theirs."},
+    Section{ubf::Kind::control, "Control nodes",
+            "A control node chooses which children are asked."},
+    Section{ubf::Kind::decorator, "Decorators", "A decorator changes what its child answers."}};
+
+/// Helps begin small; here each begins a sentence.
+std::string sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text + ".";
+}
+
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text)
+    result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+class Writer {
+ public:
+  explicit Writer(const Catalog& catalog) : catalog_(catalog) {}
+
+  std::string write() {
+    text_ += kHead;
+    text_ += "\n## Scenario file\n";
+    for (const FilePart& part : catalog_.file)
+      file_part(part);
+    text_ += "\n## Trees\n";
+    text_ += kTrees;
+    for (const Section& section : kSections)
+      nodes(section);
+    text_ += "\n## Models\n";
+    text_ += kModels;
+    for (const ModelKind& kind : catalog_.models)
+      model(kind);
+    units();
+    return std::move(text_);
+  }
+
+ private:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  void table(std::span<const ParamInfo> parameters) {
+    if (parameters.empty())
+      return;
+    text_ += "\n| parameter | what | range | default | meaning |\n|---|---|---|---|---|\n";
+    each_parameter(parameters, [&](const std::string& path, const ParamInfo& info) {
+      const std::string by_default = default_text(info);
+      const bool code = !by_default.empty() && by_default != "required" && by_default != "empty";
+      add("| `{}` | {} | {} | {} | {} |\n", path, cell(kind_text(info)), cell(range_text(info)),
+          code ? "`" + cell(by_default) + "`" : by_default, cell(info.help));
+    });
+  }
+
+  void file_part(const FilePart& part) {
+    if (part.path.empty())
+      add("\n### Top level\n\n{}\n", sentence(part.help));
+    else
+      add("\n### {}\n\n`{}`: {}.\n", part.name, part.path, part.help);
+    table(part.parameters);
+  }
+
+  void nodes(const Section& section) {
+    add("\n### {}\n\n{}\n", section.title, section.help);
+    for (const ubf::NodeInfo& node : catalog_.nodes) {
+      if (node.kind != section.kind)
+        continue;
+      add("\n#### {}\n\n{}{}\n", node.name, sentence(node.help), children(node));
+      if (is_sequencer(node))
+        text_ += kSequencer;
+      table(node.parameters);
+    }
+  }
+  static bool is_sequencer(const ubf::NodeInfo& node) {
+    return std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
+                      ubf::kSequencerKeys.end());
+  }
+  static std::string children(const ubf::NodeInfo& node) {
+    if (node.child_keys.empty() || is_sequencer(node))
+      return {};
+    std::string keys;
+    for (const std::string& key : node.child_keys)
+      keys += fmt::format("{}`{}`",
+                          keys.empty()                       ? ""
+                          : node.child_keys[0] == "children" ? " or "
+                                                             : ", ",
+                          key);
+    return fmt::format(" Below it: {}.", keys);
+  }
+
+  void model(const ModelKind& kind) {
+    add("\n### {}\n\n`data/{}/<name>.yaml`: {}.\n", kind.type_name, kind.folder, kind.help);
+    if (!kind.names.empty())
+      add("\nThere are `{}`.\n", fmt::join(kind.names, "`, `"));
+    table(kind.parameters);
+  }
+
+  void units() {
+    text_ += "\n## Units\n\n| what | units, the first is SI |\n|---|---|\n";
+    for (std::size_t i = 0; i < eyrie::units().size(); ++i) {
+      const Dimension dimension = eyrie::units()[i].dimension;
+      if (i > 0 && eyrie::units()[i - 1].dimension == dimension)
+        continue;
+      add("| {} |", dimension_word(dimension));
+      for (const UnitInfo& unit : eyrie::units())
+        if (unit.dimension == dimension)
+          add(" `{}`", unit.symbol);
+      text_ += " |\n";
+    }
+  }
+
+  const Catalog& catalog_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string catalog_markdown(const Catalog& catalog) {
+  return Writer(catalog).write();
+}
+
+}  // namespace eyrie::scenario
