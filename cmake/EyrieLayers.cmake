@@ -19,6 +19,8 @@ function(eyrie_layer name)
   if(EYRIE_TESTS AND tests)
     add_executable(${name}_test ${tests})
     target_link_libraries(${name}_test PRIVATE eyrie_${name} eyrie_test_main ${ARG_PRIVATE})
+    # what is tested is optimised as it is shipped; the tests themselves need not be
+    target_compile_options(${name}_test PRIVATE -O1)
     gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
                          WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
   endif()
