@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/condition/situation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+using model::Identity;
+
+TEST(HostileTrack, HoldsWithinItsRange) {
+  Desk desk;
+  EXPECT_FALSE(holds("hostile_track", desk));
+  desk.track({40 * kNmi, 0, 0});
+  EXPECT_TRUE(holds("{hostile_track: {within: 40.1 nmi}}", desk));
+  EXPECT_FALSE(holds("{hostile_track: {within: 39.9 nmi}}", desk));
+}
+
+TEST(HostileTrack, TakesUnknownsForHostileOnlyIfToldTo) {
+  Desk desk;
+  desk.track({40 * kNmi, 0, 0}, kPi, 250, Identity::unknown);
+  EXPECT_FALSE(holds("hostile_track", desk));
+  EXPECT_TRUE(holds("{hostile_track: {identified: false}}", desk));
+  desk.tracks.tracks[0].identity = Identity::friendly;
+  EXPECT_FALSE(holds("{hostile_track: {identified: false}}", desk));
+  desk.tracks.tracks[0].identity = Identity::hostile;
+  desk.tracks.tracks[0].confirmed = 0;
+  EXPECT_FALSE(holds("{hostile_track: {identified: false}}", desk));
+}
+
+TEST(HasTarget, HoldsForTheChosenOne) {
+  Desk desk;
+  EXPECT_FALSE(holds("has_target", desk));
+  desk.track({40 * kNmi, 0, 0});
+  EXPECT_TRUE(holds("has_target", desk));
+  EXPECT_FALSE(holds("{has_target: {within: 30 nmi}}", desk));
+}
+
+TEST(InSight, HoldsForWhatTheEyeSees) {
+  Desk desk;
+  model::Track& track = desk.track({8 * kNmi, 0, 0});
+  EXPECT_FALSE(holds("{in_sight: {within: 5 nmi}}", desk));
+  track.seen_time = desk.time - 4;
+  EXPECT_TRUE(holds("{in_sight: {within: 5 nmi, memory: 5 s}}", desk));
+  EXPECT_FALSE(holds("{in_sight: {within: 5 nmi, memory: 3 s}}", desk));
+}
+
+TEST(InSight, HoldsForWhatIsNearInAnyCase) {
+  Desk desk;
+  desk.track({4 * kNmi, 0, 0});
+  EXPECT_TRUE(holds("{in_sight: {within: 5 nmi}}", desk));
+  EXPECT_FALSE(holds("{in_sight: {within: 3 nmi}}", desk));
+  desk.tracks.tracks[0].identity = Identity::friendly;
+  EXPECT_FALSE(holds("{in_sight: {within: 5 nmi}}", desk));
+}
+
+TEST(AreaClear, WaitsBeforeItHolds) {
+  Desk desk;
+  Pilot pilot("{area_clear: {within: 50 nmi, for: 20 s}}");
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 19.9;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 0.1;
+  EXPECT_EQ(pilot.decide(desk).status, kSuccess);
+}
+
+TEST(AreaClear, StartsAnewWhenSomebodyComes) {
+  Desk desk;
+  Pilot pilot("{area_clear: {within: 50 nmi, for: 20 s}}");
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 15;
+  desk.track({40 * kNmi, 0, 0}, 0, 0, Identity::unknown);
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.tracks.count = 0;
+  desk.time += 15;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 20;
+  EXPECT_EQ(pilot.decide(desk).status, kSuccess);
+}
+
+TEST(AreaClear, DoesNotMindFriendsAndWhatIsFar) {
+  Desk desk;
+  desk.track({10 * kNmi, 0, 0}, 0, 250, Identity::friendly);
+  desk.track({60 * kNmi, 0, 0});
+  EXPECT_TRUE(holds("{area_clear: {within: 50 nmi, for: 0 s}}", desk));
+  EXPECT_FALSE(holds("{area_clear: {within: 70 nmi, for: 0 s}}", desk));
+}
+
+TEST(Threatened, HoldsWhileAMissileIsPerceived) {
+  Desk desk;
+  EXPECT_FALSE(holds("threatened", desk));
+  desk.threat(1);
+  EXPECT_TRUE(holds("threatened", desk));
+}
+
+TEST(ShotInFlight, HoldsWhileTheOwnMissileFliesToTheTarget) {
+  Desk desk;
+  desk.track({20e3, 0, 0});
+  EXPECT_FALSE(holds("shot_in_flight", desk));
+  desk.agent.shots[2] = {.until = desk.time + 5, .track = TrackId{1}, .store = 0};
+  EXPECT_TRUE(holds("shot_in_flight", desk));
+  desk.agent.shots[2].track = TrackId{9};
+  EXPECT_FALSE(holds("shot_in_flight", desk));
+  desk.agent.shots[2] = {.until = desk.time - 5, .track = TrackId{1}, .store = 0};
+  EXPECT_FALSE(holds("shot_in_flight", desk));
+}
+
+}  // namespace
+}  // namespace eyrie::pilot

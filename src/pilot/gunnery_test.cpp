@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/gunnery.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+TEST(GunSight, PointsAheadOfACrossingTarget) {
+  Desk desk;
+  desk.track({800, 0, 0}, kPi / 2, 200);  // to the right
+  const State s = desk.state();
+  const auto sight = gun_sight(s, s.seen[0]);
+  ASSERT_TRUE(sight);
+  const double bearing = bearing_of(sight->aim);
+  // 200 m/s across over 0.7 s or so of flight, from 800 m, while the shooter closes at 250 m/s
+  EXPECT_GT(bearing, 0.15);
+  EXPECT_LT(bearing, 0.35);
+  EXPECT_NEAR(sight->off_nose, angle_between(sight->aim, nose_of(s.own)), 1e-12);
+  EXPECT_NEAR(sight->range, 800, 1e-9);
+}
+
+TEST(GunSight, PointsAtATargetThatFliesAheadButForTheDropOfTheRounds) {
+  Desk desk;
+  desk.track({600, 0, 0}, 0, 250);
+  const State s = desk.state();
+  const auto sight = gun_sight(s, s.seen[0]);
+  ASSERT_TRUE(sight);
+  EXPECT_NEAR(bearing_of(sight->aim), 0, 1e-9);
+  EXPECT_GT(elevation_of(sight->aim), 1e-3);
+  EXPECT_LT(elevation_of(sight->aim), 0.01);
+}
+
+TEST(FriendInLine, SeesMatesAndFriendlyTracks) {
+  Desk desk;
+  const auto in_line = [&](double range) {
+    return friend_in_line(desk.state(), {1, 0, 0}, range, radians(5));
+  };
+  EXPECT_FALSE(in_line(5000));
+  desk.track({2000, 100, 0}, 0, 250, model::Identity::friendly);
+  EXPECT_TRUE(in_line(5000));
+  EXPECT_FALSE(in_line(1900)) << "behind the target";
+  desk.tracks.tracks[0].position.y += 200;
+  EXPECT_FALSE(in_line(5000)) << "beside the line";
+  desk.tracks.tracks[0] = {};
+  desk.tracks.count = 0;
+  desk.in_flight(2, 2);
+  desk.datalink.members[0].position = desk.own.position + Vec3{1500, 0, 50};
+  EXPECT_TRUE(in_line(5000));
+  desk.lose(1);
+  EXPECT_FALSE(in_line(5000));
+}
+
+TEST(FriendInLine, CountsNeitherHostilesNorTheOwnship) {
+  Desk desk;
+  desk.in_flight(1, 1);
+  desk.track({2000, 0, 0});
+  EXPECT_FALSE(friend_in_line(desk.state(), {1, 0, 0}, 5000, radians(5)));
+}
+
+}  // namespace
+}  // namespace eyrie::pilot
