@@ -226,5 +226,30 @@ TEST(Autopilot, HoldsWhatTheCommandSaysWithoutThatRoute) {
   EXPECT_NEAR(degrees(f.kinematics.heading), 70, 0.2);
 }
 
+TEST(Autopilot, ForgetsTheHeadingOfALeadItNoLongerFollows) {
+  TestFlight f(simple_airframe());
+  f.command.mode = AutopilotMode::follow;
+  f.command.reference_velocity = {0, 240, 0};
+  f.run(5);
+  EXPECT_NEAR(degrees(f.flying.lead_heading), 90, 0.1);
+  f.command.mode = AutopilotMode::hold;
+  f.step();
+  f.command.mode = AutopilotMode::follow;
+  f.command.reference_velocity = {-240, 0, 0};
+  f.step();
+  EXPECT_NEAR(std::fabs(degrees(f.flying.lead_heading)), 180, 0.1) << "not low-passed from 90";
+}
+
+TEST(Placed, StartsWithTheWind) {
+  Environment environment;
+  environment.wind = Wind(std::vector<WindLayer>{{.speed = 20, .from = 0}});
+  const Kinematics k = placed(Reference(), environment, {1e3, 2e3, -5e3}, radians(30), 200);
+  EXPECT_NEAR(dot(k.velocity, k.north), 200 * std::cos(kPi / 6) - 20, 1e-9);
+  EXPECT_NEAR(dot(k.velocity, k.east), 100, 1e-9);
+  EXPECT_NEAR(dot(k.velocity, k.down), 0, 1e-9);
+  EXPECT_NEAR(k.altitude, 5000, 1);
+  EXPECT_NEAR(k.mach, 200 / standard_air(5000).speed_of_sound, 1e-4);
+}
+
 }  // namespace
 }  // namespace eyrie::model

@@ -136,6 +136,9 @@ TEST(FlightSystem, ReportsWhoHitsTheGround) {
   ASSERT_LT(steps, 100);
   EXPECT_GT(steps, 10);
   EXPECT_EQ(events[0].who, PlayerId{2});
+  const double altitude = scene.world->rows(scene.columns.kinematics)[1].altitude;
+  EXPECT_LT(altitude, 0);
+  EXPECT_GT(altitude, -3) << "in the step in which it got there";
 }
 
 TEST(FlightSystem, AddsUpTheStores) {

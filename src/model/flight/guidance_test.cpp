@@ -179,5 +179,19 @@ TEST(AdvanceLeg, StartsAgainIfTheRouteRepeats) {
   EXPECT_EQ(advance_leg(kGains, at(100, 40e3, kPi), route(), last, 0).leg, 3);
 }
 
+TEST(AdvanceLeg, DoesNotCountAWaypointThatItIsFarFrom) {
+  // behind the wings, or on the way onto the next leg, but ten capture radii away or more
+  EXPECT_EQ(advance_leg(kGains, at(25e3, 9e3, 0), route(), {}, 3000).leg, 0);
+  const NavState on{.leg = 1};
+  EXPECT_EQ(advance_leg(kGains, at(20e3 + 9.4e3, 37.5e3, kPi / 2), route(), on, 3000).leg, 1);
+}
+
+TEST(AdvanceLeg, AnticipatesATurnBackByThreeRadiiAtMost) {
+  const Route back{.name = "back",
+                   .waypoints = {{.position = {50e3, 0, 0}}, {.position = {0, 10, 0}}}};
+  EXPECT_EQ(advance_leg(kGains, at(50e3 - 3100, 0), back, {}, 1000).leg, 0);
+  EXPECT_EQ(advance_leg(kGains, at(50e3 - 2900, 0), back, {}, 1000).leg, 1);
+}
+
 }  // namespace
 }  // namespace eyrie::model

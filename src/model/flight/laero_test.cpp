@@ -131,5 +131,23 @@ TEST(Laero, SinksWithoutFuel) {
   EXPECT_LT(f.kinematics.speed, 150);
 }
 
+TEST(Laero, ClosesAHeadingErrorAsTheExponentialOfItsTime) {
+  TestFlight f = laero();
+  f.command.heading = 0.01;
+  f.run(1);
+  // Adams-Bashforth is within 2e-4 of it, Euler's method would be 1 % off
+  EXPECT_NEAR(0.01 - f.kinematics.heading, 0.01 * std::exp(-1.0), 0.01 * 5e-4);
+}
+
+TEST(Laero, KeepsItsSpeedLimits) {
+  TestFlight f = laero();
+  f.command.speed = 5000;
+  f.run(300);
+  EXPECT_NEAR(f.kinematics.speed, si(1200, "kt"), 1e-3);
+  f.command.speed = 0;
+  f.run(300);
+  EXPECT_NEAR(f.kinematics.speed, si(100, "kt"), 1e-3);
+}
+
 }  // namespace
 }  // namespace eyrie::model

@@ -239,5 +239,34 @@ TEST(PointMass, HasNeitherThrustNorFlowWithoutFuel) {
   EXPECT_EQ(f.propulsion.throttle, 0);
 }
 
+TEST(PointMass, IsIntegratedToSecondOrder) {
+  // a pull-up with roll, at two step lengths, against a much shorter one
+  const auto end = [](double dt) {
+    TestFlight f(ideal_airframe());
+    f.start(6000, 0, 250);
+    Kinematics k = f.kinematics;
+    k.load_factor = 4;
+    k.roll = 0.7;
+    const FlightCondition condition = f.condition();
+    for (int i = 0; i < static_cast<int>(std::lround(6 / dt)); ++i)
+      f.model.step(k, f.propulsion, condition, {.load_factor = 4, .bank = 0.7}, {}, dt);
+    return k.position;
+  };
+  const Vec3 exact = end(0.001);
+  const double coarse = norm(end(0.1) - exact), fine = norm(end(0.02) - exact);
+  EXPECT_LT(fine, coarse / 20);
+  EXPECT_LT(fine, 0.05);
+}
+
+TEST(PointMass, PushesNoHarderThanTheWingAllows) {
+  TestFlight f(simple_airframe());
+  f.start(3000, 0, 105);
+  const double limit = f.condition().lift_limit;
+  ASSERT_LT(limit, 3);
+  for (int i = 0; i < 50; ++i)
+    f.step({.load_factor = -3});
+  EXPECT_NEAR(f.kinematics.load_factor, -f.condition().lift_limit, 0.05);
+}
+
 }  // namespace
 }  // namespace eyrie::model

@@ -21,9 +21,9 @@ enum class RouteEnd : std::uint8_t {
 
 /// A place to fly over. Positions are in the scenario's local frame.
 struct Waypoint {
-  Vec3 position;                ///< m; only its place on the ground counts
-  double altitude = 0;          ///< m above the ellipsoid, flown on the leg towards it
-  std::optional<double> speed;  ///< m/s true airspeed on that leg; none: as the command says
+  Vec3 position;                     ///< m; only its place on the ground counts
+  double altitude = 0;               ///< m above the ellipsoid, flown on the leg towards it
+  std::optional<double> speed = {};  ///< m/s true airspeed on that leg; none: as the command says
 };
 
 /// Waypoints in order. The first leg leads from wherever the aircraft is to the first one.

@@ -200,5 +200,29 @@ TEST(Steering, BurnsTheFuelThatItsThrustCosts) {
   EXPECT_GT(burned, 50);
 }
 
+TEST(Steering, DivesNoFasterThanTheSpeedLimit) {
+  Airframe a = simple_airframe();
+  a.limits.max_mach = 0.9;
+  TestFlight f(a);
+  f.start(10000, 0, 260);
+  f.command.speed = 400;
+  f.command.altitude = 2000;
+  double fastest = 0;
+  while (f.kinematics.altitude > 4000 && f.time < 600) {
+    f.step();
+    fastest = std::max(fastest, f.kinematics.mach);
+  }
+  EXPECT_LT(f.time, 600);
+  EXPECT_GT(fastest, 0.88);
+  EXPECT_LT(fastest, 0.96);
+}
+
+TEST(Steering, FliesLevelEvenIfNoLoadFactorIsGranted) {
+  TestFlight f(simple_airframe());
+  f.command.load_factor = 0;
+  f.run(30);
+  EXPECT_NEAR(f.kinematics.altitude, 5000, 5);
+}
+
 }  // namespace
 }  // namespace eyrie::model
