@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+/// \file  The pages about trees say what is true: their YAML builds, and their code stands in the
+/// tests beside this file, where it is compiled and run.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "pilot/catalog.hpp"
+#include "scenario/yaml.hpp"
+
+namespace eyrie {
+namespace {
+
+std::string read(const std::string& path) {
+  std::ifstream file(path);
+  EYRIE_DEMAND(file.good(), "a page or its test is missing");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The fenced blocks of one language, and the line where each begins.
+struct Block {
+  std::string text;
+  int line = 0;
+};
+std::vector<Block> blocks(const std::string& page, const std::string& language) {
+  std::vector<Block> found;
+  std::istringstream lines(read(page));
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (inside && line == "```") {
+      inside = false;
+    } else if (inside) {
+      found.back().text += line + "\n";
+    } else if (line == "```" + language) {
+      inside = true;
+      found.push_back({"", number + 1});
+    }
+  }
+  EXPECT_FALSE(inside) << page << ": a block is not closed";
+  return found;
+}
+
+/// Without what a formatter may change: spaces and line ends.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (c != ' ' && c != '\n')
+      result += c;
+  return result;
+}
+
+void code_is_compiled(const std::string& page, const std::string& test) {
+  const std::string source = squeezed(read(test));
+  const auto code = blocks(page, "cpp");
+  EXPECT_FALSE(code.empty()) << page;
+  for (const Block& block : code)
+    EXPECT_NE(source.find(squeezed(block.text)), std::string::npos)
+        << page << ":" << block.line << ": this code does not stand in " << test;
+}
+
+TEST(Pages, TheirCodeIsCompiledAndRun) {
+  code_is_compiled("docs/ubf.md", "tests/docs/ubf_in_code_test.cpp");
+  code_is_compiled("docs/howto/add-a-behavior.md", "tests/docs/add_a_behavior_test.cpp");
+  code_is_compiled("docs/howto/add-an-arbiter.md", "tests/docs/add_an_arbiter_test.cpp");
+}
+
+TEST(Pages, EveryTreeInTheReferenceBuilds) {
+  const pilot::Registry registry = pilot::make_registry();
+  const auto trees = blocks("docs/ubf.md", "yaml");
+  EXPECT_GE(trees.size(), 11u);
+  for (const Block& block : trees) {
+    Diagnostics diagnostics;
+    const Value value = scenario::parse_yaml(block.text, "docs/ubf.md", diagnostics);
+    const auto tree = registry.build_tree("page", value, diagnostics);
+    EXPECT_TRUE(tree) << "block at line " << block.line << ":\n" << diagnostics.text();
+  }
+}
+
+TEST(Pages, TheReferenceDescribesEveryNodeOfTheLibrary) {
+  const std::string page = read("docs/ubf.md");
+  const pilot::Registry registry = pilot::make_registry();
+  for (const ubf::NodeInfo& info : registry.catalog()) {
+    if (info.child_keys.empty())
+      continue;
+    EXPECT_NE(page.find("`" + info.name), std::string::npos) << info.name;
+  }
+}
+
+}  // namespace
+}  // namespace eyrie
