@@ -46,7 +46,7 @@ constexpr std::array kDescriptions{
     Description{E::defend, "defend", {{{"phase", ""}}}},
     Description{E::in_charge, "in_charge", {{{"node", ""}, {"vote", ""}}}},
     Description{E::order, "order", {{{"kind", ""}}}},
-    Description{E::eject, "eject", {{{"store", ""}}}},
+    Description{E::eject, "eject", {{{"store", ""}, {"last", ""}}}},
 };
 
 constexpr bool in_order() {

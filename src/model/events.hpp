@@ -41,7 +41,7 @@ enum class EventKind : std::uint16_t {
   in_charge,        ///< who's winning behavior changed; values: node index, vote
   order,            ///< an order from outside was carried out on who; values: order kind
   eject,            ///< a store leaves who's station aux towards whom; detail = its track; values:
-                    ///< store index. Becomes a launch in the same step
+                    ///< store index, 1 if it is the last. Becomes a launch in the same step
   count
 };
 

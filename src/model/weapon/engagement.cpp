@@ -73,6 +73,8 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
       .velocity = e.situation.shooter_speed * Vec3{cosine, -sine, 0} + type.ejection_speed * kDown};
   EngagementResult result{.miss = std::numeric_limits<double>::infinity(),
                           .greatest_altitude = e.situation.shooter_altitude};
+  const double greatest_rate2 = type.seeker.greatest_rate * type.seeker.greatest_rate;
+  Vec3 wanted;
   double age = 0;
   while (age < type.greatest_time) {
     const Vec3 apart = target.position - missile.position;
@@ -91,14 +93,16 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
     }
     const double dt = std::clamp(wish, e.shortest_step, e.longest_step);
 
-    Vec3 wanted;
-    if (age < type.guidance.separation_time) {
-      wanted = {};
-    } else if (const auto& loft = type.guidance.loft) {
-      const Vec3 aim = lofted(*loft, apart, kDown, -missile.position.z);
-      wanted = steer(type.guidance, line_of_sight(aim, drift), missile.velocity, kDown);
-    } else {
-      wanted = steer(type.guidance, truth, missile.velocity, kDown);
+    // a line of sight that turns too fast for the seeker is lost: the last command goes on
+    const bool homing = type.locks_before_launch() || truth.range < type.seeker.activation_range;
+    const bool follows = !homing || norm2(truth.rate) <= greatest_rate2;
+    if (age >= type.guidance.separation_time && follows) {
+      if (const auto& loft = type.guidance.loft) {
+        const Vec3 aim = lofted(*loft, apart, kDown, -missile.position.z);
+        wanted = steer(type.guidance, line_of_sight(aim, drift), missile.velocity, kDown);
+      } else {
+        wanted = steer(type.guidance, truth, missile.velocity, kDown);
+      }
     }
     fly(type, atmosphere.at(-missile.position.z), {}, kDown, age, dt, wanted, missile);
     target.move(dt);

@@ -55,9 +55,7 @@ void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
                 .who = ids[i],
                 .whom = pending->truth,
                 .place = own.position,
-                .values = {static_cast<float>(ejection->type)}});
-      if (ejection->last)
-        out.emit({.kind = EventKind::winchester, .who = ids[i], .place = own.position});
+                .values = {static_cast<float>(ejection->type), ejection->last ? 1.0F : 0.0F}});
     }
 
     // a new one
@@ -117,6 +115,8 @@ void StoresSystem::launch(sim::World& world, const sim::StepInfo& info, const si
                 .whom = track->truth,
                 .place = shooter.position,
                 .values = {static_cast<float>(range), static_cast<float>(type)}});
+  if (eject.values[1] != 0)
+    context.emit({.kind = EventKind::winchester, .who = eject.who, .place = shooter.position});
 }
 
 }  // namespace eyrie::model
