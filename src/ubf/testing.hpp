@@ -82,6 +82,7 @@ class Probe final : public WithMemory<Node, ProbeMemory> {
   float bias = 0;
 
   Status tick(const RobotTick& t, RobotProposal& out) const override {
+    EYRIE_DEMAND(out.is_empty(), "what a behavior is given to write to is not empty");
     ++memory(t).asked;
     const Cue& told = t.state.cues[cue];
     out.action = told.action;
