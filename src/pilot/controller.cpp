@@ -49,7 +49,7 @@ bool is_hostile(const State& state, TrackId track) {
 double time_of_flight(const State& state, const Seen& target, const model::MissileType& missile) {
   const double own = target.range > 0 ? dot(target.ned, state.velocity_ned) / target.range : 0;
   const double mean_speed = state.own.speed + missile.motor.ideal_speed_gain() / 2;
-  const double closing = std::max(mean_speed + target.closing - own, 50.0);
+  const double closing = std::max(mean_speed + state.closing_on(target) - own, 50.0);
   return std::min(target.range / closing, missile.greatest_time);
 }
 

@@ -1,14 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/sort.hpp"
 
+#include <array>
 #include <bit>
 
 namespace eyrie::pilot {
+namespace {
+
+bool same_place(const Seen& a, const Seen& b) {
+  return norm2(a.ned - b.ned) <= kSamePlace * kSamePlace;
+}
+
+/// The hostile tracks that better-ranked mates, believed alive, have as their targets.
+class Taken {
+ public:
+  explicit Taken(const State& s) : better_(s.alive & ((1U << s.datalink.self) - 1)) {
+    for (const Seen& seen : s.tracks_seen())
+      if ((seen.track->targeted_by & better_) != 0 && seen.hostile())
+        tracks_[count_++] = &seen;
+  }
+  /// How many of them are after a track, or after what may be the same aircraft.
+  [[nodiscard]] int by(const Seen& hostile) const {
+    std::uint32_t members = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (same_place(*tracks_[i], hostile))
+        members |= tracks_[i]->track->targeted_by;
+    return std::popcount(members & better_);
+  }
+
+ private:
+  std::uint32_t better_;
+  std::size_t count_ = 0;
+  std::array<const Seen*, model::kMaxTracks> tracks_;
+};
+
+}  // namespace
 
 Claims claims_on(const State& s, const Seen& hostile) {
   Claims claims;
   for (const Seen& seen : s.tracks_seen()) {
-    if (!seen.hostile() || norm2(seen.ned - hostile.ned) > kSamePlace * kSamePlace)
+    if (!seen.hostile() || !same_place(seen, hostile))
       continue;
     claims.targeted |= seen.track->targeted_by;
     claims.shot |= seen.track->shot_by;
@@ -18,7 +49,7 @@ Claims claims_on(const State& s, const Seen& hostile) {
 }
 
 std::int32_t choose_target(const State& s) {
-  const std::uint32_t better = s.alive & ((1U << s.datalink.self) - 1);
+  const Taken taken_tracks(s);
   std::int32_t best = -1;
   int best_taken = 0;
   double best_range = 0;
@@ -26,7 +57,7 @@ std::int32_t choose_target(const State& s) {
     const Seen& seen = s.seen[i];
     if (!seen.hostile())
       continue;
-    const int taken = better ? std::popcount(better & claims_on(s, seen).targeted) : 0;
+    const int taken = taken_tracks.by(seen);
     const double range = seen.id() == s.agent.target ? seen.range * kSwitchShare : seen.range;
     if (best < 0 || taken < best_taken || (taken == best_taken && range < best_range)) {
       best = static_cast<std::int32_t>(i);

@@ -54,9 +54,7 @@ State perceive(const Cockpit& cockpit, const model::Library& library, const mode
     Seen& seen = s.seen[i];
     seen.track = &track;
     seen.ned = to_ned(s.own, offset);
-    seen.velocity = to_ned(s.own, track.velocity);
     seen.range = norm(offset);
-    seen.closing = seen.range > 0 ? dot(offset, s.own.velocity - track.velocity) / seen.range : 0.0;
   }
   count_flight(s, fit);
   s.target_index = choose_target(s);
@@ -98,11 +96,15 @@ const model::InboundMissile* State::threat() const {
   return worst;
 }
 
-model::EmploymentZone State::zone(std::uint16_t store, const Seen& against) const {
-  const model::Track& track = *against.track;
-  return library.missiles[store].zone.at(model::launch_situation(
+double State::closing_on(const Seen& one) const {
+  return one.range > 0 ? dot(one.ned, velocity_ned - velocity_of(one)) / one.range : 0.0;
+}
+
+model::LaunchSituation State::launch_situation(const Seen& target) const {
+  const model::Track& track = *target.track;
+  return model::launch_situation(
       {own.position, own.velocity, own.altitude},
-      {model::position_at(track, time), track.velocity, altitude_of(own, against.ned)}));
+      {model::position_at(track, time), track.velocity, altitude_of(own, target.ned)});
 }
 
 double State::off_nose(const Vec3& ned) const {

@@ -17,10 +17,8 @@ namespace eyrie::pilot {
 /// One track as seen from the cockpit, carried on to the time of the decision.
 struct Seen {
   const model::Track* track;
-  Vec3 ned;        ///< m, from the ownship, north-east-down at the ownship
-  Vec3 velocity;   ///< m/s over the ground, same axes
-  double range;    ///< m
-  double closing;  ///< m/s, positive if the range shrinks
+  Vec3 ned;      ///< m, from the ownship, north-east-down at the ownship
+  double range;  ///< m
 
   [[nodiscard]] bool hostile() const {
     return track->confirmed && track->identity == model::Identity::hostile;
@@ -107,8 +105,16 @@ struct State : Cockpit {
   [[nodiscard]] const model::Airframe& airframe() const {
     return library.airframes[type.index.airframe];
   }
+  /// m/s over the ground, north-east-down at the ownship.
+  [[nodiscard]] Vec3 velocity_of(const Seen& one) const { return to_ned(own, one.track->velocity); }
+  /// m/s, positive if the range shrinks.
+  [[nodiscard]] double closing_on(const Seen& one) const;
   /// The employment zone of a missile type against a track, from here and now.
-  [[nodiscard]] model::EmploymentZone zone(std::uint16_t store, const Seen& against) const;
+  [[nodiscard]] model::EmploymentZone zone(std::uint16_t store, const Seen& against) const {
+    return library.missiles[store].zone.at(launch_situation(against));
+  }
+  /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
+  [[nodiscard]] model::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
   [[nodiscard]] double off_nose(const Vec3& ned) const;
   /// The altitude to ask for (m) so that the autopilot's altitude hold flies a climb angle (rad):

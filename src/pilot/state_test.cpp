@@ -23,7 +23,7 @@ TEST(State, CarriesTracksOnToTheTimeOfTheDecision) {
   EXPECT_NEAR(seen.ned.y, 200, 1e-9);
   EXPECT_NEAR(seen.range, norm(Vec3{9200, 200, -1000}), 1e-9);
   // 450 m/s along the range, and a little across
-  EXPECT_NEAR(seen.closing, (9200 * 450 - 200 * 50) / seen.range, 1e-9);
+  EXPECT_NEAR(state.closing_on(seen), (9200 * 450 - 200 * 50) / seen.range, 1e-9);
 }
 
 TEST(State, CallsOnlyAConfirmedTrackHostile) {

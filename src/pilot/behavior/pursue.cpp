@@ -13,7 +13,7 @@ namespace {
 /// Where to fly through the air to meet the target (NED, any length): the collision course at the
 /// present airspeed; straight at it if there is none. The target drifts with the same wind.
 Vec3 collision_course(const State& s, const Seen& target) {
-  const Vec3 through_air = target.velocity - s.wind();
+  const Vec3 through_air = s.velocity_of(target) - s.wind();
   const auto time = time_to_meet(target.ned, through_air, s.own.speed);
   return time ? target.ned + *time * through_air : target.ned;
 }
@@ -29,7 +29,7 @@ double Pursue::altitude_of_choice(const State& s, const Seen& target) const {
 double Pursue::speed_of_choice(const Seen& target) const {
   if (!overtake_ || target.range > level_range_)
     return speed_;
-  return std::clamp(norm(target.velocity) + *overtake_, speed_ / 2, speed_);
+  return std::clamp(norm(target.track->velocity) + *overtake_, speed_ / 2, speed_);
 }
 
 /// m, to go up (or down, from below) to stay clear of a mate who has the right of way.
@@ -52,7 +52,7 @@ void Pursue::follow(const State& s, const Seen& target, double altitude, Action&
                       .offset = {-behind_, 0, 0}};
   const model::FollowOrder order{.position = follow.position,
                                  .velocity = follow.velocity,
-                                 .lead_heading = bearing_of(target.velocity),
+                                 .lead_heading = bearing_of(s.velocity_of(target)),
                                  .offset = follow.offset,
                                  .altitude = altitude};
   const model::Guidance fly =

@@ -119,12 +119,13 @@ RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
   desk.track({double(*rc::gen::inRange(-50, 51)) * 1000 + 500,
               double(*rc::gen::inRange(-50, 51)) * 1000, 0},
              *rc::gen::inRange(0, 628) / 100.0, 200);
-  const Seen seen = desk.state().seen[0];
+  const State state = desk.state();
+  const Seen& seen = state.seen[0];
   const double heading = *decide("pursue", desk).action().heading;
-  const auto time = time_to_meet(seen.ned, seen.velocity, 250);
+  const auto time = time_to_meet(seen.ned, state.velocity_of(seen), 250);
   RC_ASSERT(time.has_value());  // it is the faster one
   const Vec3 there = *time * 250 * Vec3{std::cos(heading), std::sin(heading), 0};
-  RC_ASSERT(norm(there - (seen.ned + *time * seen.velocity)) < 1e-6 * (1 + norm(there)));
+  RC_ASSERT(norm(there - (seen.ned + *time * state.velocity_of(seen))) < 1e-6 * (1 + norm(there)));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/release_weapon.hpp"
 
+#include <bitset>
+
 #include "model/weapon/stores.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
@@ -9,23 +11,26 @@
 namespace eyrie::pilot {
 
 std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const Seen& target) const {
+  const model::LaunchSituation situation = s.launch_situation(target);
   std::optional<std::uint16_t> best;
   double best_reach = 0;
-  std::uint8_t last = 0;  // stations of one type mostly lie together
+  std::bitset<256> tried;
   for (const model::Station& station : s.stores.stations) {
-    if (station.store == 0 || station.count == 0 || station.store == last)
+    if (station.store == 0 || station.count == 0 || tried[station.store])
       continue;
-    last = station.store;
+    tried.set(station.store);
     const auto store = static_cast<std::uint16_t>(station.store - 1);
-    if (!model::can_release(s.stores, store, s.time))
+    const model::MissileType& missile = s.library.missiles[store];
+    const bool sees =
+        !missile.locks_before_launch() || target.range < missile.seeker.greatest_range;
+    if (!sees || !model::can_release(s.stores, store, s.time))
       continue;
-    const model::EmploymentZone zone = s.zone(store, target);
+    const model::EmploymentZone zone = missile.zone.at(situation);
     const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);
     if (!zone.possible() || target.range < zone.r_min || target.range > reach ||
         (best && reach >= best_reach))
       continue;
-    if (s.library.missiles[store].locks_before_launch() &&
-        friend_in_line(s, target.ned, target.range, clear_cone_))
+    if (missile.locks_before_launch() && friend_in_line(s, target.ned, target.range, clear_cone_))
       continue;
     best = store;
     best_reach = reach;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/// \file  What a decision costs: perceiving the state from the rows, and asking a tree about it,
+/// over the number of hostile tracks. A pilot decides ten times per second: a fifth of the time of
+/// a decision is what one step of 20 ms pays.
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+
+#include "pilot/testing.hpp"
+#include "support/no_allocation.hpp"
+
+namespace {
+
+using namespace eyrie;
+using namespace eyrie::pilot;
+
+/// The five behaviors of the scene line_abreast (bench/scene_bench.cpp).
+constexpr const char* kAbreast =
+    "{winner_takes_all: [avoid_ground, break_turn, {egress: {vote: 1}}, follow_lead, navigate]}";
+/// What a pilot beyond visual range asks (scenarios/packages/pilots.yaml).
+constexpr const char* kAttack =
+    "{per_field: [{winner_takes_all: [avoid_ground, break_turn]}, {release_weapon: {zone: 0.5}}, "
+    "{pursue: {crank: 50 deg}}, follow_lead, navigate]}";
+
+/// The second of four, with so many hostiles 40 km ahead, in range of no missile.
+pilot::testing::Desk desk(std::int64_t tracks) {
+  pilot::testing::Desk d;
+  d.in_flight(4, 2);
+  for (std::int64_t i = 0; i < tracks; ++i)
+    d.track({40e3, static_cast<double>(i) * 2000, 0}).targeted_by = i % 3 == 0 ? 1 : 0;
+  return d;
+}
+
+void perceive(benchmark::State& state) {
+  const pilot::testing::Desk d = desk(state.range(0));
+  NoAllocation guard;
+  guard.dismiss();
+  for (auto _ : state) {
+    const State s = d.state();
+    benchmark::DoNotOptimize(&s);
+    benchmark::ClobberMemory();
+  }
+  state.counters["allocs"] = static_cast<double>(guard.count());
+}
+BENCHMARK(perceive)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(8)->Arg(16);
+
+void decide(benchmark::State& state, const char* tree) {
+  const pilot::testing::Desk d = desk(state.range(0));
+  pilot::testing::Pilot pilot(tree);
+  NoAllocation guard;
+  guard.dismiss();
+  for (auto _ : state) {
+    const pilot::testing::Decision decision = pilot.decide(d);
+    benchmark::DoNotOptimize(&decision);
+    benchmark::ClobberMemory();
+  }
+  state.counters["allocs"] = static_cast<double>(guard.count());
+}
+BENCHMARK_CAPTURE(decide, abreast, kAbreast)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(16);
+BENCHMARK_CAPTURE(decide, attack, kAttack)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(8)->Arg(16);
+
+}  // namespace
+
+BENCHMARK_MAIN();
