@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <filesystem>
 
 #include "pilot/testing.hpp"
 #include "support/no_allocation.hpp"
@@ -61,4 +62,9 @@ BENCHMARK_CAPTURE(decide, attack, kAttack)->ArgName("tracks")->Arg(0)->Arg(2)->A
 
 }  // namespace
 
-BENCHMARK_MAIN();
+/// Loads data/ from the source tree, wherever it is run.
+int main(int count, char** arguments) {
+  std::filesystem::current_path(EYRIE_SOURCE_DIR);
+  benchmark::Initialize(&count, arguments);
+  benchmark::RunSpecifiedBenchmarks();
+}
