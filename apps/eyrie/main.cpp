@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -20,11 +22,21 @@ struct Commands {
   bool json = false, markdown = false, json_schema = false;
 };
 
+/// CLI11 takes "-1" for the largest number of all.
+std::string whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return failed == std::errc{} && end == text.data() + text.size()
+             ? std::string{}
+             : "must be a whole number from 0 to 18446744073709551615";
+}
+
 void add_fly(CLI::App& app, Commands& c) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
   fly->add_option("scenario", c.fly.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
-  fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)");
+  fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)")
+      ->check(whole_number);
   fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
   fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");

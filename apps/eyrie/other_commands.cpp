@@ -20,13 +20,22 @@ std::string version_text() {
   return "eyrie " EYRIE_VERSION " (" EYRIE_COMPILER ", " EYRIE_BUILD_TYPE ")";
 }
 
+namespace {
+
+/// "1 flight", "2 flights"
+std::string counted(std::size_t n, std::string_view what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+}  // namespace
+
 int validate(const std::vector<std::string>& files) {
   int code = 0;
   for (const std::string& file : files) {
     if (const auto scenario = load_or_complain(file, {}))
-      fmt::print("{}: {} aircraft in {} flights, {} trees\n", scenario->file,
-                 scenario->roster.players.size(), scenario->roster.flights.size(),
-                 scenario->trees->size());
+      fmt::print("{}: {} aircraft in {}, {}\n", scenario->file, scenario->roster.players.size(),
+                 counted(scenario->roster.flights.size(), "flight"),
+                 counted(scenario->trees->size(), "tree"));
     else
       code = 2;
   }

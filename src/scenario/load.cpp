@@ -110,11 +110,15 @@ class Loader {
                 fmt::format("{}: which aircraft? Neither it nor its flight says", player.name));
           continue;
         }
-        data.aircraft(player.spec.aircraft, player.where);
-        if (player.spec.loadout)
-          for (const std::string& store : *player.spec.loadout)
-            if (store != "none")
-              data.missile(store, player.where);
+        data.aircraft(player.spec.aircraft, player.place("aircraft"));
+        if (!player.spec.loadout)
+          continue;
+        const auto& stores = *player.spec.loadout;
+        const Value* said = player.said("loadout");
+        for (std::size_t i = 0; i < stores.size(); ++i)
+          if (stores[i] != "none")
+            data.missile(stores[i], said && i < said->items.size() ? said->items[i].where
+                                                                   : player.place("loadout"));
       }
   }
 
@@ -133,7 +137,7 @@ class Loader {
       route(plan, flight);
       const FormationSpec& wall = plan.spec.formation;
       out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
-      if (plan.home)
+      if (plan.home && plan.sound)
         flight.home = resolve(*plan.home, 0, library_->reference, plan.home_where, diagnostics_);
       for (const PlayerPlan& player : plan.players)
         start(plan, player);
@@ -143,6 +147,8 @@ class Loader {
   }
 
   void route(const FlightPlan& plan, model::Flight& flight) {
+    if (!plan.sound)
+      return;
     model::Route route{.name = "mission", .waypoints = {}};
     double altitude = plan.spec.start.altitude.value_or(si(20000, "ft"));
     std::optional<double> speed = plan.spec.start.speed;
@@ -158,7 +164,7 @@ class Loader {
       flight.routes.push_back(std::move(route));
   }
 
-  void start(const FlightPlan& plan, const PlayerPlan& player) {
+  void place_at_start(const FlightPlan& plan, const PlayerPlan& player, Start& begin) {
     const StartSpec& s = player.spec.start;
     if (!s.altitude || !s.heading || !s.speed) {
       error(plan.start_where,
@@ -166,19 +172,25 @@ class Loader {
       return;
     }
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);
-    Start begin{.position = lead, .heading = *s.heading, .speed = *s.speed};
+    begin = {.position = lead, .heading = *s.heading, .speed = *s.speed};
     if (!player.own_place && player.rank > 1) {
       const Vec3 offset = pilot::formation_offset(out_->plans.back().formation, player.rank);
       begin.position = beside(library_->reference, lead, *s.heading, offset);
     }
+  }
+
+  void start(const FlightPlan& plan, const PlayerPlan& player) {
+    Start begin;
+    if (player.sound)
+      place_at_start(plan, player, begin);
     begin.privileged = player.spec.privileged;
     begin.where = player.where;
     if (!player.spec.tree.empty()) {
       begin.tree = out_->trees->find(player.spec.tree);
       if (!begin.tree &&
           std::find(broken_.begin(), broken_.end(), player.spec.tree) == broken_.end())
-        error(player.where, fmt::format("there is no tree {}{}", quote(player.spec.tree),
-                                        did_you_mean(player.spec.tree, tree_names())));
+        error(player.place("tree"), fmt::format("there is no tree {}{}", quote(player.spec.tree),
+                                                did_you_mean(player.spec.tree, tree_names())));
     }
     if (const auto type = library_->aircraft.find(player.spec.aircraft))
       equip(player, *type, begin);
@@ -191,8 +203,8 @@ class Loader {
     begin.type = index;
     begin.fuel = player.spec.fuel.value_or(tanks);
     if (begin.fuel > tanks)
-      error(player.where, fmt::format("{}: fuel {:.0f} kg is more than a {} holds ({:.0f} kg)",
-                                      player.name, begin.fuel, player.spec.aircraft, tanks));
+      error(player.place("fuel"), fmt::format("fuel {:.0f} kg is more than a {} holds ({:.0f} kg)",
+                                              begin.fuel, player.spec.aircraft, tanks));
     begin.bingo = player.spec.bingo.value_or(0.25 * tanks);
     begin.rounds = player.spec.rounds;
     std::size_t station = 0;
@@ -210,14 +222,15 @@ class Loader {
     }
     const std::size_t stations = type.stations.empty() ? model::kMaxStations : type.stations.size();
     if (player.spec.loadout->size() > stations)
-      error(player.where, fmt::format("{}: {} stores on a {} with {} stations", player.name,
-                                      player.spec.loadout->size(), player.spec.aircraft, stations));
+      error(player.place("loadout"),
+            fmt::format("{} stores on a {} with {} stations", player.spec.loadout->size(),
+                        player.spec.aircraft, stations));
     for (const std::string& store : *player.spec.loadout)
       hang(store, store == "none" ? 0 : 1);
   }
 
   std::vector<std::string> tree_names() const {
-    std::vector<std::string> names;
+    std::vector<std::string> names = broken_;
     for (const auto& tree : *out_->trees)
       names.emplace_back(tree.name());
     return names;

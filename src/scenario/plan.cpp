@@ -70,7 +70,8 @@ class Reader {
     if (const Value* v = map->find("home")) {
       home.emplace();
       home_where = v->where;
-      bind(*home, *v, diagnostics_);
+      if (!bind(*home, *v, diagnostics_))
+        home.reset();
     }
     const Value* flights = map->find("flights");
     if (!flights || !flights->is_map() || flights->entries.empty())
@@ -95,7 +96,7 @@ class Reader {
                                               entry.key, other.where.text()));
     FlightPlan plan{.name = entry.key, .side = side, .where = entry.where};
     static constexpr std::array<std::string_view, 1> kAlso{"players"};
-    bind(plan.spec, entry.value, diagnostics_, kAlso);
+    plan.sound = bind(plan.spec, entry.value, diagnostics_, kAlso);
     const auto place = [&](std::string_view key) {
       const Value* v = entry.value.find(key);
       return v ? v->where : entry.value.where;
@@ -111,9 +112,9 @@ class Reader {
           players ? players->where : entry.where,
           fmt::format("flight '{0}' needs its players: a list such as [{0}1, {0}2]", plan.name));
     for (const Value& item : players->items)
-      player(plan, item);
-    std::stable_sort(plan.players.begin(), plan.players.end(),
-                     [](const PlayerPlan& a, const PlayerPlan& b) { return a.rank < b.rank; });
+      player(plan, entry.value, item);
+    std::sort(plan.players.begin(), plan.players.end(),
+              [](const PlayerPlan& a, const PlayerPlan& b) { return a.rank < b.rank; });
     // a player that was refused may have been meant as the lead
     if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
       error(players->where,
@@ -121,14 +122,16 @@ class Reader {
     flights_.push_back(std::move(plan));
   }
 
-  void player(FlightPlan& flight, const Value& item) {
+  void player(FlightPlan& flight, const Value& document, const Value& item) {
     const bool overrides = item.is_map() && item.entries.size() == 1;
     if (!item.is_scalar() && !overrides)
       return error(item.where,
                    "players: expected a name or a name with a map, got " + item.shown());
     PlayerPlan plan{.name = overrides ? item.entries[0].key : item.text,
                     .where = item.where,
-                    .spec = flight.spec};
+                    .spec = flight.spec,
+                    .sound = flight.sound,
+                    .flight = &document};
     const auto rank = rank_of(plan.name, flight.name);
     if (!rank)
       return error(item.where, fmt::format("{} is not the flight's name and a rank, such as '{}1'",
@@ -143,12 +146,13 @@ class Reader {
                                            known->second.text()));
     if (overrides && !item.entries[0].value.is_null()) {
       const Value& map = item.entries[0].value;
+      plan.own = &map;
       if (const Value* start = map.find("start"); start && start->is_map())
         for (const std::string_view key : {"north", "east", "latitude", "longitude"})
           plan.own_place = plan.own_place || start->find(key);
       if (plan.own_place)  // a place of its own replaces the flight's as a whole
         static_cast<PlaceSpec&>(plan.spec.start) = {};
-      bind(plan.spec, map, diagnostics_);
+      plan.sound = bind(plan.spec, map, diagnostics_) && plan.sound;
     }
     flight.players.push_back(std::move(plan));
   }
@@ -164,6 +168,16 @@ class Reader {
 };
 
 }  // namespace
+
+const Value* PlayerPlan::said(std::string_view key) const {
+  const Value* mine = own ? own->find(key) : nullptr;
+  return mine || !flight ? mine : flight->find(key);
+}
+
+const Location& PlayerPlan::place(std::string_view key) const {
+  const Value* value = said(key);
+  return value ? value->where : where;
+}
 
 std::vector<FlightPlan> read_plans(const Value& document, Diagnostics& diagnostics) {
   return Reader(document, diagnostics).read();

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/diagnostics.hpp"
@@ -19,7 +20,15 @@ struct PlayerPlan {
   std::uint16_t rank = 1;  ///< from the name
   Location where;
   PlayerSpec spec;
-  bool own_place = false;  ///< it has a start place of its own instead of one in the formation
+  bool own_place = false;      ///< it has a start place of its own instead of one in the formation
+  bool sound = true;           ///< everything said of it and of its flight could be read
+  const Value* own = nullptr;  ///< its overrides in the document, if it has any
+  const Value* flight = nullptr;  ///< its flight in the document
+
+  /// What the document says of a key: of the player, or else of its flight; null if nothing.
+  [[nodiscard]] const Value* said(std::string_view key) const;
+  /// Where it says so; if nowhere, where the player stands.
+  [[nodiscard]] const Location& place(std::string_view key) const;
 };
 
 struct FlightPlan {
@@ -28,6 +37,7 @@ struct FlightPlan {
   Location where;
   FlightSpec spec;
   std::optional<PlaceSpec> home;  ///< of the flight, or else of the side
+  bool sound = true;              ///< everything said of it could be read
   Location home_where, route_where, start_where;
   std::vector<PlayerPlan> players;  ///< by rank
 };
