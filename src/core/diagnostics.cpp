@@ -97,6 +97,25 @@ bool is_control(std::string_view character) {
   return first < 0x20 || first == 0x7F || c1;
 }
 
+/// At most `longest` characters, with escapes for what a terminal would obey or cannot show.
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result;
+  std::size_t characters = 0;
+  while (!text.empty()) {
+    if (characters++ == longest)
+      return result + "...";
+    const std::size_t length = utf8_length(text);
+    if (length == 0 || is_control(text.substr(0, length))) {
+      for (const char byte : text.substr(0, std::max<std::size_t>(length, 1)))
+        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
+    } else {
+      result += text.substr(0, length);
+    }
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string Location::text() const {
@@ -108,7 +127,9 @@ std::string Location::text() const {
 
 std::string Diagnostic::text() const {
   const std::string place = where.text();
-  return place.empty() ? message : fmt::format("{}: {}", place, message);
+  // names of files and keys stand in both, and whoever wrote the file chose them
+  return printable(place.empty() ? message : fmt::format("{}: {}", place, message),
+                   std::string::npos);
 }
 
 void Diagnostics::error(Location where, std::string message) {
@@ -176,24 +197,8 @@ std::string did_you_mean(std::string_view wrong, std::span<const std::string> na
 }
 
 std::string quote(std::string_view text) {
-  constexpr int kLongest = 60;
-  std::string result = "'";
-  int characters = 0;
-  while (!text.empty()) {
-    if (characters++ == kLongest) {
-      result += "...";
-      break;
-    }
-    const std::size_t length = utf8_length(text);
-    if (length == 0 || is_control(text.substr(0, length))) {
-      for (const char byte : text.substr(0, std::max<std::size_t>(length, 1)))
-        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
-    } else {
-      result += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result + "'";
+  constexpr std::size_t kLongest = 60;
+  return "'" + printable(text, kLongest) + "'";
 }
 
 }  // namespace eyrie

@@ -25,7 +25,7 @@ struct Diagnostic {
   Location where;
   std::string message;
 
-  /// "file:line:column: message".
+  /// "file:line:column: message", fit for a terminal as quote() is.
   [[nodiscard]] std::string text() const;
   bool operator==(const Diagnostic&) const = default;
 };

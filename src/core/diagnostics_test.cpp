@@ -185,5 +185,11 @@ TEST(Quote, CutsLongTextsBetweenCharacters) {
   EXPECT_EQ(quote(std::string(61, 'a')), "'" + std::string(60, 'a') + "...'");
 }
 
+TEST(Diagnostics, PrintsNothingThatATerminalWouldObey) {
+  Diagnostics d;
+  d.error({"a\x1b[2J.yaml", 3, 1}, "there is no 'x'; did you mean '\x07\xff\xc3\xa9'?");
+  EXPECT_EQ(d.text(), "a\\x1b[2J.yaml:3:1: there is no 'x'; did you mean '\\x07\\xff\xc3\xa9'?");
+}
+
 }  // namespace
 }  // namespace eyrie
