@@ -25,14 +25,6 @@ Value* find(Value& map, std::string_view key) {
   return nullptr;
 }
 
-/// A file name for an error: whole, but without what a terminal would obey.
-std::string shown_name(std::string name) {
-  for (char& c : name)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      c = '?';
-  return "'" + name + "'";
-}
-
 /// Appends the entries of `from` to the map `into`, refusing what is there already.
 void merge_map(Value& into, const Value& from, std::string_view what, bool nested,
                Diagnostics& diagnostics) {
@@ -60,13 +52,12 @@ class Includer {
       std::string chain;
       for (auto f = open; f != stack_.end(); ++f)
         chain += *f + " -> ";
-      diagnostics_.error(from,
-                         fmt::format("{} includes itself: {}{}", shown_name(same), chain, same));
+      diagnostics_.error(from, fmt::format("'{}' includes itself: {}{}", same, chain, same));
       return {};
     }
     const auto text = source_.read(file);
     if (!text) {
-      diagnostics_.error(from, "cannot read " + shown_name(file));
+      diagnostics_.error(from, fmt::format("cannot read '{}'", file));
       return {};
     }
     Value document = parse_yaml(*text, file, diagnostics_);

@@ -89,7 +89,7 @@ TEST(Document, NamesFilesThatAreMissing) {
             "dir/a.yaml:1:11: cannot read 'dir/b.yaml'\n"
             "dir/a.yaml:1:19: cannot read '/abs/c.yaml'");
   EXPECT_EQ(load({{"dir/a.yaml", "include: \"\\e[2J\"\n"}}).mistakes,
-            "dir/a.yaml:1:10: cannot read 'dir/?[2J'");
+            "dir/a.yaml:1:10: cannot read 'dir/\\x1b[2J'");
 }
 
 TEST(Document, RefusesIncludesThatAreNoFileNames) {
