@@ -36,6 +36,5 @@ int main() {
     simulation.step(branch, work, i == 0 ? std::span(&order, 1) : std::span<const sim::Order>{});
   }
   const auto where = sim::first_difference(world, branch);
-  fmt::print("with another tree for eagle1: {}\n", where ? "different" : "the same");
-  fmt::print("first difference in {}.{}\n", where->table, where->column);
+  fmt::print("with another tree for eagle1: {}\n", where ? where->text() : "the same");
 }

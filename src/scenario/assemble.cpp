@@ -120,9 +120,8 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts) {
   scenario.aircraft =
       model::AircraftColumns::define(schema, static_cast<std::uint32_t>(starts.size()));
   scenario.missiles = model::MissileColumns::define(schema, all_missiles(starts));
-  scenario.pilots =
-      pilot::PilotColumns::define(schema, scenario.aircraft.table,
-                                  static_cast<std::uint32_t>(scenario.trees->max_memory()));
+  scenario.pilots = pilot::PilotColumns::define(
+      schema, scenario.aircraft.table, static_cast<std::uint32_t>(scenario.trees->max_memory()));
   model::describe_events(schema);
   pilot::add_orders(schema);
 

@@ -30,8 +30,8 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
     : scenario_(std::move(scenario)),
       run_(scenario_->simulation, scenario_->world(seed), options),
       until_(until.value_or(scenario_->spec.until)),
-      last_step_(static_cast<std::uint64_t>(
-          std::floor(until_ * scenario_->spec.rates.kinematics + 0.5))) {
+      last_step_(
+          static_cast<std::uint64_t>(std::floor(until_ * scenario_->spec.rates.kinematics + 0.5))) {
   for (const sim::Order& order : scenario_->orders)
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }

@@ -11,8 +11,8 @@
 namespace eyrie::scenario {
 
 /// The point of the local frame `north` and `east` (m) of the reference point whose height above
-/// the ellipsoid is `altitude` (m). No libm: the same bits everywhere. What lies as far west instead
-/// of east gets the same bits, too.
+/// the ellipsoid is `altitude` (m). No libm: the same bits everywhere. What lies as far west
+/// instead of east gets the same bits, too.
 [[nodiscard]] Vec3 at_altitude(const Reference& reference, double north, double east,
                                double altitude);
 
