@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "support/flight.hpp"
+
+namespace eyrie::test {
+namespace {
+
+/// Flies seeds 1..count, two at a time, and hands every finished flight to `look`, one at a time.
+template <class Look>
+void fly_seeds(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t count,
+               const Look& look) {
+  std::atomic<std::uint64_t> next{1};
+  std::mutex one;
+  const auto work = [&] {
+    for (std::uint64_t seed = next++; seed <= count; seed = next++) {
+      Flight f(scenario, seed);
+      f.mission.fly();
+      const std::lock_guard lock(one);
+      look(seed, f);
+    }
+  };
+  std::jthread other(work);
+  work();
+}
+
+std::string side_of(const scenario::Scenario& s, PlayerId id) {
+  const auto* player = s.roster.find(id);
+  return player ? std::string(scenario::side_name(player->side)) : "";
+}
+
+void expect_no_fratricide(std::uint64_t seed, const Flight& f) {
+  for (const Happened& h : f.log.of(EventKind::kill))
+    EXPECT_NE(side_of(*f.scenario, h.event.who), side_of(*f.scenario, h.event.whom))
+        << "seed " << seed << ", " << h.time << " s: " << f.scenario->roster.name(h.event.who)
+        << " killed " << f.scenario->roster.name(h.event.whom);
+}
+
+TEST(Sweep, GoesThroughItsFourPhasesAndBringsEveryLivingBlueHome) {
+  Flight f(load_scenario("sweep"));
+  f.mission.fly();
+  EXPECT_EQ(f.mission.outcome(), scenario::Outcome::blue_home);
+
+  std::vector<std::string> phases;
+  for (const auto& phase : f.tally.phases())
+    if (f.scenario->roster.flights[phase.flight].name == "eagle")
+      phases.push_back(phase.phase);
+  ASSERT_FALSE(phases.empty());
+  EXPECT_EQ(phases.front(), "ingress");
+  EXPECT_EQ(phases.back(), "egress");
+  EXPECT_EQ(std::set<std::string>(phases.begin(), phases.end()),
+            (std::set<std::string>{"ingress", "bvr", "wvr", "egress"}));
+
+  const auto blue = f.tally.side(model::Side::blue);
+  EXPECT_EQ(blue.players, 4U);
+  EXPECT_GT(blue.shots, 0U);
+  EXPECT_GT(blue.home, 0U);
+  EXPECT_EQ(blue.home, blue.players - blue.losses);
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NE(f.tally.players()[i].home, f.tally.players()[i].lost)
+        << f.scenario->roster.players[i].name;
+  EXPECT_EQ(f.world().rows(f.scenario->missiles.table), 0U) << "every missile has ended";
+}
+
+TEST(Sweep, FliesOnSensorsAlone) {
+  const auto scenario = load_scenario("sweep");
+  Flight f(scenario);
+  std::uint8_t sources = 0;
+  while (f.mission.step())
+    for (const model::TrackFile& file : f.world().rows(scenario->aircraft.tracks))
+      for (std::uint32_t i = 0; i < file.count; ++i)
+        sources |= file.tracks[i].sources;
+  EXPECT_EQ(sources & model::kFromTruth, 0);
+  EXPECT_TRUE(sources & model::kFromRadar);
+  EXPECT_TRUE(sources & model::kFromDatalink);
+}
+
+TEST(Sweep, NeverKillsItsOwnNeverCrashesAndEndsOverManySeeds) {
+  const auto scenario = load_scenario("sweep");
+  int blue_kills = 0, red_kills = 0, both_home = 0;
+  fly_seeds(scenario, 20, [&](std::uint64_t seed, const Flight& f) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_no_fratricide(seed, f);
+    EXPECT_TRUE(f.log.of(EventKind::crash).empty());
+    EXPECT_TRUE(f.log.of(EventKind::fuel_out).empty());
+    const auto blue = f.tally.side(model::Side::blue), red = f.tally.side(model::Side::red);
+    EXPECT_EQ(blue.home + blue.losses, blue.players);
+    EXPECT_EQ(blue.kills, red.losses);
+    EXPECT_EQ(red.kills, blue.losses);
+    blue_kills += static_cast<int>(blue.kills);
+    red_kills += static_cast<int>(red.kills);
+    both_home += blue.losses == 0;
+    EXPECT_EQ(f.world().refused_births(), 0U);
+  });
+  EXPECT_GT(blue_kills, red_kills) << "four against two";
+  EXPECT_GT(both_home, 0);
+}
+
+TEST(SweepPaper, FliesSixPrivilegedAgentsOfOneTree) {
+  const auto scenario = load_scenario("sweep_paper");
+  Flight f(scenario);
+  std::uint8_t sources = 0;
+  std::set<std::uint32_t> decided;
+  std::set<std::string> winners;
+  while (f.mission.step()) {
+    const auto ids = f.world().ids(scenario->aircraft.table);
+    const auto agents = f.world().rows(scenario->pilots.agent);
+    const auto tracks = f.world().rows(scenario->aircraft.tracks);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      for (std::uint32_t k = 0; k < tracks[i].count; ++k) {
+        sources |= tracks[i].tracks[k].sources;
+        ASSERT_TRUE(tracks[i].tracks[k].sources & model::kFromTruth) << f.time();
+      }
+      if (agents[i].ticks == 0)
+        continue;
+      decided.insert(ids[i].value);
+      ASSERT_EQ(scenario->trees->find("paper"), agents[i].tree);
+      const auto& tree = (*scenario->trees)[agents[i].tree];
+      if (agents[i].node < tree.size())
+        winners.insert(std::string(tree.node(agents[i].node).type()));
+    }
+  }
+  EXPECT_EQ(decided.size(), 6U);
+  // the datalink tells who targets whom; nobody measures anything
+  EXPECT_EQ(sources & (model::kFromRadar | model::kFromVisual), 0);
+  // without a sequencer the winner of the votes is the phase
+  for (const char* phase : {"navigate", "follow_lead", "pursue", "break_turn", "egress"})
+    EXPECT_TRUE(winners.contains(phase)) << phase;
+  for (const model::Fit& fit : scenario->start->rows(scenario->aircraft.fit))
+    EXPECT_TRUE(fit.privileged);
+  const auto blue = f.tally.side(model::Side::blue);
+  EXPECT_GT(blue.shots, 0U);
+  EXPECT_EQ(f.mission.outcome(),
+            blue.losses == 4 ? scenario::Outcome::blue_lost : scenario::Outcome::blue_home);
+  EXPECT_EQ(blue.home, 4 - blue.losses);
+  expect_no_fratricide(f.scenario->spec.seed, f);
+}
+
+/// The sides differ in nothing but the mirror, so of n kills each side has n/2 give or take chance.
+TEST(SweepEven, IsBalancedOverSeeds) {
+  const auto scenario = load_scenario("sweep_even");
+  double blue = 0, red = 0;
+  fly_seeds(scenario, 60, [&](std::uint64_t seed, const Flight& f) {
+    expect_no_fratricide(seed, f);
+    blue += f.tally.side(model::Side::blue).kills;
+    red += f.tally.side(model::Side::red).kills;
+  });
+  const double n = blue + red;
+  ASSERT_GE(n, 100) << "enough kills to tell";
+  // 99.9 % of a binomial distribution with p = 1/2, normal approximation: 3.29 sigma
+  EXPECT_LE(std::fabs(blue - n / 2), 3.29 * std::sqrt(n / 4)) << blue << " : " << red;
+}
+
+/// The mirror holds in the start itself, to the grid of the places.
+TEST(SweepEven, StartsAsAMirrorImage) {
+  const auto scenario = load_scenario("sweep_even");
+  const auto k = scenario->start->rows(scenario->aircraft.kinematics);
+  const auto fit = scenario->start->rows(scenario->aircraft.fit);
+  const auto fuel = scenario->start->rows(scenario->aircraft.propulsion);
+  ASSERT_EQ(k.size(), 6U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(k[i].position.x, k[i + 3].position.x, 0.01);
+    EXPECT_NEAR(k[i].position.y, -k[i + 3].position.y, 0.01);
+    EXPECT_NEAR(k[i].position.z, k[i + 3].position.z, 0.01);
+    EXPECT_NEAR(k[i].velocity.x, k[i + 3].velocity.x, 0.01);
+    EXPECT_NEAR(k[i].velocity.y, -k[i + 3].velocity.y, 0.01);
+    EXPECT_EQ(fit[i].type, fit[i + 3].type);
+    EXPECT_EQ(fit[i].rank, fit[i + 3].rank);
+    EXPECT_EQ(fuel[i].fuel, fuel[i + 3].fuel);
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::test
