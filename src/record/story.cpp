@@ -118,7 +118,7 @@ void Story::tell(const sim::Event& e) {
         say(m->second.shooter, fmt::format("pitbull on {}", name(m->second.target)));
       break;
     case EventKind::gun_burst:
-      say(e.who, fmt::format("guns on {}, {:.0f} m", name(e.whom), e.values[1]));
+      say(e.who, e.whom ? fmt::format("guns on {}, {:.0f} m", name(e.whom), e.values[1]) : "guns");
       break;
     case EventKind::defend:
       say(e.who, e.values[0] < 1.5F ? "defending: turns into the missile and climbs"

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+/// \file  `eyrie fly` as its user sees it: words, JSON, folders, and what it says when the disk
+/// fails.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using nlohmann::json;
+using Names = std::vector<std::string>;
+
+/// Thirty seconds of the merge: cheap, with a contact in it.
+Names merge(Names more) {
+  Names all{"fly", "merge", "--until", "30 s"};
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+bool has(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern));
+}
+
+TEST(FlyWords, TellHeaderStoryAndClosingTable) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"fly"});  // the default is the sweep
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(ran.out.find('\x1b'), std::string::npos) << "colour is for terminals";
+
+  // header
+  EXPECT_TRUE(ran.out.starts_with("sweep: four F-15s")) << ran.out.substr(0, 80);
+  EXPECT_NE(ran.out.find("seed 1, blue eagle 4 x F-15C, red bogey 2 x MiG-29\n"),
+            std::string::npos);
+  // story: time, who, what, range, in the field's words
+  for (const char* line :
+       {R"(\n \d\d:\d\d\.\d  eagle\d     contact, \d+\.\d nmi\n)",
+        R"(\n \d\d:\d\d\.\d  eagle\d     bogey\d is hostile, \d+\.\d nmi\n)",
+        R"(\n \d\d:\d\d\.\d  eagle\d     commit on bogey\d, \d+\.\d nmi\n)",
+        R"(\n \d\d:\d\d\.\d  eagle\d     fox 3 on bogey\d, \d+\.\d nmi \(AIM-120\)\n)",
+        R"(\n \d\d:\d\d\.\d  bogey\d     defending: )",
+        R"(\n \d\d:\d\d\.\d  eagle\d     splash bogey\d \()",
+        R"(\n \d\d:\d\d\.\d  eagle1     eagle flight: ingress\n)", R"(eagle flight: bvr\n)",
+        R"(eagle flight: wvr\n)", R"(eagle flight: egress\n)",
+        R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
+    EXPECT_TRUE(has(ran.out, line)) << line;
+  // closing table
+  EXPECT_TRUE(has(ran.out, R"(\naircraft +side +shots +kills +end +fuel kg +phase\n)"));
+  for (const char* who : {"eagle1", "eagle2", "eagle3", "eagle4"})
+    EXPECT_TRUE(
+        has(ran.out, std::string("\n") + who + R"( +blue +\d+ +\d+  (home|lost) \d\d:\d\d\.\d)"))
+        << who;
+  EXPECT_TRUE(has(ran.out, R"(\nbogey1 +red +\d+ +\d+  )"));
+  EXPECT_TRUE(has(ran.out, R"(\neagle ingress \d\d:\d\d\.\d +eagle bvr )"));
+  EXPECT_TRUE(has(ran.out, R"(\nblue is home, \d of 4; losses: blue \d, red \d\n)"));
+  EXPECT_TRUE(has(ran.out, R"(\nworld hash 0x[0-9a-f]{16} after \d+ steps\n)"));
+  EXPECT_TRUE(has(ran.out, R"(\n\d+ s flown in \d+\.\d+ s, \d+ x real time\n)"));
+  EXPECT_TRUE(ran.out.ends_with("written to runs/sweep-1: run.eyrie, events.csv, flight.acmi\n"));
+  EXPECT_EQ(folder.everything(), (Names{"runs", "runs/sweep-1", "runs/sweep-1/events.csv",
+                                        "runs/sweep-1/flight.acmi", "runs/sweep-1/run.eyrie"}));
+}
+
+TEST(FlyQuiet, TellsOnlyHowItEnded) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, merge({"--quiet"}));
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.out.find("contact"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("seed"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("time is up at 00:30.0"), std::string::npos) << ran.out;
+}
+
+TEST(FlyJson, IsOneObjectWithTheKeysThatScriptsRelyOn) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"fly", "sweep", "--seed", "5", "--json", "--out", "here"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const json j = json::parse(ran.out);  // throws for anything behind the object
+  ASSERT_TRUE(j.is_object());
+  EXPECT_EQ(j["scenario"], "sweep");
+  EXPECT_EQ(j["seed"], 5);
+  ASSERT_TRUE(j["steps"].is_number_unsigned());
+  EXPECT_NEAR(j["sim_time_s"].get<double>(), j["steps"].get<double>() * 0.02, 1e-6);
+  EXPECT_GT(j["wall_time_s"].get<double>(), 0);
+  EXPECT_NEAR(j["realtime_factor"].get<double>(),
+              j["sim_time_s"].get<double>() / j["wall_time_s"].get<double>(), 1);
+  EXPECT_TRUE(has(j["hash"].get<std::string>(), "^0x[0-9a-f]{16}$"));
+  ASSERT_TRUE(j["phases"].is_array());
+  double last = 0;
+  for (const json& phase : j["phases"]) {
+    EXPECT_TRUE(phase["flight"] == "eagle" || phase["flight"] == "bogey");
+    EXPECT_TRUE(phase["phase"].is_string());
+    EXPECT_GE(phase["time_s"].get<double>(), last);
+    last = phase["time_s"].get<double>();
+  }
+  for (const char* side : {"blue", "red"})
+    for (const char* key : {"players", "losses", "shots", "kills"})
+      EXPECT_TRUE(j["sides"][side][key].is_number_unsigned()) << side << key;
+  EXPECT_EQ(j["sides"]["blue"]["players"], 4);
+  EXPECT_EQ(j["sides"]["red"]["players"], 2);
+  const std::set<std::string> outcomes{"blue_home", "blue_lost", "red_lost", "time"};
+  EXPECT_TRUE(outcomes.contains(j["outcome"].get<std::string>()));
+  EXPECT_EQ(j["run_dir"], "here");
+}
+
+TEST(FlyJson, SaysTheSameForTheSameSeedAndOtherForAnother) {
+  const TempFolder folder;
+  const auto hash = [&](const Names& more) {
+    return json::parse(run_program(folder, merge(more)).out)["hash"].get<std::string>();
+  };
+  const std::string first = hash({"--json"});
+  EXPECT_EQ(hash({"--json", "--workers", "3"}), first);
+  EXPECT_EQ(hash({"--json", "--seed", "8"}), first);
+  EXPECT_EQ(hash({"--json", "--paranoid"}), first);
+  EXPECT_EQ(hash({"--json", "--paranoid", "3", "--workers", "2"}), first);
+  EXPECT_NE(hash({"--json", "--seed", "2"}), first);
+  EXPECT_NE(hash({"--json", "--set", "blue.flights.viper.players.viper1.fuel=2000 kg"}), first);
+}
+
+TEST(FlySet, ReachesFlightsPlayersAndLists) {
+  const TempFolder folder;
+  const Ran ran = run_program(
+      folder, merge({"--json", "--set", "seed=9", "--set", "name=mine", "--set",
+                     "red.flights.bandit.route.0.altitude=15000 ft", "--set", "until=1 s"}));
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json j = json::parse(ran.out);
+  EXPECT_EQ(j["seed"], 9);
+  EXPECT_EQ(j["scenario"], "mine");
+  EXPECT_EQ(j["sim_time_s"], 30) << "--until is stronger than the file";
+  EXPECT_EQ(j["run_dir"], "runs/mine-9");
+}
+
+TEST(FlyOut, NumbersItsOwnFoldersAndNeverWritesOverOne) {
+  const TempFolder folder;
+  for (const char* wanted : {"runs/merge-8", "runs/merge-8.2", "runs/merge-8.3"}) {
+    const Ran ran = run_program(folder, merge({"--json"}));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(json::parse(ran.out)["run_dir"], wanted);
+  }
+  EXPECT_EQ(read_text(folder / "runs/merge-8/events.csv"),
+            read_text(folder / "runs/merge-8.3/events.csv"));
+  EXPECT_EQ(read_text(folder / "runs/merge-8/run.eyrie"),
+            read_text(folder / "runs/merge-8.3/run.eyrie"));
+}
+
+TEST(FlyOut, TakesAnEmptyFolderAndReplacesAFullOneOnlyByForce) {
+  const TempFolder folder;
+  std::filesystem::create_directory(folder / "empty");
+  EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "empty"})).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "empty/run.eyrie"));
+
+  folder.write("full/kept", "precious");
+  EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "full"})).code, 2);
+  EXPECT_EQ(read_text(folder / "full/kept"), "precious");
+  EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "full", "--force"})).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "full/kept"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "full/run.eyrie"));
+}
+
+TEST(FlyOut, SaysThatAFolderCannotBeMade) {
+  const TempFolder folder;
+  folder.write("file", "kept");
+  const Ran ran = run_program(folder, merge({"--out", "file/below"}));
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.err, "eyrie: cannot make 'file/below': Not a directory\n");
+  EXPECT_EQ(ran.out, "") << "nothing is flown that could not be written";
+  EXPECT_EQ(folder.everything(), Names{"file"});
+}
+
+/// A limit on the size of files stands for a full disk: writes fail in the middle of the run.
+TEST(FlyOut, SaysThatTheDiskIsFullAndLeavesNothing) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"fly", "sweep", "--quiet", "--out", "here"},
+                              {.file_size_limit = 64 * 1024});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_TRUE(has(ran.err, "^eyrie: cannot write 'here[^']*/run.eyrie': File too large\n$"))
+      << ran.err;
+  EXPECT_EQ(folder.everything(), Names{});
+}
+
+TEST(FlyRealtime, KeepsThePaceAndCountsItsDeadlines) {
+  const TempFolder folder;
+  const Ran ran =
+      run_program(folder, {"fly", "merge", "--until", "4 s", "--realtime", "4", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json j = json::parse(ran.out);
+  EXPECT_GE(j["wall_time_s"].get<double>(), 0.98);
+  EXPECT_EQ(j["deadlines"]["total"], 200);
+  EXPECT_LE(j["deadlines"]["missed"].get<int>(), 200);
+  EXPECT_GE(j["deadlines"]["worst_late_s"].get<double>(), 0);
+}
+
+TEST(Version, NamesProgramVersionAndCompiler) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"--version"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err, "");
+  EXPECT_TRUE(has(ran.out, R"(^eyrie \d+\.\d+\.\d+ \(\w+ [0-9.]+, \w+\)\n$)")) << ran.out;
+}
+
+}  // namespace
+}  // namespace eyrie::test

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+/// \file  The user's mistakes, through the real program: exit code 2, every mistake of the file
+/// with its place and the nearest right name, and nothing left on the disk.
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+/// A scenario without mistakes. Line numbers in the tests count from its first line.
+const std::string kGood = R"(eyrie: 1
+name: small
+reference: {latitude: 33 deg, longitude: -68 deg}
+until: 2 s
+ends: time
+trees:
+  cruise:
+    winner_takes_all:
+      - avoid_ground: {vote: 100}
+      - navigate: {vote: 10, speed: 480 kt}
+blue:
+  home: {north: 0 nmi, east: -20 nmi}
+  flights:
+    eagle:
+      aircraft: f15c
+      tree: cruise
+      players: [eagle1, eagle2]
+      start: {north: 0 nmi, east: 0 nmi, altitude: 25000 ft, heading: 90 deg, speed: 480 kt}
+      route:
+        - {north: 0 nmi, east: 60 nmi, altitude: 25000 ft}
+)";
+
+struct Change {
+  std::string from, to;
+};
+
+std::string changed(std::vector<Change> changes) {
+  std::string text = kGood;
+  for (const auto& [from, to] : changes) {
+    const auto at = text.find(from);
+    if (at == std::string::npos)
+      throw std::logic_error("not in the good scenario: " + from);
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+struct Mistake {
+  const char* name;
+  std::vector<Change> changes;
+  const char* expected;  ///< all of stderr
+};
+
+void PrintTo(const Mistake& m, std::ostream* out) {
+  *out << m.name;
+}
+
+class Mistakes : public testing::TestWithParam<Mistake> {};
+
+TEST_P(Mistakes, AreSaidWithTheirPlaceAndLeaveNothing) {
+  const TempFolder folder;
+  folder.write("x.yaml", changed(GetParam().changes));
+  for (const char* command : {"fly", "validate"}) {
+    const Ran ran = run_program(folder, {command, "x.yaml"});
+    EXPECT_EQ(ran.code, 2) << command;
+    EXPECT_EQ(ran.err, GetParam().expected) << command;
+    EXPECT_EQ(ran.out, "") << command;
+  }
+  EXPECT_EQ(folder.everything(), std::vector<std::string>{"x.yaml"});
+}
+
+/// Ten times ten times ten: 10^6 values from a few lines.
+std::string bomb() {
+  std::string text = "x: {a: &a [0, 0, 0, 0, 0, 0, 0, 0, 0, 0]";
+  for (char c = 'b'; c < 'h'; ++c) {
+    text += std::string(",\n  ") + c + ": &" + c + " [";
+    for (int i = 0; i < 10; ++i)
+      text += std::string(i ? ", *" : "*") + static_cast<char>(c - 1);
+    text += "]";
+  }
+  return text + "}\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfAFile, Mistakes,
+    testing::Values(
+        Mistake{"DuplicateKey",
+                {{"vote: 10,", "vote: 10, vote: 20,"}},
+                "x.yaml:10:30: 'vote' is given twice (first at line 10)\n"},
+        Mistake{"DuplicateKeyAtTheTop",
+                {{"until: 2 s", "until: 2 s\nuntil: 3 s"}},
+                "x.yaml:5:1: 'until' is given twice (first at line 4)\n"},
+        Mistake{"AliasBomb",
+                {{"eyrie: 1\n", "eyrie: 1\n" + bomb()}},
+                "x.yaml:7:10: more than 200000 values, aliases expanded\n"},
+        Mistake{"UnknownKey",
+                {{"until", "untill"}},
+                "x.yaml:4:1: scenario has no parameter 'untill'; did you mean 'until'?\n"},
+        Mistake{"UnknownParameter",
+                {{"vote: 100", "vot: 100"}},
+                "x.yaml:9:24: avoid_ground has no parameter 'vot'; did you mean 'vote'?\n"},
+        Mistake{
+            "WrongDimension",
+            {{"speed: 480 kt}\nblue", "speed: 480 nmi}\nblue"}},
+            "x.yaml:10:37: speed: expected a speed such as '480 kt', got '480 nmi' (a length)\n"},
+        Mistake{"MissingUnit",
+                {{"speed: 480 kt}\nblue", "speed: 480}\nblue"}},
+                "x.yaml:10:37: speed: expected a speed such as '480 kt', got '480' (without a "
+                "unit)\n"},
+        Mistake{"NotANumber",
+                {{"until: 2 s", "until: nan s"}},
+                "x.yaml:4:8: until: expected a time such as '3 min', got 'nan s'\n"},
+        Mistake{"YamlNan",
+                {{"vote: 10,", "vote: .nan,"}},
+                "x.yaml:10:26: vote: expected a plain number such as '0.5', got '.nan'\n"},
+        Mistake{"Infinity",
+                {{"until: 2 s", "until: inf s"}},
+                "x.yaml:4:8: until: expected a time such as '3 min', got 'inf s'\n"},
+        Mistake{"OutOfRange",
+                {{"vote: 100", "vote: -4"}},
+                "x.yaml:9:30: vote: -4 is outside [0, 1000]\n"},
+        Mistake{"OtherFormatVersion",
+                {{"eyrie: 1", "eyrie: 2"}},
+                "x.yaml:1:8: eyrie: 2 is outside [1, 1]\n"},
+        Mistake{"UnknownChoice",
+                {{"ends: time", "ends: tim"}},
+                "x.yaml:5:7: ends: expected one of blue_home, last_side, time, got 'tim'; did you "
+                "mean 'time'?\n"},
+        Mistake{"MissingInclude",
+                {{"name: small", "name: small\ninclude: pilots.yaml"}},
+                "x.yaml:3:10: cannot read 'pilots.yaml'\n"},
+        Mistake{"IncludeOfItself",
+                {{"name: small", "name: small\ninclude: x.yaml"}},
+                "x.yaml:3:10: 'x.yaml' includes itself: x.yaml -> x.yaml\n"},
+        Mistake{"TwoPlayersOfOneName",
+                {{"eagle2]", "eagle1]"}},
+                "x.yaml:17:25: there are two players 'eagle1' (also at x.yaml:17:17)\n"},
+        Mistake{"NoLead",
+                {{"[eagle1, eagle2]", "[eagle2, eagle3]"}},
+                "x.yaml:17:16: flight 'eagle' has no lead: none of its players is 'eagle1'\n"},
+        Mistake{"NoPlayers",
+                {{"[eagle1, eagle2]", "[]"}},
+                "x.yaml:17:16: flight 'eagle' needs its players: a list such as [eagle1, "
+                "eagle2]\n"},
+        Mistake{"TreeThatRefersToItself",
+                {{"- avoid_ground: {vote: 100}", "- tree: cruise"}},
+                "x.yaml:9:15: tree 'cruise' refers to itself: cruise -> cruise\n"},
+        Mistake{"TreesThatReferToEachOther",
+                {{"trees:\n", "trees:\n  a: {tree: b}\n  b: {tree: a}\n"}},
+                "x.yaml:7:13: tree 'b' refers to itself: b -> a -> b\n"
+                "x.yaml:8:13: tree 'a' refers to itself: a -> b -> a\n"},
+        Mistake{"UnknownBehavior",
+                {{"navigate", "navigat"}},
+                "x.yaml:10:9: there is no node 'navigat'; did you mean 'navigate'?\n"},
+        Mistake{"UnknownSubtree",
+                {{"- avoid_ground: {vote: 100}", "- tree: cruse"}},
+                "x.yaml:9:15: there is no tree 'cruse'; did you mean 'cruise'?\n"},
+        Mistake{"UnknownAircraft",
+                {{"f15c", "f15d"}},
+                "x.yaml:15:17: unknown aircraft 'f15d'; did you mean 'f15c'?\n"},
+        Mistake{"UnknownTree",
+                {{"tree: cruise", "tree: criuse"}},
+                "x.yaml:16:13: there is no tree 'criuse'; did you mean 'cruise'?\n"},
+        Mistake{"UnknownStore",
+                {{"tree: cruise", "tree: cruise\n      loadout: [aim9, aim121]"}},
+                "x.yaml:17:23: unknown missile 'aim121'; did you mean 'aim120'?\n"},
+        Mistake{
+            "MissingData",
+            {{"name: small", "name: small\ndata: {aircraft: {mine: {base: f15c, radar: apg36}}}"},
+             {"aircraft: f15c", "aircraft: mine"}},
+            "x.yaml:3:45: unknown radar 'apg36'; did you mean 'apg63'?\n"},
+        Mistake{"TooMuchFuel",
+                {{"tree: cruise", "tree: cruise\n      fuel: 20000 kg"}},
+                "x.yaml:17:13: fuel 20000 kg is more than a f15c holds (5952 kg)\n"},
+        Mistake{"UnknownPlayerAndTreeOfAnOrder",
+                {{"ends: time",
+                  "ends: time\norders:\n  - {at: 1 s, player: eagel1, swap_tree: crusie}"}},
+                "x.yaml:7:3: there is no player 'eagel1'; did you mean 'eagle1'?\n"
+                "x.yaml:7:3: there is no tree 'crusie'; did you mean 'cruise'?\n"},
+        Mistake{"NotYaml", {{"blue:\n", "blue: ]\n"}}, "x.yaml:11:7: not YAML: illegal flow end\n"},
+        Mistake{
+            "EverythingAtOnce",
+            {{"until", "untill"},
+             {"vote: 100", "vote: -4"},
+             {"speed: 480 kt}\nblue", "speed: 480 nmi}\nblue"},
+             {"east: -20 nmi", "east: -20 kg"},
+             {"f15c", "f15d"},
+             {"tree: cruise", "tree: criuse"},
+             {"altitude: 25000 ft, heading", "altitud: 25000 ft, heading"}},
+            "x.yaml:4:1: scenario has no parameter 'untill'; did you mean 'until'?\n"
+            "x.yaml:9:30: vote: -4 is outside [0, 1000]\n"
+            "x.yaml:10:37: speed: expected a speed such as '480 kt', got '480 nmi' (a length)\n"
+            "x.yaml:12:30: east: expected a length such as '6000 ft', got '-20 kg' (a mass)\n"
+            "x.yaml:15:17: unknown aircraft 'f15d'; did you mean 'f15c'?\n"
+            "x.yaml:16:13: there is no tree 'criuse'; did you mean 'cruise'?\n"
+            "x.yaml:18:42: start: start has no parameter 'altitud'; did you mean 'altitude'?\n"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// Mistakes in what was typed, with the good scenario.
+struct Typed {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* expected;
+};
+
+void PrintTo(const Typed& t, std::ostream* out) {
+  *out << t.name;
+}
+
+class TypedMistakes : public testing::TestWithParam<Typed> {};
+
+TEST_P(TypedMistakes, AreSaidAndLeaveNothing) {
+  const TempFolder folder;
+  folder.write("x.yaml", kGood);
+  folder.write("full/file", "kept");
+  const Ran ran = run_program(folder, GetParam().arguments);
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err, GetParam().expected);
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(folder.everything(), (std::vector<std::string>{"full", "full/file", "x.yaml"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfTheCommandLine, TypedMistakes,
+    testing::Values(
+        Typed{"NoSuchScenario",
+              {"fly", "sweap"},
+              "eyrie: there is no scenario 'sweap'; did you mean 'sweep'?\n"},
+        Typed{"NoSuchFile",
+              {"fly", "nowhere/x.yaml"},
+              "eyrie: there is no scenario 'nowhere/x.yaml'\n"},
+        Typed{"SetWithoutValue",
+              {"fly", "x.yaml", "--set", "blue"},
+              "--set blue:1:1: expected path=value\n"},
+        Typed{"SetOfAnUnknownPath",
+              {"fly", "x.yaml", "--set", "blue.flights.egle.tree=cruise"},
+              "--set blue.flights.egle.tree=cruise:1:14: there is no 'egle' here; did you mean "
+              "'eagle'?\n"},
+        Typed{"SetOfAnUnknownKey",
+              {"fly", "x.yaml", "--set", "untill=3 s"},
+              "--set untill=3 s:1:1: scenario has no parameter 'untill'; did you mean 'until'?\n"},
+        Typed{
+            "SetWithTheWrongUnit",
+            {"fly", "x.yaml", "--set", "until=3 kg"},
+            "--set until=3 kg:1:7: until: expected a time such as '3 min', got '3 kg' (a mass)\n"},
+        Typed{"SetOfBrokenYaml",
+              {"fly", "x.yaml", "--set", "seed={"},
+              "--set seed={:1:6: not YAML: end of map flow not found\n"},
+        Typed{"TwoBadSets",
+              {"fly", "x.yaml", "--set", "blue", "--set", "=3"},
+              "--set blue:1:1: expected path=value\n--set =3:1:1: expected path=value\n"},
+        Typed{"UntilInTheWrongUnit",
+              {"fly", "x.yaml", "--until", "3 kg"},
+              "--until: expected a time such as '3 min', got '3 kg' (a mass)\n"},
+        Typed{"UntilTheStart",
+              {"fly", "x.yaml", "--until", "0 s"},
+              "--until: must be after the start\n"},
+        Typed{"OutThatIsNotEmpty",
+              {"fly", "x.yaml", "--out", "full"},
+              "eyrie: --out 'full' exists already; name another folder or add --force\n"},
+        Typed{"OutThatIsAFile",
+              {"fly", "x.yaml", "--out", "x.yaml"},
+              "eyrie: --out 'x.yaml' exists already; name another folder or add --force\n"},
+        Typed{"NegativeSeed",
+              {"fly", "x.yaml", "--seed", "-1"},
+              "--seed: must be a whole number from 0 to 18446744073709551615\n"
+              "Run with --help for more information.\n"},
+        Typed{"NoWorkers",
+              {"fly", "x.yaml", "--workers", "0"},
+              "--workers: Value 0 not in range 1 to 256\nRun with --help for more information.\n"},
+        Typed{"UnknownOption",
+              {"fly", "x.yaml", "--bogus"},
+              "The following argument was not expected: --bogus\n"
+              "Run with --help for more information.\n"},
+        Typed{"NoCommand", {}, "A subcommand is required\nRun with --help for more information.\n"},
+        Typed{"ReplayOfNothing", {"replay", "nowhere"}, "nowhere: cannot read the file\n"},
+        Typed{"ReplayOfAForeignFile", {"replay", "x.yaml"}, "x.yaml: this is not a run file\n"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST(GoodScenario, HasNoMistakes) {
+  const TempFolder folder;
+  folder.write("x.yaml", kGood);
+  const Ran ran = run_program(folder, {"validate", "x.yaml"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err, "");
+  EXPECT_EQ(ran.out, "x.yaml: 2 aircraft in 1 flight, 1 tree\n");
+  EXPECT_EQ(run_program(folder, {"fly", "x.yaml"}).code, 0);
+}
+
+/// One bad file does not hide the others.
+TEST(Validate, LooksAtEveryFile) {
+  const TempFolder folder;
+  folder.write("x.yaml", kGood);
+  folder.write("y.yaml", changed({{"vote: 100", "vote: -4"}}));
+  const Ran ran = run_program(folder, {"validate", "y.yaml", "gone.yaml", "x.yaml", "sweep"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err,
+            "y.yaml:9:30: vote: -4 is outside [0, 1000]\neyrie: there is no scenario "
+            "'gone.yaml'\n");
+  EXPECT_TRUE(ran.out.starts_with("x.yaml: 2 aircraft in 1 flight, 1 tree\n")) << ran.out;
+  EXPECT_NE(ran.out.find("sweep.yaml: 6 aircraft in 2 flights"), std::string::npos) << ran.out;
+}
+
+}  // namespace
+}  // namespace eyrie::test

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Runs the real program as its user does, in a folder of its own, and keeps what it said.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eyrie::test {
+
+[[nodiscard]] inline std::string read_text(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder that is gone after the test.
+class TempFolder {
+ public:
+  TempFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "eyrie-test-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw std::runtime_error("cannot make a temporary folder");
+    path_ = name;
+  }
+  ~TempFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::string operator/(std::string_view name) const {
+    return (path_ / name).string();
+  }
+  /// Writes a file and gives its path.
+  std::string write(std::string_view name, std::string_view text) const {
+    std::filesystem::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return *this / name;
+  }
+  /// Every file and folder below, relative and sorted.
+  [[nodiscard]] std::vector<std::string> everything() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path_))
+      names.push_back(std::filesystem::relative(entry.path(), path_).generic_string());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// How the program ended and what it printed. A code below 0 is the signal that killed it.
+struct Ran {
+  int code = 0;
+  std::string out, err;
+};
+
+/// The program: EYRIE_PROGRAM, or the one that was built beside this test.
+[[nodiscard]] inline std::string program_path() {
+  if (const char* set = std::getenv("EYRIE_PROGRAM"); set && *set)
+    return set;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe");
+  return (self.parent_path().parent_path() / "bin" / "eyrie").string();
+}
+
+/// The root of the source tree, where tests run.
+[[nodiscard]] inline std::string source_root() {
+  return std::filesystem::current_path().string();
+}
+
+struct RunOptions {
+  std::string home = source_root();  ///< EYRIE_HOME
+  /// Bytes after which a write to a file fails, as on a full disk; 0: none.
+  std::size_t file_size_limit = 0;
+};
+
+/// Runs the program in `folder`. Nothing of the surroundings reaches it; standard input is empty,
+/// and no stream is a terminal.
+[[nodiscard]] inline Ran run_program(const TempFolder& folder,
+                                     const std::vector<std::string>& arguments,
+                                     const RunOptions& options = {}) {
+  const TempFolder streams;
+  const std::string out = streams / "out", err = streams / "err";
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
+
+  std::vector<std::string> words{program_path()};
+  std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C"};
+  if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
+    words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
+             std::to_string(options.file_size_limit / 512), words[0]};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const auto pointers = [](std::vector<std::string>& strings) {
+    std::vector<char*> p;
+    for (std::string& s : strings)
+      p.push_back(s.data());
+    p.push_back(nullptr);
+    return p;
+  };
+  pid_t child = 0;
+  const int failed = ::posix_spawn(&child, words[0].c_str(), &actions, nullptr,
+                                   pointers(words).data(), pointers(settings).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed)
+    throw std::runtime_error("cannot run " + words[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out),
+          read_text(err)};
+}
+
+}  // namespace eyrie::test
