@@ -189,8 +189,9 @@ Decoded decode(std::string_view bytes) {
   if (r.number<std::uint32_t>() != kByteOrder)
     return {{}, "the run file comes from a machine of another byte order"};
   if (version != kRunFileVersion)
-    return {{}, fmt::format("the run file has format version {}; this program reads version {}",
-                            version, kRunFileVersion)};
+    return {{},
+            fmt::format("the run file has format version {}; this program reads version {}",
+                        version, kRunFileVersion)};
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);
   if (sum != checksum(bytes.substr(0, bytes.size() - kChecksum)))

@@ -37,8 +37,8 @@ std::string side_of(const scenario::Scenario& s, PlayerId id) {
 }
 
 /// How often a missile was released at, or on its way took, one of the own side. Nobody releases at
-/// a track that he does not hold for hostile (pilot/laws_test.cpp); but a track can pass from a dead
-/// enemy to a friend before he replies, and a seeker can take a friend near its target: rare.
+/// a track that he does not hold for hostile (pilot/laws_test.cpp); but a track can pass from a
+/// dead enemy to a friend before he replies, and a seeker can take a friend near its target: rare.
 int friends_hit(const Flight& f) {
   int hit = 0;
   for (const Happened& h : f.log.of(EventKind::kill))
