@@ -18,8 +18,8 @@ foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log lo
 endforeach()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # false positives of GCC 12 in std::string and std::vector at -O2 and above
-  target_compile_options(eyrie_options INTERFACE -Wno-restrict -Wno-stringop-overflow
-                         -Wno-array-bounds -Wno-maybe-uninitialized)
+  target_compile_options(eyrie_options INTERFACE -fpch-preprocess -Wno-restrict -Wno-stringop-overflow
+                         -Wno-array-bounds -Wno-maybe-uninitialized -Wno-subobject-linkage)
 endif()
 if(EYRIE_SANITIZE)
   target_compile_options(eyrie_options INTERFACE -fsanitize=${EYRIE_SANITIZE}
@@ -30,5 +30,7 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  # precompiled headers: GCC keeps their macros, and their time stamps say nothing
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
 endif()

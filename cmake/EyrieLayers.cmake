@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
 # eyrie_layer(NAME LINK libs... PRIVATE libs...)
 # Makes eyrie_NAME from src/NAME/**/*.cpp (header-only layers become INTERFACE-like with an empty
-# anchor) and, with EYRIE_TESTS, NAME_test from src/NAME/**/*_test.cpp.
+# anchor) and, with EYRIE_TESTS, NAME_test from src/NAME/**/*_test.cpp. What the tests of a layer
+# and others share is in src/NAME/testing*.cpp: eyrie_NAME_testing.
 function(eyrie_layer name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
   set(tests ${sources})
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  set(testing ${sources})
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/testing[a-z_]*\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER testing INCLUDE REGEX "/testing[a-z_]*\\.cpp$")
   if(sources)
     add_library(eyrie_${name} STATIC ${sources})
     target_link_libraries(eyrie_${name} PUBLIC eyrie_options ${ARG_LINK} PRIVATE ${ARG_PRIVATE})
@@ -16,22 +19,52 @@ function(eyrie_layer name)
     target_link_libraries(eyrie_${name} INTERFACE eyrie_options ${ARG_LINK} ${ARG_PRIVATE})
   endif()
   add_library(Eyrie::${name} ALIAS eyrie_${name})
+  if(testing AND (EYRIE_TESTS OR EYRIE_BENCH))
+    add_library(eyrie_${name}_testing STATIC EXCLUDE_FROM_ALL ${testing})
+    target_link_libraries(eyrie_${name}_testing PUBLIC eyrie_${name} eyrie_test_support)
+    if(TARGET rapidcheck)
+      target_link_libraries(eyrie_${name}_testing PUBLIC rapidcheck)
+    endif()
+  endif()
   if(EYRIE_TESTS AND tests)
     add_executable(${name}_test ${tests})
-    target_link_libraries(${name}_test PRIVATE eyrie_${name} eyrie_test_main ${ARG_PRIVATE})
-    # what is tested is optimised as it is shipped; the tests themselves need not be
-    target_compile_options(${name}_test PRIVATE -O1)
+    target_link_libraries(${name}_test PRIVATE ${ARG_PRIVATE})
+    if(testing)
+      target_link_libraries(${name}_test PRIVATE eyrie_${name}_testing)
+    endif()
+    eyrie_test_executable(${name}_test LINK eyrie_${name})
     gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
                          WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
   endif()
 endfunction()
 
-# What every test executable links: GoogleTest, RapidCheck and the counting allocator.
-if(EYRIE_TESTS)
-  find_package(GTest REQUIRED)
-  find_package(rapidcheck REQUIRED)
-  add_library(eyrie_test_main OBJECT ${CMAKE_SOURCE_DIR}/tests/support/no_allocation.cpp)
-  target_link_libraries(eyrie_test_main PUBLIC eyrie_options GTest::gtest_main rapidcheck
+# eyrie_test_executable(TARGET LINK libs...)
+# What is tested is optimised as it is shipped; the tests themselves need not be. What they include
+# most is parsed once, by the first of them.
+function(eyrie_test_executable target)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  target_link_libraries(${target} PRIVATE ${ARG_LINK} eyrie_test_support GTest::gtest_main rapidcheck
                         rapidcheck_gtest)
-  target_include_directories(eyrie_test_main PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+  target_compile_options(${target} PRIVATE -O1)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  get_property(owner GLOBAL PROPERTY EYRIE_PRECOMPILED_BY)
+  if(owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  else()
+    target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <rapidcheck/gtest.h> <algorithm>
+      <array> <cmath> <filesystem> <fstream> <map> <memory> <optional> <set> <span> <string>
+      <vector> <fmt/format.h>)
+    set_property(GLOBAL PROPERTY EYRIE_PRECOMPILED_BY ${target})
+  endif()
+endfunction()
+
+# What tests and benchmarks share: the counting allocator and the files of data/ without YAML.
+if(EYRIE_TESTS OR EYRIE_BENCH)
+  find_package(GTest REQUIRED)
+  add_library(eyrie_test_support OBJECT EXCLUDE_FROM_ALL
+              ${CMAKE_SOURCE_DIR}/tests/support/no_allocation.cpp
+              ${CMAKE_SOURCE_DIR}/tests/support/data_file.cpp)
+  target_link_libraries(eyrie_test_support PUBLIC eyrie_options fmt::fmt GTest::gtest)
+  target_include_directories(eyrie_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+  set_target_properties(eyrie_test_support PROPERTIES UNITY_BUILD OFF)
 endif()

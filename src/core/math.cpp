@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/math.hpp"
 
-#include <limits>
-
 #include "core/angle.hpp"
 
 namespace eyrie::math {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // pi/2 and pi in two parts
 constexpr double kHalfPi = 0x1.921fb54442d18p+0, kHalfPiLow = 0x1.1a62633145c07p-54;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 /// \file The elementary functions that a step may use. They are made of + - * / sqrt and bit
 /// operations only (and fmod, which is exact), so they give the same bits on every IEEE 754 machine
@@ -19,6 +20,9 @@
 /// Manual for the Elementary Functions" (1980), and J.-M. Muller, "Elementary Functions" (3rd ed.,
 /// 2016).
 namespace eyrie::math {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct SinCos {
   double sin, cos;

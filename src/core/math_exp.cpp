@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Exponentials and logarithms. Where one double does not hold enough, a value is the sum of two.
-#include <limits>
-
 #include "core/math.hpp"
 
 namespace eyrie::math {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // ln 2 in two parts, the first short enough for an exact product with any exponent
 constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;

@@ -8,6 +8,7 @@
 
 #include "model/flight/test_flight.hpp"
 #include "pilot/testing.hpp"
+#include "support/data_file.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -4,6 +4,24 @@
 #include "core/math.hpp"
 
 namespace eyrie::pilot {
+namespace {
+
+/// Whether `holds` of the place (NED at the ownship) of any friend that the pilot knows of.
+template <class Holds>
+bool any_friend(const State& s, const Holds& holds) {
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.track->identity == model::Identity::friendly && holds(seen.ned))
+      return true;
+  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (i != s.datalink.self && mate.alive && mate.reported &&
+        holds(to_ned(s.own, model::position_at(mate, s.time) - s.own.position)))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 std::optional<Sight> gun_sight(const State& s, const Seen& target) {
   if (!s.type.index.gun)
@@ -19,23 +37,17 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
       .aim = to_ned(s.own, lead.direction), .off_nose = lead.off_bore, .range = lead.range};
 }
 
-bool friend_in_line(const State& s, const Vec3& direction, double range, double half_angle) {
-  const Vec3 line = normalized(direction, {1, 0, 0});
-  const double cosine = math::cos(half_angle);
-  const auto in_line = [&](const Vec3& ned) {
+bool friend_in_line(const State& s, const LineOfFire& line) {
+  const Vec3 direction = normalized(line.direction, {1, 0, 0});
+  const double cosine = math::cos(line.half_angle);
+  return any_friend(s, [&](const Vec3& ned) {
     const double distance = norm(ned);
-    return distance < range && dot(ned, line) >= cosine * distance;
-  };
-  for (const Seen& seen : s.tracks_seen())
-    if (seen.track->identity == model::Identity::friendly && in_line(seen.ned))
-      return true;
-  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
-    const model::Mate& mate = s.datalink.members[i];
-    if (i != s.datalink.self && mate.alive && mate.reported &&
-        in_line(to_ned(s.own, model::position_at(mate, s.time) - s.own.position)))
-      return true;
-  }
-  return false;
+    return distance >= line.from && distance < line.to && dot(ned, direction) >= cosine * distance;
+  });
+}
+
+bool friend_near(const State& s, const Vec3& place, double radius) {
+  return any_friend(s, [&](const Vec3& ned) { return norm2(ned - place) < radius * radius; });
 }
 
 }  // namespace eyrie::pilot

@@ -18,9 +18,17 @@ struct Sight {
 /// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.
 [[nodiscard]] std::optional<Sight> gun_sight(const State& state, const Seen& target);
 
-/// Whether a friend is believed within `half_angle` (rad) of a direction (NED) and nearer than
-/// `range` (m): a mate by datalink or a track identified as friendly.
-[[nodiscard]] bool friend_in_line(const State& state, const Vec3& direction, double range,
-                                  double half_angle);
+/// A cone from the ownship along `direction` (NED), cut off at two distances.
+struct LineOfFire {
+  Vec3 direction;
+  double from = 0;        ///< m
+  double to = 0;          ///< m
+  double half_angle = 0;  ///< rad
+};
+/// Whether a friend is believed to be in it: a mate by datalink or a track identified as friendly.
+[[nodiscard]] bool friend_in_line(const State& state, const LineOfFire& line);
+
+/// Whether a friend is believed within `radius` (m) of a place (NED at the ownship).
+[[nodiscard]] bool friend_near(const State& state, const Vec3& place, double radius);
 
 }  // namespace eyrie::pilot

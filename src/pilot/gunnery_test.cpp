@@ -38,7 +38,8 @@ TEST(GunSight, PointsAtATargetThatFliesAheadButForTheDropOfTheRounds) {
 TEST(FriendInLine, SeesMatesAndFriendlyTracks) {
   Desk desk;
   const auto in_line = [&](double range) {
-    return friend_in_line(desk.state(), {1, 0, 0}, range, radians(5));
+    return friend_in_line(desk.state(),
+                          {.direction = {1, 0, 0}, .to = range, .half_angle = radians(5)});
   };
   EXPECT_FALSE(in_line(5000));
   desk.track({2000, 100, 0}, 0, 250, model::Identity::friendly);
@@ -59,7 +60,32 @@ TEST(FriendInLine, CountsNeitherHostilesNorTheOwnship) {
   Desk desk;
   desk.in_flight(1, 1);
   desk.track({2000, 0, 0});
-  EXPECT_FALSE(friend_in_line(desk.state(), {1, 0, 0}, 5000, radians(5)));
+  EXPECT_FALSE(
+      friend_in_line(desk.state(), {.direction = {1, 0, 0}, .to = 5000, .half_angle = radians(5)}));
+  EXPECT_FALSE(friend_near(desk.state(), {2000, 0, 0}, 1000));
+}
+
+TEST(FriendInLine, BeginsWhereItIsTold) {
+  Desk desk;
+  desk.track({2000, 0, 0}, 0, 250, model::Identity::friendly);
+  const auto in_line = [&](double from) {
+    return friend_in_line(
+        desk.state(), {.direction = {1, 0, 0}, .from = from, .to = 5000, .half_angle = radians(5)});
+  };
+  EXPECT_TRUE(in_line(1900));
+  EXPECT_FALSE(in_line(2100));
+}
+
+TEST(FriendNear, SeesMatesAndFriendlyTracksAroundAPlace) {
+  Desk desk;
+  desk.track({2000, 0, 0}, 0, 250, model::Identity::friendly);
+  EXPECT_TRUE(friend_near(desk.state(), {2000, 900, 0}, 1000));
+  EXPECT_FALSE(friend_near(desk.state(), {2000, 1100, 0}, 1000));
+  desk.in_flight(2, 2);
+  desk.datalink.members[0].position = desk.own.position + Vec3{8000, 0, 0};
+  EXPECT_TRUE(friend_near(desk.state(), {8000, 0, 900}, 1000));
+  desk.lose(1);
+  EXPECT_FALSE(friend_near(desk.state(), {8000, 0, 900}, 1000));
 }
 
 }  // namespace

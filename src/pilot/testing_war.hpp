@@ -15,9 +15,11 @@
 #include "model/weapon/missile_system.hpp"
 #include "model/weapon/stores.hpp"
 #include "model/weapon/stores_system.hpp"
+#include "pilot/catalog.hpp"
 #include "pilot/pilot_system.hpp"
 #include "pilot/testing.hpp"
 #include "sim/simulation.hpp"
+#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot::testing {
 

@@ -198,3 +198,12 @@ inline constexpr Status kRunning = Status::running;
 inline constexpr Status kSuccess = Status::success;
 
 }  // namespace eyrie::ubf::testing
+
+// compiled once for all tests (testing.cpp)
+namespace eyrie::ubf {
+#define EYRIE_UBF_TESTED(Node) extern template class Node<testing::State, testing::Action>;
+#include "ubf/testing_nodes.inc"
+#undef EYRIE_UBF_TESTED
+extern template class Trace<testing::Action>;
+extern template void add_standard_nodes(Registry<testing::State, testing::Action>&);
+}  // namespace eyrie::ubf

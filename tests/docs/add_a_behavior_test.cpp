@@ -3,8 +3,10 @@
 /// that the page is compiled and run.
 #include <gtest/gtest.h>
 
+#include "pilot/catalog.hpp"
 #include "pilot/testing.hpp"
 #include "ubf/simulated_time.hpp"
+#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -75,10 +75,11 @@ void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tr
 
 /// What mate number `member` said about tracks goes into the own file: a track that a sensor of the
 /// mate holds becomes a track here, or replaces the estimate here if it is the better one; identity
-/// is taken over where it is unknown; claims (targeted, shot at) are marked with the mate's bit.
+/// is taken over where it is unknown, but hostile only where no member of the flight (`state`) may
+/// be; claims (targeted, shot at) are marked with the mate's bit.
 /// Estimates are chosen, not averaged: the mate's may contain what was learned from here.
 void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
-          std::uint32_t member);
+          const DatalinkState& state, std::uint32_t member);
 
 /// The track that lies where the mate says it is, is the mate: an unknown one becomes friendly.
 void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& mate);

@@ -18,7 +18,7 @@ inline constexpr std::size_t kSharedTracks = 4;
 inline constexpr std::size_t kMessages = 4;
 
 /// What the sender says about one of its tracks, as bits of SharedTrack::engagement.
-enum Engagement : std::uint8_t {
+enum TrackEngagement : std::uint8_t {
   kTargeted = 1,  ///< it is the sender's target
   kShotAt = 2,    ///< the sender has a missile on its way to it
 };
@@ -31,7 +31,7 @@ struct SharedTrack {
   float velocity_sigma = 0;         ///< m/s
   PlayerId truth{};                 ///< passed on for debrief only
   Identity identity = Identity::unknown;
-  std::uint8_t engagement = 0;  ///< bits of Engagement
+  std::uint8_t engagement = 0;  ///< bits of TrackEngagement
   std::uint8_t sensed = 0;      ///< 1: held by a sensor of the sender, worth fusing
   std::uint8_t reserved = 0;
 

@@ -207,7 +207,7 @@ DatalinkMessage message_of(const TrackFile& tracks, TrackId target = {},
 
 TEST(Fuse, MakesATrackOfWhatOnlyTheMateSees) {
   Receiver r;
-  fuse(r.file, r.at(0.5), message_of(file_of({confirmed(8, {50e3, 0, 0})})), 1);
+  fuse(r.file, r.at(0.5), message_of(file_of({confirmed(8, {50e3, 0, 0})})), {}, 1);
   ASSERT_EQ(r.file.count, 1u);
   const Track& t = r.file.tracks[0];
   EXPECT_EQ(t.id, TrackId{1}) << "a name of the own file";
@@ -226,7 +226,7 @@ TEST(Fuse, ChoosesTheBetterEstimateAndNeverMixes) {
   own.along = own.across = {20 * 20, 0, 4};
   own.time = 0.5;
   good.file = file_of({own});
-  fuse(good.file, good.at(0.5), message, 1);
+  fuse(good.file, good.at(0.5), message, {}, 1);
   ASSERT_EQ(good.file.count, 1u);
   EXPECT_EQ(good.file.tracks[0].position, own.position);
   EXPECT_EQ(good.file.tracks[0].identity, Identity::hostile) << "who it is, is taken over";
@@ -235,11 +235,33 @@ TEST(Fuse, ChoosesTheBetterEstimateAndNeverMixes) {
   Receiver poor;
   own.along = own.across = {400 * 400, 0, 100};
   poor.file = file_of({own});
-  fuse(poor.file, poor.at(0.5), message, 1);
+  fuse(poor.file, poor.at(0.5), message, {}, 1);
   ASSERT_EQ(poor.file.count, 1u);
   EXPECT_NEAR(poor.file.tracks[0].position.y, 0, 0.01);
   EXPECT_EQ(poor.file.tracks[0].fresh, kFromDatalink);
   EXPECT_EQ(poor.file.tracks[0].id, TrackId{1});
+}
+
+TEST(Fuse, CallsNobodyHostileWhoMayBeAFriend) {
+  DatalinkState state;
+  state.count = 3;
+  state.self = 0;
+  state.members[2] = {.position = {50e3, 500, 0}, .velocity = {}, .alive = 1, .reported = 1};
+  const DatalinkMessage message = message_of(file_of({confirmed(8, {50e3, 0, 0})}));
+  const auto identity_after = [&] {
+    Receiver r;
+    Track own = confirmed(1, {49.9e3, 300, 0}, Identity::unknown);
+    own.along = own.across = {80 * 80, 0, 4};  // better than the sender's
+    r.file = file_of({own});
+    fuse(r.file, r.at(0.1), message, state, 1);
+    return r.file.tracks[0].identity;
+  };
+  EXPECT_EQ(identity_after(), Identity::unknown);
+  state.members[2].alive = 0;
+  EXPECT_EQ(identity_after(), Identity::hostile);
+  state.members[2].alive = 1;
+  state.members[2].position = {50e3, 9e3, 0};
+  EXPECT_EQ(identity_after(), Identity::hostile);
 }
 
 TEST(Fuse, MarksTheClaimsOfTheMateAndTakesThemBack) {
@@ -247,11 +269,11 @@ TEST(Fuse, MarksTheClaimsOfTheMateAndTakesThemBack) {
   r.file = file_of({confirmed(1, {50e3, 0, 0}), confirmed(2, {50e3, 9e3, 0})});
   const TrackFile theirs = file_of({confirmed(8, {50e3, 0, 0}), confirmed(9, {50e3, 9e3, 0})});
   const std::array shots{TrackId{9}};
-  fuse(r.file, r.at(0.1), message_of(theirs, TrackId{8}, shots), 2);
+  fuse(r.file, r.at(0.1), message_of(theirs, TrackId{8}, shots), {}, 2);
   EXPECT_EQ(r.file.tracks[0].targeted_by, 0b100);
   EXPECT_EQ(r.file.tracks[0].shot_by, 0);
   EXPECT_EQ(r.file.tracks[1].shot_by, 0b100);
-  fuse(r.file, r.at(0.2), message_of(theirs, TrackId{9}), 2);
+  fuse(r.file, r.at(0.2), message_of(theirs, TrackId{9}), {}, 2);
   EXPECT_EQ(r.file.tracks[0].targeted_by, 0);
   EXPECT_EQ(r.file.tracks[1].targeted_by, 0b100);
   EXPECT_EQ(r.file.tracks[1].shot_by, 0);
@@ -259,7 +281,7 @@ TEST(Fuse, MarksTheClaimsOfTheMateAndTakesThemBack) {
 
 TEST(Fuse, DoesNotTakeItselfForAStranger) {
   Receiver r;
-  fuse(r.file, r.at(0.1), message_of(file_of({confirmed(8, {200, 100, 0})})), 1);
+  fuse(r.file, r.at(0.1), message_of(file_of({confirmed(8, {200, 100, 0})})), {}, 1);
   EXPECT_EQ(r.file.count, 0u);
 }
 

@@ -57,6 +57,31 @@ std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
   return nearest;
 }
 
+/// Where a mate says it is, carried on to now.
+Contact reported(const Mate& mate, const TrackContext& context) {
+  Contact contact;
+  contact.position = position_at(mate, context.time);
+  contact.line = normalized(contact.position - context.observer.position, {1, 0, 0});
+  contact.sigma_along = contact.sigma_across = kSpeedSlack * (context.time - mate.time);
+  return contact;
+}
+
+/// Whether the track could be a member of the own flight, as far as its places tell.
+bool may_be_mate(const Track& track, const DatalinkState& state, const TrackContext& context) {
+  const double gate = context.tracker.gate;
+  const Prediction place = predict(track, context.tracker, context.observer, context.time);
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    const Mate& mate = state.members[i];
+    if (i == state.self || !mate.alive || !mate.reported)
+      continue;
+    const Contact contact = reported(mate, context);
+    if (norm(contact.position - place.position) <= context.tracker.max_gate &&
+        deviations_of(place, contact) <= gate * gate)
+      return true;
+  }
+  return false;
+}
+
 /// The track as the mate believes it to be, now.
 void take_over(Track& track, const SharedTrack& shared, const TrackContext& context,
                const Contact& contact, double dt) {
@@ -148,7 +173,7 @@ void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tr
 }
 
 void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
-          std::uint32_t member) {
+          const DatalinkState& state, std::uint32_t member) {
   const auto bit = static_cast<std::uint8_t>(1u << member);
   for (std::uint32_t t = 0; t < file.count; ++t) {
     file.tracks[t].targeted_by &= static_cast<std::uint8_t>(~bit);
@@ -186,7 +211,9 @@ void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& m
     }
 
     Track& track = file.tracks[index];
-    if (track.identity == Identity::unknown)
+    // the two may be neighbors: who stands where a friend may be is not called hostile for that
+    if (track.identity == Identity::unknown &&
+        (shared.identity != Identity::hostile || !may_be_mate(track, state, context)))
       identify(track, shared.identity, context);
     if ((shared.engagement & kTargeted) != 0)
       track.targeted_by |= bit;
@@ -198,10 +225,7 @@ void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& m
 void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& mate) {
   if (!mate.reported)
     return;
-  Contact contact;
-  contact.position = position_at(mate, context.time);
-  contact.line = normalized(contact.position - context.observer.position, {1, 0, 0});
-  contact.sigma_along = contact.sigma_across = kSpeedSlack * (context.time - mate.time);
+  const Contact contact = reported(mate, context);
   double best = kRecognized * kRecognized;
   const std::size_t index = nearest_track(file, context, contact, best);
   if (index == kMaxTracks)

@@ -104,7 +104,7 @@ void read_datalink(const Scene& scene, Self& self) {
         receive(mate, *datalink, scene.sent[*row], in_reach, scene.time,
                 scene.draw(self.id, Stream::datalink, mate.id));
     if (message != nullptr) {
-      fuse(self.tracks, context, *message, i);
+      fuse(self.tracks, context, *message, state, i);
       recognize_mate(self.tracks, context, mate);
     }
   }

@@ -48,7 +48,7 @@ Contact estimate(const Visual& visual, const Eyes& eyes, const Vec3& position, P
   const double mirror = std::copysign(1.0, dot(unit, eyes.body.right));
 
   Contact contact;
-  contact.range = range * std::max(1 + visual.sigma_range * noise.normal(), 0.1);
+  contact.range = range * math::exp(visual.sigma_range * noise.normal());
   const double out = visual.sigma_angle * noise.normal();
   const double side = mirror * visual.sigma_angle * noise.normal();
   contact.line = normalized(unit + out * outwards + side * sideways, unit);

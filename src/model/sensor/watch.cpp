@@ -19,7 +19,7 @@ constexpr std::size_t kWatched = 8;
 enum class About : std::uint8_t { aircraft, missile };
 
 /// How much a pilot knows about where to look.
-enum class Lead : std::uint8_t { none, cued, held };
+enum class Cue : std::uint8_t { none, cued, held };
 
 /// The directions in which the pilot knows of something. A look at a place close to one is cued; it
 /// goes to what is held already if that was seen just now and is about as far.
@@ -40,15 +40,15 @@ class KnownDirections {
     known_[count_++] = {ce * ca * own.north + ce * sa * own.east - se * own.down,
                         held ? missile.range : 0, About::missile};
   }
-  [[nodiscard]] Lead lead(About about, const Vec3& sight, double range) const {
-    Lead best = Lead::none;
+  [[nodiscard]] Cue cue(About about, const Vec3& sight, double range) const {
+    Cue best = Cue::none;
     for (std::size_t i = 0; i < count_; ++i) {
       const Known& known = known_[i];
       if (dot(sight, known.unit) < cos_cue_ * range)
         continue;
       const bool same = known.held_range > 0 && known.about == about &&
                         range < 2 * known.held_range && known.held_range < 2 * range;
-      best = std::max(best, same ? Lead::held : Lead::cued);
+      best = std::max(best, same ? Cue::held : Cue::cued);
     }
     return best;
   }
@@ -77,10 +77,10 @@ bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDir
   const Vec3 sight = other.position - eyes.position;
   const double u = scene.draw(self.id, Stream::visual, scene.ids[j]).uniform();
 
-  const Lead lead = known.lead(About::aircraft, sight, range);
-  const double search = lead == Lead::none ? visual.search : visual.cued_search;
+  const Cue cue = known.cue(About::aircraft, sight, range);
+  const double search = cue == Cue::none ? visual.search : visual.cued_search;
   const Signature& signature = *scene.suite(j).signature;
-  if (lead != Lead::held) {
+  if (cue != Cue::held) {
     // 1 - exp(-x) <= x: most of those far away need no more than this
     const double largest =
         std::max({signature.area_front, signature.area_side, signature.area_top});
@@ -89,7 +89,7 @@ bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDir
   }
   if (!in_view(visual, eyes, sight / range) || below_horizon(eyes, other.altitude, range))
     return false;
-  if (lead == Lead::held)
+  if (cue == Cue::held)
     return u < visual.hold_probability;
   const double area = silhouette(signature, body_axes(other), sight / -range);
   return u < acquisition_probability(visual, search, area, range);
@@ -149,10 +149,10 @@ void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
     const bool burning =
         scene.time - state.launch_time < scene.library.missiles[state.type].motor.burn_time();
     const double area = burning ? visual.plume_area : visual.missile_area;
-    const Lead lead = known.lead(About::missile, sight, range);
-    const double search = lead == Lead::none ? visual.search : visual.cued_search;
-    const double p = lead == Lead::held ? visual.hold_probability
-                                        : acquisition_probability(visual, search, area, range);
+    const Cue cue = known.cue(About::missile, sight, range);
+    const double search = cue == Cue::none ? visual.search : visual.cued_search;
+    const double p = cue == Cue::held ? visual.hold_probability
+                                      : acquisition_probability(visual, search, area, range);
     const PlayerId id = scene.missile_ids[m];
     if (!scene.draw(self.id, Stream::visual, id).chance(p) ||
         !looks_dangerous(visual, sight, missile.velocity - eyes.velocity))

@@ -30,10 +30,9 @@ std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
   std::array<Pair, kMaxTracks * kMaxContacts> pairs;
   std::size_t count = 0;
   const double gate2 = tracker.gate * tracker.gate;
-  const double far2 = tracker.max_gate * tracker.max_gate;
   for (std::size_t t = 0; t < tracks.size(); ++t)
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (norm2(contacts[c].position - tracks[t].position) > far2)
+      if (norm2(contacts[c].position - tracks[t].position) > reach2(tracker, contacts[c]))
         continue;
       const double deviations2 = deviations_of(tracks[t], contacts[c]);
       if (deviations2 <= gate2)

@@ -11,6 +11,13 @@
 
 namespace eyrie::model {
 
+/// m^2: no track is farther than that from a contact of its target. An eye judges a direction well
+/// and a range badly, so what the contact does not know along its line comes on top.
+[[nodiscard]] inline double reach2(const Tracker& tracker, const Contact& contact) {
+  const double reach = tracker.max_gate + tracker.gate * contact.sigma_along;
+  return reach * reach;
+}
+
 inline constexpr std::size_t kMaxContacts = 32;
 
 /// Marks a contact that belongs to no track.

@@ -37,7 +37,9 @@ TEST(Associate, LeavesOutWhatIsOutsideTheGates) {
   // the standard deviation of the difference is 141 m
   EXPECT_EQ(associate(kTracker, tracks, std::vector{contact_at(560, 0)})[0], 0);
   EXPECT_EQ(associate(kTracker, tracks, std::vector{contact_at(570, 0)})[0], kNoTrack);
-  const Tracker narrow{.gate = 4, .max_gate = 500};
+  // across the line max_gate is the end; along it the error of the contact comes on top
+  const Tracker narrow{.gate = 4, .max_gate = 100};
+  EXPECT_EQ(associate(narrow, tracks, std::vector{contact_at(490, 0)})[0], 0);
   EXPECT_EQ(associate(narrow, tracks, std::vector{contact_at(510, 0)})[0], kNoTrack);
 }
 

@@ -2,6 +2,7 @@
 #include "model/track/track_file.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/assert.hpp"
 #include "model/sensor/iff.hpp"
@@ -75,21 +76,26 @@ std::size_t least_worth(const TrackFile& file, const TrackContext& context, doub
   return farthest != kMaxTracks ? farthest : stalest;
 }
 
-/// Whether two tracks may be one target: never if one sensor holds both for good, because a sensor
-/// that gives two contacts in one look has seen two targets.
-bool may_be_one(const Track& a, const Track& b) {
+/// Whether two tracks may be one target: never if one sensor goes on holding both, because a sensor
+/// that gives two contacts in one look has seen two targets. Eyes look at everything at once; a
+/// radar comes by at different times.
+bool may_be_one(const Track& a, const Track& b, const TrackContext& context) {
   if (a.time == b.time && (a.fresh & b.fresh) != 0)
     return false;
-  return !a.confirmed || !b.confirmed || (a.sources & b.sources & kOwnSensors) == 0;
+  if (!a.confirmed || !b.confirmed || (a.sources & b.sources & kOwnSensors) == 0)
+    return true;
+  const double apart = std::fabs(a.sensed_time - b.sensed_time);
+  const bool by_eye = a.fresh == kFromVisual && b.fresh == kFromVisual;
+  return apart >= (by_eye ? context.tracker.glance_time : context.tracker.coast_time / 4);
 }
 
 bool coincide(const Prediction& a, const Prediction& b, const TrackContext& context) {
   const double gate2 = context.tracker.merge_gate * context.tracker.merge_gate;
   const Vec3 apart = a.position - b.position;
-  if (norm2(apart) > context.tracker.max_gate * context.tracker.max_gate)
-    return false;
   const Vec3 line = normalized(a.position - context.observer.position, {1, 0, 0});
   const double along = dot(apart, line), across2 = std::max(norm2(apart) - along * along, 0.0);
+  if (across2 > context.tracker.max_gate * context.tracker.max_gate)
+    return false;
   if (along * along / (a.along.position + b.along.position) +
           across2 / (a.across.position + b.across.position) >
       gate2)
@@ -139,7 +145,7 @@ void merge_duplicates(TrackFile& file, const TrackContext& context) {
   for (std::size_t i = 0; i + 1 < file.count; ++i)
     for (std::size_t j = i + 1; j < file.count;) {
       Track &older = file.tracks[i], &newer = file.tracks[j];
-      if (!may_be_one(older, newer) || far_apart(older, newer, context)) {
+      if (!may_be_one(older, newer, context) || far_apart(older, newer, context)) {
         ++j;
         continue;
       }
@@ -195,9 +201,8 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
   std::array<Prediction, kMaxTracks> predictions;
   for (std::size_t i = 0; i < file.count; ++i) {
     const Vec3 position = position_at(file.tracks[i], context.time);
-    const double gate2 = context.tracker.max_gate * context.tracker.max_gate;
     const bool near = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-      return norm2(c.position - position) <= gate2;
+      return norm2(c.position - position) <= reach2(context.tracker, c);
     });
     if (near)
       predictions[i] = predict(file.tracks[i], context.tracker, context.observer, context.time);

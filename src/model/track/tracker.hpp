@@ -21,6 +21,7 @@ struct Tracker {
   double coast_time = 12;
   double tentative_time = 6;
   double merge_gate = 2;
+  double glance_time = 0.2;
 
   static constexpr std::string_view type_name = "tracker";
   static constexpr std::string_view help = "association, filter and life of tracks";
@@ -32,7 +33,7 @@ struct Tracker {
         param("gate", &Tracker::gate, range(1, 10),
               "a contact belongs to a track within so many standard deviations"),
         param("max_gate", &Tracker::max_gate, "m", range(1, 1e5),
-              "and never farther away than this"),
+              "and, but for the error of its range, never farther away than this"),
         param("confirm_hits", &Tracker::confirm_hits, range(1, 255),
               "contacts after which a track is believed"),
         param("maneuver", &Tracker::maneuver, "m/s2", range(0, 500),
@@ -44,7 +45,9 @@ struct Tracker {
         param("tentative_time", &Tracker::tentative_time, "s", range(0.1, 600),
               "a tentative track is dropped so long after its last update"),
         param("merge_gate", &Tracker::merge_gate, range(0, 10),
-              "tracks closer than so many standard deviations are one")};
+              "tracks closer than so many standard deviations are one"),
+        param("glance_time", &Tracker::glance_time, "s", range(0, 60),
+              "two tracks that the eyes last saw so far apart in time may be one aircraft")};
   }
 };
 

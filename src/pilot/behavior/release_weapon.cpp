@@ -30,7 +30,13 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
     if (!zone.possible() || target.range < zone.r_min || target.range > reach ||
         (best && reach >= best_reach))
       continue;
-    if (missile.locks_before_launch() && friend_in_line(s, target.ned, target.range, clear_cone_))
+    // whoever stands where the seeker looks on its way may be taken for the target
+    const double looks_from =
+        missile.locks_before_launch() ? 0 : target.range - missile.seeker.activation_range;
+    if (friend_in_line(s, {.direction = target.ned,
+                           .from = looks_from,
+                           .to = target.range + clear_radius_,
+                           .half_angle = clear_cone_}))
       continue;
     best = store;
     best_reach = reach;
@@ -39,8 +45,11 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
 }
 
 bool ReleaseWeapon::may_shoot(const State& s, const Seen& target) const {
+  // two standard deviations: a target whose place is badly known may be where the friend is
+  const double unsure = 2 * static_cast<double>(target.track->position_sigma);
   return target.hostile() && s.time - target.track->time <= max_age_ && !s.stores.pending_track &&
-         s.off_nose(target.ned) <= off_boresight_;
+         s.off_nose(target.ned) <= off_boresight_ &&
+         !friend_near(s, target.ned, clear_radius_ + unsure);
 }
 
 bool ReleaseWeapon::is_covered(const State& s, const Claims& claims) const {

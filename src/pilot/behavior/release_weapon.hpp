@@ -42,7 +42,11 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
         param("max_age", &R::max_age_, "s", range(0, 60),
               "a track that nobody has updated for longer is not shot at"),
         param("clear_cone", &R::clear_cone_, "rad", range(0, 0.5),
-              "infrared missiles: no friend may be within this angle of the line to the target")};
+              "no friend may be within this angle of the line to the target, where the seeker of "
+              "the missile will be looking"),
+        param("clear_radius", &R::clear_radius_, "m", range(0, 50e3),
+              "no friend may be so near to the target, give or take two standard deviations of its "
+              "track: a seeker, or who tracks, may pass from one to the other")};
   }
 
   Status tick(const Tick& t, Proposal& out) const override;
@@ -65,6 +69,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
   double patience_ = 8;
   double max_age_ = 3;
   double clear_cone_ = si(5, "deg");
+  double clear_radius_ = si(1, "nmi");
 };
 
 }  // namespace eyrie::pilot

@@ -141,8 +141,44 @@ TEST(ReleaseWeapon, DoesNotShootAHeatSeekerPastAFriend) {
   desk.in_flight(2, 1);
   desk.datalink.members[1].position = desk.own.position + Vec3{1500, 50, 0};
   EXPECT_EQ(decide(kRelease, desk).status, kFailure);
-  desk.datalink.members[1].position = desk.own.position + Vec3{1500, 800, 0};
+  desk.datalink.members[1].position = desk.own.position + Vec3{1500, 1500, 0};
   EXPECT_EQ(decide(kRelease, desk).status, kRunning);
+}
+
+TEST(ReleaseWeapon, LeavesATargetAloneWhileAFriendIsBesideIt) {
+  Desk desk = at_share(0.2);
+  const Vec3 place = desk.tracks.tracks[0].position;
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = place + Vec3{0, 1500, 0};
+  EXPECT_EQ(decide("{release_weapon: {clear_radius: 1 nmi}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {clear_radius: 1400 m, clear_cone: 0}}", desk).status,
+            kRunning);
+  desk.datalink.members[1].position = place + Vec3{0, 1900, 0};
+  EXPECT_EQ(decide("{release_weapon: {clear_radius: 1 nmi, clear_cone: 0}}", desk).status,
+            kRunning);
+}
+
+TEST(ReleaseWeapon, KeepsAwayFromFriendsByTheErrorOfTheTrackToo) {
+  Desk desk = at_share(0.2);
+  const Vec3 place = desk.tracks.tracks[0].position;
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = place + Vec3{0, 2500, 0};
+  const char* release = "{release_weapon: {clear_radius: 1 nmi, clear_cone: 0}}";
+  EXPECT_EQ(decide(release, desk).status, kRunning);
+  desk.tracks.tracks[0].position_sigma = 400;
+  EXPECT_EQ(decide(release, desk).status, kFailure);
+}
+
+TEST(ReleaseWeapon, MindsAFriendWhereTheActiveSeekerWillLook) {
+  Desk desk = at_share(0.2);
+  const double range = desk.tracks.tracks[0].position.x;
+  const double switches_on = library().missiles[kMedium].seeker.activation_range;
+  ASSERT_GT(range, switches_on + 2000);
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = desk.own.position + Vec3{range - switches_on + 500, 300, 0};
+  EXPECT_EQ(decide(kRelease, desk).status, kFailure);
+  desk.datalink.members[1].position = desk.own.position + Vec3{range - switches_on - 500, 300, 0};
+  EXPECT_EQ(decide(kRelease, desk).status, kRunning) << "it passes him blind";
 }
 
 /// Ahead and mostly in reach; any identity, confirmed or not.

@@ -34,7 +34,9 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
   }
   const auto sight = gun_sight(s, *target);
   if (sight->off_nose > tolerance_.value_or(gun.aim_cone) ||
-      friend_in_line(s, sight->aim, target->range + clear_beyond_, clear_cone_)) {
+      friend_in_line(s, {.direction = sight->aim,
+                         .to = target->range + clear_beyond_,
+                         .half_angle = clear_cone_})) {
     m = {};
     return Status::failure;
   }

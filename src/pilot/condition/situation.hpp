@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Conditions about the enemy: is one known, in sight, gone; is somebody shooting.
+#include <algorithm>
+
 #include "pilot/sort.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
@@ -111,15 +113,27 @@ class HasTarget final : public Condition {
   double within_ = 1e6;
 };
 
-/// An own missile is believed on its way to the chosen target.
+/// An own missile is believed on its way to the chosen target, or to anybody.
 class ShotInFlight final : public Condition {
  public:
   static constexpr std::string_view type_name = "shot_in_flight";
-  static constexpr std::string_view help = "an own missile is on its way to the chosen target";
-  [[nodiscard]] bool holds(const Tick& t) const override {
-    const Seen* target = t.state.target();
-    return target && claims_on(t.state, *target).own_shots > 0;
+  static constexpr std::string_view help = "an own missile is believed on its way";
+  static constexpr auto params() {
+    return std::tuple{
+        param("any", &ShotInFlight::any_, "true: to whomever; false: to the chosen target")};
   }
+  [[nodiscard]] bool holds(const Tick& t) const override {
+    const State& s = t.state;
+    if (any_)
+      return std::any_of(s.agent.shots.begin(), s.agent.shots.end(), [&](const Shot& shot) {
+        return shot.track && s.time < shot.until && s.find(shot.track);
+      });
+    const Seen* target = s.target();
+    return target && claims_on(s, *target).own_shots > 0;
+  }
+
+ private:
+  bool any_ = false;
 };
 
 }  // namespace eyrie::pilot

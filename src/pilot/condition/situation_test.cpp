@@ -108,5 +108,19 @@ TEST(ShotInFlight, HoldsWhileTheOwnMissileFliesToTheTarget) {
   EXPECT_FALSE(holds("shot_in_flight", desk));
 }
 
+TEST(ShotInFlight, MayMeanAnyTargetThatIsStillTracked) {
+  Desk desk;
+  desk.track({20e3, 0, 0});
+  desk.track({40e3, 0, 0});
+  desk.agent.target = TrackId{1};
+  desk.agent.shots[1] = {.until = desk.time + 5, .track = TrackId{2}, .store = 0};
+  EXPECT_FALSE(holds("shot_in_flight", desk));
+  EXPECT_TRUE(holds("{shot_in_flight: {any: true}}", desk));
+  desk.agent.shots[1].track = TrackId{9};
+  EXPECT_FALSE(holds("{shot_in_flight: {any: true}}", desk)) << "nothing left to guide it by";
+  desk.agent.shots[1] = {.until = desk.time - 5, .track = TrackId{2}, .store = 0};
+  EXPECT_FALSE(holds("{shot_in_flight: {any: true}}", desk));
+}
+
 }  // namespace
 }  // namespace eyrie::pilot

@@ -16,53 +16,13 @@ namespace eyrie::ubf::testing {
 
 using Cues = std::vector<Cue>;
 
-template <class T>
-rc::Gen<std::optional<T>> maybe(rc::Gen<T> gen) {
-  return rc::gen::map(rc::gen::pair(rc::gen::arbitrary<bool>(), std::move(gen)),
-                      [](const std::pair<bool, T>& drawn) {
-                        return drawn.first ? std::optional<T>(drawn.second) : std::nullopt;
-                      });
-}
-
 /// A heading, rad, in whole degrees so that a failure can be read.
-inline rc::Gen<double> any_heading() {
-  return rc::gen::map(rc::gen::inRange(0, 360), [](int deg) { return radians(deg); });
-}
-
-inline rc::Gen<Cue> any_cue() {
-  const auto drawn = rc::gen::exec([] {
-    Cue cue;
-    cue.status = static_cast<Status>(*rc::gen::inRange(0, 3));
-    cue.vote = static_cast<float>(*rc::gen::inRange(0, 10)) / 2;
-    cue.action.heading = *maybe(any_heading());
-    cue.action.altitude =
-        *maybe(rc::gen::map(rc::gen::inRange(0, 9000), [](int m) { return m / 7.0; }));
-    cue.action.speed = *maybe(
-        rc::gen::map(rc::gen::inRange(50, 300), [](int v) { return static_cast<float>(v) / 3; }));
-    cue.action.release = *maybe(rc::gen::inRange<std::uint32_t>(0, 4));
-    cue.action.mode = *maybe(rc::gen::inRange<std::uint8_t>(0, 2));
-    return cue;
-  });
-  return rc::gen::resize(rc::kNominalSize, drawn);  // small sizes would make every status a failure
-}
-
-inline rc::Gen<Cues> any_cues() {
-  const auto cues = rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, 7), [](std::size_t count) {
-    return rc::gen::container<Cues>(count, any_cue());
-  });
-  return rc::gen::resize(rc::kNominalSize, cues);
-}
-
+[[nodiscard]] rc::Gen<double> any_heading();
+[[nodiscard]] rc::Gen<Cue> any_cue();
+/// One to six.
+[[nodiscard]] rc::Gen<Cues> any_cues();
 /// At least one child is heard, and it sets a heading.
-inline rc::Gen<Cues> any_cues_with_a_heading() {
-  return rc::gen::map(rc::gen::pair(any_cues(), any_heading()), [](std::pair<Cues, double> drawn) {
-    Cue& first = drawn.first.front();
-    first.status = kRunning;
-    first.vote += 1;
-    first.action.heading = drawn.second;
-    return std::move(drawn.first);
-  });
-}
+[[nodiscard]] rc::Gen<Cues> any_cues_with_a_heading();
 
 /// Gives every child a vote of its own, so that there are no ties.
 inline Cues without_ties(Cues cues) {
@@ -140,17 +100,7 @@ void obeys_common_laws(const Cues& cues) {
   RC_ASSERT(louder == answer);
 }
 
-/// The same cues in another order.
-inline Cues shuffled(const Cues& cues) {
-  std::vector<std::size_t> order(cues.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  for (std::size_t i = order.size(); i > 1; --i)
-    std::swap(order[i - 1], order[*rc::gen::inRange<std::size_t>(0, i)]);
-  Cues result;
-  for (const std::size_t i : order)
-    result.push_back(cues[i]);
-  return result;
-}
+/// The same cues in another order, drawn by RapidCheck.
+[[nodiscard]] Cues shuffled(const Cues& cues);
 
 }  // namespace eyrie::ubf::testing
