@@ -96,9 +96,9 @@ constexpr void copy(const Action& from, Action& to) noexcept {
   for_each_field<Action>([&](const auto& f, auto) {
     const auto& value = from.*f.member;
     if (value)
-      to.*f.member = *value;
+      std::construct_at(&(to.*f.member), *value);
     else
-      (to.*f.member).reset();
+      std::construct_at(&(to.*f.member));
   });
 }
 

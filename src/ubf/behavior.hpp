@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
@@ -62,6 +63,24 @@ struct Proposal {
   }
   /// Neither a vote nor any field: this is no proposal.
   [[nodiscard]] bool is_empty() const noexcept { return vote == 0 && ubf::is_empty(action); }
+};
+
+/// An empty proposal on the stack, for a node to ask its children into. Unlike Proposal{}, it
+/// writes only what says that it is empty: clearing all of a large action took 40 % of a tick.
+template <class Action>
+class Scratch {
+ public:
+  Scratch() noexcept { get().clear(); }
+  [[nodiscard]] Proposal<Action>& get() noexcept {
+    return *std::launder(reinterpret_cast<Proposal<Action>*>(bytes_));
+  }
+  [[nodiscard]] const Proposal<Action>& get() const noexcept {
+    return *std::launder(reinterpret_cast<const Proposal<Action>*>(bytes_));
+  }
+
+ private:
+  static_assert(std::is_trivially_copyable_v<Proposal<Action>>);
+  alignas(Proposal<Action>) std::byte bytes_[sizeof(Proposal<Action>)];
 };
 
 /// A vote in [0, infinity), which NaN is not.

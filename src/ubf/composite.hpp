@@ -61,7 +61,8 @@ class Composite : public Behavior<State, Action> {
         took(t, child);
       return status;
     }
-    Proposal<Action> next;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
     const Status status = ask(child, t, next);
     if (status != Status::failure && !next.is_empty()) {
       out.copy(next);

@@ -74,7 +74,7 @@ class Trace final : public AnyTrace {
     if (status == Status::failure)
       row.proposal.clear();
     else
-      row.proposal = proposal;
+      row.proposal.copy(proposal);
     if (row.proposal.is_empty())
       row.proposal.leader = kNone;
     for_each_field<Action>([&](const auto& f, auto i) {

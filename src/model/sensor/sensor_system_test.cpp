@@ -266,6 +266,19 @@ TEST(SensorSystem, GivesPrivilegedPlayersTheTruth) {
   EXPECT_EQ(living_rank(war.row(war.aircraft.datalink, mate)), 1u) << "knows at once";
 }
 
+TEST(SensorSystem, KeepsTheEnemyInSightOfAPrivilegedPlayerInACrowd) {
+  AirWar war;
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250), true);
+  for (int i = 1; i <= 20; ++i)
+    war.add(Side::blue, flying({0, 100.0 * i, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({50 * kMile, 0, kHigh}, kPi, 250));
+  war.build();
+  war.fly(1);
+  EXPECT_EQ(war.tracks(eagle).count, kMaxTracks);
+  ASSERT_NE(war.track_of(eagle, bogey), nullptr);
+  EXPECT_EQ(war.track_of(eagle, bogey)->identity, Identity::hostile);
+}
+
 TEST(SensorSystem, TellsPrivilegedPlayersOfMissilesAimedAtThemOnly) {
   AirWar war;
   const PlayerId eagle1 = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250), true);

@@ -28,12 +28,19 @@ Track true_track(const Scene& scene, const Self& self, std::size_t j, const Trac
   return track;
 }
 
+/// m^2, on top for a friend: a crowd of friends must not push the enemy out of the tracks.
+constexpr double kFriendLast = 1e16;
+
 void know_aircraft(const Scene& scene, Self& self) {
   Nearest<kMaxTracks> nearest(kMaxTracks);
-  for (std::size_t j = 0; j < scene.kinematics.size(); ++j)
-    if (j != self.row)
-      nearest.offer({norm2(scene.kinematics[j].position - self.kinematics.position),
-                     static_cast<std::uint32_t>(j)});
+  for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
+    if (j == self.row)
+      continue;
+    const bool is_friend = scene.fit[j].side == self.fit.side && self.fit.side != Side::none;
+    nearest.offer({norm2(scene.kinematics[j].position - self.kinematics.position) +
+                       (is_friend ? kFriendLast : 0),
+                   static_cast<std::uint32_t>(j)});
+  }
 
   // those known before keep their names; the others go
   std::array<bool, kMaxTracks> known{};
@@ -70,7 +77,7 @@ void know_aircraft(const Scene& scene, Self& self) {
                      .bits = kFromTruth,
                      .id = file.tracks[i].id,
                      .truth = track.truth,
-                     .value = std::sqrt(nearest.items()[n].distance2)});
+                     .value = norm(track.position - self.kinematics.position)});
   }
 }
 

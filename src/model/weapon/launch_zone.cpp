@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <thread>
+#include <vector>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
@@ -146,27 +149,45 @@ LaunchZone LaunchZone::build(const MissileType& type) {
   LaunchZone zone;
   if (type.locks_before_launch())
     zone.seeker_ = type.seeker;
-  zone.cells_.reserve(kAspect.size() * kAltitude.size() * kClimb.size() * kInner);
-  // a search begins where that of the cell with the same speeds ended before
-  std::array<EmploymentZone, kInner> found{};
-  found.fill({.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3});
+  zone.cells_.resize(kAspect.size() * kAltitude.size() * kClimb.size() * kInner);
+  // the speeds and the angle off the nose: eight columns that know nothing of each other, so they
+  // come out the same on one processor or on eight
+  std::atomic<std::size_t> next = 0;
+  const auto fill = [&] {
+    for (std::size_t i = next++; i < kInner; i = next++)
+      fill_column(type, atmosphere, i, zone.cells_);
+  };
+  {
+    std::vector<std::jthread> helpers(
+        std::min<std::size_t>(std::max(std::thread::hardware_concurrency(), 1U), kInner) - 1);
+    for (std::jthread& helper : helpers)
+      helper = std::jthread(fill);
+    fill();
+  }
+  return zone;
+}
+
+void LaunchZone::fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t i,
+                             std::vector<Cell>& cells) {
+  // a search begins where that of the cell before ended
+  EmploymentZone found{.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3};
+  std::size_t cell = i;
   for (const double aspect : kAspect)
     for (const double altitude : kAltitude)
-      for (const double climb : kClimb)
-        for (std::size_t i = 0; i < kInner; ++i) {
-          const LaunchSituation situation{.shooter_altitude = altitude,
-                                          .target_altitude = std::max(altitude + climb, kLowest),
-                                          .shooter_speed = kShooterSpeed[i >> 2],
-                                          .target_speed = kTargetSpeed[(i >> 1) & 1],
-                                          .aspect = aspect,
-                                          .off_boresight = kOffBoresight[i & 1]};
-          const EmploymentZone z = search_zone({type, atmosphere, situation}, found[i]);
-          if (z.r_max > 0)
-            found[i] = z;
-          zone.cells_.push_back({static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
-                                 static_cast<float>(z.r_min)});
-        }
-  return zone;
+      for (const double climb : kClimb) {
+        const LaunchSituation situation{.shooter_altitude = altitude,
+                                        .target_altitude = std::max(altitude + climb, kLowest),
+                                        .shooter_speed = kShooterSpeed[i >> 2],
+                                        .target_speed = kTargetSpeed[(i >> 1) & 1],
+                                        .aspect = aspect,
+                                        .off_boresight = kOffBoresight[i & 1]};
+        const EmploymentZone z = search_zone({type, atmosphere, situation}, found);
+        if (z.r_max > 0)
+          found = z;
+        cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
+                       static_cast<float>(z.r_min)};
+        cell += kInner;
+      }
 }
 
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {

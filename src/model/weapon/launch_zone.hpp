@@ -10,6 +10,7 @@
 namespace eyrie::model {
 
 struct MissileType;
+class Atmosphere;
 
 /// A launch situation. Altitudes in m, speeds in m/s.
 struct LaunchSituation {
@@ -60,6 +61,9 @@ class LaunchZone {
   struct Cell {
     float r_max = 0, r_ne = 0, r_min = 0, spare = 0;
   };
+  static void fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t column,
+                          std::vector<Cell>& cells);
+
   std::vector<Cell> cells_;
   std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
 };

@@ -71,7 +71,7 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
     // the incumbent stays unless it has nothing to say or is clearly beaten
     const bool rivaled = rival.status != Status::failure;
     const bool beaten = rivaled && passed(t.time, m.since, min_time) &&
-                        rival.proposal.vote > incumbent.proposal.vote + margin;
+                        rival.proposal().vote > incumbent.proposal().vote + margin;
     const bool change = incumbent.status == Status::failure || beaten;
     if (change && !rivaled) {
       release(t);
@@ -84,7 +84,7 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
 
     const Choice& chosen = change ? rival : incumbent;
     const bool stands_in = bridged && !change;
-    out.copy(chosen.proposal);
+    out.copy(chosen.proposal());
     trace(t, *this->children_[chosen.child], out, stands_in);
     if (chosen.status == Status::success)
       release(t);
@@ -98,7 +98,10 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
   struct Choice {
     NodeIndex child = kNone;
     Status status = Status::failure;
-    Proposal<Action> proposal;
+    Scratch<Action> scratch;
+
+    [[nodiscard]] Proposal<Action>& proposal() { return scratch.get(); }
+    [[nodiscard]] const Proposal<Action>& proposal() const { return scratch.get(); }
   };
   /// The committed child's last proposal, behind CommitmentMemory in the slab.
   struct Held {
@@ -109,26 +112,27 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
   };
 
   void listen(const Tick<State>& t, Choice& incumbent, Choice& rival) const {
-    Proposal<Action> next;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
       const Status answer = this->ask(*this->children_[i], t, next);
       if (answer == Status::failure || next.vote == 0)
         continue;
       Choice& choice = i == incumbent.child ? incumbent : rival;
-      if (!(next.vote > choice.proposal.vote))
+      if (!(next.vote > choice.proposal().vote))
         continue;
       choice.child = static_cast<NodeIndex>(i);
       choice.status = answer;
-      choice.proposal.copy(next);
+      choice.proposal().copy(next);
     }
   }
   bool bridge(const Tick<State>& t, Choice& incumbent) const {
     const auto& m = this->memory(t);
     if (incumbent.child == kNone || hold == 0 || passed(t.time, m.last_proposed, hold))
       return false;
-    held(t).action.unpack(incumbent.proposal.action);
-    incumbent.proposal.vote = held(t).vote;
-    incumbent.proposal.leader = held(t).leader;
+    held(t).action.unpack(incumbent.proposal().action);
+    incumbent.proposal().vote = held(t).vote;
+    incumbent.proposal().leader = held(t).leader;
     incumbent.status = Status::running;
     return true;
   }

@@ -23,7 +23,8 @@ class PerField final : public Voting<State, Action> {
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     FieldMerge<Action> merge;
     StrongestChild strongest;
-    Proposal<Action> next;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
     for (const auto& child : this->children_) {
       const Status answer = this->ask(*child, t, next);
       if (answer == Status::failure || next.vote == 0)

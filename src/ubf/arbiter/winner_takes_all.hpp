@@ -24,8 +24,8 @@ class WinnerTakesAll final : public Voting<State, Action> {
     Status status = Status::failure;
     const typename WinnerTakesAll::Node* winner = nullptr;
     float highest = 0;
-    Proposal<Action> other;  // children write here and into `out` in turn; the best is never copied
-    Proposal<Action>*best = &other, *next = &out;
+    Scratch<Action> other;  // children write here and into `out` in turn
+    Proposal<Action>*best = &other.get(), *next = &out;
     for (const auto& child : this->children_) {
       const Status answer = this->ask(*child, t, *next);
       if (answer == Status::failure || !(next->vote > highest))
@@ -38,7 +38,7 @@ class WinnerTakesAll final : public Voting<State, Action> {
     if (!winner)
       return Status::failure;
     if (best != &out)
-      out.copy(other);
+      out.copy(*best);
     this->rescale(out);
     this->took(t, *winner);
     return status;

@@ -44,7 +44,8 @@ class Parallel final : public Voting<State, Action> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     FieldMerge<Action> merge;
-    Proposal<Action> next;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
     std::uint64_t running = 0;
     std::size_t successes = 0, failures = 0;
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
