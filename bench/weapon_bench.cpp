@@ -153,3 +153,5 @@ void launch_zone_build(benchmark::State& state) {
 BENCHMARK(launch_zone_build)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+BENCHMARK_MAIN();
