@@ -9,24 +9,30 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 add_library(eyrie_options INTERFACE)
-target_include_directories(eyrie_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
-target_compile_options(eyrie_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion -Werror
-  -ffp-contract=off -fno-fast-math)
+target_include_directories(eyrie_options INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+                                                   $<INSTALL_INTERFACE:include/eyrie>)
+# headers are compiled by whoever includes them: the contract goes with them
+target_compile_features(eyrie_options INTERFACE cxx_std_20)
+target_compile_options(eyrie_options INTERFACE -ffp-contract=off -fno-fast-math)
 foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log log2 log10 pow cbrt)
   target_compile_options(eyrie_options INTERFACE -fno-builtin-${function})
 endforeach()
+
+# what only Eyrie itself is held to
+set(own_options -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion
+                -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # false positives of GCC 12 in std::string and std::vector at -O2 and above
-  target_compile_options(eyrie_options INTERFACE -fpch-preprocess -Wno-restrict -Wno-stringop-overflow
-                         -Wno-array-bounds -Wno-maybe-uninitialized -Wno-subobject-linkage)
+  # false positives of GCC 12 in std::string and std::vector at -O2 and above, and of several
+  # sources compiled as one; ccache needs to see the macros of a precompiled header
+  list(APPEND own_options -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
+                          -Wno-subobject-linkage -fpch-preprocess)
 endif()
 if(EYRIE_SANITIZE)
-  target_compile_options(eyrie_options INTERFACE -fsanitize=${EYRIE_SANITIZE}
-                         -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  target_link_options(eyrie_options INTERFACE -fsanitize=${EYRIE_SANITIZE})
-  target_compile_definitions(eyrie_options INTERFACE EYRIE_SANITIZED=1)
+  list(APPEND own_options -fsanitize=${EYRIE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(eyrie_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${EYRIE_SANITIZE}>)
+  target_compile_definitions(eyrie_options INTERFACE $<BUILD_INTERFACE:EYRIE_SANITIZED=1>)
 endif()
+target_compile_options(eyrie_options INTERFACE "$<BUILD_INTERFACE:${own_options}>")
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

@@ -17,6 +17,12 @@ namespace fs = std::filesystem;
 std::string home() {
   if (const char* set = std::getenv("EYRIE_HOME"); set && *set)
     return set;
+  // installed: beside the program
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  const fs::path share = program.parent_path().parent_path() / "share" / "eyrie";
+  if (!failed && fs::is_directory(share / "scenarios", failed))
+    return share.string();
   return EYRIE_HOME_DEFAULT;
 }
 

@@ -73,10 +73,13 @@ void execute(const Action& action, const State& state, model::Command& command,
              model::Request& request, Agent& agent) {
   fly(action, command);
 
-  if (action.target)
-    agent.target = *action.target;
-  if (!is_hostile(state, agent.target))
-    agent.target = {};
+  TrackId wanted = action.target.value_or(agent.target);
+  if (!is_hostile(state, wanted))
+    wanted = {};
+  if (wanted != agent.target) {
+    agent.target = wanted;
+    agent.target_since = state.time;
+  }
   const bool silent = action.radar ? !*action.radar : request.radar_off != 0;
   request = {.target = agent.target,
              .trigger = static_cast<std::uint8_t>(action.trigger.value_or(false)),

@@ -11,6 +11,12 @@ namespace eyrie::pilot {
 /// Another hostile has to be nearer than this share of the range before the target is changed.
 inline constexpr double kSwitchShare = 0.67;
 
+/// A target is kept for so long at least: the longer, the farther away it is, because what mates
+/// say of their targets comes late and names distant neighbors wrongly.
+inline constexpr double kHoldSpeed = 2000;  ///< m/s, range over hold
+inline constexpr double kLeastHold = 2;     ///< s
+inline constexpr double kMostHold = 15;     ///< s
+
 /// m. Two hostile tracks nearer to each other than this may be one aircraft that is tracked twice:
 /// what is said of one is then taken to be said of both.
 inline constexpr double kSamePlace = si(0.5, "nmi");
@@ -27,7 +33,8 @@ struct Claims {
 ///
 /// Every member takes the nearest hostile that fewest better-ranked members, believed alive, say
 /// is their target; so each has his own as long as there are enough, and then they double up
-/// evenly. The target of before stays unless another one is less taken or nearer by a third. Ties
+/// evenly. The target of before stays for a while (kHoldSpeed), and then unless another one is less
+/// taken or nearer by a third. Ties
 /// go to the older track. All that is known of the mates' targets came over the datalink.
 [[nodiscard]] std::int32_t choose_target(const State& state);
 

@@ -51,6 +51,23 @@ TEST(Sort, LeavesTheTargetOfABetterRankedMateToHim) {
   EXPECT_EQ(target(s), TrackId{2});
 }
 
+TEST(Sort, KeepsAFreshTargetForAWhileWhateverTheMatesSay) {
+  Desk s;
+  s.in_flight(2, 2);
+  see_at(s, 50e3, 0).targeted_by = 0b01;
+  see_at(s, 60e3, 0.2);
+  s.agent.target = TrackId{1};
+  s.agent.target_since = s.time - 14;
+  EXPECT_EQ(target(s), TrackId{1});
+  s.agent.target_since = s.time - 16;
+  EXPECT_EQ(target(s), TrackId{2});
+  s.tracks.tracks[0].position = s.own.position + Vec3{8e3, 0, 0};  // near: for four seconds
+  s.agent.target_since = s.time - 5;
+  EXPECT_EQ(target(s), TrackId{2});
+  s.agent.target_since = s.time - 3;
+  EXPECT_EQ(target(s), TrackId{1});
+}
+
 TEST(Sort, DoesNotGiveWayToAWorseRankOrToTheDead) {
   Desk s;
   s.in_flight(3, 2);

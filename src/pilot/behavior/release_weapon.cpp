@@ -23,7 +23,9 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
     const model::MissileType& missile = s.library.missiles[store];
     const bool sees =
         !missile.locks_before_launch() || target.range < missile.seeker.greatest_range;
-    if (!sees || !model::can_release(s.stores, store, s.time))
+    // a missile that is sent blind goes where the track is
+    const bool knows = missile.locks_before_launch() || target.track->position_sigma <= max_error_;
+    if (!sees || !knows || !model::can_release(s.stores, store, s.time))
       continue;
     const model::EmploymentZone zone = missile.zone.at(situation);
     const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);

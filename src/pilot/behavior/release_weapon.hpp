@@ -41,6 +41,9 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
               "waits so long for a nearer mate to take the first shot"),
         param("max_age", &R::max_age_, "s", range(0, 60),
               "a track that nobody has updated for longer is not shot at"),
+        param("max_error", &R::max_error_, "m", range(0, 100e3),
+              "missiles that lock on after launch: no shot at a track that is worse than this, one "
+              "standard deviation"),
         param("clear_cone", &R::clear_cone_, "rad", range(0, 0.5),
               "no friend may be within this angle of the line to the target, where the seeker of "
               "the missile will be looking"),
@@ -68,6 +71,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
   bool one_shooter_ = true;
   double patience_ = 8;
   double max_age_ = 3;
+  double max_error_ = 800;
   double clear_cone_ = si(5, "deg");
   double clear_radius_ = si(1, "nmi");
 };

@@ -145,6 +145,13 @@ TEST(ReleaseWeapon, DoesNotShootAHeatSeekerPastAFriend) {
   EXPECT_EQ(decide(kRelease, desk).status, kRunning);
 }
 
+TEST(ReleaseWeapon, DoesNotSendAMissileWhereNobodyKnowsTheTarget) {
+  Desk desk = at_share(0.2);
+  desk.tracks.tracks[0].position_sigma = 900;
+  EXPECT_EQ(decide("{release_weapon: {max_error: 1000 m}}", desk).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {max_error: 800 m}}", desk).status, kFailure);
+}
+
 TEST(ReleaseWeapon, LeavesATargetAloneWhileAFriendIsBesideIt) {
   Desk desk = at_share(0.2);
   const Vec3 place = desk.tracks.tracks[0].position;

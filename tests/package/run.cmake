@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+# Installs BUILD into a fresh folder below WORK, builds the project beside this file against that and compares what its
+# programs print with EXAMPLES/*.txt. The installed program flies from its own data.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\n${out}")
+  endif()
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    -DEXAMPLES=${EXAMPLES} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER})
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+foreach(pair first_tree=01_first_tree fly_a_mission=04_fly_a_mission)
+  string(REPLACE "=" ";" pair ${pair})
+  list(GET pair 0 program)
+  list(GET pair 1 example)
+  run(${WORK}/build/${program})
+  file(READ ${EXAMPLES}/${example}.txt expected)
+  if(NOT output STREQUAL expected)
+    message(FATAL_ERROR "${program} prints\n${output}instead of\n${expected}")
+  endif()
+endforeach()
+unset(ENV{EYRIE_HOME})
+run(${WORK}/prefix/bin/eyrie fly merge --until "10 s" --quiet --out ${WORK}/run)
