@@ -12,7 +12,7 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-constexpr std::uint64_t kTrees = 400;
+constexpr std::uint64_t kTrees = 600;
 constexpr int kTicks = 40;
 
 /// One tick without a trace.

@@ -50,6 +50,22 @@ class FieldMerge {
   std::array<float, kFields<Action>> votes_ = nobody();
 };
 
+/// What several children that did not fail propose at once, with or without votes, as one proposal:
+/// the action field by field, the highest vote and its leader. For control nodes.
+template <class Action>
+class GatherAll {
+ public:
+  void add(const Proposal<Action>& proposal, Proposal<Action>& into) {
+    merge_.add(proposal, into.action);
+    if (proposal.vote > into.vote || (into.leader == kNone && !proposal.is_empty()))
+      into.leader = proposal.leader;
+    into.vote = proposal.vote > into.vote ? proposal.vote : into.vote;
+  }
+
+ private:
+  FieldMerge<Action> merge_;
+};
+
 /// One sum per field of an action, each of type `SumOf<Field>`.
 template <class Action, template <class> class SumOf>
 class FieldSums {
@@ -83,13 +99,14 @@ enum class Heard : std::uint8_t {
 
 namespace detail {
 
-template <class Action, class Node, class Field>
+/// The strongest child that set a field, of those that `is_heard(child, proposal)`.
+template <class Action, class Node, class Field, class IsHeard>
 NodeIndex strongest_setter(const Trace<Action>& trace, const Node& node, const Field& field,
-                           Heard heard, std::size_t* setters = nullptr) {
+                           IsHeard is_heard, std::size_t* setters = nullptr) {
   NodeIndex strongest = kNone;
   for (const auto& child : node.children()) {
     const Proposal<Action>& proposal = trace.row(child->index()).proposal;
-    if (!(proposal.action.*field.member) || (heard == Heard::voters && proposal.vote == 0))
+    if (!(proposal.action.*field.member) || !is_heard(child->index(), proposal))
       continue;
     if (setters)
       ++*setters;
@@ -107,19 +124,23 @@ template <class State, class Action>
                                               Heard heard) {
   auto& trace = Trace<Action>::of(any);
   for_each_field<Action>([&](const auto& f, auto i) {
-    const NodeIndex child = detail::strongest_setter(trace, node, f, heard);
+    const NodeIndex child = detail::strongest_setter(
+        trace, node, f,
+        [&](NodeIndex, const auto& proposal) { return heard == Heard::all || proposal.vote > 0; });
     if (child != kNone)
       trace.took(node.index(), child, i);
   });
 }
 
-/// Tells the trace which fields of `node` came from one child; the others it made itself.
-template <class State, class Action>
-[[gnu::noinline, gnu::cold]] void trace_blend(AnyTrace& any, const Behavior<State, Action>& node) {
+/// Tells the trace which fields of `node` came from one child; the others it made itself, of the
+/// proposals of those children that `is_heard(child, proposal)`.
+template <class State, class Action, class IsHeard>
+[[gnu::noinline, gnu::cold]] void trace_blend(AnyTrace& any, const Behavior<State, Action>& node,
+                                              IsHeard is_heard) {
   auto& trace = Trace<Action>::of(any);
   for_each_field<Action>([&](const auto& f, auto i) {
     std::size_t setters = 0;
-    const NodeIndex child = detail::strongest_setter(trace, node, f, Heard::voters, &setters);
+    const NodeIndex child = detail::strongest_setter(trace, node, f, is_heard, &setters);
     if (setters == 1 || (setters > 1 && !f.averages))
       trace.took(node.index(), child, i);
   });
@@ -151,7 +172,8 @@ class Blending : public Voting<State, Action> {
     out.leader = kNone;  // the blend is nobody's but this node's
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_blend(*t.trace, *this);
+      trace_blend(*t.trace, *this,
+                  [](NodeIndex, const auto& proposal) { return proposal.vote > 0; });
     return strongest.status;
   }
 };

@@ -103,6 +103,36 @@ TEST(Registry, ReadsAGuardAndACommitment) {
             "commitment(probe probe)");
 }
 
+TEST(Registry, ReadsTheBranchesOfAConditionInAnyOrder) {
+  EXPECT_EQ(built("{if_then_else: {else: {probe: {cue: 2}}, then: {inverter: {check: {cue: 1}}},"
+                  " if: {check: {cue: 0}}, vote: 3}}"),
+            "if_then_else(check inverter(check) probe)");
+  EXPECT_EQ(built("{while: {do: {probe: {cue: 1}}, when: {check: {cue: 0}}, else: {sequence:"
+                  " [{check: {cue: 1}}]}}}"),
+            "while(check probe sequence(check))");
+}
+
+TEST(Registry, ReadsTheParametersOfTheLaterNodes) {
+  const RobotTree tree = build(
+      "{priority: {interruptible: [true, false],"
+      " children: [{probe: {cue: 0}}, {run_once: {then: failure, child:"
+      " {random_selector: {weights: [1, 2.5], children: [{repeat: {count:"
+      " 3, child: {probe: {cue: 1}}}}, {retry: {probe: {cue: 2}}}]}}}}]}}");
+  const auto& root = root_as<Priority<State, Action>>(tree);
+  EXPECT_EQ(root.interruptible, (std::vector<bool>{true, false}));
+  const auto& once = dynamic_cast<const RunOnce<State, Action>&>(*root.children()[1]);
+  EXPECT_EQ(once.then, Afterwards::failure);
+  const auto& random = dynamic_cast<const RandomSelector<State, Action>&>(*once.children()[0]);
+  EXPECT_EQ(random.weights, (std::vector<double>{1, 2.5}));
+  EXPECT_EQ((dynamic_cast<const Repeat<State, Action>&>(*random.children()[0]).count), 3u);
+  EXPECT_EQ((dynamic_cast<const Retry<State, Action>&>(*random.children()[1]).attempts),
+            std::nullopt);
+  const RobotTree fusion =
+      build("{fusion: {top: 2, conflicts: drop, children: [{probe: {cue: 0}}]}}");
+  EXPECT_EQ((root_as<Fusion<State, Action>>(fusion).top), 2u);
+  EXPECT_EQ((root_as<Fusion<State, Action>>(fusion).conflicts), Conflicts::drop);
+}
+
 TEST(Registry, ReadsTheParametersOfEveryStandardNode) {
   EXPECT_EQ(built("{parallel: {success_count: 1, failure_count: 2, vote: 3,"
                   " children: [{cooldown: {duration: 1 min, child: {probe: {cue: 0}}}},"
@@ -167,6 +197,14 @@ TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
         {"commitment", "margin: 1, "},
         {"timeout", "after: 1 s, "},
         {"cooldown", "duration: 1 s, "},
+        {"delay", "duration: 1 s, "},
+        {"rate_limit", "period: 1 s, "},
+        {"verify", "bounds: {altitude: {min: 0 m}}, "},
+        {"motor_schema", "direction: heading, magnitude: speed, unit_vote: 1, "},
+        {"suppress", "by: {check: {cue: 0}}, "},
+        {"inhibit", "by: {check: {cue: 0}}, "},
+        {"if_then_else", "if: {check: {cue: 0}}, then: {check: {cue: 1}}, "},
+        {"while", "when: {check: {cue: 0}}, do: {check: {cue: 1}}, "},
         {"guard", "when: {check: {cue: 0}}, "}};
     if (info.name == "sequencer")
       return "{sequencer: {start: a, trees: {a: " + child + "}}}";
@@ -187,7 +225,7 @@ TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
       ASSERT_TRUE(tree) << text << "\n" << diagnostics.text();
       ++pairs;
     }
-  EXPECT_EQ(pairs, 17 * 17);
+  EXPECT_EQ(pairs, 32 * 32);
 }
 
 TEST(Registry, CatalogTellsEverythingAboutEachType) {

@@ -3,19 +3,34 @@
 /// \file  Every arbiter, control node and decorator that comes with the library.
 #include "ubf/arbiter/commitment.hpp"
 #include "ubf/arbiter/fusion.hpp"
+#include "ubf/arbiter/inhibit.hpp"
+#include "ubf/arbiter/motor_schema.hpp"
 #include "ubf/arbiter/paper_fusion.hpp"
 #include "ubf/arbiter/per_field.hpp"
+#include "ubf/arbiter/priority.hpp"
+#include "ubf/arbiter/suppress.hpp"
+#include "ubf/arbiter/verify.hpp"
+#include "ubf/arbiter/weighted_random.hpp"
 #include "ubf/arbiter/winner_takes_all.hpp"
+#include "ubf/control/if_then_else.hpp"
 #include "ubf/control/parallel.hpp"
+#include "ubf/control/parallel_all.hpp"
+#include "ubf/control/random_selector.hpp"
 #include "ubf/control/selector.hpp"
 #include "ubf/control/selector_with_memory.hpp"
 #include "ubf/control/sequence.hpp"
 #include "ubf/control/sequence_with_memory.hpp"
+#include "ubf/control/while.hpp"
 #include "ubf/decorator/cooldown.hpp"
+#include "ubf/decorator/delay.hpp"
 #include "ubf/decorator/force_failure.hpp"
 #include "ubf/decorator/force_success.hpp"
 #include "ubf/decorator/guard.hpp"
 #include "ubf/decorator/inverter.hpp"
+#include "ubf/decorator/rate_limit.hpp"
+#include "ubf/decorator/repeat.hpp"
+#include "ubf/decorator/retry.hpp"
+#include "ubf/decorator/run_once.hpp"
 #include "ubf/decorator/timeout.hpp"
 #include "ubf/registry.hpp"
 #include "ubf/sequencer.hpp"
@@ -29,12 +44,22 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<Fusion<State, Action>>();
   registry.template add<PaperFusion<State, Action>>();
   registry.template add<Commitment<State, Action>>();
+  registry.template add<Priority<State, Action>>();
+  registry.template add<Suppress<State, Action>>();
+  registry.template add<Inhibit<State, Action>>();
+  registry.template add<WeightedRandom<State, Action>>();
+  registry.template add<Verify<State, Action>>();
+  registry.template add<MotorSchema<State, Action>>();
 
   registry.template add<Selector<State, Action>>();
   registry.template add<Sequence<State, Action>>();
   registry.template add<SelectorWithMemory<State, Action>>();
   registry.template add<SequenceWithMemory<State, Action>>();
   registry.template add<Parallel<State, Action>>();
+  registry.template add<ParallelAll<State, Action>>();
+  registry.template add<RandomSelector<State, Action>>();
+  registry.template add<IfThenElse<State, Action>>();
+  registry.template add<While<State, Action>>();
   registry.template add<Sequencer<State, Action>>();
 
   registry.template add<Inverter<State, Action>>();
@@ -43,6 +68,11 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<Timeout<State, Action>>();
   registry.template add<Cooldown<State, Action>>();
   registry.template add<Guard<State, Action>>();
+  registry.template add<Repeat<State, Action>>();
+  registry.template add<Retry<State, Action>>();
+  registry.template add<RunOnce<State, Action>>();
+  registry.template add<RateLimit<State, Action>>();
+  registry.template add<Delay<State, Action>>();
 }
 
 }  // namespace eyrie::ubf

@@ -2,6 +2,8 @@
 #pragma once
 /// \file  Random trees of every kind of node, for laws that hold for all trees.
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace eyrie::ubf::testing {
 /// seed grows the same tree.
 class Gardener {
  public:
-  /// `blends`: also nodes that make values of their own (fusion and paper_fusion).
+  /// `blends`: also nodes that make values of their own (fusion, paper_fusion, motor_schema).
   explicit Gardener(std::uint64_t seed, bool blends = true)
       : draw_(seed, PlayerId{1}, Stream::test, 0), blends_(blends) {}
 
@@ -50,6 +52,8 @@ class Gardener {
   [[nodiscard]] Child composite(std::size_t depth) {
     using S = State;
     using A = Action;
+    if (pick(2))
+      return newer_composite(depth);
     switch (pick(blends_ ? 17 : 15)) {
       case 0:
       case 1:
@@ -81,10 +85,112 @@ class Gardener {
       case 14:
         return pick(2) ? sequencer(depth) : commitment(depth);
       case 15:
-        return several<Fusion<S, A>>(depth);
+        return fusion(depth);
       default:
         return several<PaperFusion<S, A>>(depth);
     }
+  }
+  [[nodiscard]] Child newer_composite(std::size_t depth) {
+    using S = State;
+    using A = Action;
+    switch (pick(blends_ ? 15 : 14)) {
+      case 0:
+        return priority(depth);
+      case 1:
+        return layers<Suppress<S, A>>(depth, blends_ ? 0.1 * pick(4) : 0);
+      case 2:
+        return layers<Inhibit<S, A>>(depth, 0.1 * pick(4));
+      case 3:
+        return weighted_random(depth);
+      case 4:
+        return verify(depth);
+      case 5:
+        return parallel_all(depth);
+      case 6:
+        return several<RandomSelector<S, A>>(depth);
+      case 7:
+        return branches<IfThenElse<S, A>>(depth);
+      case 8:
+        return branches<While<S, A>>(depth);
+      case 9:
+        return counted(make<Repeat<S, A>>(node(depth + 1)), &Repeat<S, A>::count);
+      case 10:
+        return counted(make<Retry<S, A>>(node(depth + 1)), &Retry<S, A>::attempts);
+      case 11:
+        return run_once(depth);
+      case 12:
+        return timed(make<RateLimit<S, A>>(node(depth + 1)), &RateLimit<S, A>::period);
+      case 13:
+        return timed(make<Delay<S, A>>(node(depth + 1)), &Delay<S, A>::duration);
+      default:
+        return motor_schema(depth);
+    }
+  }
+  template <class Node>
+  [[nodiscard]] Child timed(std::unique_ptr<Node> made, double Node::*seconds) {
+    made.get()->*seconds = 0.1 * (1 + pick(4));
+    return made;
+  }
+  template <class Node>
+  [[nodiscard]] Child counted(std::unique_ptr<Node> made,
+                              std::optional<std::uint32_t> Node::*count) {
+    if (pick(4))
+      made.get()->*count = 1 + pick(3);
+    return made;
+  }
+  template <class Node>
+  [[nodiscard]] Child layers(std::size_t depth, double hold) {
+    auto made = make<Node>(nodes(2, depth));
+    made->hold = hold;
+    return made;
+  }
+  template <class Node>
+  [[nodiscard]] Child branches(std::size_t depth) {
+    return make<Node>(nodes(3, depth));
+  }
+  [[nodiscard]] Child run_once(std::size_t depth) {
+    auto made = make<RunOnce<State, Action>>(node(depth + 1));
+    made->then = static_cast<Afterwards>(pick(3));
+    return made;
+  }
+  [[nodiscard]] Child priority(std::size_t depth) {
+    const std::uint32_t width = 1 + pick(3);
+    auto made = make<Priority<State, Action>>(nodes(width, depth));
+    for (std::uint32_t i = 0; i < width; ++i)
+      made->interruptible.push_back(pick(2) == 0);
+    return made;
+  }
+  [[nodiscard]] Child weighted_random(std::size_t depth) {
+    auto made = make<WeightedRandom<State, Action>>(nodes(1 + pick(3), depth));
+    made->keep = 0.1 * pick(4);
+    return made;
+  }
+  [[nodiscard]] Child verify(std::size_t depth) {
+    const std::uint32_t width = 1 + pick(3);
+    auto made = make<Verify<State, Action>>(nodes(width, depth));
+    made->fallback = width > 1 && pick(2);
+    made->bounds.set("altitude", 3000, 7000);
+    return made;
+  }
+  [[nodiscard]] Child parallel_all(std::size_t depth) {
+    const std::uint32_t width = 1 + pick(3);
+    auto made = make<ParallelAll<State, Action>>(nodes(width, depth));
+    made->failure_count = 1 + pick(width);
+    return made;
+  }
+  [[nodiscard]] Child motor_schema(std::size_t depth) {
+    auto made = make<MotorSchema<State, Action>>(nodes(1 + pick(3), depth));
+    made->direction.choose("heading");
+    made->magnitude.choose("speed");
+    made->unit_vote = 1 + pick(4);
+    return made;
+  }
+  [[nodiscard]] Child fusion(std::size_t depth) {
+    auto made = make<Fusion<State, Action>>(nodes(1 + pick(3), depth));
+    if (pick(2))
+      made->top = 1 + pick(3);
+    made->conflicts = pick(2) ? Conflicts::drop : Conflicts::blend;
+    return made;
   }
   [[nodiscard]] Child parallel(std::size_t depth) {
     const std::uint32_t width = 1 + pick(3);

@@ -35,7 +35,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
 
   // header
   EXPECT_TRUE(ran.out.starts_with("sweep: four F-15s")) << ran.out.substr(0, 80);
-  EXPECT_NE(ran.out.find("seed 11, blue eagle 4 x F-15C, red bogey 2 x MiG-29\n"),
+  EXPECT_NE(ran.out.find("seed 13, blue eagle 4 x F-15C, red bogey 2 x MiG-29\n"),
             std::string::npos);
   // story: time, who, what, range, in the field's words
   for (const char* line :
@@ -60,9 +60,9 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
   EXPECT_TRUE(has(ran.out, R"(\nblue is home, \d of 4; losses: blue \d, red \d\n)"));
   EXPECT_TRUE(has(ran.out, R"(\nworld hash 0x[0-9a-f]{16} after \d+ steps\n)"));
   EXPECT_TRUE(has(ran.out, R"(\n\d+ s flown in \d+\.\d+ s, \d+ x real time\n)"));
-  EXPECT_TRUE(ran.out.ends_with("written to runs/sweep-11: run.eyrie, events.csv, flight.acmi\n"));
-  EXPECT_EQ(folder.everything(), (Names{"runs", "runs/sweep-11", "runs/sweep-11/events.csv",
-                                        "runs/sweep-11/flight.acmi", "runs/sweep-11/run.eyrie"}));
+  EXPECT_TRUE(ran.out.ends_with("written to runs/sweep-13: run.eyrie, events.csv, flight.acmi\n"));
+  EXPECT_EQ(folder.everything(), (Names{"runs", "runs/sweep-13", "runs/sweep-13/events.csv",
+                                        "runs/sweep-13/flight.acmi", "runs/sweep-13/run.eyrie"}));
 }
 
 TEST(FlyQuiet, TellsOnlyHowItEnded) {

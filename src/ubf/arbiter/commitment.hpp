@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "ubf/arbiter/held_proposal.hpp"
 #include "ubf/composite.hpp"
 #include "ubf/simulated_time.hpp"
 
@@ -103,13 +104,8 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
     [[nodiscard]] Proposal<Action>& proposal() { return scratch.get(); }
     [[nodiscard]] const Proposal<Action>& proposal() const { return scratch.get(); }
   };
-  /// The committed child's last proposal, behind CommitmentMemory in the slab.
-  struct Held {
-    PackedAction<Action> action;
-    float vote = 0;
-    NodeIndex leader = 0;
-    std::uint16_t reserved = 0;
-  };
+  /// The committed child's last proposal stands behind CommitmentMemory in the slab.
+  using Held = HeldProposal<Action>;
 
   void listen(const Tick<State>& t, Choice& incumbent, Choice& rival) const {
     Scratch<Action> scratch;
@@ -130,19 +126,14 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
     const auto& m = this->memory(t);
     if (incumbent.child == kNone || hold == 0 || passed(t.time, m.last_proposed, hold))
       return false;
-    held(t).action.unpack(incumbent.proposal().action);
-    incumbent.proposal().vote = held(t).vote;
-    incumbent.proposal().leader = held(t).leader;
+    held(t).get(incumbent.proposal());
     incumbent.status = Status::running;
     return true;
   }
   void remember(const Tick<State>& t, const Proposal<Action>& proposal) const {
     this->memory(t).last_proposed = t.time;
-    if (hold == 0)
-      return;
-    held(t).action.assign(proposal.action);
-    held(t).vote = proposal.vote;
-    held(t).leader = proposal.leader;
+    if (hold > 0)
+      held(t).keep(proposal);
   }
   void release(const Tick<State>& t) const {
     std::memset(t.memory + this->memory_begin(), 0, memory_bytes());

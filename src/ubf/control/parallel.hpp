@@ -43,7 +43,7 @@ class Parallel final : public Voting<State, Action> {
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    FieldMerge<Action> merge;
+    GatherAll<Action> gather;
     Scratch<Action> scratch;
     Proposal<Action>& next = scratch.get();
     std::uint64_t running = 0;
@@ -53,12 +53,8 @@ class Parallel final : public Voting<State, Action> {
       running |= std::uint64_t{answer == Status::running} << i;
       successes += answer == Status::success;
       failures += answer == Status::failure;
-      if (answer == Status::failure)
-        continue;
-      merge.add(next, out.action);
-      if (next.vote > out.vote || (out.leader == kNone && !next.is_empty()))
-        out.leader = next.leader;
-      out.vote = std::max(out.vote, next.vote);
+      if (answer != Status::failure)
+        gather.add(next, out);
     }
     const Status status = verdict(successes, failures);
     if (status != Status::running)

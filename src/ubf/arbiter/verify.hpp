@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ubf/arbiter/bounds.hpp"
+#include "ubf/composite.hpp"
+
+namespace eyrie::ubf {
+
+/// Winner takes all among the proposals that keep to `bounds`: the highest vote is checked, if it
+/// does not pass the next one is, and so on. With `fallback` the last child is the fallback: its
+/// proposal is not checked, and goes up only if no other one passes, or none was made. Vote and
+/// status are those of the child whose proposal goes up. Children that fail or abstain are ignored,
+/// the fallback included; if that leaves none, it fails. The switch to a simple and trusted
+/// controller when a better one leaves its bounds is the idea of Sha, "Using Simplicity to Control
+/// Complexity" (IEEE Software, 2001).
+template <class State, class Action>
+class Verify final : public Voting<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "verify";
+  static constexpr std::string_view help =
+      "the highest vote among the proposals that keep to bounds, or else a fallback";
+  static constexpr Kind kind = Kind::arbiter;
+  [[nodiscard]] static constexpr auto params() {
+    return std::tuple_cat(
+        std::tuple{
+            param("bounds", &Verify::bounds, "a map from fields to 'min' and 'max'").required(),
+            param("fallback", &Verify::fallback,
+                  "the last child goes up unchecked, but only if no other proposal passes")},
+        Voting<State, Action>::template vote_params<Verify>());
+  }
+  using Voting<State, Action>::Voting;
+
+  Bounds<Action> bounds;
+  bool fallback = false;
+
+  [[nodiscard]] bool stands() const noexcept override { return true; }
+  [[nodiscard]] std::string problem() const override {
+    if (fallback && this->children_.size() < 2)
+      return "verify needs a child to check before the fallback";
+    return bounds.empty() ? "verify needs bounds to check" : Voting<State, Action>::problem();
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    Status status = Status::failure;
+    const typename Verify::Node* winner = nullptr;
+    float highest = 0;
+    Scratch<Action> other;  // children write here and into `out` in turn
+    Proposal<Action>*best = &other.get(), *next = &out;
+    for (std::size_t i = 0; i < this->children_.size(); ++i) {
+      const auto& child = *this->children_[i];
+      const Status answer = this->ask(child, t, *next);
+      if (answer == Status::failure || next->vote == 0)
+        continue;
+      const bool is_fallback = fallback && i + 1 == this->children_.size();
+      if (is_fallback ? winner != nullptr : !(next->vote > highest) || !bounds.hold(next->action))
+        continue;
+      highest = next->vote;
+      status = answer;
+      winner = &child;
+      std::swap(best, next);
+    }
+    if (!winner)
+      return Status::failure;
+    if (best != &out)
+      out.copy(*best);
+    this->took(t, *winner);
+    this->rescale(out);
+    return status;
+  }
+};
+
+}  // namespace eyrie::ubf

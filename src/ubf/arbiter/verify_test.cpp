@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/arbiter/verify.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "ubf/arbiter/testing_cues.hpp"
+#include "ubf/testing_document.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+using Verified = Verify<State, Action>;
+
+/// Altitudes from 100 m to 1000 m pass. The fallback is one more probe behind those checked.
+Child verify(std::size_t checked, bool fallback = true) {
+  auto node = make<Verified>(probes(checked + fallback));
+  node->fallback = fallback;
+  EXPECT_EQ(node->bounds.set("altitude", 100, 1000), "");
+  return node;
+}
+
+TEST(Verify, TakesTheNextBestWhenTheBestIsOutOfBounds) {
+  Robot robot(verify(3));
+  robot.cue(0) = {kRunning, 9, {.altitude = 99}};
+  robot.cue(1) = {kRunning, 5, {.altitude = 100}};
+  robot.cue(2) = {kSuccess, 7, {.altitude = 1000, .release = 1}};
+  robot.cue(3) = {kRunning, 99, {.altitude = 500}};
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_TRUE(equal(robot.out.action, {.altitude = 1000, .release = 1}));
+  EXPECT_EQ(robot.out.vote, 7);
+  EXPECT_EQ(robot.supplier(1), "root/probe[2]");
+}
+
+TEST(Verify, FallsBackUncheckedWhenNobodyPassesOrSpeaks) {
+  Robot robot(verify(2));
+  robot.cue(0) = {kRunning, 9, {.altitude = 99}};
+  robot.cue(1) = {kRunning, 5, {.altitude = 1001}};
+  robot.cue(2) = {kSuccess, 2, {.altitude = 1}};
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.out.action.altitude, 1);
+  EXPECT_EQ(robot.out.vote, 2);
+  robot.say(0, kFailure, 9);
+  robot.say(1, kRunning, 0);
+  EXPECT_EQ(robot.tick(), kSuccess);
+  EXPECT_EQ(robot.out.action.altitude, 1);
+}
+
+TEST(Verify, FailsWithoutAFallbackWhenNobodyPasses) {
+  Robot robot(verify(1, false));
+  robot.cue(0) = {kRunning, 9, {.altitude = 99}};
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_TRUE(robot.out.is_empty());
+}
+
+TEST(Verify, LetsAFieldPassThatIsNotSet) {
+  Robot robot(verify(1));
+  robot.cue(0) = {kRunning, 9, {.heading = 1}};
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.action.heading, 1);
+}
+
+TEST(Bounds, OfADirectionAreAnArcClockwise) {
+  Bounds<Action> bounds;
+  EXPECT_EQ(bounds.set("heading", radians(350), radians(20)), "");
+  for (const double deg : {350.0, 359.0, 0.0, 10.0, 370.0, 20.0})
+    EXPECT_TRUE(bounds.hold({.heading = radians(deg)})) << deg;
+  for (const double deg : {349.0, 21.0, 180.0})
+    EXPECT_FALSE(bounds.hold({.heading = radians(deg)})) << deg;
+}
+
+TEST(Bounds, LetNoNanPass) {
+  Bounds<Action> bounds;
+  bounds.set("altitude", 100, std::nullopt);
+  bounds.set("heading", 0, 1);
+  EXPECT_FALSE(bounds.hold({.altitude = std::nan("")}));
+  EXPECT_FALSE(bounds.hold({.heading = std::nan("")}));
+}
+
+TEST(Bounds, SayWhatIsWrongWithThem) {
+  Bounds<Action> bounds;
+  EXPECT_EQ(bounds.set("altitud", 1, 2),
+            "an action has no field 'altitud'; did you mean 'altitude'?");
+  EXPECT_EQ(bounds.set("altitude", 2, 1), "'altitude': 'min' is greater than 'max'");
+  EXPECT_EQ(bounds.set("altitude", {}, {}), "'altitude' needs a 'min' or a 'max'");
+  EXPECT_EQ(bounds.set("heading", 1, {}),
+            "'heading' is a direction and needs both 'min' and 'max'");
+  EXPECT_TRUE(bounds.empty());
+}
+
+/// The mistakes in a file, or "" if there is none.
+std::string mistakes(std::string_view text) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  Diagnostics diagnostics;
+  const auto tree = registry.build_tree("test", Document::parse(text), diagnostics);
+  EXPECT_EQ(tree.has_value(), diagnostics.count() == 0);
+  return diagnostics.count() ? diagnostics.text() : "";
+}
+
+TEST(Verify, IsReadFromAFileWithUnits) {
+  EXPECT_EQ(mistakes("{verify: {bounds: {altitude: {min: 1000 ft}, heading: {min: 0 deg, max: 90 "
+                     "deg}}, fallback: true, children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
+            "");
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  Diagnostics diagnostics;
+  auto tree = registry.build_tree(
+      "test",
+      Document::parse("{verify: {bounds: {altitude: {min: 1 km}}, children: [{probe: {cue: 0}}]}}"),
+      diagnostics);
+  ASSERT_TRUE(tree);
+  const auto& bounds = dynamic_cast<const Verified&>(tree->root()).bounds;
+  EXPECT_TRUE(bounds.hold({.altitude = 1000}));
+  EXPECT_FALSE(bounds.hold({.altitude = 999}));
+}
+
+TEST(Verify, TellsEveryMistakeInAFile) {
+  const auto has = [](std::string_view text, std::string_view words) {
+    const std::string said = mistakes(text);
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  };
+  has("{verify: {children: [{probe: {cue: 0}}]}}", "bounds");
+  has("{verify: {bounds: {}, children: [{probe: {cue: 0}}]}}", "verify needs bounds to check");
+  has("{verify: {bounds: {altitude: {min: 1 m}}, fallback: true, children: [{probe: {cue: 0}}]}}",
+      "verify needs a child to check before the fallback");
+  has("{verify: {bounds: 3, children: [{probe: {cue: 0}}]}}",
+      "bounds: expected a map from fields to limits");
+  has("{verify: {bounds: {speedd: {min: 1 m/s}}, children: [{probe: {cue: 0}}]}}",
+      "did you mean 'speed'?");
+  has("{verify: {bounds: {altitude: {min: 3}}, children: [{probe: {cue: 0}}]}}", "unit");
+}
+
+RC_GTEST_PROP(VerifyLaw, IsWinnerTakesAllOfThoseThatPass, ()) {
+  Cues cues = *any_cues();
+  Robot robot(verify(cues.size(), false));
+  const Answer answer = ask(robot, cues);
+  for (Cue& cue : cues)
+    if (cue.action.altitude && !(*cue.action.altitude >= 100 && *cue.action.altitude <= 1000))
+      cue.status = kFailure;
+  RC_ASSERT(answer == (ask<WinnerTakesAll<State, Action>>(cues)));
+}
+
+RC_GTEST_PROP(VerifyLaw, NothingOutOfBoundsGoesUpExceptTheFallback, ()) {
+  const Cues cues = *any_cues();
+  RC_PRE(cues.size() > 1);
+  Robot robot(verify(cues.size() - 1));
+  const Answer answer = ask(robot, cues);
+  const Cue& last = cues.back();
+  const auto altitude = answer.proposal.action.altitude;
+  const bool passes = !altitude || (*altitude >= 100 && *altitude <= 1000);
+  RC_ASSERT(passes ||
+            (is_heard(last) && answer == Answer{last.status, {last.action, last.vote, kNone}}));
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ubf/composite.hpp"
+#include "ubf/simulated_time.hpp"
+
+namespace eyrie::ubf {
+
+struct WeightedRandomMemory {
+  double since = 0;          ///< s, when the child was drawn
+  std::uint16_t chosen = 0;  ///< 1 + the child, 0 for none
+  std::uint8_t reserved[6] = {};
+};
+
+/// Asks every child and hands on the proposal of one that is drawn with the probability vote / sum
+/// of the votes, with its vote and status. What was drawn stands for `keep`; a chosen child that
+/// fails, abstains or succeeds is drawn for anew. Failing and abstaining children are not in the
+/// draw; if that leaves none, it fails. The draw is that of the step and of this node, so a run can
+/// be repeated. One pass suffices: child i replaces the one held so far with the probability
+/// vote_i / (vote_0 + ... + vote_i), as in Chao, "A General Purpose Unequal Probability Sampling
+/// Plan" (Biometrika, 1982).
+template <class State, class Action>
+class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRandomMemory> {
+  using Base = WithMemory<Voting<State, Action>, WeightedRandomMemory>;
+
+ public:
+  static constexpr std::string_view type_name = "weighted_random";
+  static constexpr std::string_view help =
+      "a proposal drawn at random, the more likely the higher "
+      "its vote";
+  static constexpr Kind kind = Kind::arbiter;
+  [[nodiscard]] static constexpr auto params() {
+    return std::tuple_cat(std::tuple{param("keep", &WeightedRandom::keep, "s", at_least(0),
+                                           "how long a draw stands; 0: draws in every tick")},
+                          Voting<State, Action>::template vote_params<WeightedRandom>());
+  }
+  using Base::Base;
+
+  double keep = 0;  ///< s
+
+  [[nodiscard]] bool stands() const noexcept override { return true; }
+  [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
+    const auto& m = this->memory(slab);
+    return m.chosen ? static_cast<NodeIndex>(m.chosen - 1) : kNone;
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    auto& m = this->memory(t);
+    const NodeIndex kept = passed(t.time, m.since, keep) ? kNone : active_child(t.memory);
+    Draw draw = this->draw(t);
+    double total = 0;
+    Status status = Status::failure;
+    NodeIndex chosen = kNone;
+    Scratch<Action> other;  // children write here and into `out` in turn
+    Proposal<Action>*best = &other.get(), *next = &out;
+    for (std::size_t i = 0; i < this->children_.size(); ++i) {
+      const Status answer = this->ask(*this->children_[i], t, *next);
+      if (answer == Status::failure || next->vote == 0)
+        continue;
+      const auto weight = static_cast<double>(next->vote);
+      total += weight;
+      const bool drawn = draw.uniform() * total < weight || chosen == kNone;
+      if (i != kept && (!drawn || (chosen != kNone && chosen == kept)))
+        continue;
+      chosen = static_cast<NodeIndex>(i);
+      status = answer;
+      std::swap(best, next);
+    }
+    remember(m, t.time, chosen, status, chosen == kept);
+    if (chosen == kNone)
+      return Status::failure;
+    if (best != &out)
+      out.copy(*best);
+    this->took(t, *this->children_[chosen]);
+    this->rescale(out);
+    return status;
+  }
+
+ private:
+  void remember(WeightedRandomMemory& m, double now, NodeIndex chosen, Status status,
+                bool again) const {
+    const double since = again ? m.since : now;
+    m = {};
+    if (keep > 0 && status == Status::running)
+      m = {.since = since, .chosen = static_cast<std::uint16_t>(chosen + 1)};
+  }
+};
+
+}  // namespace eyrie::ubf
