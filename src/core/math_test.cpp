@@ -38,11 +38,11 @@ struct Worst {
 };
 
 using Function = double (*)(double);
-using Truth = long double (*)(long double);
+using LongTruth = long double (*)(long double);
 
 /// `spaced` maps [low, high] to the arguments: itself, or exp2 for many orders of magnitude.
 void expect_within(
-    double ulp, Function function, Truth truth, double low, double high,
+    double ulp, Function function, LongTruth truth, double low, double high,
     double (*spaced)(double) = [](double x) { return x; }) {
   Worst worst;
   for (int i = 0; i < kPoints; ++i) {
@@ -141,7 +141,7 @@ TEST(Math, ExponentialsAreWithin0_65Ulp) {
 }
 
 TEST(Math, LogarithmsAreWithin0_51Ulp) {
-  const auto check = [](Function function, Truth truth) {
+  const auto check = [](Function function, LongTruth truth) {
     expect_within(0.51, function, truth, 0.5, 2);
     expect_within(0.51, function, truth, 0.99, 1.01);
     expect_within(0.51, function, truth, -1074, 1023, power_of_two);

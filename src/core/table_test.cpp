@@ -16,7 +16,7 @@ namespace eyrie {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 TEST(Table1, IsExactAtBreakpointsLinearBetweenAndConstantBeyond) {
   const Table1 thrust({0, 0.3, 0.9, 1.0}, {10, 0.1, 70, -5});
@@ -28,8 +28,8 @@ TEST(Table1, IsExactAtBreakpointsLinearBetweenAndConstantBeyond) {
   EXPECT_NEAR(thrust(0.975), 13.75, 1e-12);
   EXPECT_EQ(thrust(-7), 10);
   EXPECT_EQ(thrust(1.5), -5);
-  EXPECT_EQ(thrust(kInfinity), -5);
-  EXPECT_EQ(thrust(-kInfinity), 10);
+  EXPECT_EQ(thrust(kNoLimit), -5);
+  EXPECT_EQ(thrust(-kNoLimit), 10);
 }
 
 TEST(Table1, ShowsThatItsArgumentIsNoNumber) {
@@ -55,7 +55,7 @@ TEST(Table1, NamesWhatIsWrong) {
   EXPECT_EQ(problem({0, 0}, {1, 2}),
             "breakpoints must increase: number 2 (0) is not above number 1 (0)");
   EXPECT_EQ(problem({0, kNaN}, {1, 2}), "breakpoint 2 is nan");
-  EXPECT_EQ(problem({0, 1}, {1, kInfinity}), "value 2 is inf");
+  EXPECT_EQ(problem({0, 1}, {1, kNoLimit}), "value 2 is inf");
   EXPECT_EQ(problem({0, 1}, {1, 2, 3}), "2 breakpoints need as many values, not 3");
   EXPECT_EQ(problem({-1e300, 1e300}, {1, 2}),
             "the breakpoints are too close together or too far apart");
@@ -118,7 +118,7 @@ RC_GTEST_PROP(Axis, FindsTheCellThatASearchFinds, ()) {
   const Axis axis(some_breakpoints());
   const auto b = axis.breakpoints();
   for (std::size_t i = 0; i < b.size(); ++i) {
-    for (const double x : {b[i], std::nextafter(b[i], -kInfinity), std::nextafter(b[i], kInfinity),
+    for (const double x : {b[i], std::nextafter(b[i], -kNoLimit), std::nextafter(b[i], kNoLimit),
                            0.5 * (b[i] + b[std::min(i + 1, b.size() - 1)])}) {
       const TableCell cell = axis.cell(x);
       RC_ASSERT(cell.fraction >= 0 && cell.fraction <= 1);

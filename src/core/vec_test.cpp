@@ -11,7 +11,7 @@
 namespace eyrie {
 namespace {
 
-constexpr double kDeg = kPi / 180;
+constexpr double kDegree = kPi / 180;
 constexpr Vec3 kNorth{1, 0, 0}, kEast{0, 1, 0}, kDown{0, 0, 1};
 constexpr Vec3 kNose{1, 0, 0}, kRightWing{0, 1, 0}, kBelly{0, 0, 1};
 
@@ -61,11 +61,11 @@ TEST(Mat3, MultipliesByRows) {
 }
 
 TEST(Quat, TurnsTheNoseRightUpAndTheRightWingDown) {
-  EXPECT_TRUE(near(rotate(from_euler(90 * kDeg, 0, 0), kNose), kEast));
-  EXPECT_TRUE(near(rotate(from_euler(0, 90 * kDeg, 0), kNose), -kDown));
-  EXPECT_TRUE(near(rotate(from_euler(0, 0, 90 * kDeg), kRightWing), kDown));
+  EXPECT_TRUE(near(rotate(from_euler(90 * kDegree, 0, 0), kNose), kEast));
+  EXPECT_TRUE(near(rotate(from_euler(0, 90 * kDegree, 0), kNose), -kDown));
+  EXPECT_TRUE(near(rotate(from_euler(0, 0, 90 * kDegree), kRightWing), kDown));
   // heading east, nose 30 deg up, then rolled inverted: the belly shows up and backward
-  const Quat q = from_euler(90 * kDeg, 30 * kDeg, 180 * kDeg);
+  const Quat q = from_euler(90 * kDegree, 30 * kDegree, 180 * kDegree);
   EXPECT_TRUE(near(rotate(q, kNose), std::sqrt(0.75) * kEast - 0.5 * kDown));
   EXPECT_TRUE(near(rotate(q, kBelly), -std::sqrt(0.75) * kDown - 0.5 * kEast));
 }
@@ -78,8 +78,8 @@ TEST(Quat, NormalizesOrGivesUp) {
 }
 
 TEST(Quat, HasNoRollInTheVertical) {
-  for (const double pitch : {90 * kDeg, -90 * kDeg}) {
-    const Quat q = from_euler(50 * kDeg, pitch, 20 * kDeg);
+  for (const double pitch : {90 * kDegree, -90 * kDegree}) {
+    const Quat q = from_euler(50 * kDegree, pitch, 20 * kDegree);
     const Euler e = to_euler(q);
     EXPECT_EQ(e.roll, 0);
     EXPECT_EQ(e.pitch, std::copysign(kPi / 2, pitch));

@@ -20,6 +20,8 @@ struct Shot {
   TrackId track{};          ///< at whom; none: an empty place
   std::uint32_t store = 0;  ///< index of the missile type in the Library
 
+  [[nodiscard]] constexpr bool flies(double time) const { return track && time < until; }
+
   static constexpr auto fields() {
     return field_list(field("until", &Shot::until, "s"), field("track", &Shot::track),
                       field("store", &Shot::store));
@@ -66,7 +68,7 @@ struct Agent {
   [[nodiscard]] constexpr std::uint32_t flying_at(TrackId track, double time) const {
     std::uint32_t count = 0;
     for (const Shot& shot : shots)
-      count += shot.track == track && track && time < shot.until ? 1 : 0;
+      count += shot.track == track && shot.flies(time) ? 1 : 0;
     return count;
   }
 };

@@ -50,11 +50,11 @@ Claims claims_on(const State& s, const Seen& hostile) {
 }
 
 std::int32_t choose_target(const State& s) {
-  for (std::uint32_t i = 0; i < s.seen_count; ++i)
-    if (s.seen[i].id() == s.agent.target && s.seen[i].hostile() &&
-        s.time - s.agent.target_since <
-            std::clamp(s.seen[i].range / kHoldSpeed, kLeastHold, kMostHold))
-      return static_cast<std::int32_t>(i);
+  if (const Seen* held = s.find(s.agent.target); held && held->hostile()) {
+    const double hold = std::clamp(held->range / kHoldSpeed, kLeastHold, kMostHold);
+    if (s.time - s.agent.target_since < hold)
+      return static_cast<std::int32_t>(held - s.seen.data());
+  }
   const Taken taken_tracks(s);
   std::int32_t best = -1;
   int best_taken = 0;

@@ -34,8 +34,8 @@ struct Claims {
 /// Every member takes the nearest hostile that fewest better-ranked members, believed alive, say
 /// is their target; so each has his own as long as there are enough, and then they double up
 /// evenly. The target of before stays for a while (kHoldSpeed), and then unless another one is less
-/// taken or nearer by a third. Ties
-/// go to the older track. All that is known of the mates' targets came over the datalink.
+/// taken or nearer by a third. Ties go to the older track. All that is known of the mates' targets
+/// came over the datalink.
 [[nodiscard]] std::int32_t choose_target(const State& state);
 
 /// Whether this pilot is the one to shoot first at his target: no mate who is believed alive, has

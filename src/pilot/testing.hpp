@@ -19,6 +19,7 @@
 namespace eyrie::pilot::testing {
 
 inline constexpr double kNmi = si(1, "nmi");
+inline constexpr double kDegree = si(1, "deg");
 inline constexpr Status kFailure = Status::failure;
 inline constexpr Status kRunning = Status::running;
 inline constexpr Status kSuccess = Status::success;

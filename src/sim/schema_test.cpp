@@ -28,12 +28,11 @@ std::string complaint(const std::function<void(SchemaBuilder&)>& misuse) {
 }
 
 /// Four bytes, of which fields() forgets the last.
-struct Forgetful {
+struct Unnamed {
   std::uint16_t known = 0;
   std::uint8_t also_known = 0, forgotten = 0;
   static constexpr auto fields() {
-    return field_list(field("known", &Forgetful::known),
-                      field("also_known", &Forgetful::also_known));
+    return field_list(field("known", &Unnamed::known), field("also_known", &Unnamed::also_known));
   }
 };
 
@@ -145,8 +144,7 @@ TEST(SchemaBuilder, RefusesRowsWhoseFieldsLeaveBytesOut) {
   const auto add = []<class Row>(Row) {
     return [](SchemaBuilder& b) { b.add_column<Row>(b.add_table("bird", 1), "row"); };
   };
-  EXPECT_EQ(complaint(add(Forgetful{})),
-            "schema: bird.row: the fields end at byte 3, the row at 4");
+  EXPECT_EQ(complaint(add(Unnamed{})), "schema: bird.row: the fields end at byte 3, the row at 4");
   EXPECT_EQ(complaint(add(Twice{})), "schema: bird.row: field 'a' is described twice");
 }
 

@@ -83,6 +83,31 @@ class Scratch {
   alignas(Proposal<Action>) std::byte bytes_[sizeof(Proposal<Action>)];
 };
 
+/// Two places that children propose into in turn, one of them the node's own `out`: what is chosen
+/// is kept by exchanging the places, and copied at most once, at the end.
+template <class Action>
+class BestSoFar {
+ public:
+  explicit BestSoFar(Proposal<Action>& out) noexcept : out_(out) {}
+  BestSoFar(const BestSoFar&) = delete;
+  BestSoFar& operator=(const BestSoFar&) = delete;
+
+  /// Where the next child proposes.
+  [[nodiscard]] Proposal<Action>& next() noexcept { return *next_; }
+  /// What is in next() is the best so far.
+  void keep() noexcept { std::swap(best_, next_); }
+  /// Leaves the best in `out`.
+  void hand_on() noexcept {
+    if (best_ != &out_)
+      out_.copy(*best_);
+  }
+
+ private:
+  Proposal<Action>& out_;
+  Scratch<Action> other_;
+  Proposal<Action>*best_ = &other_.get(), *next_ = &out_;
+};
+
 /// A vote in [0, infinity), which NaN is not.
 [[nodiscard]] constexpr bool is_vote(float vote) {
   return vote >= 0 && vote <= 3.402823466e38F;

@@ -7,8 +7,6 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Wta = WinnerTakesAll<State, Action>;
-
 template <class Arbiter>
 Robot two_pairs() {
   Robot robot(make<Arbiter>(make<Arbiter>(probe(0), probe(1)), make<Arbiter>(probe(2), probe(3))));

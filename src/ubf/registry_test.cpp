@@ -83,7 +83,6 @@ TEST(Registry, ReadsChildrenAsAListOrUnderTheirKey) {
   const RobotTree tree =
       build("{winner_takes_all: {vote_scale: 2, name: engage, children: [{probe: {cue: 0}}]}}");
   EXPECT_EQ(outline(tree.root()), "winner_takes_all:engage(probe)");
-  using Wta = WinnerTakesAll<State, Action>;
   EXPECT_EQ(root_as<Wta>(tree).vote_scale, 2.0F);
 }
 

@@ -8,7 +8,7 @@
 namespace eyrie::ubf {
 namespace {
 
-std::string mistakes(std::string_view text) {
+std::string sequencer_mistakes(std::string_view text) {
   const Value body = testing::Document::parse(text);
   Diagnostics diagnostics;
   static_cast<void>(read_sequencer({"sequencer", body.where, &body}, diagnostics));
@@ -34,57 +34,59 @@ TEST(SequencerSpec, ResolvesNamesToPositionsInFileOrder) {
 }
 
 TEST(SequencerSpec, NeedsTreesAndAStart) {
-  EXPECT_EQ(mistakes("{}"),
+  EXPECT_EQ(sequencer_mistakes("{}"),
             "test.yaml:1:1: sequencer needs 'trees', a map from names to nodes\n"
             "test.yaml:1:1: sequencer needs 'start', the name of its first tree");
-  EXPECT_EQ(mistakes("{start: a, trees: [x, y]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: [x, y]}"),
             "test.yaml:1:9: the sequencer has no tree 'a'\n"
             "test.yaml:1:19: sequencer needs 'trees', a map from names to nodes");
 }
 
 TEST(SequencerSpec, AnswersUnknownTreesWithTheNearestName) {
-  EXPECT_EQ(mistakes("{start: ingres, trees: {ingress: x, bvr: y}, transitions:\n"
-                     " [{from: ingress, to: brv, when: c},\n"
-                     "  {from: wvr, to: bvr, when: c}]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: ingres, trees: {ingress: x, bvr: y}, transitions:\n"
+                               " [{from: ingress, to: brv, when: c},\n"
+                               "  {from: wvr, to: bvr, when: c}]}"),
             "test.yaml:1:9: the sequencer has no tree 'ingres'; did you mean 'ingress'?\n"
             "test.yaml:2:23: the sequencer has no tree 'brv'; did you mean 'bvr'?\n"
             "test.yaml:3:10: the sequencer has no tree 'wvr'; did you mean 'bvr'?");
 }
 
 TEST(SequencerSpec, RefusesNamesOfTreesThatDoNotWork) {
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x, a: y}}"), "test.yaml:1:26: tree 'a' is given twice");
-  EXPECT_EQ(mistakes("{start: any, trees: {any: x}}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x, a: y}}"),
+            "test.yaml:1:26: tree 'a' is given twice");
+  EXPECT_EQ(sequencer_mistakes("{start: any, trees: {any: x}}"),
             "test.yaml:1:22: a tree cannot be called 'any'");
-  EXPECT_EQ(mistakes("{start: a/b, trees: {a/b: x}}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a/b, trees: {a/b: x}}"),
             "test.yaml:1:22: the name of a tree 'a/b' must not contain '/', '[' or ']'");
 }
 
 TEST(SequencerSpec, RefusesATransitionThatIsIncomplete) {
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x}, transitions: [{form: a}]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x}, transitions: [{form: a}]}"),
             "test.yaml:1:41: transition needs the parameter 'from'\n"
             "test.yaml:1:41: transition needs the parameter 'to'\n"
             "test.yaml:1:42: transition has no parameter 'form'; did you mean 'from'?");
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x, b: y}, transitions: [{from: a, to: b}]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x, b: y}, transitions: [{from: a, to: b}]}"),
             "test.yaml:1:47: transition needs the parameter 'when'");
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x}, transitions: {from: a}}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x}, transitions: {from: a}}"),
             "test.yaml:1:40: transitions: expected a list, got a map");
 }
 
 TEST(SequencerSpec, RefusesATransitionFromATreeToItself) {
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x}, transitions: [{from: a, to: a, when: c}]}"),
-            "test.yaml:1:41: a transition from 'a' to itself");
+  EXPECT_EQ(
+      sequencer_mistakes("{start: a, trees: {a: x}, transitions: [{from: a, to: a, when: c}]}"),
+      "test.yaml:1:41: a transition from 'a' to itself");
 }
 
 TEST(SequencerSpec, RefusesATreeThatCanNeverBeEntered) {
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x, b: y, c: z, d: z}, transitions:"
-                     " [{from: c, to: d, when: p}, {from: a, to: b, when: q}]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x, b: y, c: z, d: z}, transitions:"
+                               " [{from: c, to: d, when: p}, {from: a, to: b, when: q}]}"),
             "test.yaml:1:32: tree 'c' can never be entered: no transition leads to it\n"
             "test.yaml:1:38: tree 'd' can never be entered: no transition leads to it");
 }
 
 TEST(SequencerSpec, EntersEveryTreeThatATransitionFromAnyLeadsTo) {
-  EXPECT_EQ(mistakes("{start: a, trees: {a: x, b: y}, transitions:"
-                     " [{from: any, to: b, when: p}]}"),
+  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x, b: y}, transitions:"
+                               " [{from: any, to: b, when: p}]}"),
             "");
 }
 

@@ -8,7 +8,7 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Seq = Sequencer<State, Action>;
+using Phases = Sequencer<State, Action>;
 using Transitions = std::vector<Transition>;
 
 Child named(std::string name, Child node) {
@@ -26,8 +26,8 @@ Child mission() {
   conditions.push_back(named("see", probe(3)));
   conditions.push_back(named("clear", probe(4)));
   conditions.push_back(named("bingo", probe(5)));
-  return make<Seq>(std::move(trees), std::vector<Seq::Rule>{{0, 1}, {1, 0}, {kNone, 2}},
-                   std::move(conditions));
+  return make<Phases>(std::move(trees), std::vector<Phases::Rule>{{0, 1}, {1, 0}, {kNone, 2}},
+                      std::move(conditions));
 }
 
 Robot robot_on_a_mission() {
@@ -182,9 +182,9 @@ TEST(Sequencer, WorksWithoutAnyoneListening) {
 }
 
 TEST(Sequencer, RefusesRulesThatLeadNowhere) {
-  const auto problem = [](std::vector<Seq::Rule> rules, std::size_t conditions,
+  const auto problem = [](std::vector<Phases::Rule> rules, std::size_t conditions,
                           std::uint16_t start) {
-    return make<Seq>(probes(2), std::move(rules), probes(conditions), start)->problem();
+    return make<Phases>(probes(2), std::move(rules), probes(conditions), start)->problem();
   };
   EXPECT_EQ(problem({{0, 1}}, 1, 0), "");
   EXPECT_EQ(problem({}, 0, 2), "a sequencer needs a tree to start with");
@@ -193,7 +193,7 @@ TEST(Sequencer, RefusesRulesThatLeadNowhere) {
   EXPECT_EQ(problem({{0, 2}}, 1, 0), nowhere);
   EXPECT_EQ(problem({{2, 0}}, 1, 0), nowhere);
   EXPECT_EQ(problem({{1, 1}}, 1, 0), nowhere);
-  EXPECT_EQ(make<Seq>()->problem(), "a sequencer needs a tree to start with");
+  EXPECT_EQ(make<Phases>()->problem(), "a sequencer needs a tree to start with");
 }
 
 }  // namespace

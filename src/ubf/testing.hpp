@@ -54,6 +54,7 @@ using Node = Behavior<State, Action>;
 using Child = std::unique_ptr<Node>;
 using Children = std::vector<Child>;
 using RobotTree = Tree<State, Action>;
+using Wta = WinnerTakesAll<State, Action>;
 using RobotTick = Tick<State>;
 using RobotTrace = Trace<Action>;
 using RobotProposal = Proposal<Action>;

@@ -24,8 +24,6 @@ struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Steer> {
 namespace eyrie::ubf::testing {
 namespace {
 
-using Wta = WinnerTakesAll<State, Action>;
-
 TEST(Trace, HoldsEveryNodesStatusVoteAndAction) {
   Robot robot(make<Wta>(probe(0), probe(1), check(2)));
   robot.cue(0) = {kRunning, 2, {.heading = 1}};

@@ -8,7 +8,6 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Wta = WinnerTakesAll<State, Action>;
 using Select = Selector<State, Action>;
 
 Child labelled(std::string label, Child node) {

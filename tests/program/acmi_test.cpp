@@ -205,15 +205,19 @@ TEST(AcmiFile, TellsLossesFromLandings) {
 TEST(AcmiFile, ShowsLocksAndPhases) {
   const Acmi& f = Flown::get().file;
   bool lock = false, unlock = false;
-  for (const auto& [id, o] : f.objects)
-    for (const AcmiUpdate& u : o.updates)
-      if (o.last("Type") == "Air+FixedWing" && u.properties.contains("LockedTarget")) {
-        const std::uint64_t target = hex(u.properties.at("LockedTarget"));
-        EXPECT_EQ(u.properties.at("LockedTargetMode"), target ? "1" : "0");
-        EXPECT_TRUE(target == 0 || f.objects.contains(target));
-        lock |= target != 0;
-        unlock |= target == 0;
-      }
+  for (const auto& [id, o] : f.objects) {
+    if (o.last("Type") != "Air+FixedWing")
+      continue;
+    for (const AcmiUpdate& u : o.updates) {
+      if (!u.properties.contains("LockedTarget"))
+        continue;
+      const std::uint64_t target = hex(u.properties.at("LockedTarget"));
+      EXPECT_EQ(u.properties.at("LockedTargetMode"), target ? "1" : "0");
+      EXPECT_TRUE(target == 0 || f.objects.contains(target));
+      lock |= target != 0;
+      unlock |= target == 0;
+    }
+  }
   EXPECT_TRUE(lock);
   EXPECT_TRUE(unlock);
   std::set<std::string> messages;

@@ -3,6 +3,7 @@
 
 #include "core/assert.hpp"
 #include "model/datalink/datalink.hpp"
+#include "model/track/associate.hpp"
 
 namespace eyrie::model {
 namespace {
@@ -42,7 +43,7 @@ Contact as_contact(const SharedTrack& shared, const TrackContext& context, doubl
 std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
                           const Contact& contact, double& best) {
   std::size_t nearest = kMaxTracks;
-  const double far2 = context.tracker.max_gate * context.tracker.max_gate;
+  const double far2 = reach2(context.tracker, contact);
   for (std::size_t i = 0; i < file.count; ++i) {
     const Track& track = file.tracks[i];
     if (norm2(position_at(track, context.time) - contact.position) > far2)
@@ -75,7 +76,7 @@ bool may_be_mate(const Track& track, const DatalinkState& state, const TrackCont
     if (i == state.self || !mate.alive || !mate.reported)
       continue;
     const Contact contact = reported(mate, context);
-    if (norm(contact.position - place.position) <= context.tracker.max_gate &&
+    if (norm2(contact.position - place.position) <= reach2(context.tracker, contact) &&
         deviations_of(place, contact) <= gate * gate)
       return true;
   }

@@ -38,13 +38,13 @@ std::shared_ptr<const Library> library() {
   return result;
 }
 
-struct Scene {
+struct Sky {
   std::shared_ptr<const Library> models = library();
   AircraftColumns columns;
   std::shared_ptr<const sim::Simulation> simulation;
   std::unique_ptr<sim::World> world;
 
-  explicit Scene(std::uint32_t aircraft) {
+  explicit Sky(std::uint32_t aircraft) {
     sim::SchemaBuilder schema;
     columns = AircraftColumns::define(schema, aircraft);
     sim::SimulationBuilder builder(schema.build());
@@ -76,7 +76,7 @@ std::size_t count(std::span<const sim::Event> events, EventKind kind) {
 }
 
 TEST(FlightSystem, FliesEachAircraftByItsOwnDynamics) {
-  Scene scene(4);
+  Sky scene(4);
   sim::Workspace work(*scene.simulation);
   for (int i = 0; i < 500; ++i)
     scene.simulation->step(*scene.world, work);
@@ -90,7 +90,7 @@ TEST(FlightSystem, FliesEachAircraftByItsOwnDynamics) {
 }
 
 TEST(FlightSystem, FliesTheRouteOfTheFlight) {
-  Scene scene(2);
+  Sky scene(2);
   sim::Workspace work(*scene.simulation);
   for (Command& command : scene.world->rows(scene.columns.command))
     command.mode = AutopilotMode::route;
@@ -103,7 +103,7 @@ TEST(FlightSystem, FliesTheRouteOfTheFlight) {
 }
 
 TEST(FlightSystem, SaysOnceThatTheTanksAreDry) {
-  Scene scene(2);
+  Sky scene(2);
   sim::Workspace work(*scene.simulation);
   scene.world->rows(scene.columns.propulsion)[1].fuel = 2;
   std::size_t dry = 0;
@@ -122,7 +122,7 @@ TEST(FlightSystem, SaysOnceThatTheTanksAreDry) {
 }
 
 TEST(FlightSystem, ReportsWhoHitsTheGround) {
-  Scene scene(2);
+  Sky scene(2);
   sim::Workspace work(*scene.simulation);
   scene.world->rows(scene.columns.kinematics)[1].pitch = -0.5;
   scene.world->rows(scene.columns.kinematics)[1].position.z = -60;
@@ -142,7 +142,7 @@ TEST(FlightSystem, ReportsWhoHitsTheGround) {
 }
 
 TEST(FlightSystem, AddsUpTheStores) {
-  const Scene scene(1);
+  const Sky scene(1);
   const auto* system = dynamic_cast<const FlightSystem*>(scene.simulation->systems()[0].get());
   Stores stores;
   EXPECT_EQ(system->load_of(stores).mass, 0);
@@ -153,7 +153,7 @@ TEST(FlightSystem, AddsUpTheStores) {
 }
 
 TEST(FlightSystem, FliesSlowerWithStores) {
-  Scene scene(4);
+  Sky scene(4);
   for (Command& command : scene.world->rows(scene.columns.command))
     command.speed = 500;
   for (int i = 0; i < 4; ++i)
@@ -166,7 +166,7 @@ TEST(FlightSystem, FliesSlowerWithStores) {
 }
 
 TEST(FlightSystem, AllocatesNothing) {
-  Scene scene(300);
+  Sky scene(300);
   sim::Workspace work(*scene.simulation);
   scene.simulation->step(*scene.world, work);
   NoAllocation guard;
@@ -177,7 +177,7 @@ TEST(FlightSystem, AllocatesNothing) {
 TEST(FlightSystem, GivesTheSameBitsForAnyNumberOfWorkers) {
   std::uint64_t first = 0;
   for (const unsigned workers : {1u, 3u}) {
-    Scene scene(600);
+    Sky scene(600);
     for (std::size_t i = 0; i < 600; ++i)
       scene.world->rows(scene.columns.command)[i].heading = 0.01 * static_cast<double>(i) - 3;
     sim::Workspace work(*scene.simulation, workers);

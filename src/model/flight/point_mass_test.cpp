@@ -12,7 +12,6 @@ namespace eyrie::model {
 namespace {
 
 using test::ideal_airframe;
-using test::kDt;
 using test::simple_airframe;
 using test::TestFlight;
 
@@ -60,7 +59,7 @@ TEST(PointMass, GainsTheEnergyThatThrustAndDragLeave) {
       f.step({.load_factor = 3, .bank = bank, .throttle = throttle});
       const double power = (Engine::thrust_of(c.thrust, throttle) - c.drag(3)) / c.mass * 0.5 *
                            (speed + f.kinematics.speed);
-      EXPECT_NEAR((f.energy() - before) / kDt, power, 0.05 + 1e-4 * std::fabs(power));
+      EXPECT_NEAR((f.energy() - before) / test::kDt, power, 0.05 + 1e-4 * std::fabs(power));
     }
 }
 
@@ -136,8 +135,8 @@ TEST(PointMass, RollsAndPullsAtItsRates) {
   const FlightLimits& limits = f.model.airframe().limits;
   f.start(5000, 0, 300);
   f.step({.load_factor = 5, .bank = 1.5});
-  EXPECT_NEAR(f.kinematics.roll, limits.roll_rate * kDt, 1e-12);
-  EXPECT_NEAR(f.kinematics.load_factor, 1 + limits.load_factor_rate * kDt, 1e-12);
+  EXPECT_NEAR(f.kinematics.roll, limits.roll_rate * test::kDt, 1e-12);
+  EXPECT_NEAR(f.kinematics.load_factor, 1 + limits.load_factor_rate * test::kDt, 1e-12);
   f.kinematics.roll = radians(170);
   f.step({.bank = radians(-170)});
   EXPECT_GT(std::fabs(f.kinematics.roll), radians(170)) << "the short way is through inverted";

@@ -15,7 +15,7 @@ using test::flying;
 using test::mirrored;
 
 constexpr PlayerId kOwn{1}, kOther{2};
-constexpr double kHigh = -6096;  // m, local z of 20 000 ft
+using test::kHigh;
 
 Signature sphere(double rcs) {
   return {.rcs_front = rcs, .rcs_side = rcs, .rcs_rear = rcs};

@@ -16,7 +16,7 @@ namespace {
 using test::AirWar;
 using test::flying;
 
-constexpr double kHigh = -6096;
+using test::kHigh;
 
 /// Two lines abreast that close in on each other, four flights' worth of neighbours on each side.
 void two_lines(AirWar& war, int each) {

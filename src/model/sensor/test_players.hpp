@@ -6,6 +6,9 @@
 
 namespace eyrie::model::test {
 
+inline constexpr double kHigh = -6096;  ///< m, local z of 20 000 ft
+inline constexpr double kMile = 1852;   ///< m
+
 /// Flies level or as pitched, at `speed` along its nose, over local axes that are north-east-down.
 inline Kinematics flying(const Vec3& position, double heading, double speed, double pitch = 0,
                          double roll = 0) {

@@ -9,6 +9,13 @@
 namespace eyrie::model {
 namespace {
 
+Identity true_identity(const Scene& scene, const Self& self, std::size_t j) {
+  const Side side = scene.fit[j].side;
+  if (side == Side::none || self.fit.side == Side::none)
+    return Identity::unknown;
+  return side == self.fit.side ? Identity::friendly : Identity::hostile;
+}
+
 Track true_track(const Scene& scene, const Self& self, std::size_t j, const Track& before) {
   const Kinematics& other = scene.kinematics[j];
   Track track = before;
@@ -22,9 +29,7 @@ Track true_track(const Scene& scene, const Self& self, std::size_t j, const Trac
   track.fresh = kFromTruth;
   track.hits = 255;
   track.confirmed = 1;
-  const Side side = scene.fit[j].side;
-  if (side != Side::none && self.fit.side != Side::none)
-    track.identity = side == self.fit.side ? Identity::friendly : Identity::hostile;
+  track.identity = true_identity(scene, self, j);
   return track;
 }
 
@@ -36,7 +41,7 @@ void know_aircraft(const Scene& scene, Self& self) {
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
     if (j == self.row)
       continue;
-    const bool is_friend = scene.fit[j].side == self.fit.side && self.fit.side != Side::none;
+    const bool is_friend = true_identity(scene, self, j) == Identity::friendly;
     nearest.offer({norm2(scene.kinematics[j].position - self.kinematics.position) +
                        (is_friend ? kFriendLast : 0),
                    static_cast<std::uint32_t>(j)});

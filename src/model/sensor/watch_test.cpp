@@ -10,8 +10,8 @@ namespace {
 using test::AirWar;
 using test::flying;
 
-constexpr double kHigh = -6096;  // m, local z of 20 000 ft
-constexpr double kMile = 1852;
+using test::kHigh;
+using test::kMile;
 
 TEST(Watch, SeesAndRecognizesAnAircraftNearBy) {
   AirWar war;

@@ -21,13 +21,13 @@ Contact contact_at(double x, double y) {
   c.sigma_along = c.sigma_across = 100;
   return c;
 }
-const Tracker kTracker{.gate = 4, .max_gate = 5000};
+const Tracker kGates{.gate = 4, .max_gate = 5000};
 
 TEST(Associate, TakesTheNearestPairFirst) {
   // the contact at 140 is nearer to the first track, but another contact is nearer still
   const std::vector tracks{track_at(0, 0), track_at(300, 0)};
   const std::vector contacts{contact_at(140, 0), contact_at(10, 0)};
-  const auto track_of = associate(kTracker, tracks, contacts);
+  const auto track_of = associate(kGates, tracks, contacts);
   EXPECT_EQ(track_of[0], 1);
   EXPECT_EQ(track_of[1], 0);
 }
@@ -35,8 +35,8 @@ TEST(Associate, TakesTheNearestPairFirst) {
 TEST(Associate, LeavesOutWhatIsOutsideTheGates) {
   const std::vector tracks{track_at(0, 0)};
   // the standard deviation of the difference is 141 m
-  EXPECT_EQ(associate(kTracker, tracks, std::vector{contact_at(560, 0)})[0], 0);
-  EXPECT_EQ(associate(kTracker, tracks, std::vector{contact_at(570, 0)})[0], kNoTrack);
+  EXPECT_EQ(associate(kGates, tracks, std::vector{contact_at(560, 0)})[0], 0);
+  EXPECT_EQ(associate(kGates, tracks, std::vector{contact_at(570, 0)})[0], kNoTrack);
   // across the line max_gate is the end; along it the error of the contact comes on top
   const Tracker narrow{.gate = 4, .max_gate = 100};
   EXPECT_EQ(associate(narrow, tracks, std::vector{contact_at(490, 0)})[0], 0);
@@ -45,9 +45,9 @@ TEST(Associate, LeavesOutWhatIsOutsideTheGates) {
 
 TEST(Associate, GivesATieToTheOlderTrackAndTheEarlierContact) {
   const std::vector tracks{track_at(0, 0), track_at(200, 0)};
-  const auto between = associate(kTracker, tracks, std::vector{contact_at(100, 0)});
+  const auto between = associate(kGates, tracks, std::vector{contact_at(100, 0)});
   EXPECT_EQ(between[0], 0);
-  const auto twice = associate(kTracker, std::vector{track_at(0, 0)},
+  const auto twice = associate(kGates, std::vector{track_at(0, 0)},
                                std::vector{contact_at(0, 50), contact_at(0, -50)});
   EXPECT_EQ(twice[0], 0);
   EXPECT_EQ(twice[1], kNoTrack);
@@ -62,7 +62,7 @@ RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, 
   for (int i = *rc::gen::inRange(0, int(kMaxContacts) + 1); i > 0; --i)
     contacts.push_back(contact_at(place() + 0.001 * i, place()));
 
-  const auto track_of = associate(kTracker, tracks, contacts);
+  const auto track_of = associate(kGates, tracks, contacts);
   std::vector<int> uses(tracks.size());
   for (std::size_t c = 0; c < contacts.size(); ++c)
     if (track_of[c] != kNoTrack)
@@ -74,7 +74,7 @@ RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, 
   std::vector<Contact> reversed;
   for (const std::size_t c : order)
     reversed.push_back(contacts[c]);
-  const auto again = associate(kTracker, tracks, reversed);
+  const auto again = associate(kGates, tracks, reversed);
   for (std::size_t c = 0; c < order.size(); ++c) {
     // equal distances aside, which random places do not have
     RC_ASSERT(again[c] == track_of[order[c]]);

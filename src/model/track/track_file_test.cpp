@@ -12,11 +12,11 @@
 namespace eyrie::model {
 namespace {
 
-constexpr Tracker kTracker{.confirm_hits = 2, .coast_time = 12, .tentative_time = 6};
+constexpr Tracker kAging{.confirm_hits = 2, .coast_time = 12, .tentative_time = 6};
 
 /// A track file, its owner at the origin, and what is told of it.
 struct Desk {
-  Tracker tracker = kTracker;
+  Tracker tracker = kAging;
   TrackFile file;
   TrackNewsList news;
   std::uint32_t tries = 3;

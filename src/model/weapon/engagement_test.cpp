@@ -4,19 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "core/angle.hpp"
-#include "support/data_file.hpp"
+#include "model/weapon/test_missiles.hpp"
 
 namespace eyrie::model {
 namespace {
 
-const Atmosphere kAtmosphere;
+using test::kAtmosphere;
+using test::medium_range;
 
-const MissileType& medium_range() {
-  static const auto type = eyrie::test::load<MissileType>("data/missiles/aim120.yaml");
-  return type;
-}
-
-LaunchSituation level(double altitude, double aspect) {
+LaunchSituation shooting_level(double altitude, double aspect) {
   return {.shooter_altitude = altitude,
           .target_altitude = altitude,
           .shooter_speed = 300,
@@ -28,7 +24,7 @@ TEST(Engagement, HitsATargetThatKeepsItsCourse) {
   for (const double aspect : {0.0, 0.5, 1.2, 2.0, kPi}) {
     const EngagementResult r =
         engage(medium_range(), kAtmosphere,
-               {.situation = level(8000, aspect), .range = 10e3, .longest_step = 0.02});
+               {.situation = shooting_level(8000, aspect), .range = 10e3, .longest_step = 0.02});
     EXPECT_LT(r.miss, 1) << aspect;
     EXPECT_TRUE(r.success(medium_range())) << aspect;
   }
@@ -37,25 +33,25 @@ TEST(Engagement, HitsATargetThatKeepsItsCourse) {
 TEST(Engagement, HitsATargetThatTurnsAwayFromCloseBy) {
   const EngagementResult r =
       engage(medium_range(), kAtmosphere,
-             {.situation = level(8000, 0.3), .range = 12e3, .escape_load_factor = 6});
+             {.situation = shooting_level(8000, 0.3), .range = 12e3, .escape_load_factor = 6});
   EXPECT_TRUE(r.success(medium_range()));
 }
 
 TEST(Engagement, FailsOutOfReach) {
   const EngagementResult r =
-      engage(medium_range(), kAtmosphere, {.situation = level(8000, kPi), .range = 60e3});
+      engage(medium_range(), kAtmosphere, {.situation = shooting_level(8000, kPi), .range = 60e3});
   EXPECT_FALSE(r.success(medium_range()));
 }
 
 TEST(Engagement, FailsBeforeTheWarheadIsArmed) {
   const EngagementResult r =
-      engage(medium_range(), kAtmosphere, {.situation = level(8000, 0), .range = 400});
+      engage(medium_range(), kAtmosphere, {.situation = shooting_level(8000, 0), .range = 400});
   EXPECT_FALSE(r.armed);
   EXPECT_FALSE(r.success(medium_range()));
 }
 
 TEST(Engagement, StaysWithinTheLoadFactor) {
-  LaunchSituation s = level(2000, 1.2);
+  LaunchSituation s = shooting_level(2000, 1.2);
   s.off_boresight = 1;
   const EngagementResult r =
       engage(medium_range(), kAtmosphere, {.situation = s, .range = 6e3, .escape_load_factor = 9});
@@ -65,7 +61,7 @@ TEST(Engagement, StaysWithinTheLoadFactor) {
 }
 
 TEST(Engagement, ClimbsWhenItLofts) {
-  const Engagement far{.situation = level(8000, 0), .range = 50e3};
+  const Engagement far{.situation = shooting_level(8000, 0), .range = 50e3};
   MissileType direct = medium_range();
   direct.guidance.loft.reset();
   const EngagementResult lofted = engage(medium_range(), kAtmosphere, far);
@@ -76,7 +72,7 @@ TEST(Engagement, ClimbsWhenItLofts) {
 }
 
 TEST(Engagement, FliesAlmostTheSameInLongSteps) {
-  Engagement e{.situation = level(9000, 0.4), .range = 35e3};
+  Engagement e{.situation = shooting_level(9000, 0.4), .range = 35e3};
   const EngagementResult coarse = engage(medium_range(), kAtmosphere, e);
   e.longest_step = 0.02;
   const EngagementResult fine = engage(medium_range(), kAtmosphere, e);

@@ -5,17 +5,14 @@
 #include <rapidcheck/gtest.h>
 
 #include "model/weapon/line_of_sight.hpp"
-#include "support/data_file.hpp"
+#include "model/weapon/test_missiles.hpp"
 
 namespace eyrie::model {
 namespace {
 
-constexpr Vec3 kDown{0, 0, 1};
-const Atmosphere kAtmosphere;
-
-MissileType short_range() {
-  return eyrie::test::load<MissileType>("data/missiles/aim9.yaml");
-}
+using test::kAtmosphere;
+using test::kDown;
+using test::short_range;
 
 /// Flies for `seconds` with a constant wish.
 Flyout flown(const MissileType& type, Flyout state, double age, double seconds, double dt,

@@ -9,7 +9,7 @@
 namespace eyrie::model {
 namespace {
 
-constexpr double kDt = 0.02;
+constexpr double kTick = 0.02;
 
 TEST(Passage, HappensInExactlyOneStepOfAFlyBy) {
   // 1 km/s past each other, 5 m abeam, sampled every 20 m: wherever the samples lie, one step has
@@ -19,7 +19,7 @@ TEST(Passage, HappensInExactlyOneStepOfAFlyBy) {
     double miss = 0;
     for (int i = 0; i <= 40; ++i) {
       const Vec3 apart{400.0 + offset * 0.5 - 20.0 * i, 5, 0};
-      const Passage p = passage(apart, {-1000, 0, 0}, kDt);
+      const Passage p = passage(apart, {-1000, 0, 0}, kTick);
       // a later step sees the same passage again, but the missile is gone by then
       if (p.passing && passages++ == 0)
         miss = p.nearest.distance;
@@ -31,14 +31,14 @@ TEST(Passage, HappensInExactlyOneStepOfAFlyBy) {
 
 TEST(Passage, SurvivesAVelocityThatChangesBetweenSteps) {
   // at the end of the last step it was still closing; now it has long been opening
-  const Passage p = passage({22, 3, 0}, {1000, 0, 0}, kDt);
+  const Passage p = passage({22, 3, 0}, {1000, 0, 0}, kTick);
   EXPECT_TRUE(p.passing);
   EXPECT_NEAR(p.nearest.distance, norm(Vec3{2, 3, 0}), 1e-9);
 }
 
 TEST(Passage, IsNoneWhileClosingAndNoneLongAfterwards) {
-  EXPECT_FALSE(passage({30, 0, 0}, {-1000, 0, 0}, kDt).passing);
-  EXPECT_FALSE(passage({60, 0, 0}, {1000, 0, 0}, kDt).passing);
+  EXPECT_FALSE(passage({30, 0, 0}, {-1000, 0, 0}, kTick).passing);
+  EXPECT_FALSE(passage({60, 0, 0}, {1000, 0, 0}, kTick).passing);
 }
 
 TEST(KillProbability, FollowsTheDiffuseGaussian) {

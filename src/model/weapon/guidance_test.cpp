@@ -3,19 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include "model/environment/atmosphere.hpp"
 #include "model/weapon/closest_approach.hpp"
 #include "model/weapon/flyout.hpp"
-#include "support/data_file.hpp"
+#include "model/weapon/test_missiles.hpp"
 
 namespace eyrie::model {
 namespace {
 
-constexpr Vec3 kDown{0, 0, 1};
-
-MissileType short_range() {
-  return eyrie::test::load<MissileType>("data/missiles/aim9.yaml");
-}
+using test::kAtmosphere;
+using test::kDown;
+using test::short_range;
 
 struct Shot {
   Vec3 target{6000, 0, -6000}, target_velocity{-200, 150, 0}, acceleration{};
@@ -24,7 +21,6 @@ struct Shot {
 
 /// Closest approach (m) of a noise-free shot from {0, 0, -6000} along x at 300 m/s.
 double miss_of(const MissileType& type, const Shot& shot) {
-  const Atmosphere atmosphere;
   Flyout missile{.position = {0, 0, -6000}, .velocity = {300, 0, 0}};
   Vec3 target = shot.target, velocity = shot.target_velocity;
   double miss = 1e9;
@@ -32,7 +28,7 @@ double miss_of(const MissileType& type, const Shot& shot) {
     const Vec3 apart = target - missile.position, drift = velocity - missile.velocity;
     Vec3 wanted = steer(type.guidance, line_of_sight(apart, drift), missile.velocity, kDown);
     wanted += (1 - shot.gravity_bias) * kGravity * kDown;
-    fly(type, atmosphere.at(-missile.position.z), {}, kDown, age, 0.02, wanted, missile);
+    fly(type, kAtmosphere.at(-missile.position.z), {}, kDown, age, 0.02, wanted, missile);
     target += 0.02 * velocity;
     velocity += 0.02 * shot.acceleration;
     const Vec3 now = target - missile.position;

@@ -8,40 +8,40 @@
 #include "core/units.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/missile_type.hpp"
-#include "support/data_file.hpp"
+#include "model/weapon/test_missiles.hpp"
 
 namespace eyrie::model {
 namespace {
 
-constexpr double kMile = 1852;
-const Atmosphere kAtmosphere;
+constexpr double kNmi = si(1, "nmi");
+using test::kAtmosphere;
 
-const MissileType& medium_range() {
+const MissileType& prepared_medium() {
   static const MissileType type = [] {
-    auto t = eyrie::test::load<MissileType>("data/missiles/aim120.yaml");
+    MissileType t = test::medium_range();
     t.prepare();
     return t;
   }();
   return type;
 }
-const MissileType& short_range() {
+const MissileType& prepared_short() {
   static const MissileType type = [] {
-    auto t = eyrie::test::load<MissileType>("data/missiles/aim9.yaml");
+    MissileType t = test::short_range();
     t.prepare();
     return t;
   }();
   return type;
 }
 
-LaunchSituation level(double altitude, double aspect, double speed = si(600, "kt")) {
+LaunchSituation level_at(double altitude, double aspect, double speed = si(600, "kt")) {
   return {.shooter_altitude = altitude,
           .target_altitude = altitude,
           .shooter_speed = speed,
           .target_speed = speed,
           .aspect = aspect};
 }
-EmploymentZone at(double altitude, double aspect) {
-  return medium_range().zone.at(level(altitude, aspect));
+EmploymentZone zone_at(double altitude, double aspect) {
+  return prepared_medium().zone.at(level_at(altitude, aspect));
 }
 
 TEST(LaunchZone, IsOfTheOrderOfThePublishedOne) {
@@ -50,8 +50,8 @@ TEST(LaunchZone, IsOfTheOrderOfThePublishedOne) {
   const double altitudes[] = {305, 7620, 13716};
   const double head_on[] = {24.6, 32.7, 36.7}, tail[] = {2.6, 6.9, 11.6};
   for (int i = 0; i < 3; ++i) {
-    const double ours_ahead = at(altitudes[i], 0).r_max / kMile;
-    const double ours_behind = at(altitudes[i], kPi).r_max / kMile;
+    const double ours_ahead = zone_at(altitudes[i], 0).r_max / kNmi;
+    const double ours_behind = zone_at(altitudes[i], kPi).r_max / kNmi;
     EXPECT_GT(ours_ahead, 0.55 * head_on[i]) << altitudes[i];
     EXPECT_LT(ours_ahead, 1.25 * head_on[i]) << altitudes[i];
     EXPECT_GT(ours_behind, 0.8 * tail[i]) << altitudes[i];
@@ -62,7 +62,7 @@ TEST(LaunchZone, IsOfTheOrderOfThePublishedOne) {
   int count = 0;
   for (double altitude = 1000; altitude < 14e3; altitude += 2000)
     for (double aspect = 0.05; aspect < kPi; aspect += 0.2, ++count)
-      sum += at(altitude, aspect).r_ne / at(altitude, aspect).r_max;
+      sum += zone_at(altitude, aspect).r_ne / zone_at(altitude, aspect).r_max;
   EXPECT_GT(sum / count, 0.3);
   EXPECT_LT(sum / count, 0.9);
 }
@@ -70,15 +70,16 @@ TEST(LaunchZone, IsOfTheOrderOfThePublishedOne) {
 TEST(LaunchZone, GrowsWithAltitude) {
   for (const double aspect : {0.0, 0.6, 1.5, kPi})
     for (double altitude = 1000; altitude < 14e3; altitude += 1000) {
-      EXPECT_LT(at(altitude, aspect).r_max, at(altitude + 1000, aspect).r_max);
-      EXPECT_LT(at(altitude, aspect).r_ne, at(altitude + 1000, aspect).r_ne);
+      EXPECT_LT(zone_at(altitude, aspect).r_max, zone_at(altitude + 1000, aspect).r_max);
+      EXPECT_LT(zone_at(altitude, aspect).r_ne, zone_at(altitude + 1000, aspect).r_ne);
     }
 }
 
 TEST(LaunchZone, ShrinksFromHeadOnToTail) {
   for (const double altitude : {500.0, 6000.0, 12000.0})
     for (double aspect = 0; aspect < 3.0; aspect += 0.1)
-      EXPECT_GE(at(altitude, aspect).r_max * 1.001, at(altitude, aspect + 0.1).r_max) << aspect;
+      EXPECT_GE(zone_at(altitude, aspect).r_max * 1.001, zone_at(altitude, aspect + 0.1).r_max)
+          << aspect;
 }
 
 RC_GTEST_PROP(LaunchZone, HasItsRangesInOrder, ()) {
@@ -90,7 +91,7 @@ RC_GTEST_PROP(LaunchZone, HasItsRangesInOrder, ()) {
                           .target_speed = number(150, 350),
                           .aspect = number(0, 314) / 100,
                           .off_boresight = number(0, 40) / 100};
-  const EmploymentZone zone = medium_range().zone.at(s);
+  const EmploymentZone zone = prepared_medium().zone.at(s);
   RC_ASSERT(zone.possible());
   RC_ASSERT(zone.r_min > 0);
   RC_ASSERT(zone.r_ne <= zone.r_max);
@@ -100,20 +101,20 @@ TEST(LaunchZone, IsWhatFlyingTheMissileGives) {
   // between the situations that were flown the table is within a fifth
   for (const double altitude : {1500.0, 4500.0, 7500.0, 10500.0})
     for (const double aspect : {0.0, 0.2, 0.65, 1.2, 1.9, 2.7}) {
-      const LaunchSituation s = level(altitude, aspect, 290);
-      const EmploymentZone zone = medium_range().zone.at(s);
+      const LaunchSituation s = level_at(altitude, aspect, 290);
+      const EmploymentZone zone = prepared_medium().zone.at(s);
       Engagement e{.situation = s, .range = 0.8 * zone.r_max};
-      EXPECT_TRUE(engage(medium_range(), kAtmosphere, e).success(medium_range()))
+      EXPECT_TRUE(engage(prepared_medium(), kAtmosphere, e).success(prepared_medium()))
           << altitude << " " << aspect;
       e.range = 1.2 * zone.r_max;
-      EXPECT_FALSE(engage(medium_range(), kAtmosphere, e).success(medium_range()))
+      EXPECT_FALSE(engage(prepared_medium(), kAtmosphere, e).success(prepared_medium()))
           << altitude << " " << aspect;
     }
 }
 
 TEST(LaunchZone, OfAnInfraredMissileEndsWhereItsSeekerDoes) {
-  const EmploymentZone front = short_range().zone.at(level(6000, 0));
-  const EmploymentZone rear = short_range().zone.at(level(6000, kPi));
+  const EmploymentZone front = prepared_short().zone.at(level_at(6000, 0));
+  const EmploymentZone rear = prepared_short().zone.at(level_at(6000, kPi));
   // sqrt(60 / 1000) and sqrt(1000 / 1000) of 12 km, the default signature
   EXPECT_NEAR(front.r_max, 12e3 * std::sqrt(0.06), 1);
   EXPECT_LT(rear.r_max, 12e3 + 1);
@@ -121,24 +122,24 @@ TEST(LaunchZone, OfAnInfraredMissileEndsWhereItsSeekerDoes) {
 }
 
 TEST(LaunchZone, IsImpossibleOutsideTheGimbalOfAnInfraredMissile) {
-  LaunchSituation s = level(6000, kPi);
+  LaunchSituation s = level_at(6000, kPi);
   s.off_boresight = radians(39);
-  EXPECT_TRUE(short_range().zone.at(s).possible());
+  EXPECT_TRUE(prepared_short().zone.at(s).possible());
   s.off_boresight = radians(41);
-  EXPECT_FALSE(short_range().zone.at(s).possible());
+  EXPECT_FALSE(prepared_short().zone.at(s).possible());
 }
 
 TEST(LaunchZone, IsImpossibleUntilItIsBuilt) {
-  EXPECT_FALSE(LaunchZone().at(level(6000, 0)).possible());
+  EXPECT_FALSE(LaunchZone().at(level_at(6000, 0)).possible());
 }
 
 TEST(LaunchZone, IsTheSameEveryTime) {
-  const LaunchZone again = LaunchZone::build(medium_range());
+  const LaunchZone again = LaunchZone::build(prepared_medium());
   for (double x = 0; x < 1; x += 0.05) {
-    const LaunchSituation s = level(14e3 * x, 3 * x, 200 + 150 * x);
-    EXPECT_EQ(again.at(s).r_max, medium_range().zone.at(s).r_max);
-    EXPECT_EQ(again.at(s).r_ne, medium_range().zone.at(s).r_ne);
-    EXPECT_EQ(again.at(s).r_min, medium_range().zone.at(s).r_min);
+    const LaunchSituation s = level_at(14e3 * x, 3 * x, 200 + 150 * x);
+    EXPECT_EQ(again.at(s).r_max, prepared_medium().zone.at(s).r_max);
+    EXPECT_EQ(again.at(s).r_ne, prepared_medium().zone.at(s).r_ne);
+    EXPECT_EQ(again.at(s).r_min, prepared_medium().zone.at(s).r_min);
   }
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 using namespace pilot::testing;
 
-constexpr double kDegree = si(1, "deg");
 const std::string kBreak = "{break_turn: {vote: 70, near_vote: 80}}";
 
 TEST(BreakTurn, FailsWithoutAThreat) {

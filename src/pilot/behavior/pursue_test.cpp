@@ -12,8 +12,6 @@ namespace {
 
 using namespace pilot::testing;
 
-constexpr double kDegree = si(1, "deg");
-
 TEST(Pursue, FailsWithoutAHostile) {
   Desk desk;
   EXPECT_EQ(decide("pursue", desk).status, kFailure);

@@ -126,7 +126,7 @@ class ShotInFlight final : public Condition {
     const State& s = t.state;
     if (any_)
       return std::any_of(s.agent.shots.begin(), s.agent.shots.end(), [&](const Shot& shot) {
-        return shot.track && s.time < shot.until && s.find(shot.track);
+        return shot.flies(s.time) && s.find(shot.track);
       });
     const Seen* target = s.target();
     return target && claims_on(s, *target).own_shots > 0;

@@ -11,14 +11,14 @@ namespace {
 
 using Block = Inhibit<State, Action>;
 
-Robot layers(double hold) {
+Robot inhibiting(double hold) {
   auto node = make<Block>(probes(2));
   node->hold = hold;
   return Robot(std::move(node));
 }
 
 TEST(Inhibit, BlocksTheLowerLayerWhileTheHigherOneDoesNotFail) {
-  Robot robot = layers(0);
+  Robot robot = inhibiting(0);
   robot.cue(0).action.heading = 1;
   robot.cue(1) = {kSuccess, 4, {.heading = 2}};
   for (const Status answer : {kRunning, kSuccess}) {
@@ -35,7 +35,7 @@ TEST(Inhibit, BlocksTheLowerLayerWhileTheHigherOneDoesNotFail) {
 }
 
 TEST(Inhibit, GoesOnForTheHold) {
-  Robot robot = layers(2);
+  Robot robot = inhibiting(2);
   robot.cue(1) = {kRunning, 4, {.heading = 2}};
   robot.say(0, kSuccess);
   EXPECT_EQ(robot.tick_at(10), kFailure);
@@ -53,7 +53,7 @@ TEST(Inhibit, MayBeDoneByACondition) {
 }
 
 TEST(Inhibit, FailsIfTheLowerLayerAbstains) {
-  Robot robot = layers(0);
+  Robot robot = inhibiting(0);
   robot.cue(1) = {kRunning, 0, {.heading = 2}};
   EXPECT_EQ(robot.tick(), kFailure);
   EXPECT_TRUE(robot.out.is_empty());
@@ -75,7 +75,7 @@ RC_GTEST_PROP(InhibitLaw, IsTheLowerLayerOrNothing, ()) {
 
 RC_GTEST_PROP(InhibitLaw, TheLowerLayerIsHeardOnlyAfterTheHold, ()) {
   const int hold = *rc::gen::inRange(1, 10);  // ticks
-  Robot robot = layers(0.1 * hold);
+  Robot robot = inhibiting(0.1 * hold);
   robot.say(1, kRunning, 1);
   int silent = 1000;
   for (int tick = 0; tick < 60; ++tick) {

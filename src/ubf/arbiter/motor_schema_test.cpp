@@ -12,7 +12,7 @@ namespace {
 
 using Schema = MotorSchema<State, Action>;
 
-constexpr double kClose = 1e-5;  // a speed is a float
+constexpr double kRounding = 1e-5;  // a speed is a float
 
 Child schema(std::size_t children, double unit_vote = 1) {
   auto node = make<Schema>(probes(children));
@@ -43,7 +43,7 @@ TEST(MotorSchema, AddsUpVectors) {
   robot.cue(1) = {kSuccess, 1, {.heading = radians(90), .speed = 80.0F}};
   EXPECT_EQ(robot.tick(), kRunning);
   EXPECT_EQ(robot.out.vote, 2);
-  EXPECT_NEAR(robot.out.action.speed.value(), 50, kClose);  // 3, 4, 5
+  EXPECT_NEAR(robot.out.action.speed.value(), 50, kRounding);  // 3, 4, 5
   EXPECT_NEAR(robot.out.action.heading.value(), std::atan2(40, 30), 1e-12);
   EXPECT_EQ(robot.supplier(0), "root");
   EXPECT_EQ(robot.supplier(2), "root");
@@ -54,7 +54,7 @@ TEST(MotorSchema, IsNeverLongerThanTheLongestVector) {
   robot.cue(0) = {kRunning, 3, {.heading = 1, .speed = 100.0F}};
   robot.cue(1) = {kRunning, 5, {.heading = 1, .speed = 60.0F}};
   robot.tick();
-  EXPECT_NEAR(robot.out.action.speed.value(), 100, kClose);
+  EXPECT_NEAR(robot.out.action.speed.value(), 100, kRounding);
 }
 
 TEST(MotorSchema, StopsWhereVectorsCancel) {

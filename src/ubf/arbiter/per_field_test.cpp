@@ -10,7 +10,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Per = PerField<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(PerField, TakesEachFieldFromTheHighestVoteThatSetIt) {
   Robot robot(make<Per>(probes(3)));

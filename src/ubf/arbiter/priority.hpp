@@ -52,21 +52,19 @@ class Priority final : public WithMemory<Voting<State, Action>, PriorityMemory> 
     const NodeIndex held = active_child(t.memory);
     Status status = Status::failure;
     NodeIndex chosen = kNone;
-    Scratch<Action> other;  // children write here and into `out` in turn
-    Proposal<Action>*best = &other.get(), *next = &out;
+    BestSoFar<Action> best(out);
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
-      const Status answer = this->ask(*this->children_[i], t, *next);
-      if (answer == Status::failure || next->vote == 0 || (chosen != kNone && i != held))
+      const Status answer = this->ask(*this->children_[i], t, best.next());
+      if (answer == Status::failure || best.next().vote == 0 || (chosen != kNone && i != held))
         continue;
       chosen = static_cast<NodeIndex>(i);
       status = answer;
-      std::swap(best, next);
+      best.keep();
     }
     m = {};
     if (chosen == kNone)
       return Status::failure;
-    if (best != &out)
-      out.copy(*best);
+    best.hand_on();
     if (status == Status::running && !interruptible.empty() && !interruptible[chosen])
       m.held = static_cast<std::uint16_t>(chosen + 1);
     this->took(t, *this->children_[chosen]);

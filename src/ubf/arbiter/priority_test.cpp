@@ -12,7 +12,7 @@ namespace {
 using Rank = Priority<State, Action>;
 
 /// Child i proposes altitude i, so that the result tells who was chosen.
-Robot robot_with(std::vector<bool> interruptible) {
+Robot robot_interrupted(std::vector<bool> interruptible) {
   const std::size_t count = interruptible.size();
   auto node = make<Rank>(probes(count));
   node->interruptible = std::move(interruptible);
@@ -23,7 +23,7 @@ Robot robot_with(std::vector<bool> interruptible) {
 }
 
 TEST(Priority, TakesTheFirstChildThatIsHeardHoweverItVotes) {
-  Robot robot = robot_with({true, true, true, true});
+  Robot robot = robot_interrupted({true, true, true, true});
   robot.say(0, kFailure, 9);
   robot.say(1, kSuccess, 0);
   robot.say(2, kRunning, 1);
@@ -35,7 +35,7 @@ TEST(Priority, TakesTheFirstChildThatIsHeardHoweverItVotes) {
 }
 
 TEST(Priority, LetsAChildOfHigherRankTakeOver) {
-  Robot robot = robot_with({true, true});
+  Robot robot = robot_interrupted({true, true});
   robot.say(1, kRunning, 5);
   robot.tick();
   robot.say(0, kRunning, 1);
@@ -46,7 +46,7 @@ TEST(Priority, LetsAChildOfHigherRankTakeOver) {
 
 TEST(Priority, DoesNotInterruptAChildThatIsNotInterruptibleBeforeItEnds) {
   for (const Status end : {kSuccess, kFailure}) {
-    Robot robot = robot_with({true, false, true});
+    Robot robot = robot_interrupted({true, false, true});
     robot.say(1, kRunning, 5);
     robot.tick();
     robot.say(0, kRunning, 9);
@@ -63,7 +63,7 @@ TEST(Priority, DoesNotInterruptAChildThatIsNotInterruptibleBeforeItEnds) {
 }
 
 TEST(Priority, LetsGoOfAChildThatAbstains) {
-  Robot robot = robot_with({true, false});
+  Robot robot = robot_interrupted({true, false});
   robot.say(1, kRunning, 5);
   robot.tick();
   robot.say(0, kRunning, 1);

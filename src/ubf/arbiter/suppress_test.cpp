@@ -12,7 +12,7 @@ namespace {
 using Over = Suppress<State, Action>;
 
 /// Probe 0 is the higher layer and asks for heading 1, probe 1 the lower one for heading 2.
-Robot layers(double hold) {
+Robot suppressing(double hold) {
   auto node = make<Over>(probes(2));
   node->hold = hold;
   Robot robot(std::move(node));
@@ -22,7 +22,7 @@ Robot layers(double hold) {
 }
 
 TEST(Suppress, ReplacesTheLowerLayerHoweverItVotes) {
-  Robot robot = layers(0);
+  Robot robot = suppressing(0);
   robot.say(0, kSuccess, 1);
   robot.say(1, kRunning, 9);
   EXPECT_EQ(robot.tick(), kSuccess);
@@ -32,7 +32,7 @@ TEST(Suppress, ReplacesTheLowerLayerHoweverItVotes) {
 }
 
 TEST(Suppress, LetsTheLowerLayerThroughWhenTheHigherOneIsSilent) {
-  Robot robot = layers(0);
+  Robot robot = suppressing(0);
   robot.say(0, kRunning, 1);
   robot.say(1, kSuccess, 9);
   robot.tick();
@@ -45,7 +45,7 @@ TEST(Suppress, LetsTheLowerLayerThroughWhenTheHigherOneIsSilent) {
 }
 
 TEST(Suppress, HoldsTheLastProposalOfTheHigherLayer) {
-  Robot robot = layers(2);
+  Robot robot = suppressing(2);
   robot.say(0, kSuccess, 3);
   robot.say(1, kRunning, 9);
   robot.tick_at(10);
@@ -61,7 +61,7 @@ TEST(Suppress, HoldsTheLastProposalOfTheHigherLayer) {
 }
 
 TEST(Suppress, FailsWhenBothAreSilentAndForgets) {
-  Robot robot = layers(1);
+  Robot robot = suppressing(1);
   robot.say(0, kRunning, 3);
   robot.tick_at(1);
   robot.say(0, kFailure);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(SuppressLaw, IsTheFirstOfTwoThatIsHeard, ()) {
 
 RC_GTEST_PROP(SuppressLaw, TheLowerLayerIsHeardOnlyAfterTheHold, ()) {
   const int hold = *rc::gen::inRange(1, 10);  // ticks
-  Robot robot = layers(0.1 * hold);
+  Robot robot = suppressing(0.1 * hold);
   robot.say(1, kRunning, 1);
   int silent = 1000;
   for (int tick = 0; tick < 60; ++tick) {

@@ -43,25 +43,24 @@ class Verify final : public Voting<State, Action> {
     Status status = Status::failure;
     const typename Verify::Node* winner = nullptr;
     float highest = 0;
-    Scratch<Action> other;  // children write here and into `out` in turn
-    Proposal<Action>*best = &other.get(), *next = &out;
+    BestSoFar<Action> best(out);
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
       const auto& child = *this->children_[i];
-      const Status answer = this->ask(child, t, *next);
-      if (answer == Status::failure || next->vote == 0)
+      const Status answer = this->ask(child, t, best.next());
+      if (answer == Status::failure || best.next().vote == 0)
         continue;
       const bool is_fallback = fallback && i + 1 == this->children_.size();
-      if (is_fallback ? winner != nullptr : !(next->vote > highest) || !bounds.hold(next->action))
+      if (is_fallback ? winner != nullptr
+                      : !(best.next().vote > highest) || !bounds.hold(best.next().action))
         continue;
-      highest = next->vote;
+      highest = best.next().vote;
       status = answer;
       winner = &child;
-      std::swap(best, next);
+      best.keep();
     }
     if (!winner)
       return Status::failure;
-    if (best != &out)
-      out.copy(*best);
+    best.hand_on();
     this->took(t, *winner);
     this->rescale(out);
     return status;

@@ -89,7 +89,7 @@ TEST(Bounds, SayWhatIsWrongWithThem) {
 }
 
 /// The mistakes in a file, or "" if there is none.
-std::string mistakes(std::string_view text) {
+std::string verify_mistakes(std::string_view text) {
   RobotRegistry registry;
   add_standard_nodes(registry);
   registry.add<Probe>();
@@ -100,9 +100,10 @@ std::string mistakes(std::string_view text) {
 }
 
 TEST(Verify, IsReadFromAFileWithUnits) {
-  EXPECT_EQ(mistakes("{verify: {bounds: {altitude: {min: 1000 ft}, heading: {min: 0 deg, max: 90 "
-                     "deg}}, fallback: true, children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
-            "");
+  EXPECT_EQ(
+      verify_mistakes("{verify: {bounds: {altitude: {min: 1000 ft}, heading: {min: 0 deg, max: 90 "
+                      "deg}}, fallback: true, children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
+      "");
   RobotRegistry registry;
   add_standard_nodes(registry);
   registry.add<Probe>();
@@ -119,7 +120,7 @@ TEST(Verify, IsReadFromAFileWithUnits) {
 
 TEST(Verify, TellsEveryMistakeInAFile) {
   const auto has = [](std::string_view text, std::string_view words) {
-    const std::string said = mistakes(text);
+    const std::string said = verify_mistakes(text);
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
   has("{verify: {children: [{probe: {cue: 0}}]}}", "bounds");

@@ -50,26 +50,24 @@ class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRa
     double total = 0;
     Status status = Status::failure;
     NodeIndex chosen = kNone;
-    Scratch<Action> other;  // children write here and into `out` in turn
-    Proposal<Action>*best = &other.get(), *next = &out;
+    BestSoFar<Action> best(out);
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
-      const Status answer = this->ask(*this->children_[i], t, *next);
-      if (answer == Status::failure || next->vote == 0)
+      const Status answer = this->ask(*this->children_[i], t, best.next());
+      if (answer == Status::failure || best.next().vote == 0)
         continue;
-      const auto weight = static_cast<double>(next->vote);
+      const auto weight = static_cast<double>(best.next().vote);
       total += weight;
       const bool drawn = draw.uniform() * total < weight || chosen == kNone;
       if (i != kept && (!drawn || (chosen != kNone && chosen == kept)))
         continue;
       chosen = static_cast<NodeIndex>(i);
       status = answer;
-      std::swap(best, next);
+      best.keep();
     }
     remember(m, t.time, chosen, status, chosen == kept);
     if (chosen == kNone)
       return Status::failure;
-    if (best != &out)
-      out.copy(*best);
+    best.hand_on();
     this->took(t, *this->children_[chosen]);
     this->rescale(out);
     return status;

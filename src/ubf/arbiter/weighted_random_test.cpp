@@ -12,7 +12,7 @@ namespace {
 using Random = WeightedRandom<State, Action>;
 
 /// Child i proposes altitude i, so that the result tells who was chosen.
-Robot robot_with(std::vector<float> votes, double keep = 0) {
+Robot robot_voting(std::vector<float> votes, double keep = 0) {
   auto node = make<Random>(probes(votes.size()));
   node->keep = keep;
   Robot robot(std::move(node));
@@ -22,7 +22,7 @@ Robot robot_with(std::vector<float> votes, double keep = 0) {
 }
 
 TEST(WeightedRandom, DrawsWithTheProbabilityOfTheVotes) {
-  Robot robot = robot_with({1, 0, 2, 5});
+  Robot robot = robot_voting({1, 0, 2, 5});
   std::array<int, 4> drawn{};
   constexpr int kDraws = 8000;
   for (int i = 0; i < kDraws; ++i) {
@@ -37,7 +37,7 @@ TEST(WeightedRandom, DrawsWithTheProbabilityOfTheVotes) {
 }
 
 TEST(WeightedRandom, KeepsADrawForItsTime) {
-  Robot robot = robot_with({1, 1, 1, 1, 1, 1}, 1);
+  Robot robot = robot_voting({1, 1, 1, 1, 1, 1}, 1);
   std::vector<double> draws;
   for (int i = 0; i < 1000; ++i) {
     robot.tick_at(0.1 * i);
@@ -51,7 +51,7 @@ TEST(WeightedRandom, KeepsADrawForItsTime) {
 }
 
 TEST(WeightedRandom, DrawsAnewWhenTheChosenChildFallsSilent) {
-  Robot robot = robot_with({1, 1}, 100);
+  Robot robot = robot_voting({1, 1}, 100);
   robot.tick();
   const auto chosen = static_cast<std::size_t>(robot.out.action.altitude.value());
   robot.say(chosen, kFailure);
@@ -63,7 +63,7 @@ TEST(WeightedRandom, DrawsAnewWhenTheChosenChildFallsSilent) {
 }
 
 TEST(WeightedRandom, FailsIfEveryoneFailsOrAbstains) {
-  Robot robot = robot_with({0, 3});
+  Robot robot = robot_voting({0, 3});
   robot.say(1, kFailure, 3);
   EXPECT_EQ(robot.tick(), kFailure);
   EXPECT_TRUE(robot.out.is_empty());

@@ -24,21 +24,19 @@ class WinnerTakesAll final : public Voting<State, Action> {
     Status status = Status::failure;
     const typename WinnerTakesAll::Node* winner = nullptr;
     float highest = 0;
-    Scratch<Action> other;  // children write here and into `out` in turn
-    Proposal<Action>*best = &other.get(), *next = &out;
+    BestSoFar<Action> best(out);
     for (const auto& child : this->children_) {
-      const Status answer = this->ask(*child, t, *next);
-      if (answer == Status::failure || !(next->vote > highest))
+      const Status answer = this->ask(*child, t, best.next());
+      if (answer == Status::failure || !(best.next().vote > highest))
         continue;
-      highest = next->vote;
+      highest = best.next().vote;
       status = answer;
       winner = child.get();
-      std::swap(best, next);
+      best.keep();
     }
     if (!winner)
       return Status::failure;
-    if (best != &out)
-      out.copy(*best);
+    best.hand_on();
     this->rescale(out);
     this->took(t, *winner);
     return status;

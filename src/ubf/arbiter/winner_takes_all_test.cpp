@@ -9,8 +9,6 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Wta = WinnerTakesAll<State, Action>;
-
 TEST(WinnerTakesAll, HandsOnActionVoteAndStatusOfTheHighestVote) {
   Robot robot(make<Wta>(probes(3)));
   robot.cue(0) = {kSuccess, 2, {.heading = 1}};

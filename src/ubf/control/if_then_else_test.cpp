@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using If = IfThenElse<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(IfThenElse, AsksTheBranchThatItsConditionSays) {
   Robot robot(make<If>(probes(3)));

@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using All = ParallelAll<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 Child parallel_all(std::size_t children, std::uint32_t failures) {
   auto node = make<All>(probes(children));

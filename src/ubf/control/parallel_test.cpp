@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Par = Parallel<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 Child parallel(std::size_t children, std::optional<std::uint32_t> successes,
                std::uint32_t failures) {

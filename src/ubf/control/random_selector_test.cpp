@@ -9,10 +9,10 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Random = RandomSelector<State, Action>;
+using Shuffled = RandomSelector<State, Action>;
 
 Child random_selector(std::vector<double> weights, std::size_t children) {
-  auto node = make<Random>(probes(children));
+  auto node = make<Shuffled>(probes(children));
   node->weights = std::move(weights);
   return node;
 }
@@ -63,8 +63,7 @@ TEST(RandomSelector, DoesNotTryAChildAgainThatFailedInThisRound) {
 }
 
 TEST(RandomSelector, ClosesAnArbiterThatEnded) {
-  using Wta = WinnerTakesAll<State, Action>;
-  Robot robot(make<Random>(make<Wta>(probe(0), probe(1))));
+  Robot robot(make<Shuffled>(make<Wta>(probe(0), probe(1))));
   robot.say(0, kSuccess, 5);
   robot.say(1, kRunning, 1);
   EXPECT_EQ(robot.tick(), kSuccess);
@@ -80,7 +79,7 @@ TEST(RandomSelector, RefusesWeightsThatDoNotFitItsChildren) {
 
 RC_GTEST_PROP(RandomSelectorLaw, FailsIfAllFailAndElseStopsAtTheFirstThatDoesNot, ()) {
   const Cues cues = *any_cues();
-  Robot robot(make<Random>(probes(cues.size())));
+  Robot robot(make<Shuffled>(probes(cues.size())));
   robot.step = *rc::gen::arbitrary<std::uint32_t>();
   const Answer answer = ask(robot, cues);
   std::size_t taken = 0;
@@ -100,7 +99,7 @@ RC_GTEST_PROP(RandomSelectorLaw, FailsIfAllFailAndElseStopsAtTheFirstThatDoesNot
 RC_GTEST_PROP(RandomSelectorLaw, TheSameStepDrawsTheSame, ()) {
   const Cues cues = *any_cues();
   const auto step = *rc::gen::arbitrary<std::uint32_t>();
-  Robot one(make<Random>(probes(cues.size()))), other(make<Random>(probes(cues.size())));
+  Robot one(make<Shuffled>(probes(cues.size()))), other(make<Shuffled>(probes(cues.size())));
   one.step = other.step = step;
   RC_ASSERT(ask(one, cues) == ask(other, cues));
 }

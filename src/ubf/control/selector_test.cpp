@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Select = Selector<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(Selector, SendsUpTheActionOfTheFirstChildThatDoesNotFailEvenWithoutAVote) {
   Robot robot(make<Select>(probes(3)));

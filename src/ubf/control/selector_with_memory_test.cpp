@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Resume = SelectorWithMemory<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(SelectorWithMemory, DoesNotLetAnEarlierChildInterruptARunningOne) {
   Robot robot(make<Resume>(probes(2)));

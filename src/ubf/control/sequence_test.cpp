@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Seq = Sequence<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(Sequence, OfConditionsAndAnActionSendsUpTheAction) {
   Robot robot(make<Seq>(check(0), check(1), probe(2)));

@@ -8,11 +8,10 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-using Resume = SequenceWithMemory<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
+using Steps = SequenceWithMemory<State, Action>;
 
 TEST(SequenceWithMemory, DoesNotAskAgainWhatHasSucceeded) {
-  Robot robot(make<Resume>(probes(2)));
+  Robot robot(make<Steps>(probes(2)));
   robot.say(0, kSuccess);
   robot.say(1, kRunning);
   robot.tick();
@@ -22,7 +21,7 @@ TEST(SequenceWithMemory, DoesNotAskAgainWhatHasSucceeded) {
 }
 
 TEST(SequenceWithMemory, SendsUpOnlyWhatWasProposedInThisTick) {
-  Robot robot(make<Resume>(probes(2)));
+  Robot robot(make<Steps>(probes(2)));
   robot.cue(0) = {kSuccess, 4, {.heading = 1}};
   robot.say(1, kRunning);
   robot.tick();
@@ -32,7 +31,7 @@ TEST(SequenceWithMemory, SendsUpOnlyWhatWasProposedInThisTick) {
 }
 
 TEST(SequenceWithMemory, StartsFromTheFirstChildAfterAFailure) {
-  Robot robot(make<Resume>(probes(2)));
+  Robot robot(make<Steps>(probes(2)));
   robot.say(0, kSuccess);
   robot.say(1, kRunning);
   robot.tick();
@@ -44,7 +43,7 @@ TEST(SequenceWithMemory, StartsFromTheFirstChildAfterAFailure) {
 }
 
 TEST(SequenceWithMemory, ClosesAnArbiterThatSucceededBeforeItGoesOn) {
-  Robot robot(make<Resume>(make<Wta>(probe(0), probe(1)), probe(2)));
+  Robot robot(make<Steps>(make<Wta>(probe(0), probe(1)), probe(2)));
   robot.say(0, kSuccess, 5);
   robot.say(1, kRunning, 1);
   robot.say(2, kRunning);

@@ -9,7 +9,6 @@ namespace eyrie::ubf::testing {
 namespace {
 
 using Loop = While<State, Action>;
-using Wta = WinnerTakesAll<State, Action>;
 
 TEST(While, ChecksItsConditionInEveryTick) {
   Robot robot(make<Loop>(probes(3)));

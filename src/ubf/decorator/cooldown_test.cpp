@@ -55,7 +55,6 @@ TEST(Cooldown, GoesOnCoolingWhileOthersAreInControl) {
 }
 
 TEST(Cooldown, GoesOnCoolingAroundAnArbiterToo) {
-  using Wta = WinnerTakesAll<State, Action>;
   Robot robot(make<Selector<State, Action>>(probe(1), cooldown(5, make<Wta>(probe(0), probe(2)))));
   robot.say(0, kSuccess, 5);
   robot.say(2, kRunning, 1);

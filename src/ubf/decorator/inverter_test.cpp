@@ -30,7 +30,6 @@ TEST(Inverter, OfARunningChildHandsOnItsProposal) {
 }
 
 TEST(Inverter, MakesAnArbiterBelowItStandAsLongAsItIsAsked) {
-  using Wta = WinnerTakesAll<State, Action>;
   Robot robot(make<Selector<State, Action>>(probe(0), make<Invert>(make<Wta>(probe(1), probe(2)))));
   robot.say(1, kSuccess, 5);
   robot.say(2, kRunning, 1);

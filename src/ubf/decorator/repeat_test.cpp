@@ -53,7 +53,6 @@ TEST(Repeat, WithoutACountGoesOnForEver) {
 }
 
 TEST(Repeat, LetsAnArbiterThatEndedForgetBeforeTheNextRound) {
-  using Wta = WinnerTakesAll<State, Action>;
   Robot robot(repeat(2, make<Wta>(probe(0), probe(1))));
   robot.say(0, kSuccess, 5);
   robot.say(1, kRunning, 1);
