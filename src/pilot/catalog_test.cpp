@@ -66,6 +66,8 @@ TEST(Catalog, HasNoDefaultThatItWouldRefuse) {
   for (const ubf::NodeInfo& node : registry.catalog()) {
     if (node.kind != ubf::Kind::behavior && node.kind != ubf::Kind::condition)
       continue;
+    if (!node.text_key.empty())
+      continue;  // a condition in words has no default
     // the whole node as a file would write its defaults
     std::string text = "{" + node.name + ": {";
     for (const ParamInfo& p : node.parameters)

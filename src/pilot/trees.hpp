@@ -6,8 +6,15 @@
 #include "ubf/registry.hpp"
 
 namespace eyrie::pilot {
-
 struct State;
+}
+/// What expressions and switches may read of a pilot's state: pilot/state_fields.cpp.
+template <>
+struct eyrie::ubf::StateFields<eyrie::pilot::State> {
+  [[nodiscard]] static std::span<const StateField<eyrie::pilot::State>> all();
+};
+
+namespace eyrie::pilot {
 
 using Behavior = ubf::Behavior<State, Action>;
 using Condition = ubf::Condition<State, Action>;

@@ -100,12 +100,37 @@ Json slots(const ubf::NodeInfo& node, Json map) {
   return alone ? any_of(std::move(map), reference_to("node")) : map;
 }
 
+/// A node per value, and one for the others.
+Json switch_body(Json map) {
+  map["properties"]["cases"] = map_of(reference_to("node"));
+  map["properties"]["cases"]["minProperties"] = 1;
+  map["properties"]["default"] = reference_to("node");
+  require(map, "cases");
+  return map;
+}
+
+/// `tree: name`, or with arguments, which the tree describes.
+Json reference_schema() {
+  Json with{{"type", "object"},
+            {"additionalProperties",
+             one_or_nothing({{"type", "object"}, {"additionalProperties", true}})},
+            {"minProperties", 1},
+            {"maxProperties", 1}};
+  Json schema = any_of({{"type", "string"}}, std::move(with));
+  schema["description"] = "a copy of the tree of that name, with arguments if it has parameters";
+  return schema;
+}
+
 /// What stands below the name of a node.
 Json body(const ubf::NodeInfo& node) {
   Json map = node_map(node);
   if (std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
                  ubf::kSequencerKeys.end()))
     return sequencer(std::move(map));
+  if (has(node, "cases"))
+    return switch_body(std::move(map));
+  if (!node.text_key.empty())
+    return any_of(Json{{"type", "string"}}, std::move(map));
   if (has(node, "children"))
     return composite(std::move(map), has(node, "child"));
   if (!node.child_keys.empty())
@@ -121,8 +146,7 @@ bool stands_alone(const ubf::NodeInfo& node) {
 
 Json node_definition(const Catalog& catalog) {
   Json names = Json::array();
-  Json types{{std::string(ubf::kTreeReference),
-              {{"type", "string"}, {"description", "a copy of the tree of that name"}}}};
+  Json types{{std::string(ubf::kTreeReference), reference_schema()}};
   for (const ubf::NodeInfo& node : catalog.nodes) {
     if (stands_alone(node))
       names.push_back(node.name);
@@ -130,11 +154,13 @@ Json node_definition(const Catalog& catalog) {
     schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + ")";
     types[node.name] = std::move(schema);
   }
-  Json node = any_of({{"enum", names}}, {{"type", "object"},
-                                         {"properties", types},
-                                         {"minProperties", 1},
-                                         {"maxProperties", 1},
-                                         {"additionalProperties", false}});
+  Json words{{"type", "string"}, {"pattern", "[<>=!()]|^not | and | or "}};
+  Json node =
+      any_of(any_of({{"enum", names}}, std::move(words)), {{"type", "object"},
+                                                           {"properties", types},
+                                                           {"minProperties", 1},
+                                                           {"maxProperties", 1},
+                                                           {"additionalProperties", false}});
   node["description"] = "a node of a tree: its name, or its name with parameters or children";
   return node;
 }
@@ -207,7 +233,21 @@ class Root {
     place = std::move(shape);
   }
 
-  static Json trees() { return one_or_nothing(map_of(reference_to("node"))); }
+  static Json trees() {
+    Json with_parameters{
+        {"type", "object"},
+        {"properties",
+         {{std::string(ubf::kParametersKey),
+           {{"type", "object"},
+            {"additionalProperties", true},
+            {"propertyNames",
+             {{"pattern", "^[A-Za-z0-9_]+$"}, {"not", {{"const", ubf::kFieldsKey}}}}},
+            {"description", "names and defaults; one without a default must be given"}}},
+          {std::string(ubf::kRootKey), {{"description", "a node, with $name for parameters"}}}}},
+        {"required", {ubf::kParametersKey, ubf::kRootKey}},
+        {"additionalProperties", false}};
+    return one_or_nothing(map_of(any_of(reference_to("node"), std::move(with_parameters))));
+  }
 
   Json definitions() const {
     Json result = dimension_definitions();

@@ -87,6 +87,7 @@ Catalog make_catalog(const Source& source) {
   result.file = file_parts();
   const auto registry = pilot::make_registry();
   result.nodes.assign(registry.catalog().begin(), registry.catalog().end());
+  result.fields = ubf::state_field_infos<pilot::State>();
   using namespace model;
   result.models = {kind<AircraftType>("aircraft", source), kind<Airframe>("airframes", source),
                    kind<Radar>("radars", source),          kind<Rwr>("rwr", source),

@@ -8,6 +8,7 @@
 #include "core/param.hpp"
 #include "scenario/source.hpp"
 #include "ubf/spec.hpp"
+#include "ubf/state_fields.hpp"
 
 namespace eyrie::scenario {
 
@@ -30,9 +31,10 @@ struct ModelKind {
 };
 
 struct Catalog {
-  std::vector<FilePart> file;        ///< "scenario", "side", "flight", "player"
-  std::vector<ubf::NodeInfo> nodes;  ///< in the order of registration
-  std::vector<ModelKind> models;     ///< in the order of DataLoader::kinds()
+  std::vector<FilePart> file;               ///< "scenario", "side", "flight", "player"
+  std::vector<ubf::NodeInfo> nodes;         ///< in the order of registration
+  std::vector<ubf::StateFieldInfo> fields;  ///< that expressions and switches may read
+  std::vector<ModelKind> models;            ///< in the order of DataLoader::kinds()
 };
 
 /// The names of models come from `source`, everything else from the program.

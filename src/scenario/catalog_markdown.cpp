@@ -50,9 +50,28 @@ constexpr std::string_view kTrees =
     "  three: {winner_takes_all: [navigate, {tree: two}]}   # a copy of another tree\n"
     "  four: {winner_takes_all: {vote: 3, children: [navigate, egress]}}\n"
     "  five: {inverter: bingo}                   # a decorator with its child\n"
+    "  six: {guard: {when: range < 10 nmi and not threatened, child: pursue}}   # a condition in "
+    "words\n"
+    "  seven:                                    # a tree with parameters\n"
+    "    parameters: {vote: 40, near: }          # without a default it must be given\n"
+    "    root: {guard: {when: range < $near, child: {pursue: {vote: $vote}}}}\n"
+    "  eight: {tree: {seven: {near: 10 nmi}}}    # a copy of it, with arguments\n"
+    "  nine: !tree one                           # the same as {tree: one}\n"
     "```\n"
     "\n"
     "Every node may also have a `name`, which reports and traces show.\n";
+
+constexpr std::string_view kFields =
+    "\n### State fields\n"
+    "\n"
+    "What a condition in words compares, and what `switch` looks at. Comparisons are `<`, `<=`,\n"
+    "`>`, `>=`, `==` and `!=` with a quantity or another field; a flag stands alone; `not`, "
+    "`and`,\n"
+    "`or` and parentheses put them together. Every comparison with a field that has no value now,\n"
+    "such as the range of no target, is false. `{tree: {name: {fields: {theirs: ours}}}}` gives\n"
+    "the fields other names in one copy of a tree.\n"
+    "\n"
+    "| field | unit | meaning |\n|---|---|---|\n";
 
 constexpr std::string_view kSequencer =
     "\n```yaml\n"
@@ -104,6 +123,7 @@ class Writer {
     text_ += kTrees;
     for (const Section& section : kSections)
       nodes(section);
+    fields();
     text_ += "\n## Models\n";
     text_ += kModels;
     for (const ModelKind& kind : catalog_.models)
@@ -148,6 +168,15 @@ class Writer {
         text_ += kSequencer;
       table(node.parameters);
     }
+  }
+  void fields() {
+    text_ += kFields;
+    for (const ubf::StateFieldInfo& field : catalog_.fields)
+      add("| `{}` | {} | {} |\n", field.name,
+          field.kind == ubf::FieldKind::flag     ? "flag"
+          : field.kind == ubf::FieldKind::choice ? fmt::format("{}", fmt::join(field.choices, ", "))
+                                                 : std::string(field.unit.si_symbol),
+          field.help);
   }
   static bool is_sequencer(const ubf::NodeInfo& node) {
     return std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),

@@ -95,7 +95,9 @@ class Loader {
     }
     const auto registry = pilot::make_registry();
     for (const ubf::NamedSpec& n : named)
-      if (auto tree = registry.build_tree(n.name, *n.value, diagnostics_, named))
+      if (ubf::needs_arguments(*n.value))
+        templates_.push_back(n.name);
+      else if (auto tree = registry.build_tree(n.name, *n.value, diagnostics_, named))
         trees->add(std::move(*tree));
       else
         broken_.push_back(n.name);
@@ -189,8 +191,7 @@ class Loader {
       begin.tree = out_->trees->find(player.spec.tree);
       if (!begin.tree &&
           std::find(broken_.begin(), broken_.end(), player.spec.tree) == broken_.end())
-        error(player.place("tree"), fmt::format("there is no tree {}{}", quote(player.spec.tree),
-                                                did_you_mean(player.spec.tree, tree_names())));
+        error(player.place("tree"), no_tree(player.spec.tree));
     }
     if (const auto type = library_->aircraft.find(player.spec.aircraft))
       equip(player, *type, begin);
@@ -229,6 +230,12 @@ class Loader {
       hang(store, store == "none" ? 0 : 1);
   }
 
+  std::string no_tree(const std::string& name) const {
+    if (std::find(templates_.begin(), templates_.end(), name) != templates_.end())
+      return fmt::format("tree {} needs arguments: fly a tree that refers to it with some",
+                         quote(name));
+    return fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, tree_names()));
+  }
   std::vector<std::string> tree_names() const {
     std::vector<std::string> names = broken_;
     for (const auto& tree : *out_->trees)
@@ -248,8 +255,7 @@ class Loader {
         error(where, fmt::format("there is no player {}{}", quote(order.player),
                                  did_you_mean(order.player, players)));
       if (!tree)
-        error(where, fmt::format("there is no tree {}{}", quote(order.swap_tree),
-                                 did_you_mean(order.swap_tree, tree_names())));
+        error(where, no_tree(order.swap_tree));
       if (who && tree)
         out_->orders.push_back(pilot::swap_tree_order(
             static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5), *who, *tree));
@@ -272,7 +278,8 @@ class Loader {
   std::vector<FlightPlan> plans_;
   std::shared_ptr<model::Library> library_;
   std::vector<Start> starts_;
-  std::vector<std::string> broken_;  ///< trees with mistakes, said already
+  std::vector<std::string> broken_;     ///< trees with mistakes, said already
+  std::vector<std::string> templates_;  ///< trees that need arguments
   std::shared_ptr<Scenario> out_ = std::make_shared<Scenario>();
 };
 

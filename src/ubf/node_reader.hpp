@@ -13,7 +13,9 @@
 
 #include "core/bind.hpp"
 #include "ubf/composite.hpp"
+#include "ubf/expression.hpp"
 #include "ubf/spec.hpp"
+#include "ubf/subtree.hpp"
 #include "ubf/tree.hpp"
 
 namespace eyrie::ubf {
@@ -31,7 +33,11 @@ class NodeReader {
 
   NodeReader(const Registry<State, Action>& registry, std::span<const NamedSpec> trees,
              Diagnostics& diagnostics)
-      : registry_(registry), trees_(trees), diagnostics_(diagnostics) {}
+      : registry_(registry),
+        trees_(trees),
+        diagnostics_(diagnostics),
+        fields_(state_field_infos<State>()),
+        names_(fields_) {}
 
   /// The node and everything below it, or null after reporting at least one mistake.
   [[nodiscard]] Child read(const Value& value) {
@@ -50,12 +56,34 @@ class NodeReader {
     return node;
   }
   /// Reads a named tree, which may not refer to itself.
-  [[nodiscard]] Child read_tree(const std::string& name, const Value& value) {
+  [[nodiscard]] Child read_tree(const std::string& name, const Value& value,
+                                const std::vector<const Value::Entry*>& arguments = {},
+                                const Location& where = {}) {
+    const auto written =
+        instantiate(name, value, arguments, where.line ? where : value.where, diagnostics_);
+    if (!written)
+      return nullptr;
     open_.push_back(name);
-    Child root = read(value);
+    Child root = read(*written);
     open_.pop_back();
     return root;
   }
+  /// A condition in words over the state's fields, by the names that hold here; empty after
+  /// reporting what is wrong with it.
+  [[nodiscard]] Expression<State> expression(const Value& text) {
+    auto program = parse_expression(text, names_, diagnostics_);
+    return program ? Expression<State>(std::move(*program)) : Expression<State>();
+  }
+  /// A condition in words over a proposed action too.
+  [[nodiscard]] ActionExpression<State, Action> action_expression(const Value& text) {
+    using E = ActionExpression<State, Action>;
+    FieldNames names = names_.over(E::fields());
+    auto program = parse_expression(text, names, diagnostics_);
+    names_.used_by(names);
+    return program ? E(std::move(*program)) : E();
+  }
+  /// The names of the state's fields that hold here.
+  [[nodiscard]] FieldNames& field_names() { return names_; }
   [[nodiscard]] Children read_list(std::span<const Value> values) {
     Children children;
     for (const Value& value : values)
@@ -75,7 +103,9 @@ class NodeReader {
     const std::size_t before = diagnostics_.count();
     auto node = ubf::make<B>();
     node->set_label(read_label(*spec.body, diagnostics_));
-    if constexpr (requires { B::child_keys; })
+    if constexpr (requires { B::text_key; })
+      read_text(*node, spec);
+    else if constexpr (requires { B::child_keys; })
       read_own_way(*node, spec);
     else if constexpr (requires { B::slots; })
       read_slots(*node, spec);
@@ -83,6 +113,8 @@ class NodeReader {
       read_children(*node, spec);
     else
       read_leaf(*node, spec);
+    if constexpr (requires { node->read_words(*spec.body, *this); })
+      node->read_words(*spec.body, *this);
     if (diagnostics_.count() != before)
       return nullptr;
     if (const std::string problem = node->problem(); !problem.empty()) {
@@ -107,33 +139,37 @@ class NodeReader {
   }
 
   [[nodiscard]] Child read_reference(const NodeSpec& spec) {
-    if (!spec.body->is_scalar()) {
-      error(spec.where, "a reference names its tree, as in {tree: ingress}");
+    std::optional<Reference> reference = ubf::read_reference(*spec.body, spec.where, diagnostics_);
+    if (!reference)
+      return nullptr;
+    const std::string& name = reference->name;
+    const auto tree = std::find_if(trees_.begin(), trees_.end(),
+                                   [&](const NamedSpec& named) { return named.name == name; });
+    if (tree == trees_.end()) {
+      std::vector<std::string> names;
+      for (const NamedSpec& named : trees_)
+        names.push_back(named.name);
+      error(reference->where,
+            fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names)));
       return nullptr;
     }
-    const std::string& name = spec.body->text;
-    for (const NamedSpec& tree : trees_) {
-      if (tree.name != name)
-        continue;
-      if (const auto cycle = cycle_through(open_, name)) {
-        error(spec.body->where, *cycle);
-        return nullptr;
-      }
-      if (open_.size() >= kMaxDepth) {
-        error(spec.where, fmt::format("trees refer to one another more than {} deep", kMaxDepth));
-        return nullptr;
-      }
-      Child root = read_tree(name, *tree.value);
-      if (root && root->label() == root->type())
-        root->set_label(name);
-      return root;
+    if (const auto cycle = cycle_through(open_, name)) {
+      error(reference->where, *cycle);
+      return nullptr;
     }
-    std::vector<std::string> names;
-    for (const NamedSpec& tree : trees_)
-      names.push_back(tree.name);
-    error(spec.body->where,
-          fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names)));
-    return nullptr;
+    if (open_.size() >= kMaxDepth) {
+      error(spec.where, fmt::format("trees refer to one another more than {} deep", kMaxDepth));
+      return nullptr;
+    }
+    names_.push(std::move(reference->renames));
+    Child root = read_tree(name, *tree->value, reference->arguments, reference->where);
+    for (const FieldRename& rename : names_.pop())
+      if (root && !rename.used)
+        error(reference->renames_where,
+              fmt::format("fields: nothing in tree {} reads {}", quote(name), quote(rename.from)));
+    if (root && root->label() == root->type())
+      root->set_label(name);
+    return root;
   }
 
   template <class B>
@@ -151,6 +187,18 @@ class NodeReader {
       return;
     }
     bind(node, *spec.body, diagnostics_, std::span(kKeys).first(1));
+  }
+
+  /// `{type: text}` or `{type: {key: text}}`
+  template <class B>
+  void read_text(B& node, const NodeSpec& spec) {
+    static constexpr std::array kKeys{kLabelKey};
+    const Value whole = spec.body->is_scalar()
+                            ? Value::map({entry(std::string(B::text_key), *spec.body)}, spec.where)
+                            : *spec.body;
+    bind(node, whole, diagnostics_, kKeys);
+    if (const Value* text = whole.find(B::text_key))
+      node.read(*text, *this);
   }
 
   /// `{type: [child, ...]}` or `{type: {children: [child, ...], ...}}`
@@ -259,6 +307,8 @@ class NodeReader {
   const Registry<State, Action>& registry_;
   std::span<const NamedSpec> trees_;
   Diagnostics& diagnostics_;
+  std::vector<StateFieldInfo> fields_;
+  FieldNames names_;
   std::vector<std::string> open_;  ///< names of the trees being read, outermost first
   std::size_t depth_ = 0, count_ = 0;
   bool full_ = false;

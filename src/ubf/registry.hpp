@@ -40,6 +40,7 @@ class Registry {
                       .help = std::string(B::help),
                       .parameters = parameters<B>(),
                       .child_keys = child_keys_of<B>(),
+                      .text_key = text_key_of<B>(),
                       .origin = std::move(origin)});
     entries_.push_back(
         [](const NodeSpec& spec, Reader& reader) { return reader.template make_node<B>(spec); });
@@ -106,6 +107,13 @@ class Registry {
       return {"children", "child"};
     else if constexpr (std::derived_from<B, Composite<State, Action>>)
       return {"children"};
+    else
+      return {};
+  }
+  template <class B>
+  [[nodiscard]] static std::string text_key_of() {
+    if constexpr (requires { B::text_key; })
+      return std::string(B::text_key);
     else
       return {};
   }

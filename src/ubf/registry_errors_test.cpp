@@ -135,9 +135,11 @@ TEST(RegistryErrors, AReferenceNamesATreeThatExists) {
   const std::array others{NamedSpec{"ingress", &ingress}};
   EXPECT_EQ(mistakes("{tree: ingres}", others),
             "test.yaml:1:8: there is no tree 'ingres'; did you mean 'ingress'?");
-  EXPECT_EQ(mistakes("tree"), "test.yaml:1:1: a reference names its tree, as in {tree: ingress}");
+  EXPECT_EQ(mistakes("tree"),
+            "test.yaml:1:1: a reference names its tree, as in {tree: ingress}, or with arguments "
+            "{tree: {ingress: {vote: 40}}}");
   EXPECT_EQ(mistakes("{tree: {name: ingress}}", others),
-            "test.yaml:1:2: a reference names its tree, as in {tree: ingress}");
+            "test.yaml:1:15: tree 'name': expected its arguments as a map, got 'ingress'");
 }
 
 TEST(RegistryErrors, ATreeThatRefersToItselfIsRefusedWithTheWayRound) {

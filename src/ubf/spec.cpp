@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "ubf/expression.hpp"
+
 namespace eyrie::ubf {
 namespace {
 
@@ -20,8 +22,12 @@ void refuse(const Value& value, Diagnostics& diagnostics) {
 }  // namespace
 
 std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics) {
+  if (value.tag == kTreeTag)
+    return NodeSpec{std::string(kTreeReference), value.where, &value};
   switch (value.kind) {
     case Value::Kind::scalar:
+      if (looks_like_expression(value.text))
+        return NodeSpec{std::string(kHolds), value.where, &value};
       return NodeSpec{value.text, value.where, &kNothing};
     case Value::Kind::map:
       break;

@@ -9,6 +9,8 @@
 ///   inverter: has_target                        a decorator's child alone
 ///   timeout: {after: 5 s, child: pursue}
 ///   tree: ingress                               a copy of the tree of that name
+///   tree: {engage: {vote: 40}}                  with arguments (ubf/subtree.hpp)
+///   range < 10 nmi and not threatened           a condition in words (ubf/expression.hpp)
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +28,10 @@ namespace eyrie::ubf {
 inline constexpr std::string_view kLabelKey = "name";
 /// The type of a reference to a named tree.
 inline constexpr std::string_view kTreeReference = "tree";
+/// The same as a tag: `!tree ingress`.
+inline constexpr std::string_view kTreeTag = "!tree";
+/// The type of a condition in words.
+inline constexpr std::string_view kHolds = "holds";
 
 /// A tree that `{tree: name}` may refer to. The value must outlive the reading.
 struct NamedSpec {
@@ -48,6 +54,8 @@ struct NodeInfo {
   std::vector<ParamInfo> parameters;
   /// The keys under which children are written: none, "child", "children", "when" and "child" ...
   std::vector<std::string> child_keys;
+  /// The parameter whose value may stand alone, as in `holds: range < 10 nmi`; empty for none.
+  std::string text_key;
   std::string origin;  ///< who registered it: "eyrie", or a plug-in
 };
 

@@ -20,6 +20,7 @@
 #include "ubf/control/selector_with_memory.hpp"
 #include "ubf/control/sequence.hpp"
 #include "ubf/control/sequence_with_memory.hpp"
+#include "ubf/control/switch.hpp"
 #include "ubf/control/while.hpp"
 #include "ubf/decorator/cooldown.hpp"
 #include "ubf/decorator/delay.hpp"
@@ -32,6 +33,7 @@
 #include "ubf/decorator/retry.hpp"
 #include "ubf/decorator/run_once.hpp"
 #include "ubf/decorator/timeout.hpp"
+#include "ubf/leaf/holds.hpp"
 #include "ubf/registry.hpp"
 #include "ubf/sequencer.hpp"
 
@@ -39,6 +41,8 @@ namespace eyrie::ubf {
 
 template <class State, class Action>
 void add_standard_nodes(Registry<State, Action>& registry) {
+  registry.template add<Holds<State, Action>>();
+
   registry.template add<WinnerTakesAll<State, Action>>();
   registry.template add<PerField<State, Action>>();
   registry.template add<Fusion<State, Action>>();
@@ -60,6 +64,7 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<RandomSelector<State, Action>>();
   registry.template add<IfThenElse<State, Action>>();
   registry.template add<While<State, Action>>();
+  registry.template add<Switch<State, Action>>();
   registry.template add<Sequencer<State, Action>>();
 
   registry.template add<Inverter<State, Action>>();

@@ -2,6 +2,27 @@
 #include "ubf/testing.hpp"
 
 namespace eyrie::ubf {
+
+std::span<const StateField<testing::State>> StateFields<testing::State>::all() {
+  static constexpr std::array kFields = std::to_array<StateField<State>>({
+      {{.name = "range", .kind = FieldKind::number, .unit = "m", .help = "to the goal"},
+       [](const State& s) { return s.range; }},
+      {{.name = "altitude", .kind = FieldKind::number, .unit = "m", .help = "own"},
+       [](const State& s) { return s.altitude; }},
+      {{.name = "count", .kind = FieldKind::number, .unit = "", .help = "of things"},
+       [](const State& s) { return s.count; }},
+      {{.name = "alarm", .kind = FieldKind::flag, .unit = "", .help = "it rings"},
+       [](const State& s) { return s.alarm ? 1. : 0.; }},
+      {{.name = "phase",
+        .kind = FieldKind::choice,
+        .unit = "",
+        .help = "of the errand",
+        .choices = State::kPhases},
+       [](const State& s) { return static_cast<double>(s.phase); }},
+  });
+  return kFields;
+}
+
 #define EYRIE_UBF_TESTED(Node) template class Node<testing::State, testing::Action>;
 #include "ubf/testing_nodes.inc"
 #undef EYRIE_UBF_TESTED

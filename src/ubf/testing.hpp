@@ -32,6 +32,12 @@ struct Cue {
 struct State {
   static constexpr std::size_t kCues = 32;
   std::array<Cue, kCues> cues{};
+  double range = 0;     ///< m; NaN: unknown
+  double altitude = 0;  ///< m
+  double count = 0;
+  bool alarm = false;
+  std::uint8_t phase = 0;  ///< into kPhases
+  static constexpr std::array<std::string_view, 3> kPhases{"search", "fetch", "home"};
 };
 
 }  // namespace eyrie::ubf::testing
@@ -46,6 +52,12 @@ struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Action> {
       field<blend::Strongest>("release", &Action::release),
       field<blend::Agreed>("mode", &Action::mode),
   };
+};
+
+template <>
+struct eyrie::ubf::StateFields<eyrie::ubf::testing::State> {
+  using State = testing::State;
+  [[nodiscard]] static std::span<const StateField<State>> all();
 };
 
 namespace eyrie::ubf::testing {

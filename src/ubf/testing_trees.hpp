@@ -31,7 +31,7 @@ class Gardener {
   [[nodiscard]] std::uint32_t next_cue() { return cue_++ % State::kCues; }
   [[nodiscard]] Child node(std::size_t depth) {
     if (depth >= kDepth || cue_ > State::kCues - 6 || pick(3) == 0)
-      return pick(4) == 0 ? check(next_cue()) : probe(next_cue());
+      return pick(8) == 0 ? holds() : pick(4) == 0 ? check(next_cue()) : probe(next_cue());
     return composite(depth);
   }
   [[nodiscard]] Children nodes(std::size_t count, std::size_t depth) {
@@ -93,7 +93,7 @@ class Gardener {
   [[nodiscard]] Child newer_composite(std::size_t depth) {
     using S = State;
     using A = Action;
-    switch (pick(blends_ ? 15 : 14)) {
+    switch (pick(blends_ ? 16 : 15)) {
       case 0:
         return priority(depth);
       case 1:
@@ -122,6 +122,8 @@ class Gardener {
         return timed(make<RateLimit<S, A>>(node(depth + 1)), &RateLimit<S, A>::period);
       case 13:
         return timed(make<Delay<S, A>>(node(depth + 1)), &Delay<S, A>::duration);
+      case 14:
+        return by_phase(depth);
       default:
         return motor_schema(depth);
     }
@@ -147,6 +149,24 @@ class Gardener {
   template <class Node>
   [[nodiscard]] Child branches(std::size_t depth) {
     return make<Node>(nodes(3, depth));
+  }
+  [[nodiscard]] Child holds() {
+    const Value text =
+        Value::scalar(pick(2) ? "phase == home or alarm" : "not alarm and count < 2");
+    const std::vector<StateFieldInfo> infos = state_field_infos<State>();
+    FieldNames names(infos);
+    Diagnostics diagnostics;
+    auto made = make<Holds<State, Action>>();
+    made->look_at(Expression<State>(*parse_expression(text, names, diagnostics)));
+    return made;
+  }
+  [[nodiscard]] Child by_phase(std::size_t depth) {
+    const std::uint32_t width = 1 + pick(3);
+    auto made = make<Switch<State, Action>>(nodes(width, depth));
+    std::vector<double> values{0, 1, 2};
+    values.resize(width - (width > 1 && pick(2) ? 1 : 0));
+    made->look_at([](const State& s) { return static_cast<double>(s.phase); }, std::move(values));
+    return made;
   }
   [[nodiscard]] Child run_once(std::size_t depth) {
     auto made = make<RunOnce<State, Action>>(node(depth + 1));
@@ -254,6 +274,9 @@ class Weather {
       cue.action.release = maybe(pick(4));
       cue.action.mode = maybe(static_cast<std::uint8_t>(pick(2)));
     }
+    state.phase = static_cast<std::uint8_t>(pick(3));
+    state.count = pick(4);
+    state.alarm = pick(2);
   }
 
  private:

@@ -30,6 +30,7 @@ for tag, pattern, first in [
     ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", list("-+.0123456789")),
 ]:
     Yaml12.add_implicit_resolver("tag:yaml.org,2002:" + tag, re.compile(f"^(?:{pattern})$"), first)
+Yaml12.add_constructor("!tree", lambda loader, node: {"tree": loader.construct_scalar(node)})
 
 
 def read(path):

@@ -2,16 +2,17 @@
 #pragma once
 #include "ubf/arbiter/bounds.hpp"
 #include "ubf/composite.hpp"
+#include "ubf/node_reader.hpp"
 
 namespace eyrie::ubf {
 
-/// Winner takes all among the proposals that keep to `bounds`: the highest vote is checked, if it
-/// does not pass the next one is, and so on. With `fallback` the last child is the fallback: its
-/// proposal is not checked, and goes up only if no other one passes, or none was made. Vote and
-/// status are those of the child whose proposal goes up. Children that fail or abstain are ignored,
-/// the fallback included; if that leaves none, it fails. The switch to a simple and trusted
-/// controller when a better one leaves its bounds is the idea of Sha, "Using Simplicity to Control
-/// Complexity" (IEEE Software, 2001).
+/// Winner takes all among the proposals that keep to `bounds` and of which no condition of `refuse`
+/// holds: the highest vote is checked, if it does not pass the next one is, and so on. With
+/// `fallback` the last child is the fallback: its proposal is not checked, and goes up only if no
+/// other one passes, or none was made. Vote and status are those of the child whose proposal goes
+/// up. Children that fail or abstain are ignored, the fallback included; if that leaves none, it
+/// fails. The switch to a simple and trusted controller when a better one leaves its bounds is the
+/// idea of Sha, "Using Simplicity to Control Complexity" (IEEE Software, 2001).
 template <class State, class Action>
 class Verify final : public Voting<State, Action> {
  public:
@@ -22,7 +23,10 @@ class Verify final : public Voting<State, Action> {
   [[nodiscard]] static constexpr auto params() {
     return std::tuple_cat(
         std::tuple{
-            param("bounds", &Verify::bounds, "a map from fields to 'min' and 'max'").required(),
+            param("bounds", &Verify::bounds, "a map from fields to 'min' and 'max'"),
+            param("refuse", &Verify::refuse,
+                  "conditions in words on the state and, as action.altitude, the proposal; one "
+                  "that holds refuses it"),
             param("fallback", &Verify::fallback,
                   "the last child goes up unchecked, but only if no other proposal passes")},
         Voting<State, Action>::template vote_params<Verify>());
@@ -30,13 +34,15 @@ class Verify final : public Voting<State, Action> {
   using Voting<State, Action>::Voting;
 
   Bounds<Action> bounds;
+  std::vector<std::string> refuse;
   bool fallback = false;
 
   [[nodiscard]] bool stands() const noexcept override { return true; }
   [[nodiscard]] std::string problem() const override {
     if (fallback && this->children_.size() < 2)
       return "verify needs a child to check before the fallback";
-    return bounds.empty() ? "verify needs bounds to check" : Voting<State, Action>::problem();
+    return bounds.empty() && refusals_.empty() ? "verify needs 'bounds' or 'refuse' to check"
+                                               : Voting<State, Action>::problem();
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -51,7 +57,7 @@ class Verify final : public Voting<State, Action> {
         continue;
       const bool is_fallback = fallback && i + 1 == this->children_.size();
       if (is_fallback ? winner != nullptr
-                      : !(best.next().vote > highest) || !bounds.hold(best.next().action))
+                      : !(best.next().vote > highest) || !passes(t.state, best.next().action))
         continue;
       highest = best.next().vote;
       status = answer;
@@ -65,6 +71,32 @@ class Verify final : public Voting<State, Action> {
     this->rescale(out);
     return status;
   }
+
+  /// For NodeReader.
+  void read_words(const Value& body, NodeReader<State, Action>& reader) {
+    const Value* list = body.find("refuse");
+    if (!list)
+      return;
+    const std::span<const Value> texts = list->is_list() ? list->items : std::span(list, 1);
+    for (const Value& text : texts)
+      refusals_.push_back(reader.action_expression(text));
+  }
+  /// For code that builds a tree without a file.
+  void add_refusal(ActionExpression<State, Action> refusal) {
+    refusals_.push_back(std::move(refusal));
+  }
+
+ private:
+  [[nodiscard]] bool passes(const State& state, const Action& action) const {
+    if (!bounds.hold(action))
+      return false;
+    for (const auto& refusal : refusals_)
+      if (refusal.holds(state, action))
+        return false;
+    return true;
+  }
+
+  std::vector<ActionExpression<State, Action>> refusals_;
 };
 
 }  // namespace eyrie::ubf

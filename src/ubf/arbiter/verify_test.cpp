@@ -118,13 +118,46 @@ TEST(Verify, IsReadFromAFileWithUnits) {
   EXPECT_FALSE(bounds.hold({.altitude = 999}));
 }
 
+TEST(Verify, RefusesWhatAConditionInWordsSaysOfStateAndProposal) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  Diagnostics diagnostics;
+  const auto tree = registry.build_tree(
+      "test",
+      Document::parse("{verify: {refuse: [action.release == 7 and not alarm, action.altitude < "
+                      "500 m], children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
+      diagnostics);
+  ASSERT_TRUE(tree) << diagnostics.text();
+  State state;
+  state.cues[0] = {kRunning, 9, {.altitude = 600, .release = 7}};
+  state.cues[1] = {kRunning, 1, {.heading = 1}};
+  std::vector<std::byte> slab(tree->memory_bytes());
+  RobotProposal out;
+  const auto vote = [&] {
+    out.clear();
+    tree->tick({.state = state, .memory = slab.data()}, out);
+    return out.vote;
+  };
+  EXPECT_EQ(vote(), 1) << "a release without alarm";
+  state.alarm = true;
+  EXPECT_EQ(vote(), 9);
+  state.cues[0].action.altitude = 499;
+  EXPECT_EQ(vote(), 1);
+  state.cues[0].action.altitude = {};
+  EXPECT_EQ(vote(), 9) << "a field that is not set passes";
+}
+
 TEST(Verify, TellsEveryMistakeInAFile) {
   const auto has = [](std::string_view text, std::string_view words) {
     const std::string said = verify_mistakes(text);
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
-  has("{verify: {children: [{probe: {cue: 0}}]}}", "bounds");
-  has("{verify: {bounds: {}, children: [{probe: {cue: 0}}]}}", "verify needs bounds to check");
+  has("{verify: {children: [{probe: {cue: 0}}]}}", "verify needs 'bounds' or 'refuse' to check");
+  has("{verify: {refuse: [action.altitud < 1 m], children: [{probe: {cue: 0}}]}}",
+      "test.yaml:1:20: there is no state field 'action.altitud'; did you mean 'action.altitude'?");
+  has("{verify: {bounds: {}, children: [{probe: {cue: 0}}]}}",
+      "verify needs 'bounds' or 'refuse' to check");
   has("{verify: {bounds: {altitude: {min: 1 m}}, fallback: true, children: [{probe: {cue: 0}}]}}",
       "verify needs a child to check before the fallback");
   has("{verify: {bounds: 3, children: [{probe: {cue: 0}}]}}",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// \file  Every scenario of scenarios/ with its own seed against tests/golden/runs.txt: facts that
-/// people can judge, and the hash of the last world. When a change of behavior is wanted, fly
-/// `EYRIE_UPDATE_GOLDEN=1 build/dev/tests/whole_test --gtest_filter=Golden.*` and commit the new
-/// table with the reason.
+/// \file  Every scenario of scenarios/ with its own seed against tests/determinism/golden_runs.txt:
+/// facts that people can judge, and the hash of the last world. When a change of behavior is
+/// wanted, fly `EYRIE_UPDATE_GOLDEN=1 build/dev/tests/determinism_test --gtest_filter=Golden.*` and
+/// commit the new table with the reason.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace eyrie::test {
 namespace {
 
-constexpr const char* kTable = "tests/golden/runs.txt";
+constexpr const char* kTable = "tests/determinism/golden_runs.txt";
 
 std::string facts(const std::string& name) {
   Flight f(load_scenario(name));

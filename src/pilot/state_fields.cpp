@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <bit>
+
+#include "model/weapon/stores.hpp"
+#include "pilot/state.hpp"
+#include "pilot/trees.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using ubf::FieldKind;
+using ubf::kNoValue;
+using ubf::StateField;
+
+constexpr auto number(std::string_view name, Unit unit, std::string_view help,
+                      double (*read)(const State&)) {
+  return StateField<State>{{.name = name, .kind = FieldKind::number, .unit = unit, .help = help},
+                           read};
+}
+constexpr auto flag(std::string_view name, std::string_view help, double (*read)(const State&)) {
+  return StateField<State>{{.name = name, .kind = FieldKind::flag, .unit = {}, .help = help}, read};
+}
+
+/// What `of` says of the chosen target; no value without one.
+template <auto of>
+double of_target(const State& s) {
+  const Seen* target = s.target();
+  return target ? of(s, *target) : kNoValue;
+}
+constexpr auto kTargetRange = [](const State&, const Seen& t) { return t.range; };
+constexpr auto kTargetClosing = [](const State& s, const Seen& t) { return s.closing_on(t); };
+constexpr auto kTargetOffNose = [](const State& s, const Seen& t) { return s.off_nose(t.ned); };
+constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
+
+template <class Test>
+double count_if(const State& s, Test test) {
+  double count = 0;
+  for (const Seen& seen : s.tracks_seen())
+    count += test(seen) ? 1 : 0;
+  return count;
+}
+
+constexpr std::array kFields = std::to_array<StateField<State>>({
+    number("time", "s", "of the scenario", [](const State& s) { return s.time; }),
+    number("altitude", "m", "own, above the ellipsoid",
+           [](const State& s) { return s.own.altitude; }),
+    number("speed", "m/s", "own, through the air", [](const State& s) { return s.own.speed; }),
+    number("mach", "", "own", [](const State& s) { return s.own.mach; }),
+    number("heading", "rad", "own, true, in (-180 deg, 180 deg]",
+           [](const State& s) { return s.own.heading; }),
+    number("pitch", "rad", "own, positive up", [](const State& s) { return s.own.pitch; }),
+    number("load_factor", "", "own, in g", [](const State& s) { return s.own.load_factor; }),
+    number("fuel", "kg", "own", [](const State& s) { return s.propulsion.fuel; }),
+    flag("bingo", "fuel is down to what the way home needs",
+         [](const State& s) { return s.bingo() ? 1. : 0.; }),
+    number("missiles", "", "left on the stations",
+           [](const State& s) { return static_cast<double>(model::missiles_left(s.stores)); }),
+    number("rounds", "", "left in the gun", [](const State& s) { return double(s.gun.rounds); }),
+    number("home_range", "m", "to the home of the flight, along the ground",
+           [](const State& s) { return s.home_distance().value_or(kNoValue); }),
+    number("rank", "", "own, among the members believed alive; 1 leads",
+           [](const State& s) { return double(s.rank); }),
+    number("alive", "", "members of the flight believed alive, the pilot included",
+           [](const State& s) { return double(std::popcount(s.alive)); }),
+    number("lost", "", "members of the flight believed lost",
+           [](const State& s) { return double(s.lost); }),
+    flag("leads", "the own rank is the first", [](const State& s) { return s.leads() ? 1. : 0.; }),
+    number("tracks", "", "that this pilot knows",
+           [](const State& s) { return double(s.seen_count); }),
+    number("hostiles", "", "tracks identified as hostile",
+           [](const State& s) { return count_if(s, [](const Seen& t) { return t.hostile(); }); }),
+    number("suspects", "", "confirmed tracks that are no friends",
+           [](const State& s) { return count_if(s, [](const Seen& t) { return t.suspect(); }); }),
+    flag("has_target", "a target is chosen", [](const State& s) { return s.target() ? 1. : 0.; }),
+    number("range", "m", "to the chosen target", of_target<kTargetRange>),
+    number("closing", "m/s", "of the chosen target, positive if the range shrinks",
+           of_target<kTargetClosing>),
+    number("off_nose", "rad", "of the chosen target, in [0, 180 deg]", of_target<kTargetOffNose>),
+    number("target_above", "m", "height of the chosen target over the own",
+           of_target<kTargetHeight>),
+    flag("threatened", "a missile is believed to come for this aircraft",
+         [](const State& s) { return s.threats.count > 0 ? 1. : 0.; }),
+    number("missile_range", "m", "to the missile to worry about, if its range is known",
+           [](const State& s) {
+             const model::InboundMissile* m = s.threat();
+             return m && m->has_position ? m->range : kNoValue;
+           }),
+});
+
+}  // namespace
+}  // namespace eyrie::pilot
+
+std::span<const eyrie::ubf::StateField<eyrie::pilot::State>>
+eyrie::ubf::StateFields<eyrie::pilot::State>::all() {
+  return pilot::kFields;
+}

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace eyrie::ubf {
+namespace {
+
+using detail::Instruction;
+using detail::Op;
+using detail::Operand;
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+bool is_word(char c) {
+  return is_letter(c) || is_digit(c) || c == '.';
+}
+bool is_keyword(std::string_view word) {
+  return word == "and" || word == "or" || word == "not";
+}
+
+struct Comparison {
+  std::string_view sign;
+  Op op;
+};
+constexpr std::array kComparisons = std::to_array<Comparison>({{"<=", Op::less_equal},
+                                                               {">=", Op::greater_equal},
+                                                               {"==", Op::equal},
+                                                               {"!=", Op::not_equal},
+                                                               {"<", Op::less},
+                                                               {">", Op::greater}});
+
+/// What stands on one side of a comparison, before the other side says what it must be.
+struct Side {
+  std::size_t at = 0;     ///< where it begins in the text
+  std::string_view text;  ///< as written
+  std::optional<std::size_t> field;
+};
+
+constexpr int kMostNested = 32;
+
+/// Recursive descent. The first mistake ends it.
+class Parser {
+ public:
+  Parser(const Value& value, FieldNames& names, Diagnostics& diagnostics)
+      : value_(value), text_(value.text), names_(names), diagnostics_(diagnostics) {}
+
+  std::optional<std::vector<Instruction>> parse() {
+    const bool good = any_of(0);
+    space();
+    if (good && at_ < text_.size())
+      fail(at_, text_[at_] == ')'
+                    ? "there is no '(' for this ')'"
+                    : fmt::format("expected 'and', 'or' or the end, got {}", quote(rest_word())));
+    if (failed_)
+      return std::nullopt;
+    return std::move(program_);
+  }
+
+ private:
+  bool fail(std::size_t at, std::string message) {
+    if (!failed_) {
+      Location where = value_.where;
+      if (where.column)
+        where.column += static_cast<int>(at) + (value_.quoted ? 1 : 0);
+      diagnostics_.error(where, std::move(message));
+    }
+    failed_ = true;
+    return false;
+  }
+  void space() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])))
+      ++at_;
+  }
+  [[nodiscard]] std::string_view word_at(std::size_t at) const {
+    std::size_t end = at;
+    while (end < text_.size() && is_word(text_[end]))
+      ++end;
+    return text_.substr(at, end - at);
+  }
+  [[nodiscard]] std::string_view rest_word() const {
+    const std::string_view word = word_at(at_);
+    return word.empty() ? text_.substr(at_, 1) : word;
+  }
+  bool take_word(std::string_view word) {
+    space();
+    if (word_at(at_) != word)
+      return false;
+    at_ += word.size();
+    return true;
+  }
+  bool take(char c) {
+    space();
+    if (at_ >= text_.size() || text_[at_] != c)
+      return false;
+    ++at_;
+    return true;
+  }
+
+  using Rule = bool (Parser::*)(int);
+  /// `part { word part }`, where `skip` ends it early.
+  bool chain(std::string_view word, Op skip, Rule part, int depth) {
+    if (!(this->*part)(depth))
+      return false;
+    std::vector<std::size_t> skips;
+    while (take_word(word)) {
+      skips.push_back(program_.size());
+      program_.push_back({.op = skip, .left = {}, .right = {}});
+      if (!(this->*part)(depth))
+        return false;
+    }
+    for (const std::size_t i : skips)
+      program_[i].target = static_cast<std::uint32_t>(program_.size());
+    return true;
+  }
+  bool any_of(int depth) { return chain("or", Op::skip_if_true, &Parser::all_of, depth); }
+  bool all_of(int depth) { return chain("and", Op::skip_if_false, &Parser::factor, depth); }
+
+  bool factor(int depth) {
+    space();
+    if (depth > kMostNested)
+      return fail(at_, fmt::format("nested more than {} deep", kMostNested));
+    if (take_word("not")) {
+      if (!factor(depth + 1))
+        return false;
+      program_.push_back({.op = Op::negate, .left = {}, .right = {}});
+      return true;
+    }
+    const std::size_t begin = at_;
+    if (take('(')) {
+      if (!any_of(depth + 1))
+        return false;
+      return take(')') || fail(begin, "there is no ')' for this '('");
+    }
+    return comparison();
+  }
+
+  bool comparison() {
+    const std::optional<Side> left = side();
+    if (!left)
+      return false;
+    space();
+    const auto sign = std::find_if(kComparisons.begin(), kComparisons.end(), [&](const auto& c) {
+      return text_.substr(at_).starts_with(c.sign);
+    });
+    if (sign == kComparisons.end()) {
+      if (at_ < text_.size() && text_[at_] == '=')
+        return fail(at_, "write '==' to compare");
+      return flag(*left);
+    }
+    at_ += sign->sign.size();
+    const std::optional<Side> right = side();
+    if (!right)
+      return false;
+    space();
+    if (at_ < text_.size() && std::string_view("<>=!").find(text_[at_]) != std::string_view::npos)
+      return fail(at_, "compare two things at a time, as in 1 nmi < range and range < 10 nmi");
+    return compare(*left, sign->op, *right);
+  }
+
+  /// A field, a quantity or the name of a choice; the other side tells the last two apart.
+  std::optional<Side> side() {
+    space();
+    if (at_ >= text_.size()) {
+      fail(at_, "expected a state field or a quantity, got the end");
+      return std::nullopt;
+    }
+    Side side{.at = at_, .text = {}, .field = {}};
+    if (is_letter(text_[at_])) {
+      side.text = word_at(at_);
+      if (is_keyword(side.text)) {
+        fail(at_, fmt::format("expected a state field or a quantity, got {}", quote(side.text)));
+        return std::nullopt;
+      }
+      at_ += side.text.size();
+      if (const std::size_t field = names_.find(side.text); field < names_.fields().size())
+        side.field = field;
+      return side;
+    }
+    quantity();
+    side.text = text_.substr(side.at, at_ - side.at);
+    if (side.text.empty()) {
+      fail(at_, fmt::format("expected a state field or a quantity, got {}", quote(rest_word())));
+      return std::nullopt;
+    }
+    return side;
+  }
+  /// A number and, behind it, a unit.
+  void quantity() {
+    const auto number = [](char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; };
+    while (at_ < text_.size() &&
+           (number(text_[at_]) || ((text_[at_] == 'e' || text_[at_] == 'E') &&
+                                   at_ + 1 < text_.size() && number(text_[at_ + 1]))))
+      ++at_;
+    std::size_t unit = at_;
+    while (unit < text_.size() && text_[unit] == ' ')
+      ++unit;
+    std::size_t end = unit;
+    while (end < text_.size() && (is_word(text_[end]) || text_[end] == '/' || text_[end] == '^' ||
+                                  text_[end] == '%' || text_[end] == '*'))
+      ++end;
+    if (end > unit && !is_keyword(text_.substr(unit, end - unit)))
+      at_ = end;
+  }
+
+  [[nodiscard]] const StateFieldInfo& info(const Side& side) const {
+    return names_.fields()[*side.field];
+  }
+  bool unknown(const Side& side) {
+    return fail(side.at, fmt::format("there is no state field {}{}", quote(side.text),
+                                     did_you_mean(side.text, names_.known())));
+  }
+  static Operand operand(std::size_t field) {
+    return {.field = static_cast<std::uint32_t>(field), .number = 0};
+  }
+
+  bool flag(const Side& side) {
+    if (!side.field && is_letter(side.text.front()))
+      return unknown(side);
+    if (!side.field)
+      return fail(side.at, fmt::format("{} is compared with nothing", quote(side.text)));
+    if (info(side).kind != FieldKind::flag)
+      return fail(side.at, fmt::format("{} is not true or false: compare it, as in {}",
+                                       quote(side.text), example(side)));
+    program_.push_back({.op = Op::flag, .left = operand(*side.field), .right = {}});
+    return true;
+  }
+  [[nodiscard]] std::string example(const Side& side) const {
+    const StateFieldInfo& f = info(side);
+    if (f.kind == FieldKind::choice)
+      return fmt::format("{} == {}", side.text, f.choices.empty() ? "..." : f.choices.front());
+    const std::string_view quantity = dimension_example(f.unit.dimension);
+    return fmt::format("{} < {}", side.text, quantity.empty() ? "1" : quantity);
+  }
+
+  bool compare(const Side& left, Op op, const Side& right) {
+    if (!left.field && !right.field) {
+      const Side& word = is_letter(left.text.front()) ? left : right;
+      return is_letter(word.text.front()) ? unknown(word)
+                                          : fail(left.at, "neither side is a state field");
+    }
+    const Side& field = left.field ? left : right;
+    const Side& other = left.field ? right : left;
+    const StateFieldInfo& f = info(field);
+    if (f.kind == FieldKind::flag)
+      return fail(field.at, fmt::format("{} is true or false: write {} or not {}",
+                                        quote(field.text), field.text, field.text));
+    if (f.kind == FieldKind::choice && op != Op::equal && op != Op::not_equal)
+      return fail(field.at,
+                  fmt::format("{} is one of several: compare it with == or !=", quote(field.text)));
+    std::optional<Operand> value = other.field ? same_kind(field, other) : number(field, other);
+    if (!value)
+      return false;
+    Instruction i{.op = op, .left = operand(*field.field), .right = *value};
+    if (&field == &right)
+      std::swap(i.left, i.right);
+    program_.push_back(i);
+    return true;
+  }
+  std::optional<Operand> same_kind(const Side& field, const Side& other) {
+    const StateFieldInfo &a = info(field), &b = info(other);
+    if (a.kind == b.kind && a.unit == b.unit && a.choices.data() == b.choices.data())
+      return operand(*other.field);
+    fail(other.at,
+         fmt::format("{} cannot be compared with {}", quote(other.text), quote(field.text)));
+    return std::nullopt;
+  }
+  std::optional<Operand> number(const Side& field, const Side& other) {
+    const StateFieldInfo& f = info(field);
+    if (f.kind == FieldKind::choice) {
+      const auto choice = std::find(f.choices.begin(), f.choices.end(), other.text);
+      if (choice != f.choices.end())
+        return Operand{.field = Operand::kNumber,
+                       .number = static_cast<double>(choice - f.choices.begin())};
+      fail(other.at, fmt::format("{} is never {}{}", quote(field.text), quote(other.text),
+                                 did_you_mean(other.text, f.choices)));
+      return std::nullopt;
+    }
+    if (is_letter(other.text.front())) {
+      unknown(other);
+      return std::nullopt;
+    }
+    const Parsed parsed = parse_quantity(other.text, f.unit.dimension);
+    if (parsed)
+      return Operand{.field = Operand::kNumber, .number = parsed.value};
+    fail(other.at, fmt::format("{}: {}", field.text, parsed.error));
+    return std::nullopt;
+  }
+
+  const Value& value_;
+  std::string_view text_;
+  FieldNames& names_;
+  Diagnostics& diagnostics_;
+  std::vector<Instruction> program_;
+  std::size_t at_ = 0;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::optional<std::vector<Instruction>> parse_expression(const Value& text, FieldNames& names,
+                                                         Diagnostics& diagnostics) {
+  if (!text.is_scalar()) {
+    diagnostics.error(text.where,
+                      "expected a condition in words, as in range < 10 nmi, got " + text.shown());
+    return std::nullopt;
+  }
+  return Parser(text, names, diagnostics).parse();
+}
+
+bool looks_like_expression(std::string_view text) {
+  if (text.find_first_of("<>=!()") != text.npos || text.starts_with("not "))
+    return true;
+  return text.find(" and ") != text.npos || text.find(" or ") != text.npos;
+}
+
+}  // namespace eyrie::ubf

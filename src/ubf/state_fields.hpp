@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What files may read of a state by name: the words of expressions and switches.
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/units.hpp"
+
+namespace eyrie::ubf {
+
+enum class FieldKind : std::uint8_t {
+  number,  ///< in SI
+  flag,    ///< 0 or 1
+  choice,  ///< an index into the names of the choices
+};
+
+/// What a state field has to say when there is nothing to say, such as the range of no target.
+/// Every comparison with it is false.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+
+/// A name, what it stands for, and the same for every platform.
+struct StateFieldInfo {
+  std::string_view name;
+  FieldKind kind = FieldKind::number;
+  Unit unit;  ///< numbers
+  std::string_view help;
+  std::span<const std::string_view> choices = {};
+};
+
+/// A readable field of one platform's state. `read` must not allocate, throw or lock.
+template <class State>
+struct StateField {
+  StateFieldInfo info;
+  double (*read)(const State&) = nullptr;
+};
+
+/// The fields of a platform's state; specialize it to have some. Names are words of [a-z0-9_.]
+/// that start with a letter, none of them twice.
+///   template <> struct StateFields<Robot> {
+///     static std::span<const StateField<Robot>> all();
+///   };
+template <class State>
+struct StateFields {
+  [[nodiscard]] static std::span<const StateField<State>> all() { return {}; }
+};
+
+template <class State>
+[[nodiscard]] std::vector<StateFieldInfo> state_field_infos() {
+  std::vector<StateFieldInfo> infos;
+  for (const StateField<State>& field : StateFields<State>::all())
+    infos.push_back(field.info);
+  return infos;
+}
+
+/// A field under another name for one subtree, so that trees written for one platform serve on
+/// another: where the tree says `from`, `to` is read.
+struct FieldRename {
+  std::string from, to;
+  bool used = false;
+};
+
+/// The names that hold at one place of a file: the platform's, as renamed by the references on the
+/// way there, outermost first.
+class FieldNames {
+ public:
+  explicit FieldNames(std::span<const StateFieldInfo> fields) : fields_(fields) {}
+
+  /// The index of the field called `name` here, or the number of fields.
+  [[nodiscard]] std::size_t find(std::string_view name);
+  /// Names to suggest.
+  [[nodiscard]] std::vector<std::string> known() const;
+  [[nodiscard]] std::span<const StateFieldInfo> fields() const { return fields_; }
+
+  /// The same renames over other fields, such as those of an action as well.
+  [[nodiscard]] FieldNames over(std::span<const StateFieldInfo> fields) const {
+    FieldNames names(*this);
+    names.fields_ = fields;
+    return names;
+  }
+  /// Takes over what was used of the renames.
+  void used_by(const FieldNames& names);
+
+  void push(std::vector<FieldRename> renames) { renames_.push_back(std::move(renames)); }
+  /// Ends a subtree; gives back what it renamed, with what was used.
+  [[nodiscard]] std::vector<FieldRename> pop();
+
+ private:
+  std::span<const StateFieldInfo> fields_;
+  std::vector<std::vector<FieldRename>> renames_;
+};
+
+}  // namespace eyrie::ubf
