@@ -79,16 +79,19 @@ TEST(Pages, EveryTreeInTheReferenceBuilds) {
     Diagnostics diagnostics;
     const Value value = scenario::parse_yaml(block.text, "docs/ubf.md", diagnostics);
     std::vector<ubf::NamedSpec> trees_of_block;
-    if (const Value* map = value.find("trees"))
+    if (const Value* map = value.find("trees")) {
       for (const Value::Entry& e : map->entries)
         trees_of_block.push_back({e.key, &e.value});
-    else
+    } else {
       trees_of_block.push_back({"page", &value});
-    for (const ubf::NamedSpec& tree : trees_of_block)
-      if (!ubf::needs_arguments(*tree.value))
+    }
+    for (const ubf::NamedSpec& tree : trees_of_block) {
+      if (!ubf::needs_arguments(*tree.value)) {
         EXPECT_TRUE(registry.build_tree(tree.name, *tree.value, diagnostics, trees_of_block))
             << "block at line " << block.line << ":\n"
             << diagnostics.text();
+      }
+    }
   }
 }
 
