@@ -84,7 +84,8 @@ struct State : Cockpit {
   std::array<Seen, model::kMaxTracks> seen;  ///< the first seen_count are set
 
   [[nodiscard]] std::span<const Seen> tracks_seen() const { return {seen.data(), seen_count}; }
-  /// The chosen target (pilot/sort.hpp), or null. Identified as hostile, always.
+  /// The chosen target (pilot/sort.hpp), or null. Identified as hostile, unless a loop over all
+  /// tracks looks at another one.
   [[nodiscard]] const Seen* target() const {
     return target_index < 0 ? nullptr : &seen[static_cast<std::size_t>(target_index)];
   }

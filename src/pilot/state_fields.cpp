@@ -73,6 +73,8 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
     number("suspects", "", "confirmed tracks that are no friends",
            [](const State& s) { return count_if(s, [](const Seen& t) { return t.suspect(); }); }),
     flag("has_target", "a target is chosen", [](const State& s) { return s.target() ? 1. : 0.; }),
+    flag("hostile", "the chosen target is identified as hostile",
+         [](const State& s) { return s.target() && s.target()->hostile() ? 1. : 0.; }),
     number("range", "m", "to the chosen target", of_target<kTargetRange>),
     number("closing", "m/s", "of the chosen target, positive if the range shrinks",
            of_target<kTargetClosing>),
@@ -88,8 +90,35 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
            }),
 });
 
+/// The position in `seen` of the i-th hostile.
+std::int32_t hostile_number(const State& s, std::size_t i) {
+  for (std::uint32_t k = 0; k < s.seen_count; ++k)
+    if (s.seen[k].hostile() && i-- == 0)
+      return static_cast<std::int32_t>(k);
+  return -1;
+}
+
+constexpr std::array kLists = std::to_array<ubf::StateList<State>>({
+    {"hostiles", "tracks identified as hostile, each in turn as the target",
+     [](const State& s) {
+       std::size_t n = 0;
+       for (const Seen& seen : s.tracks_seen())
+         n += seen.hostile();
+       return n;
+     },
+     [](State& s, std::size_t i) { s.target_index = hostile_number(s, i); }},
+    {"tracks", "all tracks, friends and unknown ones too, each in turn as the target",
+     [](const State& s) { return std::size_t{s.seen_count}; },
+     [](State& s, std::size_t i) { s.target_index = static_cast<std::int32_t>(i); }},
+});
+
 }  // namespace
 }  // namespace eyrie::pilot
+
+std::span<const eyrie::ubf::StateList<eyrie::pilot::State>>
+eyrie::ubf::StateLists<eyrie::pilot::State>::all() {
+  return pilot::kLists;
+}
 
 std::span<const eyrie::ubf::StateField<eyrie::pilot::State>>
 eyrie::ubf::StateFields<eyrie::pilot::State>::all() {

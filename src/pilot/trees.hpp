@@ -13,6 +13,11 @@ template <>
 struct eyrie::ubf::StateFields<eyrie::pilot::State> {
   [[nodiscard]] static std::span<const StateField<eyrie::pilot::State>> all();
 };
+/// Over what loops go: tracks and hostiles, each in turn as the target.
+template <>
+struct eyrie::ubf::StateLists<eyrie::pilot::State> {
+  [[nodiscard]] static std::span<const StateList<eyrie::pilot::State>> all();
+};
 
 namespace eyrie::pilot {
 

@@ -131,6 +131,8 @@ struct Tick {
 
 template <class State, class Action>
 class Tree;
+template <class State, class Action>
+class Appraiser;
 
 /// A node of a tree. Nodes are set up once, then immutable and shared by every agent that uses
 /// them; what a node must remember lives in the agent's slab (see WithMemory).
@@ -157,6 +159,9 @@ class Behavior {
   }
   /// Bytes of slab that this node alone needs; asked once, when the tree is laid out.
   [[nodiscard]] virtual std::size_t memory_bytes() const noexcept { return 0; }
+  /// Whether what this node does depends on what it remembers. A node that only notes which child
+  /// it has to halt does not, and may serve where every tick is the first.
+  [[nodiscard]] virtual bool remembers() const noexcept { return memory_bytes() > 0; }
   /// Whether the node stays open although it answered success or failure, because it asks its
   /// children every time it is asked and their memory goes on: true for arbiters. Asked once, after
   /// the children were asked.
@@ -167,6 +172,10 @@ class Behavior {
   }
   /// Whether the active child is a phase of the agent, worth telling: true for sequencers.
   [[nodiscard]] virtual bool is_sequencer() const noexcept { return false; }
+  /// This node as one that judges candidates (ubf/appraiser.hpp), or null.
+  [[nodiscard]] virtual const Appraiser<State, Action>* appraiser() const noexcept {
+    return nullptr;
+  }
   /// What is wrong with the parameters taken together, in words; empty if nothing is.
   [[nodiscard]] virtual std::string problem() const { return {}; }
 

@@ -71,11 +71,15 @@ class Composite : public Behavior<State, Action> {
     return status;
   }
 
-  /// The child's subtree loses control: it forgets.
-  void halt(const Node& child, const Tick<State>& t) const {
+  /// The child's subtree starts anew, without having lost control.
+  void forget(const Node& child, const Tick<State>& t) const {
     const std::size_t bytes = child.memory_end_ - child.memory_begin_;
     if (bytes)
       std::memset(t.memory + child.memory_begin_, 0, bytes);
+  }
+  /// The child's subtree loses control: it forgets.
+  void halt(const Node& child, const Tick<State>& t) const {
+    forget(child, t);
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).halted(child.index_, child.end_index_);
   }

@@ -2,6 +2,9 @@
 /// \file  Who led: known of every decision without a trace.
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string_view>
+
 #include "ubf/testing_trees.hpp"
 
 namespace eyrie::ubf::testing {
@@ -90,8 +93,9 @@ TEST(Leader, OfEveryTreeIsALeafOrABlendingArbiterIfThereIsAProposal) {
       ASSERT_EQ(robot.out.leader == kNone, robot.out.is_empty()) << "tree " << seed;
       if (robot.out.leader != kNone) {
         const Node& leader = robot.tree.node(robot.out.leader);
-        ASSERT_TRUE(leader.children().empty() || leader.type().ends_with("fusion") ||
-                    leader.type() == "motor_schema")
+        const std::set<std::string_view> blending{"fusion", "paper_fusion", "motor_schema",
+                                                  "vote_grid", "utility"};
+        ASSERT_TRUE(leader.children().empty() || blending.contains(leader.type()))
             << "tree " << seed << ": " << robot.leader();
       }
     }

@@ -132,6 +132,21 @@ template <class State, class Action>
   });
 }
 
+/// Tells the trace which child the fields of `node` came from, but for those that it made itself.
+template <class State, class Action, class IsOwn>
+[[gnu::noinline, gnu::cold]] void trace_others(AnyTrace& any, const Behavior<State, Action>& node,
+                                               IsOwn is_own) {
+  auto& trace = Trace<Action>::of(any);
+  for_each_field<Action>([&](const auto& f, auto i) {
+    if (is_own(i))
+      return;
+    const NodeIndex child = detail::strongest_setter(
+        trace, node, f, [](NodeIndex, const auto& proposal) { return proposal.vote > 0; });
+    if (child != kNone)
+      trace.took(node.index(), child, i);
+  });
+}
+
 /// Tells the trace which fields of `node` came from one child; the others it made itself, of the
 /// proposals of those children that `is_heard(child, proposal)`.
 template <class State, class Action, class IsHeard>

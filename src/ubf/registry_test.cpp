@@ -155,8 +155,8 @@ TEST(Registry, ReadsASequencer) {
   const RobotTree tree = build(kMission);
   EXPECT_EQ(outline(tree.root()),
             "sequencer:mission(probe:out winner_takes_all:home(probe) check inverter(check))");
-  using Seq = Sequencer<State, Action>;
-  const auto& sequencer = root_as<Seq>(tree);
+  using Modes = Sequencer<State, Action>;
+  const auto& sequencer = root_as<Modes>(tree);
   EXPECT_EQ(sequencer.tree_count(), 2u);
   EXPECT_EQ(sequencer.start(), 0);
   EXPECT_EQ(sequencer.rules()[0].to, 1);
@@ -199,6 +199,8 @@ TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
         {"delay", "duration: 1 s, "},
         {"rate_limit", "period: 1 s, "},
         {"verify", "bounds: {altitude: {min: 0 m}}, "},
+        {"vote_grid", "grid: {altitude: {from: 0 m, to: 9 m, steps: 9, reach: 3 m}}, "},
+        {"utility", "grid: {altitude: {from: 0 m, to: 9 m, steps: 9, reach: 3 m}}, "},
         {"motor_schema", "direction: heading, magnitude: speed, unit_vote: 1, "},
         {"suppress", "by: {check: {cue: 0}}, "},
         {"inhibit", "by: {check: {cue: 0}}, "},
@@ -220,13 +222,15 @@ TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
     for (const NodeInfo& inner : registry.catalog()) {
       if (outer.child_keys.empty() || inner.child_keys.empty())
         continue;
+      if (outer.name == "for_each" || inner.name == "for_each")
+        continue;  // takes nothing that remembers: for_each_test.cpp
       const std::string text = with_child(outer, with_child(inner, "{probe: {cue: 0}}"));
       Diagnostics diagnostics;
       const auto tree = registry.build_tree("pair", Document::parse(text), diagnostics);
       ASSERT_TRUE(tree) << text << "\n" << diagnostics.text();
       ++pairs;
     }
-  EXPECT_EQ(pairs, 33 * 33);
+  EXPECT_EQ(pairs, 35 * 35);
 }
 
 TEST(Registry, CatalogTellsEverythingAboutEachType) {

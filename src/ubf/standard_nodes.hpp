@@ -9,7 +9,9 @@
 #include "ubf/arbiter/per_field.hpp"
 #include "ubf/arbiter/priority.hpp"
 #include "ubf/arbiter/suppress.hpp"
+#include "ubf/arbiter/utility.hpp"
 #include "ubf/arbiter/verify.hpp"
+#include "ubf/arbiter/vote_grid.hpp"
 #include "ubf/arbiter/weighted_random.hpp"
 #include "ubf/arbiter/winner_takes_all.hpp"
 #include "ubf/control/if_then_else.hpp"
@@ -24,6 +26,7 @@
 #include "ubf/control/while.hpp"
 #include "ubf/decorator/cooldown.hpp"
 #include "ubf/decorator/delay.hpp"
+#include "ubf/decorator/for_each.hpp"
 #include "ubf/decorator/force_failure.hpp"
 #include "ubf/decorator/force_success.hpp"
 #include "ubf/decorator/guard.hpp"
@@ -54,6 +57,8 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<WeightedRandom<State, Action>>();
   registry.template add<Verify<State, Action>>();
   registry.template add<MotorSchema<State, Action>>();
+  registry.template add<VoteGrid<State, Action>>();
+  registry.template add<Utility<State, Action>>();
 
   registry.template add<Selector<State, Action>>();
   registry.template add<Sequence<State, Action>>();
@@ -78,6 +83,7 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<RunOnce<State, Action>>();
   registry.template add<RateLimit<State, Action>>();
   registry.template add<Delay<State, Action>>();
+  registry.template add<ForEach<State, Action>>();
 }
 
 }  // namespace eyrie::ubf

@@ -48,6 +48,22 @@ struct StateFields {
   [[nodiscard]] static std::span<const StateField<State>> all() { return {}; }
 };
 
+/// Things of which a state has several, where behaviors look at one: a pilot's tracks, of which one
+/// is the target.
+template <class State>
+struct StateList {
+  std::string_view name, help;
+  std::size_t (*count)(const State&) = nullptr;
+  /// Makes number i (from 0) the one that behaviors look at. Must not allocate, throw or lock.
+  void (*look_at)(State&, std::size_t i) = nullptr;
+};
+
+/// The lists of a platform's state; specialize it to have some.
+template <class State>
+struct StateLists {
+  [[nodiscard]] static std::span<const StateList<State>> all() { return {}; }
+};
+
 template <class State>
 [[nodiscard]] std::vector<StateFieldInfo> state_field_infos() {
   std::vector<StateFieldInfo> infos;

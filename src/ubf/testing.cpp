@@ -23,6 +23,17 @@ std::span<const StateField<testing::State>> StateFields<testing::State>::all() {
   return kFields;
 }
 
+std::span<const StateList<testing::State>> StateLists<testing::State>::all() {
+  static constexpr std::array kLists{
+      StateList<State>{"things", "that lie about", [](const State& s) { return s.thing_count; },
+                       [](State& s, std::size_t i) {
+                         s.range = s.things[i];
+                         s.cues[0].vote = static_cast<float>(s.things[i]);
+                         s.cues[0].action.altitude = s.things[i];
+                       }}};
+  return kLists;
+}
+
 #define EYRIE_UBF_TESTED(Node) template class Node<testing::State, testing::Action>;
 #include "ubf/testing_nodes.inc"
 #undef EYRIE_UBF_TESTED

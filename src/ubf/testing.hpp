@@ -36,6 +36,8 @@ struct State {
   double altitude = 0;  ///< m
   double count = 0;
   bool alarm = false;
+  std::array<double, 4> things{};  ///< m, ranges
+  std::size_t thing_count = 0;
   std::uint8_t phase = 0;  ///< into kPhases
   static constexpr std::array<std::string_view, 3> kPhases{"search", "fetch", "home"};
 };
@@ -58,6 +60,13 @@ template <>
 struct eyrie::ubf::StateFields<eyrie::ubf::testing::State> {
   using State = testing::State;
   [[nodiscard]] static std::span<const StateField<State>> all();
+};
+
+/// Things by their range, which is then `range`, and which probe 0 says as its vote.
+template <>
+struct eyrie::ubf::StateLists<eyrie::ubf::testing::State> {
+  using State = testing::State;
+  [[nodiscard]] static std::span<const StateList<State>> all();
 };
 
 namespace eyrie::ubf::testing {

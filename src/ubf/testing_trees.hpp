@@ -93,7 +93,7 @@ class Gardener {
   [[nodiscard]] Child newer_composite(std::size_t depth) {
     using S = State;
     using A = Action;
-    switch (pick(blends_ ? 16 : 15)) {
+    switch (pick(blends_ ? 18 : 15)) {
       case 0:
         return priority(depth);
       case 1:
@@ -124,6 +124,10 @@ class Gardener {
         return timed(make<Delay<S, A>>(node(depth + 1)), &Delay<S, A>::duration);
       case 14:
         return by_phase(depth);
+      case 15:
+        return over_grid<VoteGrid<S, A>>(depth);
+      case 16:
+        return over_grid<Utility<S, A>>(depth);
       default:
         return motor_schema(depth);
     }
@@ -158,6 +162,20 @@ class Gardener {
     Diagnostics diagnostics;
     auto made = make<Holds<State, Action>>();
     made->look_at(Expression<State>(*parse_expression(text, names, diagnostics)));
+    if (pick(2))
+      return made;
+    auto loop = make<ForEach<State, Action>>(std::move(made));
+    loop->choose = pick(2) ? Choose::first : Choose::strongest;
+    loop->go_over(StateLists<State>::all().front());
+    return loop;
+  }
+  template <class Arbiter>
+  [[nodiscard]] Child over_grid(std::size_t depth) {
+    auto made = make<Arbiter>(nodes(1 + pick(3), depth));
+    const bool spread = std::is_same_v<Arbiter, Utility<State, Action>> && pick(2);
+    made->grid.add("heading", 0, kTau, 8, 1, spread ? 0.5 : 0);
+    if (pick(2))
+      made->grid.add("speed", 0, 300, 3, 100, 0);
     return made;
   }
   [[nodiscard]] Child by_phase(std::size_t depth) {
@@ -276,6 +294,7 @@ class Weather {
     }
     state.phase = static_cast<std::uint8_t>(pick(3));
     state.count = pick(4);
+    state.thing_count = pick(4);
     state.alarm = pick(2);
   }
 

@@ -65,10 +65,10 @@ TEST(Trace, ShowsAFailingChildAsProposingNothing) {
 }
 
 TEST(Trace, FollowsEachFieldThroughMixedNodesToItsSupplier) {
-  using Par = Parallel<State, Action>;
+  using Both = Parallel<State, Action>;
   Robot robot(make<PerField<State, Action>>(
       make<Sequence<State, Action>>(check(9), make<Wta>(probe(0), probe(1))),
-      make<Fusion<State, Action>>(probe(2), make<Par>(probe(3), probe(4)))));
+      make<Fusion<State, Action>>(probe(2), make<Both>(probe(3), probe(4)))));
   robot.say(9, kSuccess);
   robot.cue(0) = {kRunning, 8, {.heading = 1}};
   robot.cue(1) = {kRunning, 9, {.heading = 2}};

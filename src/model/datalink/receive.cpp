@@ -13,7 +13,7 @@ Vec3 widen(const std::array<float, 3>& v) {
 }
 
 /// Slack for sums of binary fractions when a time is compared with a delay (s).
-constexpr double kSlack = 1e-9;
+constexpr double kClockSlack = 1e-9;
 
 /// What a mate says about itself counts as one of the own tracks only if it fits as well as this.
 constexpr double kRecognized = 2;       ///< standard deviations
@@ -119,7 +119,7 @@ const DatalinkMessage* newest_arrived(const DatalinkSent& sent, double delay, do
   for (std::uint32_t back = 0; back < kept; ++back) {
     number = sent.sent - back;
     const DatalinkMessage& message = sent.messages[(number - 1) % kMessages];
-    if (time - message.time >= delay - kSlack)
+    if (time - message.time >= delay - kClockSlack)
       return &message;
   }
   number = 0;
@@ -162,7 +162,7 @@ const DatalinkMessage* receive(Mate& mate, const Datalink& datalink, const Datal
 void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tracks, double time) {
   for (std::uint32_t i = 0; i < state.count; ++i) {
     Mate& mate = state.members[i];
-    if (i == state.self || !mate.alive || time - mate.heard_time <= datalink.timeout + kSlack)
+    if (i == state.self || !mate.alive || time - mate.heard_time <= datalink.timeout + kClockSlack)
       continue;
     mate.alive = 0;
     const auto others = static_cast<std::uint8_t>(~(1u << i));

@@ -70,7 +70,9 @@ class MotorSchema final : public Voting<State, Action> {
     out.leader = sum.empty() ? strongest.leader : kNone;  // a sum is nobody's but this node's
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace(*t.trace);
+      trace_others(*t.trace, *this, [&](std::size_t field) {
+        return field == direction.index() || field == magnitude.index();
+      });
     return strongest.status;
   }
 
@@ -105,19 +107,6 @@ class MotorSchema final : public Voting<State, Action> {
     double east_ = 0, north_ = 0, total_ = 0, longest_ = 0;
     bool empty_ = true;
   };
-
-  /// The vector is this node's own; the other fields came from the strongest who set them.
-  [[gnu::noinline, gnu::cold]] void trace(AnyTrace& any) const {
-    auto& trace = Trace<Action>::of(any);
-    for_each_field<Action>([&](const auto& f, auto i) {
-      if (i == direction.index() || i == magnitude.index())
-        return;
-      const NodeIndex child = detail::strongest_setter(
-          trace, *this, f, [](NodeIndex, const auto& proposal) { return proposal.vote > 0; });
-      if (child != kNone)
-        trace.took(this->index(), child, i);
-    });
-  }
 };
 
 }  // namespace eyrie::ubf

@@ -19,6 +19,7 @@ class Reactive : public WithMemory<Voting<State, Action>, ReactiveMemory> {
  public:
   using WithMemory<Voting<State, Action>, ReactiveMemory>::WithMemory;
 
+  [[nodiscard]] bool remembers() const noexcept final { return false; }
   [[nodiscard]] bool stands() const noexcept final { return this->any_child_stands(); }
   [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept final {
     const auto& m = this->memory(slab);

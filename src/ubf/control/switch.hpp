@@ -33,6 +33,7 @@ class Switch final : public WithMemory<Voting<State, Action>, SwitchMemory> {
 
   std::string on;
 
+  [[nodiscard]] bool remembers() const noexcept override { return false; }
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
   [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
     const auto& m = this->memory(slab);

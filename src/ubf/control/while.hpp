@@ -26,6 +26,7 @@ class While final : public WithMemory<Voting<State, Action>, WhileMemory> {
   }
   using Base::Base;
 
+  [[nodiscard]] bool remembers() const noexcept override { return false; }
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
   [[nodiscard]] std::string problem() const override {
     return this->children_.size() == 3 ? Base::problem() : "while has a condition and two children";

@@ -20,6 +20,7 @@ class Guard final : public WithMemory<Composite<State, Action>, GuardMemory> {
   static constexpr std::array<std::string_view, 2> slots{"when", "child"};
   using WithMemory<Composite<State, Action>, GuardMemory>::WithMemory;
 
+  [[nodiscard]] bool remembers() const noexcept override { return false; }
   [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
   [[nodiscard]] std::string problem() const override {
     return this->children_.size() == 2 ? "" : "a guard has a condition and one child";

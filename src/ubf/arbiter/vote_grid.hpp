@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <array>
+
+#include "ubf/appraiser.hpp"
+#include "ubf/arbiter/grid.hpp"
+#include "ubf/merging.hpp"
+
+namespace eyrie::ubf {
+
+/// What vote_grid and utility share: every child's opinion of every candidate, added up, and the
+/// candidate of which the sum is the greatest, the first of equals.
+template <class State, class Action>
+class OverGrid : public Voting<State, Action> {
+ public:
+  using Voting<State, Action>::Voting;
+
+  Grid<Action> grid;
+
+  [[nodiscard]] bool stands() const noexcept final { return true; }
+
+ protected:
+  using Sums = std::array<double, Grid<Action>::kMostCandidates>;
+
+  /// Asks the children and adds up `weight * worth` of each candidate in `sums`. Fields that are
+  /// not on the grid are left in `out` as per_field would. False if nobody has an opinion of the
+  /// grid.
+  bool add_up(const Tick<State>& t, Proposal<Action>& out, StrongestChild& strongest,
+              Sums& sums) const {
+    const std::size_t count = grid.size();
+    std::fill_n(sums.begin(), count, 0.0);
+    bool any = false;
+    FieldMerge<Action> merge;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
+    for (const auto& child : this->children_) {
+      const Status answer = this->ask(*child, t, next);
+      if (answer == Status::failure || next.vote == 0)
+        continue;
+      strongest.add(next, answer);
+      const auto weight = static_cast<double>(next.vote);
+      if (const auto* appraiser = child->appraiser()) {
+        appraise(*appraiser, t, weight, sums);
+        any = true;
+      } else {
+        any |= near_what_is_asked(next.action, weight, sums);
+      }
+      merge.add(next, out.action);
+    }
+    return any;
+  }
+  /// Makes the proposal: the best candidate, if there is an opinion.
+  Status propose(const Tick<State>& t, Proposal<Action>& out, const StrongestChild& strongest,
+                 bool any, const Sums& sums) const {
+    if (any) {
+      const auto best =
+          std::max_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(grid.size()));
+      grid.set(static_cast<std::size_t>(best - sums.begin()), out.action);
+    }
+    out.vote = strongest.vote;
+    out.leader = any ? kNone : strongest.leader;  // a choice of all is nobody's but this node's
+    this->rescale(out);
+    if (t.trace) [[unlikely]]
+      trace_others(*t.trace, *this, [&](std::size_t field) { return any && grid.has(field); });
+    return strongest.status;
+  }
+  [[nodiscard]] std::string grid_problem() const {
+    return grid.size() ? Voting<State, Action>::problem() : "a grid needs at least one field";
+  }
+
+ private:
+  void appraise(const Appraiser<State, Action>& appraiser, const Tick<State>& t, double weight,
+                Sums& sums) const {
+    Scratch<Action> candidate;
+    Action& action = candidate.get().action;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      grid.set(i, action);
+      const double worth = appraiser.appraise(t, action);
+      EYRIE_ASSERT(worth - worth == 0);  // finite
+      sums[i] += weight * worth;
+    }
+  }
+  /// A plain proposal votes for what is near it, in the mean over the fields that it sets.
+  bool near_what_is_asked(const Action& action, double weight, Sums& sums) const {
+    std::size_t asked = 0;
+    for (const auto& axis : grid.axes())
+      asked += Grid<Action>::get(action, axis).has_value();
+    if (asked == 0)
+      return false;
+    std::size_t stride = 1;
+    for (const auto& axis : grid.axes()) {
+      if (const auto wanted = Grid<Action>::get(action, axis)) {
+        std::array<double, Grid<Action>::kMostSteps> worth;
+        for (std::size_t k = 0; k < axis.steps; ++k)
+          worth[k] = weight * axis.worth(axis.at(k), *wanted) / static_cast<double>(asked);
+        for (std::size_t i = 0; i < grid.size(); ++i)
+          sums[i] += worth[i / stride % axis.steps];
+      }
+      stride *= axis.steps;
+    }
+    return true;
+  }
+};
+
+/// Behaviors vote over a grid of candidate commands: a vote of +1 for and -1 against, weighted with
+/// the vote of the proposal; the candidate with the greatest sum goes up. A behavior that proposes
+/// one command votes +1 for it, and less the farther a candidate is away, down to -1 at `reach`;
+/// an Appraiser votes on each candidate as it likes. Fields that are not on the grid come from the
+/// highest vote that set them. Vote and status are those of the strongest child. Rosenblatt, "DAMN:
+/// A Distributed Architecture for Mobile Navigation" (1997).
+template <class State, class Action>
+class VoteGrid final : public OverGrid<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "vote_grid";
+  static constexpr std::string_view help =
+      "the candidate of a grid that gets most of the children's votes";
+  static constexpr Kind kind = Kind::arbiter;
+  [[nodiscard]] static constexpr auto params() {
+    return std::tuple_cat(
+        std::tuple{
+            param("grid", &VoteGrid::grid, "the candidates: a map from fields to axes").required()},
+        Voting<State, Action>::template vote_params<VoteGrid>());
+  }
+  using OverGrid<State, Action>::OverGrid;
+
+  [[nodiscard]] std::string problem() const override {
+    for (const auto& axis : this->grid.axes())
+      if (axis.spread.size() > 1)
+        return "'spread' is for utility: votes are for commands, not for what comes of them";
+    return this->grid_problem();
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    typename VoteGrid::Sums sums;
+    StrongestChild strongest;
+    const bool any = this->add_up(t, out, strongest, sums);
+    return this->propose(t, out, strongest, any, sums);
+  }
+};
+
+}  // namespace eyrie::ubf

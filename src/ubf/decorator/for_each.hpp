@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "ubf/decorator.hpp"
+#include "ubf/node_reader.hpp"
+
+namespace eyrie::ubf {
+
+/// Which of the things a loop goes over decides.
+enum class Choose : std::uint8_t { strongest, first };
+
+/// Asks its child once for each of the things in a list of the state, each time in a state that
+/// looks at that one; the highest vote goes up, the earlier of equals, or with `choose: first` the
+/// first that does not fail. Fails if every one does, or there is none. No behavior below it may
+/// remember anything, for which thing is the third may change from tick to tick: the child starts
+/// anew each time. In a trace the child shows what
+/// it answered for the thing that was chosen, or else for the last one.
+///   for_each: {over: hostiles, child: {guard: {when: range < 10 nmi, child: pursue}}}
+template <class State, class Action>
+class ForEach final : public Decorator<State, Action> {
+  using Base = Decorator<State, Action>;
+
+ public:
+  static constexpr std::string_view type_name = "for_each";
+  static constexpr std::string_view help = "asks its child once for each of several things";
+  [[nodiscard]] static constexpr auto params() {
+    return std::tuple{
+        param("over", &ForEach::over, "the list of the state, such as tracks").required(),
+        param("choose", &ForEach::choose, "the highest vote, or the first that does not fail")};
+  }
+  using Base::Base;
+
+  std::string over;
+  Choose choose = Choose::strongest;
+
+  [[nodiscard]] std::string problem() const override {
+    for (const auto& child : this->children_)
+      if (const std::string_view name = remembering(*child); !name.empty())
+        return fmt::format("for_each asks for one thing after the other, but {} remembers", name);
+    return Base::problem();
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    EYRIE_ASSERT(list_ != nullptr);
+    const std::size_t count = list_->count(t.state);
+    if (count == 0)
+      return Status::failure;
+    State state = t.state;
+    Tick<State> inner{.state = state,
+                      .time = t.time,
+                      .dt = t.dt,
+                      .step = t.step,
+                      .seed = t.seed,
+                      .player = t.player,
+                      .memory = t.memory,
+                      .trace = t.trace,
+                      .log = t.log};
+    Status status = Status::failure;
+    std::size_t chosen = count;
+    BestSoFar<Action> best(out);
+    float highest = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      list_->look_at(state, i);
+      const Status answer = this->ask(this->child(), inner, best.next());
+      this->forget(this->child(), inner);
+      if (answer == Status::failure)
+        continue;
+      if (chosen != count && !(best.next().vote > highest))
+        continue;
+      highest = best.next().vote;
+      status = answer;
+      chosen = i;
+      best.keep();
+      if (choose == Choose::first)
+        break;
+    }
+    if (chosen == count)
+      return Status::failure;
+    if (t.trace) [[unlikely]] {
+      list_->look_at(state, chosen);
+      this->ask(this->child(), inner, best.next());
+      this->forget(this->child(), inner);
+    }
+    best.hand_on();
+    this->took(t, this->child());
+    return status;
+  }
+
+  /// For code that builds a tree without a file.
+  void go_over(const StateList<State>& list) { list_ = &list; }
+  /// For NodeReader.
+  void read_words(const Value& body, NodeReader<State, Action>& reader) {
+    const Value* name = body.find("over");
+    std::vector<std::string_view> names;
+    for (const StateList<State>& list : StateLists<State>::all()) {
+      names.push_back(list.name);
+      if (list.name == over)
+        go_over(list);
+    }
+    if (!list_ && name && name->is_scalar())
+      reader.error(name->where, fmt::format("the state has no list {}{}", quote(over),
+                                            did_you_mean(over, names)));
+  }
+
+ private:
+  /// The name of a node below that remembers, or "".
+  static std::string_view remembering(const typename ForEach::Node& node) {
+    if (node.remembers())
+      return node.label();
+    for (const auto& child : node.children())
+      if (const std::string_view name = remembering(*child); !name.empty())
+        return name;
+    return {};
+  }
+
+  const StateList<State>* list_ = nullptr;
+};
+
+}  // namespace eyrie::ubf
+
+template <>
+struct eyrie::EnumNames<eyrie::ubf::Choose> {
+  using E = eyrie::ubf::Choose;
+  static constexpr std::array names{std::pair<std::string_view, E>{"strongest", E::strongest},
+                                    std::pair<std::string_view, E>{"first", E::first}};
+};

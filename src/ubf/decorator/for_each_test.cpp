@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/decorator/for_each.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ubf/testing.hpp"
+#include "ubf/testing_document.hpp"
+
+namespace eyrie::ubf::testing {
+namespace {
+
+/// A leaf that says what cue 0 says, and remembers nothing: its vote and altitude are those of the
+/// thing that is looked at.
+class Glance final : public Node {
+ public:
+  static constexpr std::string_view type_name = "glance";
+  static constexpr std::string_view help = "says what cue 0 says";
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    EYRIE_DEMAND(out.is_empty(), "what a behavior is given to write to is not empty");
+    out.action = t.state.cues[0].action;
+    out.vote = t.state.cues[0].vote;
+    return t.state.range > 100 ? Status::failure : t.state.cues[0].status;
+  }
+};
+
+Robot looking_at(std::vector<double> things, Choose choose) {
+  auto node = make<ForEach<State, Action>>(make<Glance>());
+  node->choose = choose;
+  node->go_over(StateLists<State>::all().front());
+  Robot robot(std::move(node));
+  std::copy(things.begin(), things.end(), robot.state.things.begin());
+  robot.state.thing_count = things.size();
+  robot.say(0, kRunning);
+  return robot;
+}
+
+TEST(ForEach, TakesTheHighestVoteOfAllThings) {
+  Robot robot = looking_at({20, 50, 200, 50}, Choose::strongest);
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.vote, 50);
+  EXPECT_EQ(robot.out.action.altitude, 50);
+  EXPECT_EQ(robot.leader(), "root/glance");
+  EXPECT_EQ(robot.row("root/glance").proposal.vote, 50) << "the trace shows the chosen one";
+  EXPECT_EQ(robot.state.range, 0) << "the agent's own state stays";
+}
+
+TEST(ForEach, OrTheFirstThatDoesNotFail) {
+  Robot robot = looking_at({200, 20, 50}, Choose::first);
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.vote, 20);
+}
+
+TEST(ForEach, AsksAnewForEveryThing) {
+  auto node = make<ForEach<State, Action>>(make<Guard<State, Action>>(check(5), make<Glance>()));
+  node->go_over(StateLists<State>::all().front());
+  Robot robot(std::move(node));
+  robot.state.things = {20, 50};
+  robot.state.thing_count = 2;
+  robot.say(0, kRunning);
+  robot.say(5, kSuccess);
+  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.out.vote, 50);
+  EXPECT_EQ(robot.slab, std::vector<std::byte>(robot.slab.size())) << "nothing is left behind";
+}
+
+TEST(ForEach, FailsWithoutThingsAndIfEveryOneFails) {
+  Robot none = looking_at({}, Choose::strongest);
+  EXPECT_EQ(none.tick(), kFailure);
+  Robot far = looking_at({101, 102}, Choose::first);
+  EXPECT_EQ(far.tick(), kFailure);
+}
+
+TEST(ForEach, KnowsSuccessOfConditionsThatProposeNothing) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  Diagnostics diagnostics;
+  const auto tree = registry.build_tree(
+      "test", Document::parse("{for_each: {over: things, child: {holds: range < 30 m}}}"),
+      diagnostics);
+  ASSERT_TRUE(tree) << diagnostics.text();
+  State state;
+  state.things = {40, 20};
+  RobotProposal out;
+  const auto ask = [&] { return tree->tick({.state = state}, out); };
+  state.thing_count = 1;
+  EXPECT_EQ(ask(), kFailure);
+  state.thing_count = 2;
+  EXPECT_EQ(ask(), kSuccess);
+}
+
+TEST(ForEach, MistakesAreSaid) {
+  RobotRegistry registry;
+  add_standard_nodes(registry);
+  registry.add<Probe>();
+  const auto said = [&](std::string_view text) {
+    Diagnostics diagnostics;
+    static_cast<void>(registry.build_tree("test", Document::parse(text), diagnostics));
+    return diagnostics.text();
+  };
+  EXPECT_EQ(said("{for_each: {over: thing, child: {holds: alarm}}}"),
+            "test.yaml:1:19: the state has no list 'thing'; did you mean 'things'?");
+  EXPECT_EQ(said("{for_each: {over: things, child: {inverter: {probe: {cue: 1}}}}}"),
+            "test.yaml:1:2: for_each asks for one thing after the other, but probe remembers");
+}
+
+}  // namespace
+}  // namespace eyrie::ubf::testing
