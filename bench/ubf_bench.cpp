@@ -7,15 +7,21 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/draw.hpp"
 #include "core/hash.hpp"
+#include "scenario/yaml.hpp"
 #include "support/no_allocation.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/standard_nodes.hpp"
+#include "ubf/testing_document.hpp"
 
 namespace robot {
 
@@ -45,6 +51,31 @@ struct eyrie::ubf::ActionTraits<robot::Action> {
                                             field<blend::Mean>("altitude", &A::altitude, "m"),
                                             field<blend::Mean>("speed", &A::speed, "m/s"),
                                             field<blend::Strongest>("release", &A::release)};
+};
+
+template <>
+struct eyrie::ubf::StateFields<robot::State> {
+  [[nodiscard]] static std::span<const StateField<robot::State>> all() {
+    static constexpr std::array kFields = std::to_array<StateField<robot::State>>({
+        {{.name = "range", .kind = FieldKind::number, .unit = "m", .help = "to the goal"},
+         [](const robot::State& s) { return s.range; }},
+        {{.name = "altitude", .kind = FieldKind::number, .unit = "m", .help = "own"},
+         [](const robot::State& s) { return s.altitude; }},
+        {{.name = "close", .kind = FieldKind::flag, .unit = "", .help = "an obstacle is near"},
+         [](const robot::State& s) { return s.danger < 1000 ? 1. : 0.; }},
+    });
+    return kFields;
+  }
+};
+/// Four places to go to.
+template <>
+struct eyrie::ubf::StateLists<robot::State> {
+  [[nodiscard]] static std::span<const StateList<robot::State>> all() {
+    static constexpr std::array kLists{StateList<robot::State>{
+        "places", "to go to", [](const robot::State&) { return std::size_t{4}; },
+        [](robot::State& s, std::size_t i) { s.range = 3000. * static_cast<double>(i); }}};
+    return kLists;
+  }
 };
 
 namespace robot {
@@ -241,25 +272,108 @@ void tick_commitment(benchmark::State& state) {
   run(state, Tree("bench", std::move(root)), false);
 }
 
-/// A thousand nodes from the document tree to a tree that can be ticked.
-void build_thousand(benchmark::State& state) {
+ubf::Registry<State, Action> standard_registry() {
   ubf::Registry<State, Action> registry;
   ubf::add_standard_nodes(registry);
   registry.add<Cruise>();
+  registry.add<Avoid>();
   registry.add<Chase>();
-  const auto with_vote = [](std::string type) {
-    return Value::map({entry(std::move(type), Value::map({entry("vote", "7")}))});
+  return registry;
+}
+
+/// One tree per kind of node, over the same three leaves where it takes several.
+const std::map<std::string_view, std::string_view>& node_trees() {
+  static const std::map<std::string_view, std::string_view> kTrees{
+      {"holds", "{holds: range < 8 km and not close or altitude > 6 km}"},
+      {"winner_takes_all", "{winner_takes_all: [cruise, avoid, chase]}"},
+      {"per_field", "{per_field: [cruise, avoid, chase]}"},
+      {"fusion", "{fusion: [cruise, avoid, chase]}"},
+      {"paper_fusion", "{paper_fusion: {high_vote: 1, children: [cruise, avoid, chase]}}"},
+      {"commitment", "{commitment: {hold: 1 s, children: [cruise, avoid, chase]}}"},
+      {"priority", "{priority: [avoid, chase, cruise]}"},
+      {"suppress", "{suppress: {by: avoid, hold: 1 s, child: cruise}}"},
+      {"inhibit", "{inhibit: {by: avoid, hold: 1 s, child: cruise}}"},
+      {"weighted_random", "{weighted_random: {keep: 1 s, children: [cruise, avoid, chase]}}"},
+      {"verify",
+       "{verify: {bounds: {altitude: {max: 8 km}}, refuse: [action.speed < 150 kt and "
+       "close], fallback: true, children: [chase, avoid, cruise]}}"},
+      {"motor_schema",
+       "{motor_schema: {direction: heading, magnitude: speed, unit_vote: 1, "
+       "children: [cruise, avoid, chase]}}"},
+      {"vote_grid",
+       "{vote_grid: {grid: {heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 "
+       "deg}}, children: [cruise, avoid, chase]}}"},
+      {"utility",
+       "{utility: {grid: {heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg, "
+       "spread: 10 deg}}, children: [cruise, avoid, chase]}}"},
+      {"selector", "{selector: [avoid, chase, cruise]}"},
+      {"sequence", "{sequence: [{holds: close}, avoid]}"},
+      {"selector_with_memory", "{selector_with_memory: [avoid, chase, cruise]}"},
+      {"sequence_with_memory", "{sequence_with_memory: [not close, chase]}"},
+      {"parallel", "{parallel: {success_count: 2, children: [cruise, avoid, chase]}}"},
+      {"parallel_all", "{parallel_all: [cruise, avoid, chase]}"},
+      {"random_selector", "{random_selector: [avoid, chase, cruise]}"},
+      {"if_then_else", "{if_then_else: {if: {holds: close}, then: avoid, else: cruise}}"},
+      {"while", "{while: {when: {holds: close}, do: avoid, else: cruise}}"},
+      {"switch", "{switch: {on: close, cases: {true: avoid}, default: cruise}}"},
+      {"sequencer",
+       "{sequencer: {start: a, trees: {a: cruise, b: chase}, transitions: [{from: a, to: "
+       "b, when: range < 4 km}, {from: b, to: a, when: range > 4 km}]}}"},
+      {"inverter", "{inverter: {holds: close}}"},
+      {"force_success", "{force_success: avoid}"},
+      {"force_failure", "{force_failure: avoid}"},
+      {"timeout", "{timeout: {after: 5 s, child: cruise}}"},
+      {"cooldown", "{cooldown: {duration: 5 s, child: avoid}}"},
+      {"guard", "{guard: {when: {holds: close}, child: avoid}}"},
+      {"repeat", "{repeat: {holds: close}}"},
+      {"retry", "{retry: {holds: close}}"},
+      {"run_once", "{run_once: cruise}"},
+      {"rate_limit", "{rate_limit: {period: 1 s, child: {holds: close}}}"},
+      {"delay", "{delay: {duration: 1 s, child: cruise}}"},
+      {"for_each", "{for_each: {over: places, child: chase}}"},
   };
-  std::vector<Value> branches;
+  return kTrees;
+}
+
+/// A row for each node of the library; one without a tree here ends the program.
+void register_nodes() {
+  const auto registry = standard_registry();
+  for (const ubf::NodeInfo& info : registry.catalog()) {
+    if (info.kind == ubf::Kind::behavior)
+      continue;
+    const auto text = node_trees().find(info.name);
+    EYRIE_DEMAND(text != node_trees().end(), "a node has no row in the table");
+    Diagnostics diagnostics;
+    auto tree =
+        registry.build_tree(info.name, ubf::testing::Document::parse(text->second), diagnostics);
+    EYRIE_DEMAND(tree.has_value(), diagnostics.text().c_str());
+    const auto shared = std::make_shared<Tree>(std::move(*tree));
+    benchmark::RegisterBenchmark(("node/" + info.name).c_str(), [shared](benchmark::State& state) {
+      run(state, *shared, false);
+    })->Arg(1000);
+  }
+}
+
+/// A thousand nodes as a file writes them.
+std::string thousand_nodes() {
+  std::string text = "winner_takes_all:\n";
   for (int i = 0; i < 333; ++i)
-    branches.push_back(
-        Value::map({entry("selector", Value::list({with_vote("chase"), with_vote("cruise")}))}));
-  const Value root = Value::map({entry("winner_takes_all", Value::list(std::move(branches)))});
+    text += "  - selector:\n      - chase: {vote: 7}\n      - cruise: {vote: 5}\n";
+  return text;
+}
+
+/// From the text of a file to a tree that can be ticked, or only its second half: from the
+/// document.
+void build_thousand(benchmark::State& state, bool from_text) {
+  const auto registry = standard_registry();
+  const std::string text = thousand_nodes();
+  Diagnostics diagnostics;
+  Value document = scenario::parse_yaml(text, "bench.yaml", diagnostics);
   std::size_t nodes = 0;
   for (auto _ : state) {
-    Diagnostics diagnostics;
-    const auto tree = registry.build_tree("bench", root, diagnostics);
-    nodes = tree->size();
+    if (from_text)
+      document = scenario::parse_yaml(text, "bench.yaml", diagnostics);
+    nodes = registry.build_tree("bench", document, diagnostics)->size();
   }
   state.SetLabel(fmt::format("{} nodes", nodes));
 }
@@ -276,9 +390,17 @@ BENCHMARK_CAPTURE(kWta, leaves_27_traced, 3, true)->Name("winner_takes_all/27_le
 BENCHMARK_CAPTURE(kPerField, tree_13, 2, false)->Name("per_field/13_nodes")->Arg(1000);
 BENCHMARK_CAPTURE(kFusion, tree_13, 2, false)->Name("fusion/13_nodes")->Arg(1000);
 BENCHMARK(tick_commitment)->Name("commitment/13_nodes")->Arg(1000);
-BENCHMARK(build_thousand)->Name("build")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build_thousand, text, true)->Name("build/from_text")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build_thousand, document, false)->Name("build/from_document")->Unit(benchmark::kMicrosecond);
 // clang-format on
 
 }  // namespace robot
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  robot::register_nodes();
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv))
+    return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}

@@ -84,11 +84,14 @@ class Scratch {
 };
 
 /// Two places that children propose into in turn, one of them the node's own `out`: what is chosen
-/// is kept by exchanging the places, and copied at most once, at the end.
+/// is kept by exchanging the places, and copied at most once, at the end. The second place stays
+/// outside: what children may write to must not be one object with the two pointers, or they are
+/// read from memory again after every child (measured: 57 ns of 13 nodes became 85).
 template <class Action>
 class BestSoFar {
  public:
-  explicit BestSoFar(Proposal<Action>& out) noexcept : out_(out) {}
+  BestSoFar(Proposal<Action>& out, Scratch<Action>& other) noexcept
+      : out_(out), best_(&other.get()), next_(&out) {}
   BestSoFar(const BestSoFar&) = delete;
   BestSoFar& operator=(const BestSoFar&) = delete;
 
@@ -104,8 +107,7 @@ class BestSoFar {
 
  private:
   Proposal<Action>& out_;
-  Scratch<Action> other_;
-  Proposal<Action>*best_ = &other_.get(), *next_ = &out_;
+  Proposal<Action>*best_, *next_;
 };
 
 /// A vote in [0, infinity), which NaN is not.

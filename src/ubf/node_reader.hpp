@@ -59,12 +59,14 @@ class NodeReader {
   [[nodiscard]] Child read_tree(const std::string& name, const Value& value,
                                 const std::vector<const Value::Entry*>& arguments = {},
                                 const Location& where = {}) {
-    const auto written =
-        instantiate(name, value, arguments, where.line ? where : value.where, diagnostics_);
-    if (!written)
-      return nullptr;
+    std::optional<Value> filled;
+    if (value.find(kParametersKey) || !arguments.empty()) {
+      filled = instantiate(name, value, arguments, where.line ? where : value.where, diagnostics_);
+      if (!filled)
+        return nullptr;
+    }
     open_.push_back(name);
-    Child root = read(*written);
+    Child root = read(filled ? *filled : value);
     open_.pop_back();
     return root;
   }

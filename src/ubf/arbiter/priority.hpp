@@ -52,7 +52,8 @@ class Priority final : public WithMemory<Voting<State, Action>, PriorityMemory> 
     const NodeIndex held = active_child(t.memory);
     Status status = Status::failure;
     NodeIndex chosen = kNone;
-    BestSoFar<Action> best(out);
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
       const Status answer = this->ask(*this->children_[i], t, best.next());
       if (answer == Status::failure || best.next().vote == 0 || (chosen != kNone && i != held))

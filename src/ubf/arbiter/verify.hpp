@@ -49,7 +49,8 @@ class Verify final : public Voting<State, Action> {
     Status status = Status::failure;
     const typename Verify::Node* winner = nullptr;
     float highest = 0;
-    BestSoFar<Action> best(out);
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
     for (std::size_t i = 0; i < this->children_.size(); ++i) {
       const auto& child = *this->children_[i];
       const Status answer = this->ask(child, t, best.next());

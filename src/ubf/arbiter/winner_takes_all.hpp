@@ -24,7 +24,8 @@ class WinnerTakesAll final : public Voting<State, Action> {
     Status status = Status::failure;
     const typename WinnerTakesAll::Node* winner = nullptr;
     float highest = 0;
-    BestSoFar<Action> best(out);
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
     for (const auto& child : this->children_) {
       const Status answer = this->ask(*child, t, best.next());
       if (answer == Status::failure || !(best.next().vote > highest))

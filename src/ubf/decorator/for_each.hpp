@@ -56,7 +56,8 @@ class ForEach final : public Decorator<State, Action> {
                       .log = t.log};
     Status status = Status::failure;
     std::size_t chosen = count;
-    BestSoFar<Action> best(out);
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
     float highest = 0;
     for (std::size_t i = 0; i < count; ++i) {
       list_->look_at(state, i);
