@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/catalog.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -59,6 +60,8 @@ TEST(CatalogText, NamesEachNodeAndModelOnALineOfItsOwn) {
     EXPECT_TRUE(contains(text, "\n  " + node.name + " ")) << node.name;
   for (const ModelKind& kind : catalog.models)
     EXPECT_TRUE(contains(text, "\n  " + kind.folder + " ")) << kind.folder;
+  for (const ubf::StateFieldInfo& field : catalog.fields)
+    EXPECT_TRUE(contains(text, fmt::format("\n  {} ", field.name))) << field.name;
   EXPECT_TRUE(contains(text, "f15c"));
 }
 
@@ -76,6 +79,8 @@ TEST(CatalogMarkdown, HasARowForEveryParameter) {
   }
   for (const ModelKind& kind : catalog.models)
     check(kind.parameters);
+  for (const ubf::StateFieldInfo& field : catalog.fields)
+    EXPECT_TRUE(contains(text, fmt::format("\n| `{}` |", field.name))) << field.name;
   for (const UnitInfo& unit : units())
     EXPECT_TRUE(contains(text, " `" + std::string(unit.symbol) + "`")) << unit.symbol;
 }

@@ -38,7 +38,12 @@ std::string catalog_text(const Catalog& catalog) {
         line(node.name, node.help);
     text += "\n";
   }
-  text += "Models: data/<kind>/<name>.yaml\n";
+  text += "State fields: compared by conditions in words, looked at by switch\n";
+  for (const ubf::StateFieldInfo& field : catalog.fields)
+    line(field.name, field.unit.si_symbol.empty()
+                         ? std::string(field.help)
+                         : fmt::format("{}, {}", field.unit.si_symbol, field.help));
+  text += "\nModels: data/<kind>/<name>.yaml\n";
   for (const ModelKind& kind : catalog.models) {
     line(kind.folder, kind.help);
     if (!kind.names.empty())
