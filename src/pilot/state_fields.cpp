@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -33,12 +34,11 @@ constexpr auto kTargetClosing = [](const State& s, const Seen& t) { return s.clo
 constexpr auto kTargetOffNose = [](const State& s, const Seen& t) { return s.off_nose(t.ned); };
 constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
 
-template <class Test>
-double count_if(const State& s, Test test) {
-  double count = 0;
-  for (const Seen& seen : s.tracks_seen())
-    count += test(seen) ? 1 : 0;
-  return count;
+template <bool (Seen::*is)() const>
+std::size_t count(const State& s) {
+  const auto seen = s.tracks_seen();
+  return static_cast<std::size_t>(
+      std::count_if(seen.begin(), seen.end(), [](const Seen& one) { return (one.*is)(); }));
 }
 
 constexpr std::array kFields = std::to_array<StateField<State>>({
@@ -53,7 +53,7 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
     number("load_factor", "", "own, in g", [](const State& s) { return s.own.load_factor; }),
     number("fuel", "kg", "own", [](const State& s) { return s.propulsion.fuel; }),
     flag("bingo", "fuel is down to what the way home needs",
-         [](const State& s) { return s.bingo() ? 1. : 0.; }),
+         [](const State& s) -> double { return s.bingo(); }),
     number("missiles", "", "left on the stations",
            [](const State& s) { return static_cast<double>(model::missiles_left(s.stores)); }),
     number("rounds", "", "left in the gun", [](const State& s) { return double(s.gun.rounds); }),
@@ -65,16 +65,16 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
            [](const State& s) { return double(std::popcount(s.alive)); }),
     number("lost", "", "members of the flight believed lost",
            [](const State& s) { return double(s.lost); }),
-    flag("leads", "the own rank is the first", [](const State& s) { return s.leads() ? 1. : 0.; }),
+    flag("leads", "the own rank is the first", [](const State& s) -> double { return s.leads(); }),
     number("tracks", "", "that this pilot knows",
            [](const State& s) { return double(s.seen_count); }),
     number("hostiles", "", "tracks identified as hostile",
-           [](const State& s) { return count_if(s, [](const Seen& t) { return t.hostile(); }); }),
+           [](const State& s) { return double(count<&Seen::hostile>(s)); }),
     number("suspects", "", "confirmed tracks that are no friends",
-           [](const State& s) { return count_if(s, [](const Seen& t) { return t.suspect(); }); }),
-    flag("has_target", "a target is chosen", [](const State& s) { return s.target() ? 1. : 0.; }),
+           [](const State& s) { return double(count<&Seen::suspect>(s)); }),
+    flag("has_target", "a target is chosen", [](const State& s) -> double { return s.target() != nullptr; }),
     flag("hostile", "the chosen target is identified as hostile",
-         [](const State& s) { return s.target() && s.target()->hostile() ? 1. : 0.; }),
+         [](const State& s) -> double { return s.target() && s.target()->hostile(); }),
     number("range", "m", "to the chosen target", of_target<kTargetRange>),
     number("closing", "m/s", "of the chosen target, positive if the range shrinks",
            of_target<kTargetClosing>),
@@ -82,7 +82,7 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
     number("target_above", "m", "height of the chosen target over the own",
            of_target<kTargetHeight>),
     flag("threatened", "a missile is believed to come for this aircraft",
-         [](const State& s) { return s.threats.count > 0 ? 1. : 0.; }),
+         [](const State& s) -> double { return s.threats.count > 0; }),
     number("missile_range", "m", "to the missile to worry about, if its range is known",
            [](const State& s) {
              const model::InboundMissile* m = s.threat();
@@ -99,13 +99,7 @@ std::int32_t hostile_number(const State& s, std::size_t i) {
 }
 
 constexpr std::array kLists = std::to_array<ubf::StateList<State>>({
-    {"hostiles", "tracks identified as hostile, each in turn as the target",
-     [](const State& s) {
-       std::size_t n = 0;
-       for (const Seen& seen : s.tracks_seen())
-         n += seen.hostile();
-       return n;
-     },
+    {"hostiles", "tracks identified as hostile, each in turn as the target", count<&Seen::hostile>,
      [](State& s, std::size_t i) { s.target_index = hostile_number(s, i); }},
     {"tracks", "all tracks, friends and unknown ones too, each in turn as the target",
      [](const State& s) { return std::size_t{s.seen_count}; },

@@ -27,6 +27,9 @@ struct ActionField {
   using BlendTag = Blend;
   using Sum = typename Blend::template Sum<T>;
   static constexpr bool averages = Blend::averages;  ///< a mean is taken; otherwise it is an order
+  static constexpr bool is_number = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+  static constexpr bool is_real = std::is_floating_point_v<T>;
+  static constexpr bool is_direction = std::is_same_v<Blend, blend::Angle>;
 
   std::string_view name;
   std::optional<T> Action::*member;
@@ -99,6 +102,29 @@ constexpr void copy(const Action& from, Action& to) noexcept {
       std::construct_at(&(to.*f.member), *value);
     else
       std::construct_at(&(to.*f.member));
+  });
+}
+
+/// Field number `field` of an action as a number; nothing if it is not set, or is none.
+template <class Action>
+[[nodiscard]] std::optional<double> number_of(const Action& action, std::size_t field) {
+  std::optional<double> value;
+  for_each_field<Action>([&](const auto& f, auto i) {
+    if constexpr (std::remove_cvref_t<decltype(f)>::is_number)
+      if (i == field && action.*f.member)
+        value = static_cast<double>(*(action.*f.member));
+  });
+  return value;
+}
+/// Sets or empties field number `field`, which is a real number.
+template <class Action>
+void set_number(Action& action, std::size_t field, std::optional<double> value) {
+  for_each_field<Action>([&](const auto& f, auto i) {
+    using Field = std::remove_cvref_t<decltype(f)>;
+    if constexpr (Field::is_real)
+      if (i == field)
+        action.*f.member =
+            value ? std::optional(static_cast<typename Field::Value>(*value)) : std::nullopt;
   });
 }
 

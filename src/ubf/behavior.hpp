@@ -129,6 +129,11 @@ struct Tick {
   std::byte* memory = nullptr;   ///< this agent's slab, laid out by the tree
   AnyTrace* trace = nullptr;     ///< null when nobody watches
   TransitionLog* log = nullptr;  ///< null when nobody listens
+
+  /// The same tick of an agent that looks at another state.
+  [[nodiscard]] Tick in(const State& other) const {
+    return {other, time, dt, step, seed, player, memory, trace, log};
+  }
 };
 
 template <class State, class Action>

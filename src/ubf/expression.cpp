@@ -50,8 +50,13 @@ constexpr int kMostNested = 32;
 /// Recursive descent. The first mistake ends it.
 class Parser {
  public:
-  Parser(const Value& value, FieldNames& names, Diagnostics& diagnostics)
-      : value_(value), text_(value.text), names_(names), diagnostics_(diagnostics) {}
+  Parser(const Value& value, std::span<const StateFieldInfo> fields, FieldNames& names,
+         Diagnostics& diagnostics)
+      : value_(value),
+        text_(value.text),
+        fields_(fields),
+        names_(names),
+        diagnostics_(diagnostics) {}
 
   std::optional<std::vector<Instruction>> parse() {
     const bool good = any_of(0);
@@ -181,7 +186,7 @@ class Parser {
         return std::nullopt;
       }
       at_ += side.text.size();
-      if (const std::size_t field = names_.find(side.text); field < names_.fields().size())
+      if (const std::size_t field = names_.find(fields_, side.text); field < fields_.size())
         side.field = field;
       return side;
     }
@@ -211,12 +216,10 @@ class Parser {
       at_ = end;
   }
 
-  [[nodiscard]] const StateFieldInfo& info(const Side& side) const {
-    return names_.fields()[*side.field];
-  }
+  [[nodiscard]] const StateFieldInfo& info(const Side& side) const { return fields_[*side.field]; }
   bool unknown(const Side& side) {
     return fail(side.at, fmt::format("there is no state field {}{}", quote(side.text),
-                                     did_you_mean(side.text, names_.known())));
+                                     did_you_mean(side.text, names_.known(fields_))));
   }
   static Operand operand(std::size_t field) {
     return {.field = static_cast<std::uint32_t>(field), .number = 0};
@@ -297,6 +300,7 @@ class Parser {
 
   const Value& value_;
   std::string_view text_;
+  std::span<const StateFieldInfo> fields_;
   FieldNames& names_;
   Diagnostics& diagnostics_;
   std::vector<Instruction> program_;
@@ -306,14 +310,16 @@ class Parser {
 
 }  // namespace
 
-std::optional<std::vector<Instruction>> parse_expression(const Value& text, FieldNames& names,
+std::optional<std::vector<Instruction>> parse_expression(const Value& text,
+                                                         std::span<const StateFieldInfo> fields,
+                                                         FieldNames& names,
                                                          Diagnostics& diagnostics) {
   if (!text.is_scalar()) {
     diagnostics.error(text.where,
                       "expected a condition in words, as in range < 10 nmi, got " + text.shown());
     return std::nullopt;
   }
-  return Parser(text, names, diagnostics).parse();
+  return Parser(text, fields, names, diagnostics).parse();
 }
 
 bool looks_like_expression(std::string_view text) {

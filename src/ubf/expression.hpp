@@ -78,7 +78,8 @@ struct Instruction {
 
 /// The steps of an expression, or nothing after reporting what is wrong with it.
 [[nodiscard]] std::optional<std::vector<detail::Instruction>> parse_expression(
-    const Value& text, FieldNames& names, Diagnostics& diagnostics);
+    const Value& text, std::span<const StateFieldInfo> fields, FieldNames& names,
+    Diagnostics& diagnostics);
 
 /// Whether a text in the place of a node is meant as an expression.
 [[nodiscard]] bool looks_like_expression(std::string_view text);
@@ -163,8 +164,7 @@ class ActionExpression {
     Names() {
       texts.reserve(kFields<Action>);
       for_each_field<Action>([&](const auto& f, auto) {
-        using T = typename std::remove_cvref_t<decltype(f)>::Value;
-        constexpr bool kNumber = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
+        constexpr bool kNumber = std::remove_cvref_t<decltype(f)>::is_number;
         texts.push_back("action." + std::string(f.name));
         infos.push_back({.name = texts.back(),
                          .kind = kNumber ? FieldKind::number : FieldKind::flag,
@@ -174,18 +174,16 @@ class ActionExpression {
     }
   };
   [[nodiscard]] static double read(const Action& action, std::size_t field) {
-    double value = kNoValue;
+    double value = number_of(action, field).value_or(kNoValue);
     for_each_field<Action>([&](const auto& f, auto i) {
-      if (i != field)
+      using Field = std::remove_cvref_t<decltype(f)>;
+      if (Field::is_number || i != field)
         return;
-      using T = typename std::remove_cvref_t<decltype(f)>::Value;
       const auto& member = action.*f.member;
-      if constexpr (std::is_same_v<T, bool>)
-        value = member.value_or(false) ? 1 : 0;
-      else if constexpr (std::is_arithmetic_v<T>)
-        value = member ? static_cast<double>(*member) : kNoValue;
+      if constexpr (std::is_same_v<typename Field::Value, bool>)
+        value = member.value_or(false);
       else
-        value = member ? 1 : 0;
+        value = member.has_value();
     });
     return value;
   }

@@ -14,19 +14,19 @@ namespace {
 /// What is said of an expression that starts at column 7; empty if it is good.
 std::string said_of(const std::string& text, bool quoted = false) {
   const auto infos = state_field_infos<State>();
-  FieldNames names(infos);
+  FieldNames names;
   Diagnostics diagnostics;
   const Location where{"t.yaml", 3, 7};
   const Value value = quoted ? Value::quoted_scalar(text, where) : Value::scalar(text, where);
-  const auto program = parse_expression(value, names, diagnostics);
+  const auto program = parse_expression(value, infos, names, diagnostics);
   EXPECT_EQ(program.has_value(), diagnostics.ok());
   return diagnostics.text();
 }
 bool holds(const std::string& text, const State& state) {
   const auto infos = state_field_infos<State>();
-  FieldNames names(infos);
+  FieldNames names;
   Diagnostics diagnostics;
-  const auto program = parse_expression(Value::scalar(text), names, diagnostics);
+  const auto program = parse_expression(Value::scalar(text), infos, names, diagnostics);
   EXPECT_TRUE(program) << diagnostics.text();
   return program && Expression<State>(*program).holds(state);
 }

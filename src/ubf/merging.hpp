@@ -161,27 +161,45 @@ template <class State, class Action, class IsHeard>
   });
 }
 
-/// The base of arbiters that blend all proposals field by field.
+/// The base of arbiters that mix the proposals of all children.
 template <class State, class Action>
-class Blending : public Voting<State, Action> {
+class Mixing : public Voting<State, Action> {
  public:
   using Voting<State, Action>::Voting;
 
   [[nodiscard]] bool stands() const noexcept final { return true; }
 
  protected:
+  /// Asks every child into `next`; `use(child, next)` those that neither fail nor abstain.
+  template <class Use>
+  StrongestChild ask_voters(const Tick<State>& t, Proposal<Action>& next, Use use) const {
+    StrongestChild strongest;
+    for (const auto& child : this->children_) {
+      const Status answer = this->ask(*child, t, next);
+      if (answer == Status::failure || next.vote == 0)
+        continue;
+      strongest.add(next, answer);
+      use(*child, next);
+    }
+    return strongest;
+  }
+};
+
+/// The base of arbiters that blend all proposals field by field.
+template <class State, class Action>
+class Blending : public Mixing<State, Action> {
+ public:
+  using Mixing<State, Action>::Mixing;
+
+ protected:
   /// Asks every child. A field of a child that voted v has the weight `weigh(field, v)`.
   template <template <class> class SumOf, class Weigh>
   Status blend(const Tick<State>& t, Proposal<Action>& out, Weigh weigh) const {
     FieldSums<Action, SumOf> sums;
-    StrongestChild strongest;
-    for (const auto& child : this->children_) {
-      const Status answer = this->ask(*child, t, out);
-      if (answer == Status::failure || out.vote == 0)
-        continue;
-      strongest.add(out, answer);
-      sums.add(out.action, [&](const auto& f) { return weigh(f, out.vote); });
-    }
+    const StrongestChild strongest =
+        this->ask_voters(t, out, [&](const auto&, const Proposal<Action>& next) {
+          sums.add(next.action, [&](const auto& f) { return weigh(f, next.vote); });
+        });
     sums.get(out.action);
     out.vote = strongest.vote;
     out.leader = kNone;  // the blend is nobody's but this node's

@@ -36,8 +36,7 @@ class NodeReader {
       : registry_(registry),
         trees_(trees),
         diagnostics_(diagnostics),
-        fields_(state_field_infos<State>()),
-        names_(fields_) {}
+        fields_(state_field_infos<State>()) {}
 
   /// The node and everything below it, or null after reporting at least one mistake.
   [[nodiscard]] Child read(const Value& value) {
@@ -73,19 +72,24 @@ class NodeReader {
   /// A condition in words over the state's fields, by the names that hold here; empty after
   /// reporting what is wrong with it.
   [[nodiscard]] Expression<State> expression(const Value& text) {
-    auto program = parse_expression(text, names_, diagnostics_);
+    auto program = parse_expression(text, fields_, names_, diagnostics_);
     return program ? Expression<State>(std::move(*program)) : Expression<State>();
   }
   /// A condition in words over a proposed action too.
   [[nodiscard]] ActionExpression<State, Action> action_expression(const Value& text) {
     using E = ActionExpression<State, Action>;
-    FieldNames names = names_.over(E::fields());
-    auto program = parse_expression(text, names, diagnostics_);
-    names_.used_by(names);
+    auto program = parse_expression(text, E::fields(), names_, diagnostics_);
     return program ? E(std::move(*program)) : E();
   }
-  /// The names of the state's fields that hold here.
-  [[nodiscard]] FieldNames& field_names() { return names_; }
+  /// The index of the state's field that a value names here, or nothing after reporting.
+  [[nodiscard]] std::optional<std::size_t> field(const Value& name) {
+    const std::size_t found = names_.find(fields_, name.text);
+    if (found < fields_.size())
+      return found;
+    error(name.where, fmt::format("there is no state field {}{}", quote(name.text),
+                                  did_you_mean(name.text, names_.known(fields_))));
+    return std::nullopt;
+  }
   [[nodiscard]] Children read_list(std::span<const Value> values) {
     Children children;
     for (const Value& value : values)
@@ -102,12 +106,15 @@ class NodeReader {
   /// Makes a node of type B from its spec. Called by the registry.
   template <class B>
   [[nodiscard]] Child make_node(const NodeSpec& spec) {
+    if constexpr (requires { B::text_key; })
+      if (spec.body->is_scalar()) {
+        const Value whole = Value::map({entry(std::string(B::text_key), *spec.body)}, spec.where);
+        return make_node<B>({spec.type, spec.where, &whole});
+      }
     const std::size_t before = diagnostics_.count();
     auto node = ubf::make<B>();
     node->set_label(read_label(*spec.body, diagnostics_));
-    if constexpr (requires { B::text_key; })
-      read_text(*node, spec);
-    else if constexpr (requires { B::child_keys; })
+    if constexpr (requires { B::child_keys; })
       read_own_way(*node, spec);
     else if constexpr (requires { B::slots; })
       read_slots(*node, spec);
@@ -189,18 +196,6 @@ class NodeReader {
       return;
     }
     bind(node, *spec.body, diagnostics_, std::span(kKeys).first(1));
-  }
-
-  /// `{type: text}` or `{type: {key: text}}`
-  template <class B>
-  void read_text(B& node, const NodeSpec& spec) {
-    static constexpr std::array kKeys{kLabelKey};
-    const Value whole = spec.body->is_scalar()
-                            ? Value::map({entry(std::string(B::text_key), *spec.body)}, spec.where)
-                            : *spec.body;
-    bind(node, whole, diagnostics_, kKeys);
-    if (const Value* text = whole.find(B::text_key))
-      node.read(*text, *this);
   }
 
   /// `{type: [child, ...]}` or `{type: {children: [child, ...], ...}}`

@@ -6,7 +6,7 @@
 
 namespace eyrie::ubf {
 
-std::size_t FieldNames::find(std::string_view name) {
+std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string_view name) {
   std::string_view wanted = name;
   for (auto layer = renames_.rbegin(); layer != renames_.rend(); ++layer) {
     const auto rename = std::find_if(layer->begin(), layer->end(),
@@ -16,23 +16,19 @@ std::size_t FieldNames::find(std::string_view name) {
     rename->used = true;
     wanted = rename->to;
   }
-  const auto field = std::find_if(fields_.begin(), fields_.end(),
+  const auto field = std::find_if(fields.begin(), fields.end(),
                                   [&](const StateFieldInfo& f) { return f.name == wanted; });
-  return static_cast<std::size_t>(field - fields_.begin());
+  return static_cast<std::size_t>(field - fields.begin());
 }
 
-std::vector<std::string> FieldNames::known() const {
+std::vector<std::string> FieldNames::known(std::span<const StateFieldInfo> fields) const {
   std::vector<std::string> names;
-  for (const StateFieldInfo& field : fields_)
+  for (const StateFieldInfo& field : fields)
     names.emplace_back(field.name);
   for (const auto& layer : renames_)
     for (const FieldRename& rename : layer)
       names.push_back(rename.from);
   return names;
-}
-
-void FieldNames::used_by(const FieldNames& names) {
-  renames_ = names.renames_;
 }
 
 std::vector<FieldRename> FieldNames::pop() {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
@@ -79,33 +80,20 @@ struct FieldRename {
   bool used = false;
 };
 
-/// The names that hold at one place of a file: the platform's, as renamed by the references on the
-/// way there, outermost first.
+/// What names mean at one place of a file: themselves, or what the references on the way there make
+/// of them, outermost first.
 class FieldNames {
  public:
-  explicit FieldNames(std::span<const StateFieldInfo> fields) : fields_(fields) {}
-
   /// The index of the field called `name` here, or the number of fields.
-  [[nodiscard]] std::size_t find(std::string_view name);
+  [[nodiscard]] std::size_t find(std::span<const StateFieldInfo> fields, std::string_view name);
   /// Names to suggest.
-  [[nodiscard]] std::vector<std::string> known() const;
-  [[nodiscard]] std::span<const StateFieldInfo> fields() const { return fields_; }
-
-  /// The same renames over other fields, such as those of an action as well.
-  [[nodiscard]] FieldNames over(std::span<const StateFieldInfo> fields) const {
-    FieldNames names(*this);
-    names.fields_ = fields;
-    return names;
-  }
-  /// Takes over what was used of the renames.
-  void used_by(const FieldNames& names);
+  [[nodiscard]] std::vector<std::string> known(std::span<const StateFieldInfo> fields) const;
 
   void push(std::vector<FieldRename> renames) { renames_.push_back(std::move(renames)); }
   /// Ends a subtree; gives back what it renamed, with what was used.
   [[nodiscard]] std::vector<FieldRename> pop();
 
  private:
-  std::span<const StateFieldInfo> fields_;
   std::vector<std::vector<FieldRename>> renames_;
 };
 

@@ -158,10 +158,10 @@ class Gardener {
     const Value text =
         Value::scalar(pick(2) ? "phase == home or alarm" : "not alarm and count < 2");
     const std::vector<StateFieldInfo> infos = state_field_infos<State>();
-    FieldNames names(infos);
+    FieldNames names;
     Diagnostics diagnostics;
     auto made = make<Holds<State, Action>>();
-    made->look_at(Expression<State>(*parse_expression(text, names, diagnostics)));
+    made->look_at(Expression<State>(*parse_expression(text, infos, names, diagnostics)));
     if (pick(2))
       return made;
     auto loop = make<ForEach<State, Action>>(std::move(made));

@@ -41,7 +41,7 @@ class Bounds {
     bool good = true;
     for_each_field<Action>([&](const auto& f, auto i) {
       using Field = std::remove_cvref_t<decltype(f)>;
-      if constexpr (is_number<Field>()) {
+      if constexpr (Field::is_number) {
         if (const auto& value = action.*f.member; value && limits_[i].given())
           good &= limits_[i].template contain<Field>(static_cast<double>(*value));
       }
@@ -92,7 +92,7 @@ class Bounds {
     [[nodiscard]] bool given() const { return min || max; }
     template <class Field>
     [[nodiscard]] bool contain(double x) const {
-      if constexpr (is_direction<Field>())
+      if constexpr (Field::is_direction)
         return wrap_tau(x - *min) <= wrap_tau(*max - *min);
       else
         return (!min || x >= *min) && (!max || x <= *max) && x == x;
@@ -100,24 +100,15 @@ class Bounds {
   };
 
   template <class Field>
-  [[nodiscard]] static constexpr bool is_number() {
-    using T = typename Field::Value;
-    return std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
-  }
-  template <class Field>
-  [[nodiscard]] static constexpr bool is_direction() {
-    return std::is_same_v<typename Field::BlendTag, blend::Angle>;
-  }
-  template <class Field>
   [[nodiscard]] static std::string problem_with(std::string_view name, std::optional<double> min,
                                                 std::optional<double> max) {
-    if (!is_number<Field>())
+    if (!Field::is_number)
       return fmt::format("{} is not a number and has no limits", quote(name));
     if (!min && !max)
       return fmt::format("{} needs a 'min' or a 'max'", quote(name));
-    if (is_direction<Field>() && !(min && max))
+    if (Field::is_direction && !(min && max))
       return fmt::format("{} is a direction and needs both 'min' and 'max'", quote(name));
-    if (!is_direction<Field>() && min && max && *min > *max)
+    if (!Field::is_direction && min && max && *min > *max)
       return fmt::format("{}: 'min' is greater than 'max'", quote(name));
     return {};
   }

@@ -41,32 +41,17 @@ class FieldChoice {
     return all;
   }
   [[nodiscard]] std::optional<double> get(const Action& action) const {
-    std::optional<double> value;
-    for_each_field<Action>([&](const auto& f, auto i) {
-      if constexpr (fits<std::remove_cvref_t<decltype(f)>>())
-        if (i == index_ && action.*f.member)
-          value = static_cast<double>(*(action.*f.member));
-    });
-    return value;
+    return index_ ? number_of(action, *index_) : std::nullopt;
   }
   void set(std::optional<double> value, Action& action) const {
-    for_each_field<Action>([&](const auto& f, auto i) {
-      using Field = std::remove_cvref_t<decltype(f)>;
-      if constexpr (fits<Field>()) {
-        if (i != index_)
-          return;
-        action.*f.member = std::nullopt;
-        if (value)
-          action.*f.member = static_cast<typename Field::Value>(*value);
-      }
-    });
+    if (index_)
+      set_number(action, *index_, value);
   }
 
  private:
   template <class Field>
   [[nodiscard]] static constexpr bool fits() {
-    return std::is_same_v<typename Field::BlendTag, Blend> &&
-           std::is_floating_point_v<typename Field::Value>;
+    return std::is_same_v<typename Field::BlendTag, Blend> && Field::is_real;
   }
   std::optional<std::size_t> index_;
 };

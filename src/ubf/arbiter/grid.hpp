@@ -120,36 +120,17 @@ class Grid {
   /// Sets the fields of the grid to those of a candidate.
   void set(std::size_t candidate, Action& action) const {
     for (const Axis& axis : axes_) {
-      const double x = axis.at(candidate % axis.steps);
+      set_number(action, axis.field, axis.at(candidate % axis.steps));
       candidate /= axis.steps;
-      for_each_field<Action>([&](const auto& f, auto i) {
-        using Field = std::remove_cvref_t<decltype(f)>;
-        if constexpr (fits<Field>())
-          if (i == axis.field)
-            action.*f.member = static_cast<typename Field::Value>(x);
-      });
     }
-  }
-  [[nodiscard]] static std::optional<double> get(const Action& action, const Axis& axis) {
-    std::optional<double> value;
-    for_each_field<Action>([&](const auto& f, auto i) {
-      if constexpr (fits<std::remove_cvref_t<decltype(f)>>())
-        if (i == axis.field && action.*f.member)
-          value = static_cast<double>(*(action.*f.member));
-    });
-    return value;
   }
 
  private:
   template <class Field>
-  [[nodiscard]] static constexpr bool fits() {
-    return std::is_floating_point_v<typename Field::Value>;
-  }
-  template <class Field>
   std::string add_field(std::string_view name, std::size_t field,
                         const detail::FieldAxis<Action, 0>& said) {
-    constexpr bool kDirection = std::is_same_v<typename Field::BlendTag, blend::Angle>;
-    if (!fits<Field>())
+    constexpr bool kDirection = Field::is_direction;
+    if (!Field::is_real)
       return fmt::format("{} is not a number and has no candidates", quote(name));
     if (has(field))
       return fmt::format("there are two axes {}", quote(name));

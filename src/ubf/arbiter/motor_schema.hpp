@@ -18,7 +18,7 @@ namespace eyrie::ubf {
 /// children are ignored; if that leaves none, it fails. Vote and status are those of the strongest
 /// child. Arkin, "Motor Schema-Based Mobile Robot Navigation" (IJRR 1989).
 template <class State, class Action>
-class MotorSchema final : public Voting<State, Action> {
+class MotorSchema final : public Mixing<State, Action> {
  public:
   static constexpr std::string_view type_name = "motor_schema";
   static constexpr std::string_view help =
@@ -35,13 +35,12 @@ class MotorSchema final : public Voting<State, Action> {
                 .required()},
         Voting<State, Action>::template vote_params<MotorSchema>());
   }
-  using Voting<State, Action>::Voting;
+  using Mixing<State, Action>::Mixing;
 
   FieldChoice<Action, blend::Angle> direction;
   FieldChoice<Action, blend::Mean> magnitude;
   double unit_vote = 1;
 
-  [[nodiscard]] bool stands() const noexcept override { return true; }
   [[nodiscard]] std::string problem() const override {
     return direction.index() && magnitude.index()
                ? Voting<State, Action>::problem()
@@ -50,20 +49,15 @@ class MotorSchema final : public Voting<State, Action> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     FieldMerge<Action> merge;
-    StrongestChild strongest;
     Sum sum;
     Scratch<Action> scratch;
-    Proposal<Action>& next = scratch.get();
-    for (const auto& child : this->children_) {
-      const Status answer = this->ask(*child, t, next);
-      if (answer == Status::failure || next.vote == 0)
-        continue;
-      strongest.add(next, answer);
-      const auto angle = direction.get(next.action), length = magnitude.get(next.action);
-      if (angle && length)
-        sum.add(*angle, *length, static_cast<double>(next.vote) / unit_vote);
-      merge.add(next, out.action);
-    }
+    const StrongestChild strongest =
+        this->ask_voters(t, scratch.get(), [&](const auto&, const Proposal<Action>& next) {
+          const auto angle = direction.get(next.action), length = magnitude.get(next.action);
+          if (angle && length)
+            sum.add(*angle, *length, static_cast<double>(next.vote) / unit_vote);
+          merge.add(next, out.action);
+        });
     direction.set(sum.direction(), out.action);
     magnitude.set(sum.magnitude(), out.action);
     out.vote = strongest.vote;

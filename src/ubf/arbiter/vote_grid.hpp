@@ -12,13 +12,11 @@ namespace eyrie::ubf {
 /// What vote_grid and utility share: every child's opinion of every candidate, added up, and the
 /// candidate of which the sum is the greatest, the first of equals.
 template <class State, class Action>
-class OverGrid : public Voting<State, Action> {
+class OverGrid : public Mixing<State, Action> {
  public:
-  using Voting<State, Action>::Voting;
+  using Mixing<State, Action>::Mixing;
 
   Grid<Action> grid;
-
-  [[nodiscard]] bool stands() const noexcept final { return true; }
 
  protected:
   using Sums = std::array<double, Grid<Action>::kMostCandidates>;
@@ -28,26 +26,21 @@ class OverGrid : public Voting<State, Action> {
   /// grid.
   bool add_up(const Tick<State>& t, Proposal<Action>& out, StrongestChild& strongest,
               Sums& sums) const {
-    const std::size_t count = grid.size();
-    std::fill_n(sums.begin(), count, 0.0);
+    std::fill_n(sums.begin(), grid.size(), 0.0);
     bool any = false;
     FieldMerge<Action> merge;
     Scratch<Action> scratch;
-    Proposal<Action>& next = scratch.get();
-    for (const auto& child : this->children_) {
-      const Status answer = this->ask(*child, t, next);
-      if (answer == Status::failure || next.vote == 0)
-        continue;
-      strongest.add(next, answer);
-      const auto weight = static_cast<double>(next.vote);
-      if (const auto* appraiser = child->appraiser()) {
-        appraise(*appraiser, t, weight, sums);
-        any = true;
-      } else {
-        any |= near_what_is_asked(next.action, weight, sums);
-      }
-      merge.add(next, out.action);
-    }
+    strongest =
+        this->ask_voters(t, scratch.get(), [&](const auto& child, const Proposal<Action>& next) {
+          const auto weight = static_cast<double>(next.vote);
+          if (const auto* appraiser = child.appraiser()) {
+            appraise(*appraiser, t, weight, sums);
+            any = true;
+          } else {
+            any |= near_what_is_asked(next.action, weight, sums);
+          }
+          merge.add(next, out.action);
+        });
     return any;
   }
   /// Makes the proposal: the best candidate, if there is an opinion.
@@ -85,12 +78,12 @@ class OverGrid : public Voting<State, Action> {
   bool near_what_is_asked(const Action& action, double weight, Sums& sums) const {
     std::size_t asked = 0;
     for (const auto& axis : grid.axes())
-      asked += Grid<Action>::get(action, axis).has_value();
+      asked += number_of(action, axis.field).has_value();
     if (asked == 0)
       return false;
     std::size_t stride = 1;
     for (const auto& axis : grid.axes()) {
-      if (const auto wanted = Grid<Action>::get(action, axis)) {
+      if (const auto wanted = number_of(action, axis.field)) {
         std::array<double, Grid<Action>::kMostSteps> worth;
         for (std::size_t k = 0; k < axis.steps; ++k)
           worth[k] = weight * axis.worth(axis.at(k), *wanted) / static_cast<double>(asked);

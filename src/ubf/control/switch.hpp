@@ -66,20 +66,17 @@ class Switch final : public WithMemory<Voting<State, Action>, SwitchMemory> {
   /// For NodeReader.
   void read(const NodeSpec& spec, NodeReader<State, Action>& reader) {
     const Value* name = spec.body->find("on");
-    FieldNames& names = reader.field_names();
-    const std::size_t field = name ? names.find(on) : names.fields().size();
-    if (name && name->is_scalar() && field == names.fields().size())
-      reader.error(name->where, fmt::format("there is no state field {}{}", quote(on),
-                                            did_you_mean(on, names.known())));
+    const auto field = name && name->is_scalar() ? reader.field(*name) : std::nullopt;
     const Value* cases = spec.body->find("cases");
     if (!cases || !cases->is_map() || cases->entries.empty())
       return reader.error(cases ? cases->where : spec.where,
                           "switch needs 'cases', a map from values to nodes");
+    const auto fields = StateFields<State>::all();
     typename Base::Children children;
     std::vector<double> values;
     for (const Value::Entry& e : cases->entries) {
-      if (field < names.fields().size())
-        if (const auto value = value_of(names.fields()[field], e, reader.diagnostics())) {
+      if (field)
+        if (const auto value = value_of(fields[*field].info, e, reader.diagnostics())) {
           if (std::find(values.begin(), values.end(), *value) != values.end())
             reader.error(e.where, fmt::format("there are two cases {}", quote(e.key)));
           values.push_back(*value);
@@ -90,8 +87,8 @@ class Switch final : public WithMemory<Voting<State, Action>, SwitchMemory> {
     if (const Value* other = spec.body->find("default"))
       if (auto child = reader.read(*other))
         children.push_back(std::move(child));
-    if (field < names.fields().size())
-      look_at(StateFields<State>::all()[field].read, std::move(values));
+    if (field)
+      look_at(fields[*field].read, std::move(values));
     this->adopt(std::move(children));
   }
 

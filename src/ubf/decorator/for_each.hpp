@@ -45,15 +45,7 @@ class ForEach final : public Decorator<State, Action> {
     if (count == 0)
       return Status::failure;
     State state = t.state;
-    Tick<State> inner{.state = state,
-                      .time = t.time,
-                      .dt = t.dt,
-                      .step = t.step,
-                      .seed = t.seed,
-                      .player = t.player,
-                      .memory = t.memory,
-                      .trace = t.trace,
-                      .log = t.log};
+    const Tick<State> inner = t.in(state);
     Status status = Status::failure;
     std::size_t chosen = count;
     Scratch<Action> other;

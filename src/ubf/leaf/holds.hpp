@@ -28,8 +28,9 @@ class Holds final : public Condition<State, Action> {
   /// For code that builds a tree without a file.
   void look_at(Expression<State> expression) { expression_ = std::move(expression); }
   /// For NodeReader.
-  void read(const Value& text, NodeReader<State, Action>& reader) {
-    expression_ = reader.expression(text);
+  void read_words(const Value& body, NodeReader<State, Action>& reader) {
+    if (const Value* text = body.find(text_key))
+      expression_ = reader.expression(*text);
   }
 
  private:
