@@ -120,9 +120,9 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string Location::text() const {
   if (line <= 0)
-    return file;
+    return std::string(file.text());
   const std::string place = column > 0 ? fmt::format("{}:{}", line, column) : std::to_string(line);
-  return file.empty() ? "line " + place : fmt::format("{}:{}", file, place);
+  return file.text().empty() ? "line " + place : fmt::format("{}:{}", file.text(), place);
 }
 
 std::string Diagnostic::text() const {
@@ -147,10 +147,10 @@ std::vector<Diagnostic> Diagnostics::sorted() const {
   std::vector<std::string_view> files;
   std::vector<Place> places;
   for (const Diagnostic& d : found_) {
-    const auto file = std::find(files.begin(), files.end(), d.where.file);
+    const auto file = std::find(files.begin(), files.end(), d.where.file.text());
     const auto rank = static_cast<std::size_t>(file - files.begin());
     if (file == files.end())
-      files.push_back(d.where.file);
+      files.push_back(d.where.file.text());
     places.emplace_back(rank, d.where.line, d.where.column, places.size());
   }
   std::sort(places.begin(), places.end());

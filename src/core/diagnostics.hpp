@@ -2,17 +2,37 @@
 #pragma once
 /// \file  Mistakes in files: where they are, what they say, and the nearest right name.
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eyrie {
 
+/// The name of a text file. The many places in one file share it.
+class FileName {
+ public:
+  FileName() = default;
+  FileName(std::string name)  // so that a place is written {"file", line, column}
+      : name_(name.empty() ? nullptr : std::make_shared<const std::string>(std::move(name))) {}
+  FileName(std::string_view name) : FileName(std::string(name)) {}
+  FileName(const char* name) : FileName(std::string(name)) {}
+
+  [[nodiscard]] std::string_view text() const { return name_ ? *name_ : std::string_view(); }
+  friend bool operator==(const FileName& a, const FileName& b) {
+    return a.name_ == b.name_ || a.text() == b.text();
+  }
+
+ private:
+  std::shared_ptr<const std::string> name_;
+};
+
 /// A place in a text file. Lines and columns count from 1; 0 means unknown.
 struct Location {
-  std::string file;
+  FileName file;
   int line = 0, column = 0;
 
   /// "file:line:column" as far as it is known; empty when nothing is known.

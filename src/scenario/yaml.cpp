@@ -2,15 +2,12 @@
 #include "scenario/yaml.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/mark.h>
-#include <yaml-cpp/parser.h>
+#include <yaml.h>
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,53 +21,158 @@ struct Refused {
   std::string message;
 };
 
-/// Turns the parser's events into a Value, so that no graph with shared nodes ever exists.
-class Builder final : public YAML::EventHandler {
+std::string text_of(const yaml_char_t* text) {
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+/// Turns the parser's events into a Value, so that no graph with shared nodes ever exists. Values
+/// are made where they stay: a list or map does not grow while something inside it is open.
+class Builder {
  public:
-  Builder(std::string_view file, const YamlLimits& limits) : file_(file), limits_(limits) {}
+  Builder(const FileName& file, const YamlLimits& limits) : file_(file), limits_(limits) {}
 
   Value take() { return std::move(root_); }
+  [[nodiscard]] bool has_document() const { return documents_ > 0; }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
-  void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    put(Value::null(place(mark)), anchor);
+  void handle(const yaml_event_t& e) {
+    switch (e.type) {
+      case YAML_DOCUMENT_START_EVENT:
+        if (++documents_ > 1)
+          throw Refused{place(e.start_mark), "a second document in one file"};
+        break;
+      case YAML_SCALAR_EVENT:
+        scalar(e);
+        break;
+      case YAML_SEQUENCE_START_EVENT:
+        open(e, Value::Kind::list, e.data.sequence_start.tag, e.data.sequence_start.anchor);
+        break;
+      case YAML_MAPPING_START_EVENT:
+        open(e, Value::Kind::map, e.data.mapping_start.tag, e.data.mapping_start.anchor);
+        break;
+      case YAML_SEQUENCE_END_EVENT:
+      case YAML_MAPPING_END_EVENT:
+        remember(open_.back().anchor, *open_.back().value);
+        open_.pop_back();
+        break;
+      case YAML_ALIAS_EVENT:
+        alias(text_of(e.data.alias.anchor), place(e.start_mark));
+        break;
+      default:
+        break;
+    }
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                const std::string& text) override {
-    const bool quoted = tag == "!";
-    Value v = quoted ? Value::quoted_scalar(text, place(mark)) : Value::scalar(text, place(mark));
-    if (tag != "!" && tag != "?")
-      v.tag = tag;
-    put(std::move(v), anchor);
-  }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
-    open(Value::list({}, place(mark)), tag, anchor);
-  }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
-    open(Value::map({}, place(mark)), tag, anchor);
-  }
-  void OnSequenceEnd() override { close(); }
-  void OnMapEnd() override { close(); }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    const auto known = anchors_.find(anchor);
-    if (known == anchors_.end())
-      throw Refused{place(mark), "this alias stands inside what it refers to"};
-    count(place(mark), nodes_of(known->second));
-    --nodes_;  // put counts the alias itself once more
-    put(Value(known->second), 0);
+
+  Location place(const yaml_mark_t& mark) const {
+    return {file_, static_cast<int>(mark.line) + 1, static_cast<int>(mark.column) + 1};
   }
 
  private:
   struct Open {
-    Value value;
-    YAML::anchor_t anchor;
-    std::optional<Value> key;  ///< of a map: the key that waits for its value
+    Value* value;
+    std::string anchor;
+    bool has_key = false;  ///< a map's: it waits for its value
+    std::string key = {};
+    Location key_where = {};
   };
 
-  Location place(const YAML::Mark& mark) const { return {file_, mark.line + 1, mark.column + 1}; }
+  /// Where the next value goes.
+  Value& slot(const Location& where) {
+    count(where, 1);
+    if (open_.empty())
+      return root_;
+    Open& parent = open_.back();
+    if (parent.value->is_list())
+      return parent.value->items.emplace_back();
+    parent.has_key = false;
+    parent.value->entries.push_back({std::move(parent.key), parent.key_where, {}});
+    return parent.value->entries.back().value;
+  }
+  [[nodiscard]] bool wants_key() const {
+    return !open_.empty() && open_.back().value->is_map() && !open_.back().has_key;
+  }
+  void key(std::string text, bool quoted, Location where) {
+    if (text == "<<" && !quoted)
+      throw Refused{where, "merge keys ('<<') are not supported; use include or base"};
+    Open& map = open_.back();
+    map.has_key = true;
+    map.key = std::move(text);
+    map.key_where = std::move(where);
+  }
+  [[noreturn]] static void refuse_key(const Location& where, const Value& shown) {
+    throw Refused{where, "a key must be a plain word, not " + shown.shown()};
+  }
+
+  void scalar(const yaml_event_t& e) {
+    const auto& s = e.data.scalar;
+    const Location where = place(e.start_mark);
+    const std::string_view text(reinterpret_cast<const char*>(s.value), s.length);
+    const bool quoted = s.style != YAML_PLAIN_SCALAR_STYLE;
+    const bool is_null =
+        !quoted && !s.tag &&
+        (text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL");
+    if (wants_key()) {
+      count(where, 1);
+      if (is_null)
+        refuse_key(where, Value());
+      if (s.anchor) {
+        Value anchored = Value::scalar(std::string(text), where);
+        anchored.quoted = quoted;
+        remember(text_of(s.anchor), anchored);
+      }
+      return key(std::string(text), quoted, where);
+    }
+    Value& v = slot(where);
+    v.where = where;
+    if (is_null) {
+      if (!open_.empty() && open_.back().value->is_map())
+        v.where = open_.back().key_where;  // what is not there stands, for the parser, further on
+    } else {
+      v.kind = Value::Kind::scalar;
+      v.text = text;
+      v.quoted = quoted;
+      if (!quoted && s.tag)
+        v.tag = text_of(s.tag);
+    }
+    if (s.anchor)
+      remember(text_of(s.anchor), v);
+  }
+
+  void open(const yaml_event_t& e, Value::Kind kind, const yaml_char_t* tag,
+            const yaml_char_t* anchor) {
+    const Location where = place(e.start_mark);
+    if (open_.size() >= limits_.depth)
+      throw Refused{where, fmt::format("nested deeper than {} levels", limits_.depth)};
+    if (wants_key()) {
+      Value shown;
+      shown.kind = kind;
+      refuse_key(where, shown);
+    }
+    Value& v = slot(where);
+    v.kind = kind;
+    v.where = where;
+    if (tag)
+      v.tag = text_of(tag);
+    open_.push_back({&v, text_of(anchor)});
+  }
+
+  void alias(const std::string& name, const Location& where) {
+    const bool is_open =
+        std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.anchor == name; });
+    if (is_open)
+      throw Refused{where, "this alias stands inside what it refers to"};
+    const auto known = anchors_.find(name);
+    if (known == anchors_.end())
+      throw Refused{where, fmt::format("there is no anchor {}", quote(name))};
+    const Value& v = known->second;
+    if (wants_key()) {
+      if (!v.is_scalar())
+        refuse_key(where, v);
+      count(where, 1);
+      return key(v.text, v.quoted, v.where);
+    }
+    count(where, nodes_of(v) - 1);
+    slot(where) = v;
+  }
 
   static std::size_t nodes_of(const Value& v) {
     std::size_t n = 1;
@@ -88,74 +190,85 @@ class Builder final : public YAML::EventHandler {
   }
 
   /// Anchors inside anchors keep copies of copies, so they are counted too.
-  void remember(YAML::anchor_t anchor, const Value& v) {
+  void remember(const std::string& anchor, const Value& v) {
+    if (anchor.empty())
+      return;
     kept_ += nodes_of(v);
     if (kept_ > limits_.nodes)
       throw Refused{v.where, fmt::format("more than {} values below anchors", limits_.nodes)};
     anchors_[anchor] = v;
   }
 
-  void open(Value v, const std::string& tag, YAML::anchor_t anchor) {
-    if (open_.size() >= limits_.depth)
-      throw Refused{v.where, fmt::format("nested deeper than {} levels", limits_.depth)};
-    if (tag != "!" && tag != "?")
-      v.tag = tag;
-    open_.push_back({std::move(v), anchor, std::nullopt});
-  }
-
-  void close() {
-    Open done = std::move(open_.back());
-    open_.pop_back();
-    put(std::move(done.value), done.anchor);
-  }
-
-  void put(Value v, YAML::anchor_t anchor) {
-    count(v.where, 1);
-    if (anchor)
-      remember(anchor, v);
-    if (open_.empty()) {
-      root_ = std::move(v);
-      return;
-    }
-    Open& parent = open_.back();
-    if (parent.value.is_list()) {
-      parent.value.items.push_back(std::move(v));
-    } else if (!parent.key) {
-      if (!v.is_scalar())
-        throw Refused{v.where, "a key must be a plain word, not " + v.shown()};
-      if (v.text == "<<" && !v.quoted)
-        throw Refused{v.where, "merge keys ('<<') are not supported; use include or base"};
-      parent.key = std::move(v);
-    } else {
-      if (v.is_null())
-        v.where = parent.key->where;  // what is not there stands, for the parser, on a later line
-      parent.value.entries.push_back({parent.key->text, parent.key->where, std::move(v)});
-      parent.key.reset();
-    }
-  }
-
-  std::string file_;
+  FileName file_;
   YamlLimits limits_;
   Value root_;
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, Value> anchors_;
-  std::size_t nodes_ = 0, kept_ = 0;
+  std::map<std::string, Value> anchors_;
+  std::size_t nodes_ = 0, kept_ = 0, documents_ = 0;
+};
+
+/// libyaml's parser over a text.
+class Parser {
+ public:
+  explicit Parser(std::string_view text) {
+    if (!yaml_parser_initialize(&parser_))
+      throw std::bad_alloc();
+    yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text.data()),
+                                 text.size());
+    yaml_parser_set_encoding(&parser_, YAML_UTF8_ENCODING);
+  }
+  ~Parser() { yaml_parser_delete(&parser_); }
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
+
+  /// Everything that the text holds goes to the builder.
+  void feed(Builder& builder) {
+    for (bool done = false; !done;) {
+      yaml_event_t event;
+      if (!yaml_parser_parse(&parser_, &event))
+        throw Refused{builder.place(parser_.problem_mark), problem()};
+      const Delete deleted{event};
+      builder.handle(event);
+      done = event.type == YAML_STREAM_END_EVENT;
+    }
+  }
+
+ private:
+  struct Delete {
+    yaml_event_t& event;
+    ~Delete() { yaml_event_delete(&event); }
+  };
+
+  /// "not YAML: while parsing a flow sequence from line 3: did not find expected ',' or ']'"
+  [[nodiscard]] std::string problem() const {
+    std::string context;
+    if (parser_.context) {
+      context = parser_.context;
+      if (parser_.context_mark.line != parser_.problem_mark.line)
+        context += fmt::format(" from line {}", parser_.context_mark.line + 1);
+      context += ": ";
+    }
+    return fmt::format("not YAML: {}{}", context, parser_.problem ? parser_.problem : "?");
+  }
+
+  yaml_parser_t parser_;
 };
 
 /// The line and column of a byte offset.
-Location place_of(std::string_view text, std::size_t offset, std::string_view file) {
+Location place_of(std::string_view text, std::size_t offset, const FileName& file) {
   const std::string_view before = text.substr(0, offset);
   const auto line = std::count(before.begin(), before.end(), '\n');
   const auto start = before.rfind('\n');
   const std::size_t column = start == std::string_view::npos ? offset : offset - start - 1;
-  return {std::string(file), static_cast<int>(line) + 1, static_cast<int>(column) + 1};
+  return {file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
 }
 
 }  // namespace
 
-Value parse_yaml(std::string_view text, std::string_view file, Diagnostics& diagnostics,
+Value parse_yaml(std::string_view text, std::string_view name, Diagnostics& diagnostics,
                  const YamlLimits& limits) {
-  const Location top{std::string(file), 1, 1};
+  const FileName file(name);
+  const Location top{file, 1, 1};
   if (text.size() > limits.bytes) {
     diagnostics.error(top, fmt::format("the file is larger than {} bytes", limits.bytes));
     return {};
@@ -165,25 +278,13 @@ Value parse_yaml(std::string_view text, std::string_view file, Diagnostics& diag
     return {};
   }
   try {
-    std::istringstream stream{std::string(text)};
-    YAML::Parser parser(stream);
     Builder builder(file, limits);
-    if (!parser.HandleNextDocument(builder)) {
-      diagnostics.error(top, "the file is empty");
-      return {};
-    }
-    Value document = builder.take();
-    if (Builder rest(file, limits); parser.HandleNextDocument(rest)) {
-      diagnostics.error(rest.take().where, "a second document in one file");
-      return {};
-    }
-    return document;
+    Parser(text).feed(builder);
+    if (!builder.has_document())
+      throw Refused{top, "the file is empty"};
+    return builder.take();
   } catch (const Refused& refused) {
     diagnostics.error(refused.where, refused.message);
-  } catch (const YAML::Exception& e) {
-    const Location where =
-        e.mark.is_null() ? top : Location{std::string(file), e.mark.line + 1, e.mark.column + 1};
-    diagnostics.error(where, "not YAML: " + e.msg);
   }
   return {};
 }

@@ -53,7 +53,7 @@ TEST(Yaml, RefusesAnAliasInsideItsOwnAnchor) {
 TEST(Yaml, RefusesWhatItWouldOtherwiseSilentlyIgnore) {
   EXPECT_EQ(mistakes("a: &x {b: 1}\nc: {<<: *x}\n"),
             "a.yaml:2:5: merge keys ('<<') are not supported; use include or base");
-  EXPECT_EQ(mistakes("a: 1\n---\nb: 2\n"), "a.yaml:3:1: a second document in one file");
+  EXPECT_EQ(mistakes("a: 1\n---\nb: 2\n"), "a.yaml:2:1: a second document in one file");
   EXPECT_EQ(mistakes(std::string_view("a: 1\nb: \0 2\n", 12)),
             "a.yaml:2:4: a NUL byte: this is not a text file");
   EXPECT_EQ(mistakes("? [a, b]\n: 1\n"), "a.yaml:1:3: a key must be a plain word, not a list");

@@ -178,7 +178,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "ends: time\norders:\n  - {at: 1 s, player: eagel1, swap_tree: crusie}"}},
                 "x.yaml:7:3: there is no player 'eagel1'; did you mean 'eagle1'?\n"
                 "x.yaml:7:3: there is no tree 'crusie'; did you mean 'cruise'?\n"},
-        Mistake{"NotYaml", {{"blue:\n", "blue: ]\n"}}, "x.yaml:11:7: not YAML: illegal flow end\n"},
+        Mistake{"NotYaml",
+                {{"blue:\n", "blue: ]\n"}},
+                "x.yaml:11:7: not YAML: while parsing a block node: did not find expected node "
+                "content\n"},
         Mistake{
             "EverythingAtOnce",
             {{"until", "untill"},
@@ -246,7 +249,8 @@ INSTANTIATE_TEST_SUITE_P(
             "--set until=3 kg:1:7: until: expected a time such as '3 min', got '3 kg' (a mass)\n"},
         Typed{"SetOfBrokenYaml",
               {"fly", "x.yaml", "--set", "seed={"},
-              "--set seed={:1:6: not YAML: end of map flow not found\n"},
+              "--set seed={:1:6: not YAML: while parsing a flow node: did not find expected node "
+              "content\n"},
         Typed{"TwoBadSets",
               {"fly", "x.yaml", "--set", "blue", "--set", "=3"},
               "--set blue:1:1: expected path=value\n--set =3:1:1: expected path=value\n"},
