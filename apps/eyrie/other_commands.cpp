@@ -27,15 +27,29 @@ std::string counted(std::size_t n, std::string_view what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
+/// "6 aircraft in 2 flights and 5 vehicles in 1 convoy"
+std::string players_text(const scenario::Scenario& scenario) {
+  const std::size_t vehicles = scenario.count(scenario::Platform::vehicle);
+  const std::size_t aircraft = scenario.count(scenario::Platform::aircraft);
+  std::size_t convoys = 0;
+  for (const auto& flight : scenario.roster.flights)
+    convoys +=
+        scenario.roster.find(flight.members.front())->platform == scenario::Platform::vehicle;
+  const std::string air = fmt::format("{} aircraft in {}", aircraft,
+                                      counted(scenario.roster.flights.size() - convoys, "flight"));
+  const std::string ground =
+      fmt::format("{} in {}", counted(vehicles, "vehicle"), counted(convoys, "convoy"));
+  return !vehicles ? air : !aircraft ? ground : air + " and " + ground;
+}
+
 }  // namespace
 
 int validate(const std::vector<std::string>& files) {
   int code = 0;
   for (const std::string& file : files) {
     if (const auto scenario = load_or_complain(file, {}))
-      fmt::print("{}: {} aircraft in {}, {}\n", scenario->file, scenario->roster.players.size(),
-                 counted(scenario->roster.flights.size(), "flight"),
-                 counted(scenario->trees->size(), "tree"));
+      fmt::print("{}: {}, {}\n", scenario->file, players_text(*scenario),
+                 counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
     else
       code = 2;
   }

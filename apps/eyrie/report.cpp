@@ -21,13 +21,14 @@ std::string outcome_text(const scenario::Mission& mission, const record::Tally& 
   std::string text;
   switch (mission.outcome()) {
     case scenario::Outcome::blue_home:
-      text = fmt::format("blue is home, {} of {}", blue.home, blue.players);
+      text = blue.players ? fmt::format("blue is home, {} of {}", blue.home, blue.players)
+                          : "blue has arrived";
       break;
     case scenario::Outcome::blue_lost:
-      text = "no blue aircraft is left";
+      text = "no blue player is left";
       break;
     case scenario::Outcome::red_lost:
-      text = "no red aircraft is left";
+      text = "no red player is left";
       break;
     case scenario::Outcome::time:
       text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
@@ -56,12 +57,9 @@ void Report::header(std::uint64_t seed) const {
   fmt::print("\nseed {}", seed);
   for (const auto& flight : scenario_.roster.flights) {
     const auto& lead = scenario_.roster.players[flight.members.front().value - 1];
-    const auto type = scenario_.library->aircraft.find(lead.aircraft);
-    fmt::print(", {}",
-               paint(fmt::format("{} {} {} x {}", scenario::side_name(flight.side), flight.name,
-                                 flight.members.size(),
-                                 type ? scenario_.library->aircraft[*type].label : lead.aircraft),
-                     flight.side == Side::blue ? Tone::blue : Tone::red));
+    fmt::print(", {}", paint(fmt::format("{} {} {} x {}", scenario::side_name(flight.side),
+                                         flight.name, flight.members.size(), lead.label),
+                             flight.side == Side::blue ? Tone::blue : Tone::red));
   }
   fmt::print("\n\n");
 }
@@ -72,7 +70,7 @@ void Report::line(const record::StoryLine& line) const {
 }
 
 void Report::table(const scenario::Mission& mission, const record::Tally& tally) const {
-  fmt::print("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "aircraft", "side", "shots", "kills",
+  fmt::print("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "player", "side", "shots", "kills",
              "end", "fuel kg", "phase");
   const auto& world = mission.run().world();
   const auto fuel = world.rows(scenario_.aircraft.propulsion);
@@ -83,7 +81,8 @@ void Report::table(const scenario::Mission& mission, const record::Tally& tally)
         world.row(scenario_.aircraft.table, PlayerId{static_cast<std::uint32_t>(i + 1)});
     const std::string end = p.lost   ? "lost " + record::clock_text(p.end_time)
                             : p.home ? "home " + record::clock_text(p.end_time)
-                                     : "in the air";
+                            : who.platform == scenario::Platform::vehicle ? "on the ground"
+                                                                          : "in the air";
     fmt::print(
         "{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
         paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),

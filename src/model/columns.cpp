@@ -40,4 +40,17 @@ MissileColumns MissileColumns::define(sim::SchemaBuilder& builder, std::uint32_t
   return c;
 }
 
+VehicleColumns VehicleColumns::define(sim::SchemaBuilder& builder, std::uint32_t capacity) {
+  VehicleColumns c;
+  c.table = builder.add_table("vehicle", capacity);
+  c.fit = builder.add_column<Fit>(c.table, "fit");
+  c.kinematics = builder.add_column<Kinematics>(c.table, "kinematics");
+  c.driving = builder.add_column<Driving>(c.table, "driving");
+  c.command = builder.add_column<DriveCommand>(c.table, "command");
+  c.lookout = builder.add_column<Lookout>(c.table, "lookout");
+  c.datalink = builder.add_column<DatalinkState>(c.table, "datalink");
+  c.sent = builder.add_column<DatalinkSent>(c.table, "sent");
+  return c;
+}
+
 }  // namespace eyrie::model

@@ -14,6 +14,7 @@
 #include "model/sensor/rwr_state.hpp"
 #include "model/sensor/threats.hpp"
 #include "model/track.hpp"
+#include "model/vehicle/vehicle_state.hpp"
 #include "model/weapon/damage_state.hpp"
 #include "model/weapon/gun_state.hpp"
 #include "model/weapon/missile_state.hpp"
@@ -53,6 +54,20 @@ struct MissileColumns {
   sim::Column<Emission> emission;      ///< act
 
   [[nodiscard]] static MissileColumns define(sim::SchemaBuilder& builder, std::uint32_t capacity);
+};
+
+/// The table "vehicle": what drives on the ground.
+struct VehicleColumns {
+  TableId table;
+  sim::Column<Fit> fit;                 ///< at birth
+  sim::Column<Kinematics> kinematics;   ///< move
+  sim::Column<Driving> driving;         ///< move
+  sim::Column<DriveCommand> command;    ///< decide
+  sim::Column<Lookout> lookout;         ///< perceive
+  sim::Column<DatalinkState> datalink;  ///< perceive
+  sim::Column<DatalinkSent> sent;       ///< act
+
+  [[nodiscard]] static VehicleColumns define(sim::SchemaBuilder& builder, std::uint32_t capacity);
 };
 
 }  // namespace eyrie::model

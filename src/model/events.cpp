@@ -48,6 +48,8 @@ constexpr std::array kDescriptions{
     Description{EventKind::in_charge, "in_charge", {{{"node", ""}, {"vote", ""}}}},
     Description{EventKind::order, "order", {{{"kind", ""}}}},
     Description{EventKind::eject, "eject", {{{"store", ""}, {"last", ""}}}},
+    Description{EventKind::scatter, "scatter", {{{"range", "m"}}}},
+    Description{EventKind::loss, "loss"},
 };
 
 constexpr bool in_order() {

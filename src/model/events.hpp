@@ -42,6 +42,8 @@ enum class EventKind : std::uint16_t {
   order,            ///< an order from outside was carried out on who; values: order kind
   eject,            ///< a store leaves who's station aux towards whom; detail = its track; values:
                     ///< store index, 1 if it is the last. Becomes a launch in the same step
+  scatter,          ///< who leaves its way because of aircraft whom; values: range
+  loss,             ///< who is lost to something outside the run, by an order
   count
 };
 

@@ -23,6 +23,7 @@
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
 #include "model/track/tracker.hpp"
+#include "model/vehicle/vehicle_type.hpp"
 #include "model/weapon/gun_type.hpp"
 #include "model/weapon/missile_type.hpp"
 
@@ -56,7 +57,8 @@ class Shelf {
   std::vector<Model> models_;
 };
 
-/// Aircraft that fly together. Const: who is alive, and who leads, is in the rows.
+/// Aircraft that fly together, or vehicles that drive together. Const: who is alive, and who leads,
+/// is in the rows.
 struct Flight {
   std::string name;
   Side side = Side::none;
@@ -79,7 +81,8 @@ struct Library {
   Shelf<MissileType> missiles;
   Shelf<GunType> guns;
   Shelf<AircraftType> aircraft;  ///< Fit::type
-  std::vector<Flight> flights;   ///< Fit::flight
+  Shelf<VehicleType> vehicles;   ///< Fit::type of vehicles
+  std::vector<Flight> flights;   ///< Fit::flight; convoys behind the flights
 };
 
 }  // namespace eyrie::model

@@ -7,12 +7,12 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "pilot/action.hpp"
-#include "ubf/transition.hpp"
+#include "team/deciding.hpp"
 
 namespace eyrie::pilot {
 
 /// No tree: the autopilot flies alone.
-inline constexpr std::uint16_t kNoTree = ubf::kNone;
+using team::kNoTree;
 
 /// A missile that left the own aircraft and may still be on its way, as far as its pilot can tell.
 struct Shot {

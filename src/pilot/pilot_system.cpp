@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "pilot/controller.hpp"
 #include "pilot/teller.hpp"
@@ -59,10 +58,8 @@ struct Rows {
 };
 
 void swap(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
-  agent.tree = tree;
-  agent.node = agent.phase = ubf::kNone;
+  team::use_tree(agent, memory, tree);
   agent.call = Call::none;
-  std::memset(memory.data(), 0, memory.size());
 }
 
 }  // namespace
@@ -81,17 +78,11 @@ PilotColumns PilotColumns::define(sim::SchemaBuilder& builder, TableId aircraft,
           .brain = builder.add_bytes(aircraft, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
 }
 
-PilotSystem::PilotSystem(PilotSetup setup) : setup_(std::move(setup)) {
-  EYRIE_THROW_UNLESS(setup_.library && setup_.trees, "pilots need a library and trees");
+PilotSystem::PilotSystem(PilotSetup setup)
+    : setup_(std::move(setup)), deciding_(setup_.trees, setup_.period) {
+  EYRIE_THROW_UNLESS(setup_.library != nullptr, "pilots need a library");
   EYRIE_THROW_UNLESS(setup_.flights.size() >= setup_.library->flights.size(),
                      "every flight needs a plan");
-  EYRIE_THROW_UNLESS(setup_.period > 0, "a decision every 0 steps");
-  for (const auto& tree : *setup_.trees) {
-    std::size_t node = 0;
-    while (node < tree.size() && !tree.node(static_cast<ubf::NodeIndex>(node)).is_sequencer())
-      ++node;
-    outermost_.push_back(node < tree.size() ? static_cast<ubf::NodeIndex>(node) : ubf::kNone);
-  }
 }
 
 std::span<const sim::OrderKind> PilotSystem::accepts() const {
@@ -112,22 +103,6 @@ void PilotSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim
             .values = {static_cast<float>(order.kind.value)}});
 }
 
-Proposal PilotSystem::ask(const State& state, const sim::StepInfo& info, PlayerId who,
-                          std::byte* memory, ubf::TransitionLog* log, Trace* trace) const {
-  Proposal decided;
-  (*setup_.trees)[state.agent.tree].tick({.state = state,
-                                          .time = info.time(),
-                                          .dt = setup_.period * info.dt,
-                                          .step = info.step,
-                                          .seed = info.seed,
-                                          .player = who,
-                                          .memory = memory,
-                                          .trace = trace,
-                                          .log = log},
-                                         decided);
-  return decided;
-}
-
 void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                          sim::Outbox& out) const {
   const Rows rows(world, setup_.aircraft);
@@ -139,9 +114,8 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
     Agent& agent = agents[row];
     requests[row].shoot_at = {};  // a release is asked for once, not until the next decision
     requests[row].store = 0;
-    if (agent.tree == kNoTree || !sim::due(info.step, ids[row], setup_.period))
+    if (!deciding_.due(info, ids[row], agent.tree))
       continue;
-    EYRIE_ASSERT(agent.tree < setup_.trees->size());
 
     // perceive
     const model::Fit& fit = rows.fit[row];
@@ -155,16 +129,14 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
     ubf::TransitionLog log;
     const auto memory = world.bytes(setup_.pilots.brain, row);
     EYRIE_ASSERT((*setup_.trees)[agent.tree].memory_bytes() <= memory.size());
-    const Proposal decided = ask(state, info, ids[row], memory.data(), &log, nullptr);
+    const Proposal decided =
+        deciding_.ask(agent.tree, state, info, ids[row], memory.data(), &log, nullptr);
 
     // act
     const Agent before = agent;
-    agent.decided = info.step;
-    ++agent.ticks;
-    agent.node = decided.leader;
-    agent.vote = decided.vote;
+    team::keep_decision(agent, decided, info.step);
     execute(decided.action, state, commands[row], requests[row], agent);
-    teller.transitions(log, outermost_[agent.tree], agent);
+    teller.transitions(log, deciding_.outermost(agent.tree), agent);
     teller.changes(before, decided, agent);
   }
 }
@@ -179,9 +151,7 @@ Proposal PilotSystem::retrace(const Cockpit& cockpit, const model::Fit& fit,
   const State state =
       pilot::perceive(copied, *setup_.library, fit, setup_.flights[fit.flight], info.time());
   account_for_shots(state, agent);
-  std::vector<std::uint64_t> slab((memory.size() + 7) / 8);
-  std::memcpy(slab.data(), memory.data(), memory.size());
-  return ask(state, info, who, reinterpret_cast<std::byte*>(slab.data()), nullptr, &trace);
+  return deciding_.retrace(agent.tree, state, info, who, memory, trace);
 }
 
 std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,

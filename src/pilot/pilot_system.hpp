@@ -20,13 +20,7 @@ namespace eyrie::pilot {
 /// Orders that pilots carry out.
 enum class OrderKind : std::uint16_t { none = 0, swap_tree = 1 };
 
-struct SwapTree {
-  std::uint16_t tree = 0;
-  std::uint16_t reserved[3] = {};
-  static constexpr auto fields() {
-    return field_list(field("tree", &SwapTree::tree), field("reserved", &SwapTree::reserved));
-  }
-};
+using team::SwapTree;
 
 /// From `step` on the player flies that tree, which begins with nothing remembered.
 [[nodiscard]] sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree);
@@ -78,14 +72,12 @@ class PilotSystem final : public sim::System {
       std::span<const sim::Order> orders = {}) const;
 
  private:
-  [[nodiscard]] Proposal ask(const State& state, const sim::StepInfo& info, PlayerId who,
-                             std::byte* memory, ubf::TransitionLog* log, Trace* trace) const;
   [[nodiscard]] Proposal retrace(const Cockpit& cockpit, const model::Fit& fit,
                                  const sim::StepInfo& info, PlayerId who,
                                  std::span<const std::byte> memory, Trace& trace) const;
 
   PilotSetup setup_;
-  std::vector<ubf::NodeIndex> outermost_;  ///< the first sequencer of each tree, kNone if none
+  team::Deciding<State, Action> deciding_;
 };
 
 }  // namespace eyrie::pilot

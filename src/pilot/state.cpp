@@ -21,10 +21,7 @@ double across_ground(const Vec3& ned) {
 void count_flight(State& s, const model::Fit& fit) {
   s.lost = 0;
   s.alive = 0;
-  s.rank = fit.rank > 0 ? fit.rank : 1;
-  if (s.datalink.count == 0)
-    return;
-  s.rank = model::living_rank(s.datalink);
+  s.rank = team::rank_now(s.datalink, fit.rank);
   for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
     const model::Mate& mate = s.datalink.members[i];
     if (mate.alive) {
@@ -35,10 +32,6 @@ void count_flight(State& s, const model::Fit& fit) {
                         across_ground(to_ned(s.own, mate.position - *s.flight.home)) < kLandedRange;
     s.lost += landed ? 0 : 1;
   }
-}
-
-Vec3 vec(const std::array<float, 3>& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
 }  // namespace
@@ -68,15 +61,15 @@ const Seen* State::find(TrackId id) const {
   return nullptr;
 }
 
-std::optional<Leader> State::leader() const {
+std::optional<team::Leader> State::leader() const {
   const model::Mate* mate = lead();
   if (!mate)
     return std::nullopt;
-  if (mate->reported)
-    return Leader{model::position_at(*mate, time), vec(mate->velocity)};
+  if (const auto heard = team::heard(*mate, time))
+    return heard;
   for (const Seen& one : tracks_seen())
     if ((one.track->sources & model::kFromTruth) && one.track->truth == mate->id)
-      return Leader{model::position_at(*one.track, time), one.track->velocity};
+      return team::Leader{model::position_at(*one.track, time), one.track->velocity};
   return std::nullopt;
 }
 

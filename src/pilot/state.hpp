@@ -11,6 +11,7 @@
 #include "pilot/agent.hpp"
 #include "pilot/formation.hpp"
 #include "pilot/geometry.hpp"
+#include "team/member.hpp"
 
 namespace eyrie::pilot {
 
@@ -48,12 +49,6 @@ struct Cockpit {
   const model::DatalinkState& datalink;
   const model::Command& command;  ///< the last one
   const Agent& agent;
-};
-
-/// Where whoever leads the flight is believed to be, and how he moves.
-struct Leader {
-  Vec3 position;  ///< m, local frame, now
-  Vec3 velocity;  ///< m/s over the ground, local frame
 };
 
 /// Views into the pilot's own rows and what follows from them; good for one decision. Every track
@@ -94,7 +89,14 @@ struct State : Cockpit {
   /// The member believed to lead; null if the datalink has not come up.
   [[nodiscard]] const model::Mate* lead() const { return model::lead(datalink); }
   /// Where the lead is: by datalink, or else by a privileged player's track of him.
-  [[nodiscard]] std::optional<Leader> leader() const;
+  [[nodiscard]] std::optional<team::Leader> leader() const;
+  /// The own place in the wall, m forward, right and down of the lead's course.
+  [[nodiscard]] Vec3 place() const { return formation_offset(plan.formation, rank); }
+  [[nodiscard]] double forward_of(const team::Leader& who) const {
+    return bearing_of(to_ned(own, who.velocity));
+  }
+  [[nodiscard]] std::span<const model::Route> routes() const { return flight.routes; }
+  [[nodiscard]] model::NavState nav() const { return flying.nav; }
   [[nodiscard]] bool bingo() const { return propulsion.fuel <= agent.bingo; }
   /// m, to the home of the flight along the ground; nothing if it has none.
   [[nodiscard]] std::optional<double> home_distance() const;
@@ -105,6 +107,9 @@ struct State : Cockpit {
   [[nodiscard]] Vec3 wind() const { return library.environment.wind.at(own.altitude); }
   [[nodiscard]] const model::Airframe& airframe() const {
     return library.airframes[type.index.airframe];
+  }
+  [[nodiscard]] const model::GuidanceGains& guidance() const {
+    return airframe().autopilot.guidance;
   }
   /// m/s over the ground, north-east-down at the ownship.
   [[nodiscard]] Vec3 velocity_of(const Seen& one) const { return to_ned(own, one.track->velocity); }

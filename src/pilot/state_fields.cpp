@@ -10,18 +10,9 @@
 namespace eyrie::pilot {
 namespace {
 
-using ubf::FieldKind;
 using ubf::kNoValue;
-using ubf::StateField;
-
-constexpr auto number(std::string_view name, Unit unit, std::string_view help,
-                      double (*read)(const State&)) {
-  return StateField<State>{{.name = name, .kind = FieldKind::number, .unit = unit, .help = help},
-                           read};
-}
-constexpr auto flag(std::string_view name, std::string_view help, double (*read)(const State&)) {
-  return StateField<State>{{.name = name, .kind = FieldKind::flag, .unit = {}, .help = help}, read};
-}
+constexpr auto number = ubf::FieldsOf<State>::number;
+constexpr auto flag = ubf::FieldsOf<State>::flag;
 
 /// What `of` says of the chosen target; no value without one.
 template <auto of>
@@ -41,7 +32,7 @@ std::size_t count(const State& s) {
       std::count_if(seen.begin(), seen.end(), [](const Seen& one) { return (one.*is)(); }));
 }
 
-constexpr std::array kFields = std::to_array<StateField<State>>({
+constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("time", "s", "of the scenario", [](const State& s) { return s.time; }),
     number("altitude", "m", "own, above the ellipsoid",
            [](const State& s) { return s.own.altitude; }),
@@ -72,7 +63,8 @@ constexpr std::array kFields = std::to_array<StateField<State>>({
            [](const State& s) { return double(count<&Seen::hostile>(s)); }),
     number("suspects", "", "confirmed tracks that are no friends",
            [](const State& s) { return double(count<&Seen::suspect>(s)); }),
-    flag("has_target", "a target is chosen", [](const State& s) -> double { return s.target() != nullptr; }),
+    flag("has_target", "a target is chosen",
+         [](const State& s) -> double { return s.target() != nullptr; }),
     flag("hostile", "the chosen target is identified as hostile",
          [](const State& s) -> double { return s.target() && s.target()->hostile(); }),
     number("range", "m", "to the chosen target", of_target<kTargetRange>),

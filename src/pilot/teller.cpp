@@ -5,42 +5,17 @@ namespace eyrie::pilot {
 
 using model::EventKind;
 
-void Teller::tell(EventKind kind, PlayerId whom, std::uint16_t aux, double a, double b,
-                  double c) const {
-  out_.emit({.kind = kind,
-             .aux = aux,
-             .who = who_,
-             .whom = whom,
-             .place = state_.own.position,
-             .values = {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)}});
-}
-
 void Teller::notice(Agent& agent, const model::Fit& fit) const {
-  const model::Mate* lead = state_.lead();
-  const PlayerId now = lead ? lead->id : PlayerId{};
-  if (agent.lead && now == who_ && agent.lead != now)
-    tell(EventKind::lead_change, agent.lead, 0, fit.flight);
-  if (now)
-    agent.lead = now;
+  if (const PlayerId before = team::taken_over_from(agent.lead, state_.datalink, who_))
+    tell(EventKind::lead_change, before, 0, fit.flight);
   if (!agent.said_bingo && state_.bingo()) {
     agent.said_bingo = 1;
     tell(EventKind::bingo, {}, 0, state_.propulsion.fuel);
   }
 }
 
-void Teller::transitions(const ubf::TransitionLog& log, ubf::NodeIndex outermost,
-                         Agent& agent) const {
-  for (const ubf::Transition& t : log.entries()) {
-    tell(EventKind::phase, {}, agent.tree, t.from == ubf::kNone ? -1.0 : t.from, t.to, t.node);
-    if (t.node == outermost)
-      agent.phase = t.to;
-  }
-}
-
 void Teller::changes(const Agent& before, const Proposal& decided, Agent& agent) const {
-  if (agent.node != before.node || before.ticks == 0)
-    tell(EventKind::in_charge, {}, agent.tree, agent.node == ubf::kNone ? -1.0 : agent.node,
-         static_cast<double>(decided.vote));
+  in_charge(before, agent);
 
   // a track that was lost and found again under another name is no new commit
   if (const Seen* target = state_.find(agent.target))

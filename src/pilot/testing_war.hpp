@@ -50,6 +50,7 @@ class War {
     pilots = PilotColumns::define(schema, aircraft.table,
                                   static_cast<std::uint32_t>(trees_->max_memory()));
     model::describe_events(schema);
+    model::add_orders(schema);
     add_orders(schema);
     sim::SimulationBuilder builder(schema.build(), kDt);
     builder.add<model::SensorSystem>(aircraft, missiles, library_, kDt);

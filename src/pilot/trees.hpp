@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The UBF types for pilots, under one name each.
+#include "core/describe.hpp"
+#include "core/units.hpp"
 #include "pilot/action.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/registry.hpp"
@@ -30,5 +32,14 @@ using Tree = ubf::Tree<State, Action>;
 using Trees = ubf::Trees<State, Action>;
 using Registry = ubf::Registry<State, Action>;
 using Trace = ubf::Trace<Action>;
+
+/// What behaviors for every platform (src/team) need to know of aircraft.
+struct Platform {
+  using State = pilot::State;
+  using Action = pilot::Action;
+  static constexpr double cruise = si(480, "kt");
+  static constexpr auto speeds = range(50, 1000);  ///< m/s
+  static constexpr std::string_view speed_help = "true airspeed on legs that give none";
+};
 
 }  // namespace eyrie::pilot

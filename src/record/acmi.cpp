@@ -13,7 +13,7 @@ using model::EventKind;
 
 namespace {
 
-constexpr std::uint64_t kAircraftEvery = 10, kMissilesEvery = 5;  // steps at 50 Hz
+constexpr std::uint64_t kPlayersEvery = 10, kMissilesEvery = 5;  // steps at 50 Hz
 
 }  // namespace
 
@@ -69,17 +69,55 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
   const auto ids = world.ids(scenario_.aircraft.table);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto& player = scenario_.roster.players[ids[i].value - 1];
-    const auto type = scenario_.library->aircraft.find(player.aircraft);
     aircraft(world, i);
-    out_.resize(out_.size() - 1);  // the same line says who it is
-    fmt::format_to(std::back_inserter(out_),
-                   ",Type=Air+FixedWing,Name={},CallSign={},Pilot={},Group={},Slot={},Coalition={},"
-                   "Color={}\n",
-                   acmi_text(type ? scenario_.library->aircraft[*type].label : player.aircraft),
-                   player.name, player.name, scenario_.roster.flights[player.flight].name,
-                   player.rank - 1, player.side == model::Side::blue ? "Allies" : "Enemies",
-                   player.side == model::Side::blue ? "Blue" : "Red");
+    introduce(player, "Air+FixedWing");
   }
+  if (scenario_.vehicles)
+    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i) {
+      const PlayerId id = world.ids(scenario_.vehicles->table)[i];
+      vehicle(world, i);
+      introduce(*scenario_.roster.find(id), "Ground+Vehicle");
+    }
+}
+
+void AcmiWriter::introduce(const scenario::Roster::Player& player, std::string_view type) {
+  const bool blue = player.side == model::Side::blue;
+  out_.resize(out_.size() - 1);  // the same line says who it is
+  fmt::format_to(std::back_inserter(out_),
+                 ",Type={},Name={},CallSign={},Pilot={},Group={},Slot={},Coalition={},Color={}\n",
+                 type, acmi_text(player.label), player.name, player.name,
+                 scenario_.roster.flights[player.flight].name, player.rank - 1,
+                 blue ? "Allies" : "Enemies", blue ? "Blue" : "Red");
+}
+
+template <class Agent, class Trees>
+void AcmiWriter::winner(Shown& shown, const Agent& agent, const Trees& trees) {
+  const std::uint32_t behavior = (std::uint32_t{agent.tree} << 16) | agent.node;
+  if (!agent.ticks || (behavior == shown.behavior && agent.vote == shown.vote))
+    return;
+  const auto& tree = trees[agent.tree];
+  const std::string_view label = agent.node < tree.size() ? tree.node(agent.node).label() : "none";
+  fmt::format_to(std::back_inserter(out_), ",UbfWinner={},UbfVote={:g},Label={} {:g}", label,
+                 agent.vote, label, agent.vote);
+  shown.behavior = behavior;
+  shown.vote = agent.vote;
+}
+
+void AcmiWriter::vehicle(const sim::World& world, std::size_t row) {
+  const PlayerId id = world.ids(scenario_.vehicles->table)[row];
+  const auto& k = world.rows(scenario_.vehicles->kinematics)[row];
+  place(id, k);
+  fmt::format_to(std::back_inserter(out_), ",TAS={:.1f}", k.speed);
+  winner(shown_[id.value - 1], world.rows(scenario_.drivers.agent)[row], *scenario_.driver_trees);
+  out_.push_back('\n');
+}
+
+void AcmiWriter::players(const sim::World& world) {
+  for (std::size_t i = 0; i < world.rows(scenario_.aircraft.table); ++i)
+    aircraft(world, i);
+  if (scenario_.vehicles)
+    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i)
+      vehicle(world, i);
 }
 
 void AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
@@ -89,7 +127,6 @@ void AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
   const auto& tracks = world.rows(scenario_.aircraft.tracks)[row];
   const TrackId wanted = world.rows(scenario_.aircraft.request)[row].target;
   const double fuel = std::floor(world.rows(scenario_.aircraft.propulsion)[row].fuel);
-  const auto& agent = world.rows(scenario_.pilots.agent)[row];
 
   place(id, k);
   fmt::format_to(std::back_inserter(out_), ",TAS={:.1f},Mach={:.3f},VerticalGForce={:.1f}", k.speed,
@@ -107,16 +144,7 @@ void AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
       fmt::format_to(std::back_inserter(out_), ",LockedTargetMode=0,LockedTarget=0");
     shown.locked = locked;
   }
-  const std::uint32_t behavior = (std::uint32_t{agent.tree} << 16) | agent.node;
-  if (agent.ticks && (behavior != shown.behavior || agent.vote != shown.vote)) {
-    const auto& tree = (*scenario_.trees)[agent.tree];
-    const std::string_view label =
-        agent.node < tree.size() ? tree.node(agent.node).label() : "none";
-    fmt::format_to(std::back_inserter(out_), ",UbfWinner={},UbfVote={:g},Label={} {:g}", label,
-                   agent.vote, label, agent.vote);
-    shown.behavior = behavior;
-    shown.vote = agent.vote;
-  }
+  winner(shown, world.rows(scenario_.pilots.agent)[row], *scenario_.trees);
   out_.push_back('\n');
 }
 
@@ -147,6 +175,7 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
       fmt::format_to(to, "0,Event=Destroyed|{:x}|\n", e.whom.value);
       gone_.push_back(e.whom);
       break;
+    case EventKind::loss:
     case EventKind::crash:
       if (scenario_.roster.find(e.who))
         fmt::format_to(to, "0,Event=Destroyed|{:x}|\n", e.who.value);
@@ -193,11 +222,9 @@ void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
       written_time_ = last;
     }
   }
-  const auto ids = world.ids(scenario_.aircraft.table);
-  if (world.step() % kAircraftEvery == 0) {
+  if (world.step() % kPlayersEvery == 0) {
     frame(time_);
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      aircraft(world, i);
+    players(world);
   }
   const auto missiles = world.ids(scenario_.missiles.table);
   if (world.step() % kMissilesEvery == 0 && !missiles.empty()) {
@@ -218,9 +245,7 @@ void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
 
 void AcmiWriter::finish(const sim::World& world) {
   frame(time_);
-  const auto ids = world.ids(scenario_.aircraft.table);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    aircraft(world, i);
+  players(world);
   flush();
 }
 

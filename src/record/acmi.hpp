@@ -39,6 +39,13 @@ class AcmiWriter final : public sim::Observer {
   void frame(double time);
   void place(PlayerId id, const model::Kinematics& k);
   void aircraft(const sim::World& world, std::size_t row);
+  void vehicle(const sim::World& world, std::size_t row);
+  void players(const sim::World& world);
+  /// Ends the line of a player with who it is.
+  void introduce(const scenario::Roster::Player& player, std::string_view type);
+  /// The behavior in charge, if it has changed.
+  template <class Agent, class Trees>
+  void winner(Shown& shown, const Agent& agent, const Trees& trees);
   void new_missile(const sim::Event& event, const sim::World& world);
   void happened(const sim::Event& event, const sim::World& world);
   void flush();

@@ -154,6 +154,13 @@ Json node_definition(const Catalog& catalog) {
     schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + ")";
     types[node.name] = std::move(schema);
   }
+  // a pilot's node has every parameter of a driver's of the same name
+  for (const ubf::NodeInfo& node : catalog.driver_nodes)
+    if (!types.contains(node.name)) {
+      names.push_back(node.name);
+      types[node.name] = body(node);
+      types[node.name]["description"] = node.help + " (behavior of drivers)";
+    }
   Json words{{"type", "string"}, {"pattern", "[<>=!()]|^not | and | or "}};
   Json node =
       any_of(any_of({{"enum", names}}, std::move(words)), {{"type", "object"},
@@ -208,6 +215,8 @@ class Root {
     Json map = map_schema(top.parameters);
     schema["description"] = top.help;
     schema.update(map);
+    schema["properties"].at("orders")["items"]["anyOf"] = {
+        {{"required", Json::array({"swap_tree"})}}, {{"required", Json::array({"lose"})}}};
     put(schema, "include", include_schema());
     put(schema, "trees", trees());
     put(schema, "data", data_schema(catalog_));
@@ -256,11 +265,19 @@ class Root {
       result["model." + kind.folder] = model_definition(kind);
     result["player"] = map_schema(part("player").parameters);
     add_examples(result["player"]);
-    result["flight"] = flight();
+    result["flight"] = group("flight", "player");
     result["side"] = map_schema(part("side").parameters);
     Json flights = map_of(reference_to("flight"));
     flights.update({{"minProperties", 1}, {"propertyNames", {{"pattern", kFlightName}}}});
     put(result["side"], "flights", flights);
+    result["vehicle"] = map_schema(part("vehicle").parameters);
+    add_examples(result["vehicle"]);
+    result["convoy"] = group("convoy", "vehicle");
+    Json convoys = flights;
+    convoys["additionalProperties"] = map_of(reference_to("convoy"))["additionalProperties"];
+    put(result["side"], "convoys", convoys);
+    result["side"]["anyOf"] = {{{"required", Json::array({"flights"})}},
+                               {{"required", Json::array({"convoys"})}}};
     result["package"] = {
         {"type", "object"},
         {"description", "a file that scenarios include"},
@@ -270,14 +287,15 @@ class Root {
     return result;
   }
 
-  Json flight() const {
-    Json map = map_schema(part("flight").parameters);
+  /// A flight or a convoy, and its members.
+  Json group(std::string_view name, const std::string& member) const {
+    Json map = map_schema(part(name).parameters);
     add_examples(map);
     Json overrides{{"type", "object"},
                    {"minProperties", 1},
                    {"maxProperties", 1},
                    {"propertyNames", {{"pattern", kPlayerName}}},
-                   {"additionalProperties", one_or_nothing(reference_to("player"))}};
+                   {"additionalProperties", one_or_nothing(reference_to(member))}};
     Json players = list_of(any_of({{"type", "string"}, {"pattern", kPlayerName}}, overrides));
     players["maxItems"] = 8;
     put(map, "players", players);
@@ -287,10 +305,12 @@ class Root {
   /// The models there are, for completion: others may stand in the file itself.
   void add_examples(Json& map) const {
     for (const ModelKind& kind : catalog_.models) {
-      if (kind.folder == "aircraft")
-        map["properties"].at("aircraft")["examples"] = kind.names;
-      if (kind.folder == "missiles")
-        map["properties"].at("loadout")["examples"] = Json::array({kind.names});
+      if (kind.folder == "aircraft" && map["properties"].contains("aircraft"))
+        map["properties"]["aircraft"]["examples"] = kind.names;
+      if (kind.folder == "vehicles" && map["properties"].contains("vehicle"))
+        map["properties"]["vehicle"]["examples"] = kind.names;
+      if (kind.folder == "missiles" && map["properties"].contains("loadout"))
+        map["properties"]["loadout"]["examples"] = Json::array({kind.names});
     }
   }
 

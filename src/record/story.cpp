@@ -139,6 +139,14 @@ void Story::tell(const sim::Event& e) {
       if (player)
         say(e.who, "hits the ground", Tone::kill);
       break;
+    case EventKind::loss:
+      if (player)
+        say(e.who, "is lost", Tone::kill);
+      break;
+    case EventKind::scatter:
+      say(e.who, e.whom ? fmt::format("scatters: {} at {:.1f} km", name(e.whom), e.values[0] / 1000)
+                        : "scatters");
+      break;
     case EventKind::fuel_out:
       say(e.who, "is out of fuel");
       break;

@@ -46,6 +46,7 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
           victim->end_time = time;
         }
         break;
+      case EventKind::loss:
       case EventKind::crash:
         if (who && !who->lost) {
           who->lost = true;
@@ -89,7 +90,8 @@ Tally::Side Tally::side(model::Side side) const {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     if (scenario_.roster.players[i].side != side)
       continue;
-    ++sum.players;
+    (scenario_.roster.players[i].platform == scenario::Platform::aircraft ? sum.players
+                                                                          : sum.vehicles) += 1;
     sum.losses += players_[i].lost;
     sum.shots += players_[i].shots;
     sum.kills += players_[i].kills;

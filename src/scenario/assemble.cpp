@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/angle.hpp"
 #include "core/math.hpp"
+#include "driver/driver_system.hpp"
 #include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
 #include "model/sensor/sensor_system.hpp"
+#include "model/vehicle/drive.hpp"
+#include "model/vehicle/vehicle_system.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "model/weapon/gun.hpp"
 #include "model/weapon/gun_system.hpp"
@@ -79,6 +83,26 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
   }
 }
 
+void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::World& world) {
+  const model::VehicleColumns& c = *scenario.vehicles;
+  for (const VehicleStart& s : starts) {
+    const auto born = world.spawn(c.table);
+    EYRIE_DEMAND(born && scenario.roster.find(born->id), "vehicles are born behind the aircraft");
+    const std::uint32_t row = born->row;
+    const Roster::Player& player = *scenario.roster.find(born->id);
+    world.rows(c.kinematics)[row] =
+        model::parked(scenario.library->reference, s.position, s.heading, s.speed);
+    world.rows(c.fit)[row] = {
+        .type = s.type, .flight = player.flight, .rank = player.rank, .side = player.side};
+    world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = s.tree ? s.speed : 0};
+    world.rows(c.driving)[row] = {};
+    world.rows(c.lookout)[row] = {};
+    world.rows(c.datalink)[row] = {};
+    world.rows(c.sent)[row] = {};
+    world.rows(scenario.drivers.agent)[row] = {.tree = s.tree.value_or(team::kNoTree)};
+  }
+}
+
 }  // namespace
 
 Vec3 beside(const Reference& reference, const Vec3& lead, double heading, const Vec3& offset) {
@@ -108,21 +132,33 @@ sim::World Scenario::world(std::uint64_t seed) const {
   return world;
 }
 
-std::string assemble(Scenario& scenario, std::span<const Start> starts) {
+std::string assemble(Scenario& scenario, std::span<const Start> starts,
+                     std::span<const VehicleStart> vehicles) {
   const double dt = 1 / scenario.spec.rates.kinematics;
   const sim::Period decisions = sim::period_steps(scenario.spec.rates.decisions, dt);
   if (!decisions)
     return "decisions: " + decisions.error;
   for (const std::string& problem : model::sensor_problems(*scenario.library, dt))
     return problem;
+  for (const std::string& problem : model::vehicle_problems(*scenario.library, dt))
+    return problem;
 
   sim::SchemaBuilder schema;
-  scenario.aircraft =
-      model::AircraftColumns::define(schema, static_cast<std::uint32_t>(starts.size()));
+  scenario.aircraft = model::AircraftColumns::define(
+      schema, static_cast<std::uint32_t>(std::max<std::size_t>(starts.size(), 1)));
   scenario.missiles = model::MissileColumns::define(schema, all_missiles(starts));
   scenario.pilots = pilot::PilotColumns::define(
       schema, scenario.aircraft.table, static_cast<std::uint32_t>(scenario.trees->max_memory()));
+  if (!vehicles.empty()) {
+    scenario.vehicles =
+        model::VehicleColumns::define(schema, static_cast<std::uint32_t>(vehicles.size()));
+    scenario.drivers = driver::DriverColumns::define(
+        schema, scenario.vehicles->table,
+        static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
+    driver::add_orders(schema);
+  }
   model::describe_events(schema);
+  model::add_orders(schema);
   pilot::add_orders(schema);
 
   sim::SimulationBuilder builder(schema.build(), dt);
@@ -134,15 +170,26 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts) {
                                                     .flights = scenario.plans,
                                                     .dt = dt,
                                                     .period = decisions.steps});
+  if (scenario.vehicles) {
+    builder.add<model::VehicleSystem>(*scenario.vehicles, scenario.aircraft, scenario.library, dt);
+    builder.add<driver::DriverSystem>(driver::DriverSetup{.vehicles = *scenario.vehicles,
+                                                          .drivers = scenario.drivers,
+                                                          .library = scenario.library,
+                                                          .trees = scenario.driver_trees,
+                                                          .convoys = scenario.convoys,
+                                                          .dt = dt,
+                                                          .period = decisions.steps});
+  }
   builder.add<model::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
   builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
   builder.add<model::GunSystem>(scenario.aircraft, scenario.library);
   builder.add<model::FlightSystem>(scenario.aircraft, scenario.library);
-  builder.add<model::DamageSystem>(scenario.aircraft);
+  builder.add<model::DamageSystem>(scenario.aircraft, scenario.vehicles);
   scenario.simulation = builder.build();
 
   sim::World world = scenario.simulation->world(scenario.spec.seed);
   populate(scenario, starts, world);
+  park(scenario, vehicles, world);
   scenario.start = std::move(world);
   return {};
 }

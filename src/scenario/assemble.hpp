@@ -29,12 +29,22 @@ struct Start {
   Location where;
 };
 
+/// How one vehicle begins; in the order of the roster, behind the aircraft.
+struct VehicleStart {
+  Vec3 position;       ///< m, local frame
+  double heading = 0;  ///< rad, true
+  double speed = 0;    ///< m/s
+  std::uint16_t type = 0;
+  std::optional<std::uint16_t> tree;
+};
+
 /// The place `offset` (forward, right, down) from a lead that flies `heading` (rad).
 [[nodiscard]] Vec3 beside(const Reference& reference, const Vec3& lead, double heading,
                           const Vec3& offset);
 
 /// Builds schema, systems and start world of a scenario whose spec, roster, library and trees are
 /// complete. Gives why that is impossible (a rate that does not divide), or "".
-[[nodiscard]] std::string assemble(Scenario& scenario, std::span<const Start> starts);
+[[nodiscard]] std::string assemble(Scenario& scenario, std::span<const Start> starts,
+                                   std::span<const VehicleStart> vehicles);
 
 }  // namespace eyrie::scenario

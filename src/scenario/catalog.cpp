@@ -7,10 +7,13 @@
 #include <utility>
 
 #include "core/describe.hpp"
+#include "driver/catalog.hpp"
+#include "driver/state.hpp"
 #include "model/library.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
 #include "scenario/spec.hpp"
+#include "ubf/standard_nodes.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -49,7 +52,7 @@ std::vector<ParamInfo> with(std::vector<ParamInfo> all, std::vector<ParamInfo> m
 }
 
 std::vector<FilePart> file_parts() {
-  const std::string side_help = "its flights; at least one side has some";
+  const std::string side_help = "its flights and convoys; at least one side has some";
   return {
       {"scenario", "", std::string(ScenarioSpec::help),
        with(parameters<ScenarioSpec>(),
@@ -62,8 +65,8 @@ std::vector<FilePart> file_parts() {
        "blue, red",
        "the flights of one side",
        {by_hand("home"),
-        custom("flights", "map", "flights by name: small letters, digits and '_', no digit last",
-               true)}},
+        custom("flights", "map", "flights by name: small letters, digits and '_', no digit last"),
+        custom("convoys", "map", "convoys by name, in the same way")}},
       {"flight", "blue.flights.<name>", std::string(FlightSpec::help),
        with(parameters<FlightSpec>(),
             {custom("players", "list",
@@ -71,7 +74,15 @@ std::vector<FilePart> file_parts() {
                     "of maps with one such name and what it says differently from its flight",
                     true)})},
       {"player", "blue.flights.<name>.players.<player>", std::string(PlayerSpec::help),
-       parameters<PlayerSpec>()}};
+       parameters<PlayerSpec>()},
+      {"convoy", "blue.convoys.<name>", std::string(ConvoySpec::help),
+       with(parameters<ConvoySpec>(),
+            {custom("players", "list",
+                    "a list of names, each the convoy's name and a rank from 1 (the lead) to 8; or "
+                    "of maps with one such name and what it says differently from its convoy",
+                    true)})},
+      {"vehicle", "blue.convoys.<name>.players.<player>", std::string(VehicleSpec::help),
+       parameters<VehicleSpec>()}};
 }
 
 template <Described Model>
@@ -88,12 +99,25 @@ Catalog make_catalog(const Source& source) {
   const auto registry = pilot::make_registry();
   result.nodes.assign(registry.catalog().begin(), registry.catalog().end());
   result.fields = ubf::state_field_infos<pilot::State>();
+  driver::Registry standard;
+  ubf::add_standard_nodes(standard);
+  const auto drivers = driver::make_registry();
+  for (const ubf::NodeInfo& node : drivers.catalog())
+    if (!standard.find(node.name))
+      result.driver_nodes.push_back(node);
+  result.driver_fields = ubf::state_field_infos<driver::State>();
   using namespace model;
-  result.models = {kind<AircraftType>("aircraft", source), kind<Airframe>("airframes", source),
-                   kind<Radar>("radars", source),          kind<Rwr>("rwr", source),
-                   kind<Visual>("visual", source),         kind<Iff>("iff", source),
-                   kind<Datalink>("datalinks", source),    kind<Tracker>("trackers", source),
-                   kind<MissileType>("missiles", source),  kind<GunType>("guns", source)};
+  result.models = {kind<AircraftType>("aircraft", source),
+                   kind<VehicleType>("vehicles", source),
+                   kind<Airframe>("airframes", source),
+                   kind<Radar>("radars", source),
+                   kind<Rwr>("rwr", source),
+                   kind<Visual>("visual", source),
+                   kind<Iff>("iff", source),
+                   kind<Datalink>("datalinks", source),
+                   kind<Tracker>("trackers", source),
+                   kind<MissileType>("missiles", source),
+                   kind<GunType>("guns", source)};
   return result;
 }
 

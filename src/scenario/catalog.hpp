@@ -31,10 +31,13 @@ struct ModelKind {
 };
 
 struct Catalog {
-  std::vector<FilePart> file;               ///< "scenario", "side", "flight", "player"
+  std::vector<FilePart> file;  ///< "scenario", "side", "flight", "player", "convoy", "vehicle"
   std::vector<ubf::NodeInfo> nodes;         ///< in the order of registration
   std::vector<ubf::StateFieldInfo> fields;  ///< that expressions and switches may read
-  std::vector<ModelKind> models;            ///< in the order of DataLoader::kinds()
+  /// What drivers have besides the standard nodes, and what may be read of their state.
+  std::vector<ubf::NodeInfo> driver_nodes;
+  std::vector<ubf::StateFieldInfo> driver_fields;
+  std::vector<ModelKind> models;  ///< in the order of DataLoader::kinds()
 };
 
 /// The names of models come from `source`, everything else from the program.

@@ -61,6 +61,14 @@ constexpr std::string_view kTrees =
     "\n"
     "Every node may also have a `name`, which reports and traces show.\n";
 
+constexpr std::string_view kDrivers =
+    "\n## Trees for drivers\n\n"
+    "A tree that a vehicle drives by is made of the arbiters, control nodes and decorators above\n"
+    "and of these. A tree of what both have, such as `navigate`, serves pilots and drivers.\n";
+
+constexpr std::string_view kDriverFields =
+    "\n### State fields of drivers\n\n| field | unit | meaning |\n|---|---|---|\n";
+
 constexpr std::string_view kFields =
     "\n### State fields\n"
     "\n"
@@ -123,7 +131,13 @@ class Writer {
     text_ += kTrees;
     for (const Section& section : kSections)
       nodes(section);
-    fields();
+    text_ += kFields;
+    fields(catalog_.fields);
+    text_ += kDrivers;
+    for (const ubf::NodeInfo& node : catalog_.driver_nodes)
+      node_entry(node);
+    text_ += kDriverFields;
+    fields(catalog_.driver_fields);
     text_ += "\n## Models\n";
     text_ += kModels;
     for (const ModelKind& kind : catalog_.models)
@@ -161,17 +175,18 @@ class Writer {
   void nodes(const Section& section) {
     add("\n### {}\n\n{}\n", section.title, section.help);
     for (const ubf::NodeInfo& node : catalog_.nodes) {
-      if (node.kind != section.kind)
-        continue;
-      add("\n#### {}\n\n{}{}\n", node.name, sentence(node.help), children(node));
-      if (is_sequencer(node))
-        text_ += kSequencer;
-      table(node.parameters);
+      if (node.kind == section.kind)
+        node_entry(node);
     }
   }
-  void fields() {
-    text_ += kFields;
-    for (const ubf::StateFieldInfo& field : catalog_.fields)
+  void node_entry(const ubf::NodeInfo& node) {
+    add("\n#### {}\n\n{}{}\n", node.name, sentence(node.help), children(node));
+    if (is_sequencer(node))
+      text_ += kSequencer;
+    table(node.parameters);
+  }
+  void fields(std::span<const ubf::StateFieldInfo> all) {
+    for (const ubf::StateFieldInfo& field : all)
       add("| `{}` | {} | {} |\n", field.name,
           field.kind == ubf::FieldKind::flag     ? "flag"
           : field.kind == ubf::FieldKind::choice ? fmt::format("{}", fmt::join(field.choices, ", "))

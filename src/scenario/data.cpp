@@ -12,9 +12,9 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKinds{"aircraft", "airframes", "radars",    "rwr",
-                                                  "visual",   "iff",       "datalinks", "trackers",
-                                                  "missiles", "guns"};
+constexpr std::array<std::string_view, 11> kKinds{"aircraft", "vehicles", "airframes", "radars",
+                                                  "rwr",      "visual",   "iff",       "datalinks",
+                                                  "trackers", "missiles", "guns"};
 
 /// Far above what anybody needs; a longer chain is an attempt to exhaust the stack.
 constexpr std::size_t kMostBases = 20;
@@ -114,6 +114,8 @@ void DataLoader::load_any(std::string_view kind, const std::string& name, const 
   };
   if (kind == "aircraft")
     aircraft(name, where);
+  if (kind == "vehicles")
+    vehicle(name, where);
   into("airframes", library_.airframes);
   into("radars", library_.radars);
   into("rwr", library_.rwrs);
@@ -211,21 +213,31 @@ std::optional<std::uint16_t> DataLoader::missile(const std::string& name, const 
   return load(library_.missiles, "missiles", name, where);
 }
 
-std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {
-  if (const auto known = library_.aircraft.find(name))
+template <Described Type, class Parts>
+std::optional<std::uint16_t> DataLoader::assembled(model::Shelf<Type>& shelf, std::string_view kind,
+                                                   const std::string& name, const Location& where,
+                                                   Parts parts) {
+  if (const auto known = shelf.find(name))
     return known;
-  if (failed_[{"aircraft", name}])
+  bool& failed = failed_[{std::string(kind), name}];
+  if (failed)
     return std::nullopt;
   const std::size_t before = diagnostics_.count();
   std::vector<std::string> chain;
-  const auto map = document("aircraft", name, where, chain);
-  model::AircraftType type;
+  const auto map = document(kind, name, where, chain);
+  Type type;
   static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
-  if (map && bind(type, *map, diagnostics_, kAlso)) {
-    const auto place = [&](std::string_view key) {
+  if (map && bind(type, *map, diagnostics_, kAlso))
+    parts(type, [&](std::string_view key) {
       const Value* v = map->find(key);
       return v ? v->where : map->where;
-    };
+    });
+  failed = diagnostics_.count() != before;
+  return failed ? std::nullopt : std::optional(shelf.add(name, std::move(type)));
+}
+
+std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {
+  const auto parts = [&](model::AircraftType& type, auto place) {
     if (const auto frame = load(library_.airframes, "airframes", type.airframe, place("airframe")))
       type.index.airframe = *frame;
     part(type.index.radar, type.radar, library_.radars, "radars", place("radar"));
@@ -237,12 +249,17 @@ std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const
     part(type.index.gun, type.gun, library_.guns, "guns", place("gun"));
     for (const model::StationFit& station : type.stations)
       missile(station.store, place("stations"));
-  }
-  if (diagnostics_.count() != before) {
-    failed_[{"aircraft", name}] = true;
-    return std::nullopt;
-  }
-  return library_.aircraft.add(name, std::move(type));
+  };
+  return assembled(library_.aircraft, "aircraft", name, where, parts);
+}
+
+std::optional<std::uint16_t> DataLoader::vehicle(const std::string& name, const Location& where) {
+  const auto parts = [&](model::VehicleType& type, auto place) {
+    part(type.index.visual, type.visual, library_.visuals, "visual", place("visual"));
+    part(type.index.datalink, type.datalink, library_.datalinks, "datalinks", place("datalink"));
+    type.prepare();
+  };
+  return assembled(library_.vehicles, "vehicles", name, where, parts);
 }
 
 }  // namespace eyrie::scenario

@@ -27,9 +27,10 @@ class DataLoader {
   DataLoader(model::Library& library, const Value* inline_data, Source& source,
              Diagnostics& diagnostics);
 
-  /// The index of an aircraft type with everything that it is put together from. Nothing if there
+  /// The index of a type with everything that it is put together from. Nothing if there
   /// is a mistake, which is then in the diagnostics: `where` is who asked.
   std::optional<std::uint16_t> aircraft(const std::string& name, const Location& where);
+  std::optional<std::uint16_t> vehicle(const std::string& name, const Location& where);
   std::optional<std::uint16_t> missile(const std::string& name, const Location& where);
 
   /// Every kind that has a folder in data/.
@@ -42,6 +43,12 @@ class DataLoader {
   template <Described Model>
   std::optional<std::uint16_t> load(model::Shelf<Model>& shelf, std::string_view kind,
                                     const std::string& name, const Location& where);
+  /// Of a type that is put together from other models: `parts(type, place)` looks them up, where
+  /// place(key) is where the document names one.
+  template <Described Type, class Parts>
+  std::optional<std::uint16_t> assembled(model::Shelf<Type>& shelf, std::string_view kind,
+                                         const std::string& name, const Location& where,
+                                         Parts parts);
   template <Described Model>
   void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
             model::Shelf<Model>& shelf, std::string_view kind, const Location& where);

@@ -73,7 +73,9 @@ TEST(Data, ReadsEveryShippedFile) {
     EXPECT_TRUE(data->aircraft(name, kAsker)) << data.mistakes();
   for (const std::string& name : disk.data_names("missiles"))
     EXPECT_TRUE(data->missile(name, kAsker)) << data.mistakes();
-  // nothing lies about that no aircraft is made of
+  for (const std::string& name : disk.data_names("vehicles"))
+    EXPECT_TRUE(data->vehicle(name, kAsker)) << data.mistakes();
+  // nothing lies about that no aircraft and no vehicle is made of
   for (const auto& [kind, shelf] :
        std::map<std::string_view, std::size_t>{{"airframes", data.library.airframes.size()},
                                                {"radars", data.library.radars.size()},

@@ -7,9 +7,10 @@
 #include <utility>
 
 #include "core/bind.hpp"
+#include "driver/driver_system.hpp"
 #include "model/events.hpp"
 #include "model/flight/fly.hpp"
-#include "pilot/catalog.hpp"
+#include "model/weapon/damage_system.hpp"
 #include "pilot/pilot_system.hpp"
 #include "scenario/assemble.hpp"
 #include "scenario/data.hpp"
@@ -17,6 +18,7 @@
 #include "scenario/place.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/trees.hpp"
 #include "sim/rate.hpp"
 
 namespace eyrie::scenario {
@@ -44,9 +46,14 @@ class Loader {
     library_->reference =
         Reference({out_->spec.reference.latitude, out_->spec.reference.longitude, 0.0});
     plans_ = read_plans(document_, diagnostics_);
-    trees();
+    trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders, diagnostics_);
+    out_->trees = trees_.pilots();
+    out_->driver_trees = trees_.drivers();
     models();
-    flights();
+    for (const FlightPlan& plan : plans_.flights)
+      flight(plan);
+    for (const ConvoyPlan& plan : plans_.convoys)
+      convoy(plan);
     orders();
     stop_if_wrong();
     finish();
@@ -75,38 +82,18 @@ class Loader {
       library_->environment = model::Environment(spec);
   }
 
-  void trees() {
-    const Value* map = document_.find("trees");
-    auto trees = std::make_shared<pilot::Trees>();
-    out_->trees = trees;
-    if (!map || map->is_null())
-      return;
-    if (!map->is_map())
-      return error(map->where, "trees: expected a map of trees, got " + map->shown());
-    std::vector<ubf::NamedSpec> named;
-    for (const Value::Entry& e : map->entries) {
-      const auto same = std::find_if(named.begin(), named.end(),
-                                     [&](const ubf::NamedSpec& n) { return n.name == e.key; });
-      if (same != named.end())
-        error(e.where, fmt::format("tree '{}' is defined twice (also at {})", e.key,
-                                   same->value->where.text()));
-      else
-        named.push_back({e.key, &e.value});
-    }
-    const auto registry = pilot::make_registry();
-    for (const ubf::NamedSpec& n : named)
-      if (ubf::needs_arguments(*n.value))
-        templates_.push_back(n.name);
-      else if (auto tree = registry.build_tree(n.name, *n.value, diagnostics_, named))
-        trees->add(std::move(*tree));
-      else
-        broken_.push_back(n.name);
-  }
-
   void models() {
     DataLoader data(*library_, document_.find("data"), source_, diagnostics_);
-    for (FlightPlan& flight : plans_)
-      for (PlayerPlan& player : flight.players) {
+    for (const ConvoyPlan& convoy : plans_.convoys)
+      for (const VehiclePlan& player : convoy.players) {
+        if (player.spec.vehicle.empty())
+          error(player.where,
+                fmt::format("{}: which vehicle? Neither it nor its convoy says", player.name));
+        else
+          data.vehicle(player.spec.vehicle, player.place("vehicle"));
+      }
+    for (const FlightPlan& flight : plans_.flights)
+      for (const PlayerPlan& player : flight.players) {
         if (player.spec.aircraft.empty()) {
           error(player.where,
                 fmt::format("{}: which aircraft? Neither it nor its flight says", player.name));
@@ -124,28 +111,83 @@ class Loader {
       }
   }
 
-  void flights() {
-    for (const FlightPlan& plan : plans_) {
-      model::Flight flight{.name = plan.name, .side = plan.side};
-      Roster::Flight names{plan.name, plan.side, {}};
-      for (const PlayerPlan& player : plan.players) {
-        const PlayerId id{static_cast<std::uint32_t>(out_->roster.players.size() + 1)};
-        flight.members.push_back(id);
-        names.members.push_back(id);
-        out_->roster.players.push_back({player.name, player.spec.aircraft, plan.side,
-                                        static_cast<std::uint16_t>(library_->flights.size()),
-                                        player.rank});
-      }
-      route(plan, flight);
-      const FormationSpec& wall = plan.spec.formation;
-      out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
-      if (plan.home && plan.sound)
-        flight.home = resolve(*plan.home, 0, library_->reference, plan.home_where, diagnostics_);
-      for (const PlayerPlan& player : plan.players)
-        start(plan, player);
-      library_->flights.push_back(std::move(flight));
-      out_->roster.flights.push_back(std::move(names));
+  /// Enters a flight or convoy with its members into the roster.
+  template <class Plan, class TypeOf>
+  model::Flight enter(const Plan& plan, Platform platform, TypeOf type_of) {
+    model::Flight flight{.name = plan.name, .side = plan.side};
+    Roster::Flight names{plan.name, plan.side, {}};
+    for (const auto& player : plan.players) {
+      const PlayerId id{static_cast<std::uint32_t>(out_->roster.players.size() + 1)};
+      flight.members.push_back(id);
+      names.members.push_back(id);
+      const auto [type, label] = type_of(player.spec);
+      out_->roster.players.push_back({player.name, type, label, plan.side,
+                                      static_cast<std::uint16_t>(library_->flights.size()),
+                                      player.rank, platform});
     }
+    out_->roster.flights.push_back(std::move(names));
+    return flight;
+  }
+
+  void flight(const FlightPlan& plan) {
+    const auto type_of = [&](const PlayerSpec& spec) {
+      const auto type = library_->aircraft.find(spec.aircraft);
+      return std::pair(spec.aircraft, type ? library_->aircraft[*type].label : spec.aircraft);
+    };
+    model::Flight flight = enter(plan, Platform::aircraft, type_of);
+    route(plan, flight);
+    const FormationSpec& wall = plan.spec.formation;
+    out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
+    out_->convoys.emplace_back();
+    if (plan.home && plan.sound)
+      flight.home = resolve(*plan.home, 0, library_->reference, plan.home_where, diagnostics_);
+    for (const PlayerPlan& player : plan.players)
+      start(plan, player);
+    library_->flights.push_back(std::move(flight));
+  }
+
+  void convoy(const ConvoyPlan& plan) {
+    const auto type_of = [&](const VehicleSpec& spec) {
+      const auto type = library_->vehicles.find(spec.vehicle);
+      return std::pair(spec.vehicle, type ? library_->vehicles[*type].label : spec.vehicle);
+    };
+    model::Flight convoy = enter(plan, Platform::vehicle, type_of);
+    out_->plans.emplace_back();
+    out_->convoys.push_back({.gap = plan.spec.gap});
+    if (plan.sound && !plan.spec.route.empty()) {
+      model::Route route{.name = "mission", .waypoints = {}, .end = model::RouteEnd::stop};
+      for (const RoadPointSpec& point : plan.spec.route)
+        route.waypoints.push_back(
+            {resolve(point, 0, library_->reference, plan.route_where, diagnostics_), 0,
+             point.speed});
+      convoy.routes.push_back(std::move(route));
+    }
+    for (const VehiclePlan& player : plan.players)
+      vehicle_starts_.push_back(start(plan, player));
+    library_->flights.push_back(std::move(convoy));
+  }
+
+  /// Behind the lead if it has no place of its own.
+  VehicleStart start(const ConvoyPlan& plan, const VehiclePlan& player) {
+    VehicleStart begin;
+    if (!player.spec.tree.empty())
+      begin.tree =
+          trees_.find(*out_->driver_trees, player.spec.tree, player.place("tree"), diagnostics_);
+    begin.type = library_->vehicles.find(player.spec.vehicle).value_or(0);
+    if (!player.sound)
+      return begin;
+    const VehicleStartSpec& s = player.spec.start;
+    if (!s.heading) {
+      error(plan.start_where, fmt::format("{}: start needs a heading", player.name));
+      return begin;
+    }
+    begin.heading = *s.heading;
+    begin.speed = s.speed.value_or(0);
+    begin.position = resolve(s, 0, library_->reference, plan.start_where, diagnostics_);
+    if (!player.own_place)
+      begin.position = beside(library_->reference, begin.position, *s.heading,
+                              {-plan.spec.gap * (player.rank - 1), 0, 0});
+    return begin;
   }
 
   void route(const FlightPlan& plan, model::Flight& flight) {
@@ -188,10 +230,7 @@ class Loader {
     begin.privileged = player.spec.privileged;
     begin.where = player.where;
     if (!player.spec.tree.empty()) {
-      begin.tree = out_->trees->find(player.spec.tree);
-      if (!begin.tree &&
-          std::find(broken_.begin(), broken_.end(), player.spec.tree) == broken_.end())
-        error(player.place("tree"), no_tree(player.spec.tree));
+      begin.tree = trees_.find(*out_->trees, player.spec.tree, player.place("tree"), diagnostics_);
     }
     if (const auto type = library_->aircraft.find(player.spec.aircraft))
       equip(player, *type, begin);
@@ -230,19 +269,6 @@ class Loader {
       hang(store, store == "none" ? 0 : 1);
   }
 
-  std::string no_tree(const std::string& name) const {
-    if (std::find(templates_.begin(), templates_.end(), name) != templates_.end())
-      return fmt::format("tree {} needs arguments: fly a tree that refers to it with some",
-                         quote(name));
-    return fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, tree_names()));
-  }
-  std::vector<std::string> tree_names() const {
-    std::vector<std::string> names = broken_;
-    for (const auto& tree : *out_->trees)
-      names.emplace_back(tree.name());
-    return names;
-  }
-
   void orders() {
     std::vector<std::string> players;
     for (const auto& p : out_->roster.players)
@@ -250,21 +276,34 @@ class Loader {
     const Location where = place(document_, "orders");
     for (const OrderSpec& order : out_->spec.orders) {
       const auto who = out_->roster.find(order.player);
-      const auto tree = out_->trees->find(order.swap_tree);
       if (!who)
         error(where, fmt::format("there is no player {}{}", quote(order.player),
                                  did_you_mean(order.player, players)));
-      if (!tree)
-        error(where, no_tree(order.swap_tree));
-      if (who && tree)
-        out_->orders.push_back(pilot::swap_tree_order(
-            static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5), *who, *tree));
+      if (order.lose == order.swap_tree.has_value())
+        error(where, fmt::format("what is ordered of {}? Either 'swap_tree' or 'lose: true'",
+                                 quote(order.player)));
+      else if (who)
+        give(order, *who, where);
+      else if (order.swap_tree && !out_->driver_trees->find(*order.swap_tree))
+        static_cast<void>(trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_));
+    }
+  }
+  void give(const OrderSpec& order, PlayerId who, const Location& where) {
+    const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
+    if (order.lose) {
+      out_->orders.push_back(model::lose_order(step, who));
+    } else if (out_->roster.find(who)->platform == Platform::aircraft) {
+      if (const auto tree = trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_))
+        out_->orders.push_back(pilot::swap_tree_order(step, who, *tree));
+    } else if (const auto tree =
+                   trees_.find(*out_->driver_trees, *order.swap_tree, where, diagnostics_)) {
+      out_->orders.push_back(driver::swap_tree_order(step, who, *tree));
     }
   }
 
   void finish() {
     out_->library = library_;
-    const std::string problem = assemble(*out_, starts_);
+    const std::string problem = assemble(*out_, starts_, vehicle_starts_);
     if (!problem.empty()) {
       error(place(document_, "rates"), problem);
       stop_if_wrong();
@@ -275,11 +314,11 @@ class Loader {
   Source& source_;
   Diagnostics diagnostics_;
   Value document_;
-  std::vector<FlightPlan> plans_;
+  Plans plans_;
+  TreeBook trees_;
   std::shared_ptr<model::Library> library_;
   std::vector<Start> starts_;
-  std::vector<std::string> broken_;     ///< trees with mistakes, said already
-  std::vector<std::string> templates_;  ///< trees that need arguments
+  std::vector<VehicleStart> vehicle_starts_;
   std::shared_ptr<Scenario> out_ = std::make_shared<Scenario>();
 };
 

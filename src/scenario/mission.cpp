@@ -36,17 +36,47 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }
 
+bool Mission::has_arrived(std::uint16_t convoy) const {
+  const sim::World& world = run_.world();
+  const auto fit = world.rows(scenario_->vehicles->fit);
+  const auto driving = world.rows(scenario_->vehicles->driving);
+  const auto kinematics = world.rows(scenario_->vehicles->kinematics);
+  const auto& routes = scenario_->library->flights[convoy].routes;
+  bool at_the_end = false;
+  for (std::size_t i = 0; i < fit.size(); ++i) {
+    if (fit[i].flight != convoy)
+      continue;
+    if (kinematics[i].speed > 0)
+      return false;
+    const model::NavState& nav = driving[i].nav;
+    at_the_end |= nav.route < routes.size() && nav.leg >= routes[nav.route].waypoints.size();
+  }
+  return at_the_end;
+}
+
 Outcome Mission::judge() const {
+  const sim::World& world = run_.world();
   std::uint32_t blue = 0, red = 0;
-  for (const model::Fit& fit : run_.world().rows(scenario_->aircraft.fit)) {
+  const auto count = [&](const model::Fit& fit) {
     blue += fit.side == model::Side::blue;
     red += fit.side == model::Side::red;
+  };
+  for (const model::Fit& fit : world.rows(scenario_->aircraft.fit))
+    count(fit);
+  bool any_arrived = false;
+  if (scenario_->vehicles) {
+    for (const model::Fit& fit : world.rows(scenario_->vehicles->fit)) {
+      const bool arrived = scenario_->spec.ends == Ends::blue_home && has_arrived(fit.flight);
+      any_arrived |= arrived && fit.side == model::Side::blue;
+      if (!arrived)
+        count(fit);
+    }
   }
   if (scenario_->spec.ends == Ends::blue_home && blue == 0)
-    return any_home_ ? Outcome::blue_home : Outcome::blue_lost;
+    return any_home_ || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
   if (scenario_->spec.ends == Ends::last_side && (blue == 0 || red == 0))
     return blue == 0 ? Outcome::blue_lost : Outcome::red_lost;
-  return run_.world().step() >= last_step_ ? Outcome::time : Outcome::running;
+  return world.step() >= last_step_ ? Outcome::time : Outcome::running;
 }
 
 bool Mission::step() {

@@ -13,9 +13,9 @@ namespace eyrie::scenario {
 /// Why a mission was over.
 enum class Outcome : std::uint8_t {
   running,
-  blue_home,  ///< every blue aircraft that lived came home
-  blue_lost,  ///< no blue aircraft lives
-  red_lost,   ///< no red aircraft lives
+  blue_home,  ///< every blue aircraft that lived came home, every convoy that lived arrived
+  blue_lost,  ///< no blue player lives
+  red_lost,   ///< no red player lives
   time,       ///< `until` came first
   stopped,    ///< from outside
 };
@@ -44,6 +44,8 @@ class Mission {
 
  private:
   [[nodiscard]] Outcome judge() const;
+  /// Everybody stands, and somebody is past the last point of the route.
+  [[nodiscard]] bool has_arrived(std::uint16_t convoy) const;
 
   std::shared_ptr<const Scenario> scenario_;
   sim::Run run_;

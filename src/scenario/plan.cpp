@@ -7,7 +7,9 @@
 #include <array>
 #include <charconv>
 #include <map>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "core/bind.hpp"
 #include "model/datalink/datalink_state.hpp"
@@ -40,12 +42,12 @@ class Reader {
   Reader(const Value& document, Diagnostics& diagnostics)
       : document_(document), diagnostics_(diagnostics) {}
 
-  std::vector<FlightPlan> read() {
+  Plans read() {
     side("blue", model::Side::blue);
     side("red", model::Side::red);
-    if (flights_.empty() && diagnostics_.ok())
+    if (plans_.flights.empty() && plans_.convoys.empty() && diagnostics_.ok())
       diagnostics_.error(document_.where, "no flights: neither blue nor red has any");
-    return std::move(flights_);
+    return std::move(plans_);
   }
 
  private:
@@ -56,7 +58,7 @@ class Reader {
     if (!map->is_map())
       return error(map->where,
                    fmt::format("{}: expected a map with flights, got {}", key, map->shown()));
-    static constexpr std::array<std::string_view, 2> kKeys{"home", "flights"};
+    static constexpr std::array<std::string_view, 3> kKeys{"home", "flights", "convoys"};
     for (const Value::Entry& e : map->entries)
       if (std::find(kKeys.begin(), kKeys.end(), e.key) == kKeys.end())
         error(e.where,
@@ -74,27 +76,64 @@ class Reader {
         home.reset();
     }
     const Value* flights = map->find("flights");
-    if (!flights || !flights->is_map() || flights->entries.empty())
-      return error(flights ? flights->where : map->where,
-                   fmt::format("{}: expected a map of flights, got {}", key,
-                               flights ? flights->shown() : "nothing"));
-    for (const Value::Entry& e : flights->entries)
-      flight(e, side, home, home_where);
+    const Value* convoys = map->find("convoys");
+    if (!flights && !convoys)
+      return error(map->where, fmt::format("{}: expected a map of flights, got nothing", key));
+    for (const Value::Entry& e : groups(flights, key, "flights")) {
+      FlightPlan plan;
+      plan.home = home;
+      plan.home_where = home_where;
+      group(std::move(plan), plans_.flights, e, side);
+    }
+    for (const Value::Entry& e : groups(convoys, key, "convoys")) {
+      plans_.read.push_back({e.key, e.where, on_the_ground(e.value, e.key)});
+      group(ConvoyPlan{}, plans_.convoys, plans_.read.back(), side);
+    }
   }
 
-  void flight(const Value::Entry& entry, model::Side side, const std::optional<PlaceSpec>& home,
-              const Location& home_where) {
+  std::span<const Value::Entry> groups(const Value* map, std::string_view side,
+                                       std::string_view what) {
+    if (!map)
+      return {};
+    if (map->is_map() && !map->entries.empty())
+      return map->entries;
+    error(map->where, fmt::format("{}: expected a map of {}, got {}", side, what, map->shown()));
+    return {};
+  }
+
+  /// Without what only aircraft have, after saying so.
+  Value on_the_ground(Value value, std::string_view convoy) {
+    static constexpr std::array<std::string_view, 9> kInTheAir{"altitude",  "aircraft",   "fuel",
+                                                               "bingo",     "loadout",    "rounds",
+                                                               "formation", "privileged", "home"};
+    for (Value& item : value.items)
+      item = on_the_ground(std::move(item), convoy);
+    std::erase_if(value.entries, [&](const Value::Entry& e) {
+      const bool in_the_air =
+          std::find(kInTheAir.begin(), kInTheAir.end(), e.key) != kInTheAir.end();
+      if (in_the_air)
+        error(e.where, fmt::format("{} drives on the ground: '{}' is for aircraft", convoy, e.key));
+      return in_the_air;
+    });
+    for (Value::Entry& e : value.entries)
+      e.value = on_the_ground(std::move(e.value), convoy);
+    return value;
+  }
+
+  template <class Plan>
+  void group(Plan plan, std::vector<Plan>& plans, const Value::Entry& entry, model::Side side) {
     if (!is_identifier(entry.key) || (entry.key.back() >= '0' && entry.key.back() <= '9'))
-      return error(
-          entry.where,
-          fmt::format("{} cannot name a flight: lower-case letters, digits and '_', with a "
-                      "letter first and no digit last",
-                      quote(entry.key)));
-    for (const FlightPlan& other : flights_)
-      if (other.name == entry.key)
-        return error(entry.where, fmt::format("flight '{}' is defined twice (also at {})",
-                                              entry.key, other.where.text()));
-    FlightPlan plan{.name = entry.key, .side = side, .where = entry.where};
+      return error(entry.where,
+                   fmt::format("{} cannot name a {}: lower-case letters, digits and '_', with a "
+                               "letter first and no digit last",
+                               quote(entry.key), Plan::word));
+    const auto [known, fresh] = groups_.emplace(entry.key, entry.where);
+    if (!fresh)
+      return error(entry.where, fmt::format("{} '{}' is defined twice (also at {})", Plan::word,
+                                            entry.key, known->second.text()));
+    plan.name = entry.key;
+    plan.side = side;
+    plan.where = entry.where;
     static constexpr std::array<std::string_view, 1> kAlso{"players"};
     plan.sound = bind(plan.spec, entry.value, diagnostics_, kAlso);
     const auto place = [&](std::string_view key) {
@@ -103,43 +142,48 @@ class Reader {
     };
     plan.start_where = place("start");
     plan.route_where = place("route");
-    plan.home = plan.spec.home ? plan.spec.home : home;
-    plan.home_where = plan.spec.home ? place("home") : home_where;
+    if constexpr (requires { plan.spec.home; }) {
+      if (plan.spec.home) {
+        plan.home = plan.spec.home;
+        plan.home_where = place("home");
+      }
+    }
 
     const Value* players = entry.value.find("players");
     if (!players || !players->is_list() || players->items.empty())
-      return error(
-          players ? players->where : entry.where,
-          fmt::format("flight '{0}' needs its players: a list such as [{0}1, {0}2]", plan.name));
+      return error(players ? players->where : entry.where,
+                   fmt::format("{0} '{1}' needs its players: a list such as [{1}1, {1}2]",
+                               Plan::word, plan.name));
     for (const Value& item : players->items)
       player(plan, entry.value, item);
     std::sort(plan.players.begin(), plan.players.end(),
-              [](const PlayerPlan& a, const PlayerPlan& b) { return a.rank < b.rank; });
+              [](const auto& a, const auto& b) { return a.rank < b.rank; });
     // a player that was refused may have been meant as the lead
     if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
-      error(players->where,
-            fmt::format("flight '{0}' has no lead: none of its players is '{0}1'", plan.name));
-    flights_.push_back(std::move(plan));
+      error(players->where, fmt::format("{0} '{1}' has no lead: none of its players is '{1}1'",
+                                        Plan::word, plan.name));
+    plans.push_back(std::move(plan));
   }
 
-  void player(FlightPlan& flight, const Value& document, const Value& item) {
+  template <class Plan>
+  void player(Plan& group, const Value& document, const Value& item) {
     const bool overrides = item.is_map() && item.entries.size() == 1;
     if (!item.is_scalar() && !overrides)
       return error(item.where,
                    "players: expected a name or a name with a map, got " + item.shown());
-    PlayerPlan plan{.name = overrides ? item.entries[0].key : item.text,
-                    .where = item.where,
-                    .spec = flight.spec,
-                    .sound = flight.sound,
-                    .flight = &document};
-    const auto rank = rank_of(plan.name, flight.name);
+    typename Plan::Member plan{.name = overrides ? item.entries[0].key : item.text,
+                               .where = item.where,
+                               .spec = group.spec,
+                               .sound = group.sound,
+                               .group = &document};
+    const auto rank = rank_of(plan.name, group.name);
     if (!rank)
-      return error(item.where, fmt::format("{} is not the flight's name and a rank, such as '{}1'",
-                                           quote(plan.name), flight.name));
+      return error(item.where, fmt::format("{} is not the {}'s name and a rank, such as '{}1'",
+                                           quote(plan.name), Plan::word, group.name));
     plan.rank = *rank;
     if (plan.rank > model::kMaxFlight)
-      return error(item.where, fmt::format("'{}': the ranks of a flight are 1 to {}", plan.name,
-                                           model::kMaxFlight));
+      return error(item.where, fmt::format("'{}': the ranks of a {} are 1 to {}", plan.name,
+                                           Plan::word, model::kMaxFlight));
     const auto [known, fresh] = places_.emplace(plan.name, item.where);
     if (!fresh)
       return error(item.where, fmt::format("there are two players '{}' (also at {})", plan.name,
@@ -154,7 +198,7 @@ class Reader {
         static_cast<PlaceSpec&>(plan.spec.start) = {};
       plan.sound = bind(plan.spec, map, diagnostics_) && plan.sound;
     }
-    flight.players.push_back(std::move(plan));
+    group.players.push_back(std::move(plan));
   }
 
   void error(const Location& where, std::string message) {
@@ -163,23 +207,13 @@ class Reader {
 
   const Value& document_;
   Diagnostics& diagnostics_;
-  std::vector<FlightPlan> flights_;
-  std::map<std::string, Location> places_;
+  Plans plans_;
+  std::map<std::string, Location> groups_, places_;
 };
 
 }  // namespace
 
-const Value* PlayerPlan::said(std::string_view key) const {
-  const Value* mine = own ? own->find(key) : nullptr;
-  return mine || !flight ? mine : flight->find(key);
-}
-
-const Location& PlayerPlan::place(std::string_view key) const {
-  const Value* value = said(key);
-  return value ? value->where : where;
-}
-
-std::vector<FlightPlan> read_plans(const Value& document, Diagnostics& diagnostics) {
+Plans read_plans(const Value& document, Diagnostics& diagnostics) {
   return Reader(document, diagnostics).read();
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The flights and players of a scenario document, read and checked, not yet built.
+/// \file  The flights, convoys and players of a scenario document, read and checked, not yet built.
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,37 +15,65 @@
 
 namespace eyrie::scenario {
 
-/// One aircraft: what its flight says, overridden by what the file says of it.
-struct PlayerPlan {
+/// One aircraft or vehicle: what its flight or convoy says, overridden by what the file says of it.
+template <class Spec>
+struct MemberPlan {
   std::string name;
   std::uint16_t rank = 1;  ///< from the name
   Location where;
-  PlayerSpec spec;
+  Spec spec;
   bool own_place = false;      ///< it has a start place of its own instead of one in the formation
-  bool sound = true;           ///< everything said of it and of its flight could be read
+  bool sound = true;           ///< everything said of it and of its group could be read
   const Value* own = nullptr;  ///< its overrides in the document, if it has any
-  const Value* flight = nullptr;  ///< its flight in the document
+  const Value* group = nullptr;  ///< its flight or convoy in the document
 
-  /// What the document says of a key: of the player, or else of its flight; null if nothing.
-  [[nodiscard]] const Value* said(std::string_view key) const;
-  /// Where it says so; if nowhere, where the player stands.
-  [[nodiscard]] const Location& place(std::string_view key) const;
+  /// What the document says of a key: of the member, or else of its group; null if nothing.
+  [[nodiscard]] const Value* said(std::string_view key) const {
+    const Value* mine = own ? own->find(key) : nullptr;
+    return mine || !group ? mine : group->find(key);
+  }
+  /// Where it says so; if nowhere, where the member stands.
+  [[nodiscard]] const Location& place(std::string_view key) const {
+    const Value* value = said(key);
+    return value ? value->where : where;
+  }
 };
 
-struct FlightPlan {
+/// A flight or a convoy.
+template <class GroupSpec, class MemberSpec>
+struct GroupPlan {
+  using Member = MemberPlan<MemberSpec>;
   std::string name;
   model::Side side = model::Side::none;
   Location where;
-  FlightSpec spec;
-  std::optional<PlaceSpec> home;  ///< of the flight, or else of the side
-  bool sound = true;              ///< everything said of it could be read
-  Location home_where, route_where, start_where;
-  std::vector<PlayerPlan> players;  ///< by rank
+  GroupSpec spec;
+  bool sound = true;  ///< everything said of it could be read
+  Location route_where, start_where;
+  std::vector<Member> players;  ///< by rank
 };
 
-/// Reads `blue:` and `red:` of a scenario document, in this order and flights in file order.
-/// Refused: a side or flight without anything in it, a player whose name is not its flight's name
-/// and a rank, two players of one name, a flight without a lead, ranks beyond model::kMaxFlight.
-[[nodiscard]] std::vector<FlightPlan> read_plans(const Value& document, Diagnostics& diagnostics);
+using PlayerPlan = MemberPlan<PlayerSpec>;
+struct FlightPlan : GroupPlan<FlightSpec, PlayerSpec> {
+  static constexpr std::string_view word = "flight";
+  std::optional<PlaceSpec> home;  ///< of the flight, or else of the side
+  Location home_where;
+};
+
+using VehiclePlan = MemberPlan<VehicleSpec>;
+struct ConvoyPlan : GroupPlan<ConvoySpec, VehicleSpec> {
+  static constexpr std::string_view word = "convoy";
+};
+
+struct Plans {
+  std::vector<FlightPlan> flights;
+  std::vector<ConvoyPlan> convoys;
+  std::deque<Value::Entry> read;  ///< what convoys were read from, where they point into
+};
+
+/// Reads `blue:` and `red:` of a scenario document, in this order and flights and convoys in file
+/// order. Refused: a side without either, a group without anybody in it, a player whose name is not
+/// its group's name and a rank, two of one name, a group without a lead, ranks beyond
+/// model::kMaxFlight, and of a convoy what only aircraft have.
+[[nodiscard]] Plans read_plans(const Value& document, Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

@@ -15,6 +15,7 @@ namespace {
 
 struct Read {
   std::vector<FlightPlan> plans;
+  std::vector<ConvoyPlan> convoys;
   std::string mistakes;
 };
 
@@ -23,7 +24,9 @@ Read read(std::string_view yaml) {
   const Value document = parse_yaml(yaml, "a", diagnostics);
   EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
   Read result;
-  result.plans = read_plans(document, diagnostics);
+  Plans read = read_plans(document, diagnostics);
+  result.plans = std::move(read.flights);
+  result.convoys = std::move(read.convoys);
   result.mistakes = diagnostics.text();
   return result;
 }
@@ -34,7 +37,7 @@ std::string players(std::string_view list) {
 }
 
 TEST(Plan, ReadsSidesFlightsAndPlayersByRank) {
-  const auto [plans, mistakes] = read(
+  const auto [plans, convoys, mistakes] = read(
       "red: {flights: {bogey: {players: [bogey1]}}}\n"
       "blue:\n"
       "  flights:\n"
@@ -57,7 +60,7 @@ TEST(Plan, ReadsSidesFlightsAndPlayersByRank) {
 }
 
 TEST(Plan, LetsAPlayerSayWhatItsFlightSaysDifferently) {
-  const auto [plans, mistakes] = read(
+  const auto [plans, convoys, mistakes] = read(
       "blue:\n"
       "  flights:\n"
       "    eagle:\n"
@@ -83,7 +86,7 @@ TEST(Plan, LetsAPlayerSayWhatItsFlightSaysDifferently) {
 }
 
 TEST(Plan, GivesAFlightTheHomeOfItsSideUnlessItHasItsOwn) {
-  const auto [plans, mistakes] = read(
+  const auto [plans, convoys, mistakes] = read(
       "blue:\n"
       "  home: {north: 1 nmi, east: 2 nmi}\n"
       "  flights:\n"
@@ -196,6 +199,44 @@ TEST(Plan, RefusesSidesWithoutAnything) {
             "a:1:17: blue: expected a map of flights, got a map");
   EXPECT_EQ(read("blue:\n  flights: {eagle: {players: [eagle1]}}\n  flights: {}\n").mistakes,
             "a:3:3: blue: 'flights' is given twice (first at line 2)");
+}
+
+TEST(Plan, ReadsConvoysOfVehicles) {
+  const auto [plans, convoys, mistakes] = read(
+      "red: {convoys: {column: {vehicle: m939, gap: 80 m, players: [column2, column1]}}}\n"
+      "blue:\n"
+      "  flights: {eagle: {players: [eagle1]}}\n"
+      "  convoys:\n"
+      "    supply:\n"
+      "      start: {north: 1 km, east: 2 km, heading: 90 deg}\n"
+      "      route: [{north: 1 km, east: 9 km, speed: 60 km/h}]\n"
+      "      players: [supply1, {supply2: {vehicle: m113}}]\n");
+  EXPECT_EQ(mistakes, "");
+  ASSERT_EQ(plans.size(), 1u);
+  ASSERT_EQ(convoys.size(), 2u);
+  EXPECT_EQ(convoys[0].name, "supply");
+  EXPECT_EQ(convoys[0].players[1].spec.vehicle, "m113");
+  EXPECT_EQ(convoys[0].spec.route.at(0).speed, si(60, "km/h"));
+  EXPECT_EQ(convoys[1].side, model::Side::red);
+  EXPECT_EQ(convoys[1].spec.gap, 80);
+  EXPECT_EQ(convoys[1].players[0].name, "column1");
+}
+
+TEST(Plan, RefusesOnTheGroundWhatOnlyAircraftHave) {
+  EXPECT_EQ(read("blue: {convoys: {supply: {players: [supply1], loadout: [aim9],\n"
+                 "  start: {north: 1 km, east: 2 km, altitude: 3 km},\n"
+                 "  route: [{north: 1 km, east: 2 km, altitude: 3 km}]}}}\n")
+                .mistakes,
+            "a:1:47: supply drives on the ground: 'loadout' is for aircraft\n"
+            "a:2:36: supply drives on the ground: 'altitude' is for aircraft\n"
+            "a:3:37: supply drives on the ground: 'altitude' is for aircraft");
+}
+
+TEST(Plan, RefusesAConvoyThatHasTheNameOfAFlight) {
+  EXPECT_EQ(read("blue: {flights: {eagle: {players: [eagle1]}}, convoys: {eagle: {players: "
+                 "[eagle1]}}}\n")
+                .mistakes,
+            "a:1:57: convoy 'eagle' is defined twice (also at a:1:18)");
 }
 
 }  // namespace

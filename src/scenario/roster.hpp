@@ -13,14 +13,19 @@
 
 namespace eyrie::scenario {
 
-/// Names that never enter a step. Player ids are 1 + index: aircraft are born in this order.
+enum class Platform : std::uint8_t { aircraft, vehicle };
+
+/// Names that never enter a step. Player ids are 1 + index: players are born in this order,
+/// aircraft first.
 struct Roster {
   struct Player {
-    std::string name;      ///< "eagle1"
-    std::string aircraft;  ///< name of its type, "f15c"
+    std::string name;   ///< "eagle1"
+    std::string type;   ///< name of its type, "f15c"
+    std::string label;  ///< what people call the type, "F-15C"
     model::Side side = model::Side::none;
     std::uint16_t flight = 0;  ///< index into flights
     std::uint16_t rank = 1;    ///< from the name
+    Platform platform = Platform::aircraft;
   };
   struct Flight {
     std::string name;
@@ -34,7 +39,7 @@ struct Roster {
   [[nodiscard]] const Player* find(PlayerId id) const {
     return id && id.value <= players.size() ? &players[id.value - 1] : nullptr;
   }
-  /// The name of an aircraft; for anybody else "player 12", for nobody "".
+  /// The name of a player in it; for anybody else "player 12", for nobody "".
   [[nodiscard]] std::string name(PlayerId id) const {
     if (const Player* p = find(id))
       return p->name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A scenario that is ready to fly: const models, trees and systems, and the first world.
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -9,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "driver/columns.hpp"
+#include "driver/state.hpp"
+#include "driver/trees.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "pilot/columns.hpp"
@@ -35,12 +39,21 @@ struct Scenario {
   model::MissileColumns missiles;
   pilot::PilotColumns pilots;
   std::vector<pilot::FlightPlan> plans;  ///< by Fit::flight
+  std::shared_ptr<const driver::Trees> driver_trees;
+  std::vector<driver::ConvoyPlan> convoys;        ///< by Fit::flight
+  std::optional<model::VehicleColumns> vehicles;  ///< if there are any
+  driver::DriverColumns drivers;                  ///< of them
   std::shared_ptr<const sim::Simulation> simulation;
   std::optional<sim::World> start;  ///< with the scenario's own seed; use world()
   std::vector<sim::Order> orders;
   std::map<std::string, std::string> files;  ///< every text it was made from
   std::vector<std::string> sets;             ///< overrides, as given
 
+  [[nodiscard]] std::size_t count(Platform platform) const {
+    return static_cast<std::size_t>(
+        std::count_if(roster.players.begin(), roster.players.end(),
+                      [&](const Roster::Player& p) { return p.platform == platform; }));
+  }
   /// The world at step 0 for a seed.
   [[nodiscard]] sim::World world(std::uint64_t seed) const;
 };

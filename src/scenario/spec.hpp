@@ -16,8 +16,8 @@ namespace eyrie::scenario {
 
 /// When a run is over, besides `until`.
 enum class Ends : std::uint8_t {
-  blue_home,  ///< every living blue aircraft is home, or none lives
-  last_side,  ///< one side has no aircraft left
+  blue_home,  ///< every living blue aircraft is home and convoy arrived, or none lives
+  last_side,  ///< one side has no aircraft and no vehicle left
   time,       ///< only `until` counts
 };
 
@@ -127,6 +127,60 @@ struct FlightSpec : PlayerSpec {
   std::optional<PlaceSpec> home;
 };
 
+struct VehicleStartSpec : PlaceSpec {
+  static constexpr std::string_view type_name = "vehicle_start";
+  static constexpr std::string_view help = "where and how a vehicle begins, on the surface";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        PlaceSpec::params(),
+        std::tuple{param("heading", &VehicleStartSpec::heading, "rad",
+                         range(-6.283185307179586, 6.283185307179586), "true heading"),
+                   param("speed", &VehicleStartSpec::speed, "m/s", range(0, 100),
+                         "over the ground; not given: stands")});
+  }
+  std::optional<double> heading, speed;
+};
+
+struct RoadPointSpec : PlaceSpec {
+  static constexpr std::string_view type_name = "road_point";
+  static constexpr std::string_view help = "one point of a convoy's route";
+  static constexpr auto params() {
+    return std::tuple_cat(PlaceSpec::params(),
+                          std::tuple{param("speed", &RoadPointSpec::speed, "m/s", range(0.5, 100),
+                                           "to drive on the leg to this point")});
+  }
+  std::optional<double> speed;
+};
+
+/// What may be said of a whole convoy and again of one of its vehicles.
+struct VehicleSpec {
+  static constexpr std::string_view type_name = "vehicle";
+  static constexpr std::string_view help =
+      "one vehicle; what it does not say comes from its convoy";
+  static constexpr auto params() {
+    return std::tuple{
+        param("vehicle", &VehicleSpec::vehicle, "name of a vehicle in data/vehicles"),
+        param("tree", &VehicleSpec::tree, "name of the tree that drives it; none: it stands"),
+        param("start", &VehicleSpec::start, "where and how it begins")};
+  }
+  std::string vehicle, tree;
+  VehicleStartSpec start;
+};
+
+struct ConvoySpec : VehicleSpec {
+  static constexpr std::string_view type_name = "convoy";
+  static constexpr std::string_view help = "vehicles that drive in column, ranked by their names";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        VehicleSpec::params(),
+        std::tuple{
+            param("gap", &ConvoySpec::gap, "m", range(5, 5e3), "from vehicle to vehicle"),
+            param("route", &ConvoySpec::route, "the points of its way, in order; it stops there")});
+  }
+  double gap = 50;
+  std::vector<RoadPointSpec> route;
+};
+
 struct RatesSpec {
   static constexpr std::string_view type_name = "rates";
   static constexpr std::string_view help = "how often things happen; each must divide the first";
@@ -134,7 +188,7 @@ struct RatesSpec {
     return std::tuple{
         param("kinematics", &RatesSpec::kinematics, "Hz", range(1, 1000), "steps of the world"),
         param("decisions", &RatesSpec::decisions, "Hz", range(0.1, 1000),
-              "ticks of each pilot's tree")};
+              "ticks of each pilot's and each driver's tree")};
   }
   double kinematics = 50, decisions = 10;
 };
@@ -162,10 +216,14 @@ struct OrderSpec {
     return std::tuple{
         param("at", &OrderSpec::at, "s", range(0, 1e6), "simulated time").required(),
         param("player", &OrderSpec::player, "who").required(),
-        param("swap_tree", &OrderSpec::swap_tree, "the tree to fly from then on").required()};
+        param("swap_tree", &OrderSpec::swap_tree, "the tree to fly or drive by from then on"),
+        param("lose", &OrderSpec::lose,
+              "true: the player is lost to something that is not simulated, such as a mine")};
   }
   double at = 0;
-  std::string player, swap_tree;
+  std::string player;
+  std::optional<std::string> swap_tree;
+  bool lose = false;
 };
 
 /// The top level of a scenario file; trees, data, routes, blue and red are read by hand.

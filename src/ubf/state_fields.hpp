@@ -49,6 +49,20 @@ struct StateFields {
   [[nodiscard]] static std::span<const StateField<State>> all() { return {}; }
 };
 
+/// To write them in tables: `number("speed", "m/s", "own", [](const Robot& r) { return r.speed;
+/// })`.
+template <class State>
+struct FieldsOf {
+  static constexpr StateField<State> number(std::string_view name, Unit unit, std::string_view help,
+                                            double (*read)(const State&)) {
+    return {{.name = name, .kind = FieldKind::number, .unit = unit, .help = help}, read};
+  }
+  static constexpr StateField<State> flag(std::string_view name, std::string_view help,
+                                          double (*read)(const State&)) {
+    return {{.name = name, .kind = FieldKind::flag, .unit = {}, .help = help}, read};
+  }
+};
+
 /// Things of which a state has several, where behaviors look at one: a pilot's tracks, of which one
 /// is the target.
 template <class State>

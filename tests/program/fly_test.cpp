@@ -50,7 +50,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
         R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
     EXPECT_TRUE(has(ran.out, line)) << line;
   // closing table
-  EXPECT_TRUE(has(ran.out, R"(\naircraft +side +shots +kills +end +fuel kg +phase\n)"));
+  EXPECT_TRUE(has(ran.out, R"(\nplayer +side +shots +kills +end +fuel kg +phase\n)"));
   for (const char* who : {"eagle1", "eagle2", "eagle3", "eagle4"})
     EXPECT_TRUE(
         has(ran.out, std::string("\n") + who + R"( +blue +\d+ +\d+  (home|lost) \d\d:\d\d\.\d)"))

@@ -69,9 +69,11 @@ void start(DatalinkState& state, std::span<const PlayerId> members, PlayerId sel
 const DatalinkMessage* receive(Mate& mate, const Datalink& datalink, const DatalinkSent& sent,
                                bool in_reach, double time, Draw draw);
 
-/// Believes mates lost that have been silent for longer than the timeout, and forgets their claims
-/// on tracks.
-void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tracks, double time);
+/// Believes mates lost that have been silent for longer than the timeout; gives those of this time,
+/// bit i for member i.
+std::uint8_t check_silence(DatalinkState& state, const Datalink& datalink, double time);
+/// Forgets the claims of members on tracks, bit i for member i.
+void forget_claims(TrackFile& tracks, std::uint8_t members);
 
 /// What mate number `member` said about tracks goes into the own file: a track that a sensor of the
 /// mate holds becomes a track here, or replaces the estimate here if it is the better one; identity

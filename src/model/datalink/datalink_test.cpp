@@ -131,9 +131,11 @@ TEST(Datalink, BelievesASilentMateLostAfterTheTimeout) {
   file.tracks[0].targeted_by = 0b101;
   file.tracks[0].shot_by = 0b001;
 
-  check_silence(state, kLink, file, 17);
+  EXPECT_EQ(check_silence(state, kLink, 17), 0);
   EXPECT_EQ(state.members[0].alive, 1) << "5 s are not longer than 5 s";
-  check_silence(state, kLink, file, 17.1);
+  const std::uint8_t lost = check_silence(state, kLink, 17.1);
+  EXPECT_EQ(lost, 0b001);
+  forget_claims(file, lost);
   EXPECT_EQ(state.members[0].alive, 0);
   EXPECT_EQ(state.members[1].alive, 1) << "oneself";
   EXPECT_EQ(state.members[2].alive, 1);
@@ -145,9 +147,8 @@ TEST(Datalink, BelievesASilentMateLostAfterTheTimeout) {
 
 TEST(Datalink, AMateThatIsHeardAgainIsAliveAgain) {
   DatalinkState state;
-  TrackFile file;
   start(state, kMembers, kLead, 0);
-  check_silence(state, kLink, file, 100);
+  EXPECT_EQ(check_silence(state, kLink, 100), 0b110);
   ASSERT_EQ(state.members[1].alive, 0);
   DatalinkSent sent;
   transmit(sent, report(100), {});

@@ -159,27 +159,30 @@ const DatalinkMessage* receive(Mate& mate, const Datalink& datalink, const Datal
   return message;
 }
 
-void check_silence(DatalinkState& state, const Datalink& datalink, TrackFile& tracks, double time) {
+std::uint8_t check_silence(DatalinkState& state, const Datalink& datalink, double time) {
+  std::uint8_t lost = 0;
   for (std::uint32_t i = 0; i < state.count; ++i) {
     Mate& mate = state.members[i];
     if (i == state.self || !mate.alive || time - mate.heard_time <= datalink.timeout + kClockSlack)
       continue;
     mate.alive = 0;
-    const auto others = static_cast<std::uint8_t>(~(1u << i));
-    for (std::uint32_t t = 0; t < tracks.count; ++t) {
-      tracks.tracks[t].targeted_by &= others;
-      tracks.tracks[t].shot_by &= others;
-    }
+    lost = static_cast<std::uint8_t>(lost | 1u << i);
+  }
+  return lost;
+}
+
+void forget_claims(TrackFile& tracks, std::uint8_t members) {
+  const auto others = static_cast<std::uint8_t>(~members);
+  for (std::uint32_t t = 0; t < tracks.count; ++t) {
+    tracks.tracks[t].targeted_by &= others;
+    tracks.tracks[t].shot_by &= others;
   }
 }
 
 void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
           const DatalinkState& state, std::uint32_t member) {
   const auto bit = static_cast<std::uint8_t>(1u << member);
-  for (std::uint32_t t = 0; t < file.count; ++t) {
-    file.tracks[t].targeted_by &= static_cast<std::uint8_t>(~bit);
-    file.tracks[t].shot_by &= static_cast<std::uint8_t>(~bit);
-  }
+  forget_claims(file, bit);
 
   const double dt = context.time - message.time;
   for (std::uint32_t i = 0; i < message.track_count; ++i) {

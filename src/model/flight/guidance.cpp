@@ -70,12 +70,13 @@ Guidance follow_guidance(const GuidanceGains& gains, const Kinematics& own,
   const Flat to_place = flat(own, order.position - own.position) + order.offset.x * forward +
                         order.offset.y * forward.right();
   const double along =
-      flat(own, order.velocity).size() + gains.follow_forward * dot(to_place, forward);
+      std::max(flat(own, order.velocity).size() + gains.follow_forward * dot(to_place, forward),
+               gains.follow_least_along);
   const double across = gains.follow_across * dot(to_place, forward.right());
   const Flat ground = along * forward + across * forward.right();
 
   const AirVector air = through_air(ground.north, ground.east, wind_ned);
-  return {.heading = air.heading,
+  return {.heading = air.speed > 0 ? air.heading : own.heading,
           .altitude = order.altitude,
           .speed = std::clamp(air.speed, gains.follow_min_speed, gains.follow_max_speed)};
 }
@@ -117,6 +118,8 @@ Guidance route_guidance(const GuidanceGains& gains, const Kinematics& own, const
   if (nav.leg >= count && route.end == RouteEnd::loiter)
     return loiter_guidance(gains, own, target.position, loiter_radius, target.altitude, speed,
                            wind_ned);
+  if (nav.leg >= count && route.end == RouteEnd::stop)
+    return {.heading = own.heading, .altitude = target.altitude, .speed = 0};
   if (nav.leg >= count)
     return {.heading = count > 1 ? crab(bearing(leg_direction(own, route, leg)), speed, wind_ned)
                                  : own.heading,

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/describe.hpp"
+#include "core/math.hpp"
 #include "core/units.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/route.hpp"
@@ -32,6 +33,9 @@ struct GuidanceGains {
   double capture_radius = si(0.5, "nmi");
   double loiter_convergence = 2;
   double loiter_radius = si(3, "nmi");
+  /// m/s, follow: never asks for less along the leader's course; who is on the ground waits for its
+  /// place instead of turning back to it. No parameter: aircraft turn back.
+  double follow_least_along = -math::kInfinity;
 
   static constexpr std::string_view type_name = "guidance";
   static constexpr std::string_view help = "gains of route, follow and loiter guidance";

@@ -17,6 +17,7 @@ enum class RouteEnd : std::uint8_t {
   loiter,    ///< circle around it
   straight,  ///< keep flying as the last leg went
   repeat,    ///< start again with the first
+  stop,      ///< stand there; for who is on the ground
 };
 
 /// A place to fly over. Positions are in the scenario's local frame.
@@ -40,5 +41,6 @@ struct eyrie::EnumNames<eyrie::model::RouteEnd> {
   using E = eyrie::model::RouteEnd;
   static constexpr std::array names{std::pair<std::string_view, E>{"loiter", E::loiter},
                                     std::pair<std::string_view, E>{"straight", E::straight},
-                                    std::pair<std::string_view, E>{"repeat", E::repeat}};
+                                    std::pair<std::string_view, E>{"repeat", E::repeat},
+                                    std::pair<std::string_view, E>{"stop", E::stop}};
 };

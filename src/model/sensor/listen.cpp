@@ -109,7 +109,8 @@ void read_datalink(const Scene& scene, Self& self) {
     }
   }
   if (datalink != nullptr)
-    check_silence(state, *datalink, self.tracks, scene.time);
+    if (const std::uint8_t lost = check_silence(state, *datalink, scene.time))
+      forget_claims(self.tracks, lost);
 }
 
 }  // namespace eyrie::model

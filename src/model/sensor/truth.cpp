@@ -5,15 +5,13 @@
 
 #include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
+#include "model/sensor/visual.hpp"
 
 namespace eyrie::model {
 namespace {
 
 Identity true_identity(const Scene& scene, const Self& self, std::size_t j) {
-  const Side side = scene.fit[j].side;
-  if (side == Side::none || self.fit.side == Side::none)
-    return Identity::unknown;
-  return side == self.fit.side ? Identity::friendly : Identity::hostile;
+  return identity_of(self.fit.side, scene.fit[j].side);
 }
 
 Track true_track(const Scene& scene, const Self& self, std::size_t j, const Track& before) {

@@ -32,6 +32,39 @@ double acquisition_probability(const Visual& visual, double search, double area,
   return 1 - math::exp(-rate / visual.rate);
 }
 
+bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+              const Signature& signature, double range, Cue cue, double u) {
+  const double search = cue == Cue::none ? visual.search : visual.cued_search;
+  if (cue != Cue::held) {
+    // 1 - exp(-x) <= x: most of those far away need no more than this
+    const double largest =
+        std::max({signature.area_front, signature.area_side, signature.area_top});
+    if (u >= search * largest / (range * range * visual.rate))
+      return false;
+  }
+  const Vec3 sight = other.position - eyes.position;
+  if (!in_view(visual, eyes, sight / range) ||
+      range > horizon_range(eyes.altitude, other.altitude, 1))
+    return false;
+  if (cue == Cue::held)
+    return u < visual.hold_probability;
+  const double area = silhouette(signature, body_axes(other), sight / -range);
+  return u < acquisition_probability(visual, search, area, range);
+}
+
+bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+                const Signature& signature, double range) {
+  const Vec3 towards = (eyes.position - other.position) / range;
+  const double area = silhouette(signature, body_axes(other), towards);
+  return apparent_diameter(area, range) >= visual.identify_angle;
+}
+
+Identity identity_of(Side own, Side other) {
+  if (own == Side::none || other == Side::none)
+    return Identity::unknown;
+  return own == other ? Identity::friendly : Identity::hostile;
+}
+
 double apparent_diameter(double area, double range) {
   return std::sqrt(4 * area / kPi) / range;
 }

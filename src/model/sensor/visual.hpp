@@ -9,11 +9,13 @@
 #include "core/describe.hpp"
 #include "core/draw.hpp"
 #include "core/units.hpp"
+#include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/sensor/contact.hpp"
 #include "model/sensor/geometry.hpp"
 #include "model/sensor/signature.hpp"
 #include "model/sensor/threats.hpp"
+#include "model/track.hpp"
 
 namespace eyrie::model {
 
@@ -99,6 +101,19 @@ struct Eyes {
 /// visual acquisition", Lincoln Laboratory Journal 2 (1989) 475, and report ATC-151 (1991).
 [[nodiscard]] double acquisition_probability(const Visual& visual, double search, double area,
                                              double range);
+
+/// How much an observer knows about where to look.
+enum class Cue : std::uint8_t { none, cued, held };
+
+/// Whether one look finds an aircraft at `range` (m); `u` is a draw from [0, 1).
+[[nodiscard]] bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+                            const Signature& signature, double range, Cue cue, double u);
+
+/// Whether it is large enough there to see what it is.
+[[nodiscard]] bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,
+                              const Signature& signature, double range);
+/// What somebody is to whom recognizes it, by the sides of both.
+[[nodiscard]] Identity identity_of(Side own, Side other);
 
 /// Apparent diameter (rad) of a disc of that area (m^2).
 [[nodiscard]] double apparent_diameter(double area, double range);

@@ -18,9 +18,6 @@ constexpr std::size_t kWatched = 8;
 /// What the pilot's eyes rested on or were told to look for.
 enum class About : std::uint8_t { aircraft, missile };
 
-/// How much a pilot knows about where to look.
-enum class Cue : std::uint8_t { none, cued, held };
-
 /// The directions in which the pilot knows of something. A look at a place close to one is cued; it
 /// goes to what is held already if that was seen just now and is about as far.
 class KnownDirections {
@@ -72,39 +69,17 @@ bool below_horizon(const Eyes& eyes, double altitude, double range) {
 /// Whether the target in row `j` is seen in this look.
 bool sees(const Scene& scene, const Self& self, const Eyes& eyes, const KnownDirections& known,
           std::size_t j, double range) {
-  const Visual& visual = *self.suite.visual;
   const Kinematics& other = scene.kinematics[j];
-  const Vec3 sight = other.position - eyes.position;
-  const double u = scene.draw(self.id, Stream::visual, scene.ids[j]).uniform();
-
-  const Cue cue = known.cue(About::aircraft, sight, range);
-  const double search = cue == Cue::none ? visual.search : visual.cued_search;
-  const Signature& signature = *scene.suite(j).signature;
-  if (cue != Cue::held) {
-    // 1 - exp(-x) <= x: most of those far away need no more than this
-    const double largest =
-        std::max({signature.area_front, signature.area_side, signature.area_top});
-    if (u >= search * largest / (range * range * visual.rate))
-      return false;
-  }
-  if (!in_view(visual, eyes, sight / range) || below_horizon(eyes, other.altitude, range))
-    return false;
-  if (cue == Cue::held)
-    return u < visual.hold_probability;
-  const double area = silhouette(signature, body_axes(other), sight / -range);
-  return u < acquisition_probability(visual, search, area, range);
+  const Cue cue = known.cue(About::aircraft, other.position - eyes.position, range);
+  return glimpsed(*self.suite.visual, eyes, other, *scene.suite(j).signature, range, cue,
+                  scene.draw(self.id, Stream::visual, scene.ids[j]).uniform());
 }
 
-Identity recognized(const Scene& scene, const Self& self, std::size_t j, double range) {
-  const Signature& signature = *scene.suite(j).signature;
-  const Kinematics& other = scene.kinematics[j];
-  const Vec3 towards = (self.kinematics.position - other.position) / range;
-  const double area = silhouette(signature, body_axes(other), towards);
-  const Side side = scene.fit[j].side;
-  if (side == Side::none || self.fit.side == Side::none ||
-      apparent_diameter(area, range) < self.suite.visual->identify_angle)
-    return Identity::unknown;
-  return side == self.fit.side ? Identity::friendly : Identity::hostile;
+Identity recognized(const Scene& scene, const Self& self, const Eyes& eyes, std::size_t j,
+                    double range) {
+  const bool close =
+      recognizes(*self.suite.visual, eyes, scene.kinematics[j], *scene.suite(j).signature, range);
+  return close ? identity_of(self.fit.side, scene.fit[j].side) : Identity::unknown;
 }
 
 void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
@@ -127,7 +102,7 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
     Contact& contact = contacts[count++];
     contact = estimate(*self.suite.visual, eyes, scene.kinematics[c.row].position, other,
                        scene.draw(self.id, Stream::visual_noise, other));
-    contact.identity = recognized(scene, self, c.row, std::sqrt(c.distance2));
+    contact.identity = recognized(scene, self, eyes, c.row, std::sqrt(c.distance2));
   }
   update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }

@@ -1,17 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/damage_system.hpp"
 
+#include <array>
+
 #include "model/events.hpp"
 
 namespace eyrie::model {
+
+namespace {
+
+constexpr std::array kOrders{sim::OrderKind(OrderKind::lose)};
+
+/// An order needs some payload to be described by.
+struct Lose {
+  std::uint64_t reserved = 0;
+  static constexpr auto fields() { return field_list(field("reserved", &Lose::reserved)); }
+};
+
+}  // namespace
+
+sim::Order lose_order(std::uint64_t step, PlayerId player) {
+  return sim::order_for(step, player, OrderKind::lose, Lose{});
+}
+
+void add_orders(sim::SchemaBuilder& builder) {
+  builder.add_order<Lose>(OrderKind::lose, "lose");
+}
+
+std::span<const sim::OrderKind> DamageSystem::accepts() const {
+  return kOrders;
+}
+
+void DamageSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
+                               sim::Outbox& out) const {
+  if (const auto row = world.row(aircraft_.table, order.player))
+    out.emit({.kind = EventKind::loss,
+              .who = order.player,
+              .place = world.rows(aircraft_.kinematics)[*row].position});
+  else if (const auto vehicle =
+               vehicles_ ? world.row(vehicles_->table, order.player) : std::nullopt)
+    out.emit({.kind = EventKind::loss,
+              .who = order.player,
+              .place = world.rows(vehicles_->kinematics)[*vehicle].position});
+}
 
 void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
                           std::span<const sim::Event> events, sim::CommitContext& context) const {
   const auto damages = world.rows(aircraft_.damage);
   for (const sim::Event& event : events) {
-    if (event.kind == EventKind::crash || event.kind == EventKind::home) {
+    if (event.kind == EventKind::crash || event.kind == EventKind::home ||
+        event.kind == EventKind::loss) {
       if (const auto row = world.row(aircraft_.table, event.who))
         context.remove(aircraft_.table, *row);
+      else if (const auto vehicle =
+                   vehicles_ ? world.row(vehicles_->table, event.who) : std::nullopt)
+        context.remove(vehicles_->table, *vehicle);
       continue;
     }
     if (event.kind != EventKind::hit)

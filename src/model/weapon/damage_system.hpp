@@ -1,25 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Turns hits into damage, damage into kills, and takes aircraft out of the run.
+#include <optional>
+
 #include "model/columns.hpp"
+#include "sim/order.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::model {
 
+/// Orders about who is in the run. An order of this kind has no payload.
+enum class OrderKind : std::uint16_t { none = 0, lose = 3 };
+
+/// The player leaves the run at `step`, lost to something outside it: a mine, a failure.
+[[nodiscard]] sim::Order lose_order(std::uint64_t step, PlayerId player);
+/// Names them in a schema.
+void add_orders(sim::SchemaBuilder& builder);
+
 /// commit, in the order of the events: every hit adds its damage; the one that brings it to 1 is
 /// credited with the kill. Nobody leaves before all hits of the step are counted, so two who kill
-/// each other in one step both do. Aircraft that crashed or are home leave without a kill.
+/// each other in one step both do. Who crashed, is home or is lost by an order leaves without a
+/// kill; so far nothing but an order takes a vehicle out of the run.
 class DamageSystem final : public sim::System {
  public:
-  explicit DamageSystem(const AircraftColumns& aircraft) : aircraft_(aircraft) {}
+  explicit DamageSystem(const AircraftColumns& aircraft,
+                        const std::optional<VehicleColumns>& vehicles = {})
+      : aircraft_(aircraft), vehicles_(vehicles) {}
 
   [[nodiscard]] std::string_view name() const override { return "damage"; }
   [[nodiscard]] TableId table() const override { return aircraft_.table; }
+  [[nodiscard]] std::span<const sim::OrderKind> accepts() const override;
+  void apply_order(sim::World& world, const sim::StepInfo& info, const sim::Order& order,
+                   sim::Outbox& out) const override;
   void commit(sim::World& world, const sim::StepInfo& info, std::span<const sim::Event> events,
               sim::CommitContext& context) const override;
 
  private:
   AircraftColumns aircraft_;
+  std::optional<VehicleColumns> vehicles_;
 };
 
 }  // namespace eyrie::model

@@ -62,6 +62,7 @@ class Range {
     aircraft_ = AircraftColumns::define(schema, 16);
     missiles_ = MissileColumns::define(schema, 32);
     describe_events(schema);
+    add_orders(schema);
     sim::SimulationBuilder builder(schema.build());
     builder.add<Straight>(aircraft_, library_);
     builder.add<StoresSystem>(aircraft_, missiles_, library_);

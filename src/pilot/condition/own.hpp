@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Conditions about the own side: fuel, weapons, losses, place in the flight, place on the
-/// way.
+/// \file  Conditions about the own side: fuel, weapons, losses, the way home.
 #include "model/weapon/stores.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "team/conditions.hpp"
 
 namespace eyrie::pilot {
 
@@ -45,13 +45,6 @@ class Losses final : public Condition {
   std::uint32_t at_least_ = 2;
 };
 
-class IsLead final : public Condition {
- public:
-  static constexpr std::string_view type_name = "is_lead";
-  static constexpr std::string_view help = "the own rank among the living is the first";
-  [[nodiscard]] bool holds(const Tick& t) const override { return t.state.leads(); }
-};
-
 class NearHome final : public Condition {
  public:
   static constexpr std::string_view type_name = "near_home";
@@ -68,22 +61,7 @@ class NearHome final : public Condition {
   double within_ = si(10, "nmi");
 };
 
-class RouteDone final : public Condition {
- public:
-  static constexpr std::string_view type_name = "route_done";
-  static constexpr std::string_view help = "the last waypoint of a route is behind";
-  static constexpr auto params() {
-    return std::tuple{
-        param("route", &RouteDone::route_, range(0, 255), "which route of the flight")};
-  }
-  [[nodiscard]] bool holds(const Tick& t) const override {
-    const State& s = t.state;
-    return route_ < s.flight.routes.size() && s.flying.nav.route == route_ &&
-           s.flying.nav.leg >= s.flight.routes[route_].waypoints.size();
-  }
-
- private:
-  std::uint8_t route_ = 0;
-};
+using IsLead = team::IsLead<Platform>;
+using RouteDone = team::RouteDone<Platform>;
 
 }  // namespace eyrie::pilot

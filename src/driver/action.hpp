@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a driver wants. An empty field is "no opinion".
+#include <cstdint>
+#include <optional>
+#include <tuple>
+
+#include "core/enum_names.hpp"
+#include "ubf/action_traits.hpp"
+
+namespace eyrie::driver {
+
+/// What the driver calls out while doing it: told as an event when it changes.
+enum class Call : std::uint32_t { none, scatter };
+
+/// The recommendation of one behavior, or of a whole tree. A field that is empty at the root leaves
+/// heading and speed as they are.
+struct Action {
+  std::optional<double> heading;  ///< rad, true
+  std::optional<double> speed;    ///< m/s; 0 stands
+  std::optional<Call> call;       ///< ends
+};
+
+}  // namespace eyrie::driver
+
+template <>
+struct eyrie::EnumNames<eyrie::driver::Call> {
+  using E = eyrie::driver::Call;
+  static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
+                                    std::pair<std::string_view, E>{"scatter", E::scatter}};
+};
+
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::driver::Action> {
+  using A = driver::Action;
+  static constexpr auto fields = std::tuple{field<blend::Angle>("heading", &A::heading, "rad"),
+                                            field<blend::Mean>("speed", &A::speed, "m/s"),
+                                            field<blend::Strongest>("call", &A::call)};
+};

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "driver/driver_system.hpp"
+
+#include <array>
+
+namespace eyrie::driver {
+namespace {
+
+using model::EventKind;
+
+constexpr std::array kOrders{sim::OrderKind(OrderKind::swap_tree)};
+
+void tell_changes(const team::Telling& telling, const State& state, const Agent& before,
+                  const Agent& agent) {
+  telling.in_charge(before, agent);
+  if (agent.call == Call::scatter && before.call != Call::scatter) {
+    const model::Sighted* aircraft = state.watched();
+    telling.tell(EventKind::scatter, aircraft ? aircraft->truth : PlayerId{}, 0,
+                 aircraft ? state.range_to(*aircraft) : 0);
+  }
+}
+
+}  // namespace
+
+sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree) {
+  return sim::order_for(step, player, OrderKind::swap_tree, team::SwapTree{.tree = tree});
+}
+
+void add_orders(sim::SchemaBuilder& builder) {
+  builder.add_order<team::SwapTree>(OrderKind::swap_tree, "swap_driver_tree");
+}
+
+DriverSystem::DriverSystem(DriverSetup setup)
+    : setup_(std::move(setup)), deciding_(setup_.trees, setup_.period) {
+  EYRIE_THROW_UNLESS(setup_.library != nullptr, "drivers need a library");
+  EYRIE_THROW_UNLESS(setup_.convoys.size() >= setup_.library->flights.size(),
+                     "every convoy needs a plan");
+}
+
+std::span<const sim::OrderKind> DriverSystem::accepts() const {
+  return kOrders;
+}
+
+void DriverSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
+                               sim::Outbox& out) const {
+  const auto row = world.row(setup_.vehicles.table, order.player);
+  const auto tree = order.as<team::SwapTree>().tree;
+  if (!row || tree >= setup_.trees->size())
+    return;
+  Agent& agent = world.rows(setup_.drivers.agent)[*row];
+  team::use_tree(agent, world.bytes(setup_.drivers.brain, *row), tree);
+  agent.call = Call::none;
+  const team::Telling telling(order.player, world.rows(setup_.vehicles.kinematics)[*row].position,
+                              out);
+  telling.tell(EventKind::order, {}, tree, order.kind.value);
+}
+
+void DriverSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                          sim::Outbox& out) const {
+  const sim::World& rows = world;
+  const auto ids = rows.ids(setup_.vehicles.table);
+  const auto fit = rows.rows(setup_.vehicles.fit);
+  const auto kinematics = rows.rows(setup_.vehicles.kinematics);
+  const auto driving = rows.rows(setup_.vehicles.driving);
+  const auto lookout = rows.rows(setup_.vehicles.lookout);
+  const auto datalink = rows.rows(setup_.vehicles.datalink);
+  const auto agents = world.rows(setup_.drivers.agent);
+  const auto commands = world.rows(setup_.vehicles.command);
+  for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+    Agent& agent = agents[row];
+    if (!deciding_.due(info, ids[row], agent.tree))
+      continue;
+
+    // perceive
+    const State state({kinematics[row], driving[row], lookout[row], datalink[row], agent},
+                      *setup_.library, fit[row], setup_.convoys[fit[row].flight], info.time());
+    const team::Telling telling(ids[row], state.own.position, out);
+    if (const PlayerId led = team::taken_over_from(agent.lead, state.datalink, ids[row]))
+      telling.tell(EventKind::lead_change, led, 0, fit[row].flight);
+
+    // decide
+    ubf::TransitionLog log;
+    const auto memory = world.bytes(setup_.drivers.brain, row);
+    EYRIE_ASSERT(setup_.trees->max_memory() <= memory.size());
+    const Proposal decided =
+        deciding_.ask(agent.tree, state, info, ids[row], memory.data(), &log, nullptr);
+
+    // act
+    const Agent before = agent;
+    team::keep_decision(agent, decided, info.step);
+    execute(decided.action, commands[row], agent);
+    telling.transitions(log, deciding_.outermost(agent.tree), agent);
+    tell_changes(telling, state, before, agent);
+  }
+}
+
+}  // namespace eyrie::driver

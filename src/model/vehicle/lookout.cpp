@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "model/vehicle/lookout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eyrie::model {
+
+void look_up(const Visual& visual, const Watcher& watcher, const Sky& sky, Lookout& lookout) {
+  const Eyes eyes = eyes_of(watcher.own);
+  for (std::size_t j = 0; j < sky.ids.size(); ++j) {
+    const Kinematics& other = sky.kinematics[j];
+    const double range = norm(other.position - eyes.position);
+    if (range > visual.range || range <= 0)
+      continue;
+    const auto draw = [&](Stream stream) {
+      return Draw(watcher.seed, watcher.id, stream, watcher.step, sky.ids[j].value);
+    };
+    const Sighted* known = lookout.find(sky.ids[j]);
+    const Cue cue = !known                                                ? Cue::none
+                    : watcher.time - known->seen_time <= visual.hold_time ? Cue::held
+                                                                          : Cue::cued;
+    const Signature& signature = *sky.signatures[sky.fit[j].type];
+    if (!glimpsed(visual, eyes, other, signature, range, cue, draw(Stream::visual).uniform()))
+      continue;
+    const Contact contact =
+        estimate(visual, eyes, other.position, sky.ids[j], draw(Stream::visual_noise));
+    const bool close = recognizes(visual, eyes, other, signature, range);
+    sight(lookout, eyes.position,
+          {.position = contact.position,
+           .time = watcher.time,
+           .seen_time = watcher.time,
+           .truth = sky.ids[j],
+           .identity = close ? identity_of(watcher.side, sky.fit[j].side) : Identity::unknown});
+  }
+  forget(lookout, watcher.time);
+}
+
+void sight(Lookout& lookout, const Vec3& eyes, const Sighted& seen) {
+  if (Sighted* known = lookout.find(seen.truth)) {
+    if (seen.time < known->time)
+      return;
+    const Sighted before = *known;
+    *known = seen;
+    known->seen_time = std::max(seen.seen_time, before.seen_time);
+    if (before.identity != Identity::unknown)
+      known->identity = before.identity;
+    return;
+  }
+  if (lookout.count < Lookout::kAircraft) {
+    lookout.sighted[lookout.count++] = seen;
+    return;
+  }
+  const auto begin = lookout.sighted.begin(), end = begin + lookout.count;
+  const auto place = std::max_element(begin, end, [&](const Sighted& a, const Sighted& b) {
+    return norm2(a.position - eyes) < norm2(b.position - eyes);
+  });
+  if (norm2(seen.position - eyes) < norm2(place->position - eyes))
+    *place = seen;
+}
+
+void warn(Lookout& lookout, const Vec3& eyes, const DatalinkMessage& message) {
+  for (std::uint32_t i = 0; i < message.track_count; ++i) {
+    const SharedTrack& track = message.tracks[i];
+    sight(lookout, eyes,
+          {.position = {track.position[0], track.position[1], track.position[2]},
+           .time = message.time,
+           .truth = track.truth,
+           .identity = track.identity});
+  }
+}
+
+TrackFile as_tracks(const Lookout& lookout) {
+  TrackFile file;
+  for (const Sighted& seen : lookout.all()) {
+    Track& track = file.tracks[file.count++];
+    track.id = TrackId{file.count};  // none would be the target of who has none
+    track.position = seen.position;
+    track.time = seen.time;
+    track.sensed_time = seen.seen_time;
+    track.truth = seen.truth;
+    track.identity = seen.identity;
+    track.confirmed = 1;
+  }
+  return file;
+}
+
+void forget(Lookout& lookout, double time) {
+  std::uint32_t kept = 0;
+  for (std::uint32_t i = 0; i < lookout.count; ++i)
+    if (time - lookout.sighted[i].time <= kSightedMemory)
+      lookout.sighted[kept++] = lookout.sighted[i];
+  for (std::uint32_t i = kept; i < lookout.count; ++i)
+    lookout.sighted[i] = {};
+  lookout.count = kept;
+}
+
+}  // namespace eyrie::model

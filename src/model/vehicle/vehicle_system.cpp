@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "model/vehicle/vehicle_system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "model/datalink/datalink.hpp"
+#include "model/events.hpp"
+#include "model/sensor/geometry.hpp"
+#include "model/vehicle/drive.hpp"
+#include "model/vehicle/lookout.hpp"
+#include "sim/rate.hpp"
+
+namespace eyrie::model {
+namespace {
+
+/// m; the aerial stands on the roof.
+constexpr double kAerial = 4;
+
+/// Whether a mate's radio is heard.
+bool reaches(const Datalink& datalink, const Kinematics& own, const Kinematics& other) {
+  const double reach = std::min(
+      datalink.range, horizon_range(own.altitude + kAerial, other.altitude + kAerial, kRadioEarth));
+  return norm2(other.position - own.position) <= reach * reach;
+}
+
+}  // namespace
+
+std::vector<VehicleSystem::Suite> VehicleSystem::suites_of(const Library& library, double dt,
+                                                           std::vector<std::string>& problems) {
+  std::vector<Suite> suites(library.vehicles.size());
+  for (std::size_t i = 0; i < suites.size(); ++i) {
+    const VehicleType& type = library.vehicles[i];
+    const auto steps = [&](double rate, std::string_view part) {
+      const sim::Period period = sim::period_steps(rate, dt);
+      if (!period)
+        problems.push_back(fmt::format("{} of '{}': rate: {}", part, type.label, period.error));
+      return period ? period.steps : 1;
+    };
+    if (type.index.visual) {
+      suites[i].visual = &library.visuals[*type.index.visual];
+      suites[i].visual_steps = steps(suites[i].visual->rate, "visual");
+    }
+    if (type.index.datalink) {
+      suites[i].datalink = &library.datalinks[*type.index.datalink];
+      suites[i].datalink_steps = steps(suites[i].datalink->rate, "datalink");
+      if (const std::string_view problem = suites[i].datalink->problem(); !problem.empty())
+        problems.push_back(fmt::format("datalink of '{}': {}", type.label, problem));
+    }
+  }
+  return suites;
+}
+
+std::vector<std::string> vehicle_problems(const Library& library, double dt) {
+  std::vector<std::string> problems;
+  static_cast<void>(VehicleSystem::suites_of(library, dt, problems));
+  return problems;
+}
+
+VehicleSystem::VehicleSystem(const VehicleColumns& vehicles, const AircraftColumns& aircraft,
+                             std::shared_ptr<const Library> library, double dt)
+    : vehicles_(vehicles), aircraft_(aircraft), library_(std::move(library)) {
+  std::vector<std::string> problems;
+  suites_ = suites_of(*library_, dt, problems);
+  EYRIE_THROW_UNLESS(problems.empty(), problems.front().c_str());
+  for (std::size_t i = 0; i < library_->aircraft.size(); ++i)
+    signatures_.push_back(&library_->aircraft[i].signature);
+}
+
+void VehicleSystem::look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const {
+  const sim::World& truth = world;
+  const Sky sky{truth.ids(aircraft_.table), truth.rows(aircraft_.fit),
+                truth.rows(aircraft_.kinematics), signatures_};
+  const auto ids = truth.ids(vehicles_.table);
+  const auto fit = truth.rows(vehicles_.fit);
+  const auto kinematics = truth.rows(vehicles_.kinematics);
+  const auto lookout = world.rows(vehicles_.lookout);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const Suite& suite = suites_[fit[i].type];
+    if (suite.visual != nullptr && sim::due(info.step, ids[i], suite.visual_steps))
+      look_up(*suite.visual,
+              {.own = kinematics[i],
+               .id = ids[i],
+               .side = fit[i].side,
+               .seed = info.seed,
+               .step = info.step,
+               .time = info.time()},
+              sky, lookout[i]);
+  }
+}
+
+void VehicleSystem::listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const {
+  const sim::World& truth = world;
+  const auto ids = truth.ids(vehicles_.table);
+  const auto fit = truth.rows(vehicles_.fit);
+  const auto kinematics = truth.rows(vehicles_.kinematics);
+  const auto sent = truth.rows(vehicles_.sent);
+  const auto states = world.rows(vehicles_.datalink);
+  const auto lookout = world.rows(vehicles_.lookout);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const Datalink* datalink = suites_[fit[i].type].datalink;
+    if (datalink == nullptr)
+      continue;
+    DatalinkState& state = states[i];
+    if (state.count == 0)
+      start(state, library_->flights[fit[i].flight].members, ids[i], info.time());
+    for (std::uint32_t m = 0; m < state.count; ++m) {
+      Mate& mate = state.members[m];
+      const auto row = truth.row(vehicles_.table, mate.id);
+      if (m == state.self || !row)
+        continue;
+      const DatalinkMessage* message =
+          receive(mate, *datalink, sent[*row], reaches(*datalink, kinematics[i], kinematics[*row]),
+                  info.time(), Draw(info.seed, ids[i], Stream::datalink, info.step, mate.id.value));
+      if (message)
+        warn(lookout[i], kinematics[i].position, *message);
+    }
+    check_silence(state, *datalink, info.time());
+  }
+}
+
+void VehicleSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                             sim::Outbox&) const {
+  listen(world, info, chunk);
+  look(world, info, chunk);
+}
+
+void VehicleSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                        sim::Outbox&) const {
+  const auto ids = world.ids(vehicles_.table);
+  const auto fit = world.rows(vehicles_.fit);
+  const auto kinematics = world.rows(vehicles_.kinematics);
+  const auto lookout = world.rows(vehicles_.lookout);
+  const auto sent = world.rows(vehicles_.sent);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    const Suite& suite = suites_[fit[i].type];
+    if (suite.datalink != nullptr && sim::due(info.step, ids[i], suite.datalink_steps))
+      transmit(sent[i],
+               {.time = info.time(),
+                .position = kinematics[i].position,
+                .velocity = kinematics[i].velocity},
+               as_tracks(lookout[i]));
+  }
+}
+
+void VehicleSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                         sim::Outbox&) const {
+  const auto fit = world.rows(vehicles_.fit);
+  const auto command = world.rows(vehicles_.command);
+  const auto kinematics = world.rows(vehicles_.kinematics);
+  const auto driving = world.rows(vehicles_.driving);
+  for (std::size_t i = chunk.begin; i < chunk.end; ++i)
+    drive(library_->vehicles[fit[i].type], library_->reference,
+          library_->flights[fit[i].flight].routes, command[i], info.dt, kinematics[i], driving[i]);
+}
+
+}  // namespace eyrie::model

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Ground vehicles in the world: radio and eyes in perceive and act, driving in move.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/columns.hpp"
+#include "model/library.hpp"
+#include "sim/system.hpp"
+
+namespace eyrie::model {
+
+/// Everything about vehicles but their drivers' decisions.
+class VehicleSystem final : public sim::System {
+ public:
+  /// std::logic_error for what vehicle_problems() would say.
+  VehicleSystem(const VehicleColumns& vehicles, const AircraftColumns& aircraft,
+                std::shared_ptr<const Library> library, double dt);
+
+  [[nodiscard]] std::string_view name() const override { return "vehicle"; }
+  [[nodiscard]] TableId table() const override { return vehicles_.table; }
+  void perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+                sim::Outbox& out) const override;
+  void act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+           sim::Outbox& out) const override;
+  void move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+            sim::Outbox& out) const override;
+
+ private:
+  /// What a step needs of a VehicleType; what is null is not on board.
+  struct Suite {
+    const Visual* visual = nullptr;
+    const Datalink* datalink = nullptr;
+    std::uint32_t visual_steps = 1, datalink_steps = 1;
+  };
+  void look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
+  void listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
+  friend std::vector<std::string> vehicle_problems(const Library& library, double dt);
+  [[nodiscard]] static std::vector<Suite> suites_of(const Library& library, double dt,
+                                                    std::vector<std::string>& problems);
+
+  VehicleColumns vehicles_;
+  AircraftColumns aircraft_;
+  std::shared_ptr<const Library> library_;
+  std::vector<Suite> suites_;                 ///< by Fit::type
+  std::vector<const Signature*> signatures_;  ///< of aircraft, by Fit::type
+};
+
+/// Rates that do not divide the rate of the world, and what else cannot be driven; in words.
+[[nodiscard]] std::vector<std::string> vehicle_problems(const Library& library, double dt);
+
+}  // namespace eyrie::model

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/trees.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "driver/catalog.hpp"
+#include "pilot/catalog.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+/// Somebody who uses a tree, and where that is said.
+struct User {
+  std::string name;
+  Location where;
+};
+using Users = std::map<std::string, User>;  // by tree
+
+template <class Group>
+void note_users(const std::vector<Group>& groups, const std::vector<OrderSpec>& orders,
+                Users& users) {
+  for (const Group& group : groups)
+    for (const auto& player : group.players) {
+      users.emplace(player.spec.tree, User{player.name, player.place("tree")});
+      for (const OrderSpec& order : orders)
+        if (order.swap_tree && order.player == player.name)
+          users.emplace(*order.swap_tree, User{player.name, player.where});
+    }
+}
+
+/// The trees by name, without those defined a second time.
+std::vector<ubf::NamedSpec> named_trees(const Value& map, Diagnostics& diagnostics) {
+  std::vector<ubf::NamedSpec> named;
+  for (const Value::Entry& e : map.entries) {
+    const auto same = std::find_if(named.begin(), named.end(),
+                                   [&](const ubf::NamedSpec& n) { return n.name == e.key; });
+    if (same != named.end())
+      diagnostics.error(e.where, fmt::format("tree '{}' is defined twice (also at {})", e.key,
+                                             same->value->where.text()));
+    else
+      named.push_back({e.key, &e.value});
+  }
+  return named;
+}
+
+/// One kind of platform.
+template <class Trees, class Registry>
+struct Shelf {
+  Trees& trees;
+  Registry registry;
+  std::span<const ubf::NamedSpec> all;
+  std::string_view platform, agent;  ///< "an aircraft", "pilot"
+
+  /// Builds and keeps a tree; false after mistakes.
+  bool add(const ubf::NamedSpec& spec, Diagnostics& diagnostics) {
+    auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all);
+    if (tree)
+      trees.add(std::move(*tree));
+    return tree.has_value();
+  }
+  [[nodiscard]] bool can_read(const ubf::NamedSpec& spec) const {
+    Diagnostics ignored;
+    return registry.build_tree(spec.name, *spec.value, ignored, all).has_value();
+  }
+};
+
+/// Adds a tree for who uses it. One that the other platform could use was given to the wrong one:
+/// that is one mistake, where it was given.
+template <class Own, class Other>
+bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& other,
+             bool both_are_there, Diagnostics& diagnostics) {
+  Diagnostics found;
+  if (own.add(spec, found))
+    return true;
+  const Diagnostic first = found.sorted().front();
+  if (both_are_there && other.can_read(spec))
+    diagnostics.error(user.where, fmt::format("{} is {}, and tree {} is for {}s ({}: {})",
+                                              user.name, own.platform, quote(spec.name),
+                                              other.agent, first.where.text(), first.message));
+  else
+    for (const Diagnostic& d : found.sorted())
+      diagnostics.error(d.where, !both_are_there ? d.message
+                                                 : fmt::format("{} (in a tree for {}s: {} has it)",
+                                                               d.message, own.agent, user.name));
+  return false;
+}
+
+}  // namespace
+
+TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
+                        Diagnostics& diagnostics) {
+  TreeBook book;
+  if (!map || map->is_null())
+    return book;
+  if (!map->is_map()) {
+    diagnostics.error(map->where, "trees: expected a map of trees, got " + map->shown());
+    return book;
+  }
+  Users pilots, drivers;
+  note_users(plans.flights, orders, pilots);
+  note_users(plans.convoys, orders, drivers);
+
+  const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
+  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, pilot::make_registry(), named,
+                                           "an aircraft", "pilot"};
+  Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, driver::make_registry(), named,
+                                                "a vehicle", "driver"};
+  const bool both = !plans.convoys.empty();
+  for (const ubf::NamedSpec& spec : named) {
+    book.names_.push_back(spec.name);
+    if (ubf::needs_arguments(*spec.value)) {
+      book.templates_.push_back(spec.name);
+      continue;
+    }
+    const auto pilot = pilots.find(spec.name), driver = drivers.find(spec.name);
+    bool sound = true;
+    if (pilot != pilots.end())
+      sound &= add_for(pilot->second, spec, air, ground, both, diagnostics);
+    if (driver != drivers.end())
+      sound &= add_for(driver->second, spec, ground, air, both, diagnostics);
+    if (pilot == pilots.end() && driver == drivers.end()) {
+      Diagnostics in_air, on_ground;
+      const bool flies = air.add(spec, in_air), drives = ground.add(spec, on_ground);
+      sound = flies || drives;
+      if (!sound)
+        diagnostics.merge(on_ground.count() < in_air.count() ? on_ground : in_air);
+    }
+    if (!sound)
+      book.broken_.push_back(spec.name);
+  }
+  return book;
+}
+
+void TreeBook::missing(const std::string& name, const Location& where,
+                       Diagnostics& diagnostics) const {
+  const auto has = [&](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (has(templates_))
+    diagnostics.error(where, fmt::format("tree {} needs arguments: fly a tree that refers to it "
+                                         "with some",
+                                         quote(name)));
+  else if (!has(broken_))
+    diagnostics.error(
+        where, fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names_)));
+}
+
+}  // namespace eyrie::scenario

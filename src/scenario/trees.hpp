@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The trees of a scenario document, each read for whom it serves.
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+#include "core/value.hpp"
+#include "driver/trees.hpp"
+#include "pilot/trees.hpp"
+#include "scenario/plan.hpp"
+
+namespace eyrie::scenario {
+
+/// A tree is read as a pilot's if a pilot flies by it, as a driver's if a driver drives by it, and
+/// as both if both do: navigate, follow_lead and the standard nodes are there for all. One that
+/// nobody uses is read as whichever it can be.
+class TreeBook {
+ public:
+  /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
+  static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
+                       Diagnostics& diagnostics);
+
+  [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }
+  [[nodiscard]] const std::shared_ptr<driver::Trees>& drivers() const { return drivers_; }
+
+  /// The index of a tree, or nothing after saying what is wrong, unless that was said before.
+  template <class Trees>
+  [[nodiscard]] std::optional<std::uint16_t> find(const Trees& trees, const std::string& name,
+                                                  const Location& where,
+                                                  Diagnostics& diagnostics) const {
+    const auto index = trees.find(name);
+    if (!index)
+      missing(name, where, diagnostics);
+    return index;
+  }
+
+ private:
+  void missing(const std::string& name, const Location& where, Diagnostics& diagnostics) const;
+
+  std::shared_ptr<pilot::Trees> pilots_ = std::make_shared<pilot::Trees>();
+  std::shared_ptr<driver::Trees> drivers_ = std::make_shared<driver::Trees>();
+  std::vector<std::string> names_;
+  std::vector<std::string> broken_;     ///< with mistakes, said already
+  std::vector<std::string> templates_;  ///< that need arguments
+};
+
+}  // namespace eyrie::scenario

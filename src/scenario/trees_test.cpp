@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "scenario/yaml.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+struct Book {
+  TreeBook trees;
+  std::string mistakes;
+};
+
+/// Trees for eagle1, who flies `flown`, and truck1, who drives `driven`.
+Book book_of(const std::string& trees, const std::string& flown, const std::string& driven) {
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(
+      trees + "\nblue:\n  flights: {eagle: {tree: " + flown + ", players: [eagle1]}}\n" +
+          (driven.empty() ? "" : "  convoys: {truck: {tree: " + driven + ", players: [truck1]}}\n"),
+      "a", diagnostics);
+  const Plans plans = read_plans(document, diagnostics);
+  EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
+  Book book;
+  book.trees = TreeBook::read(document.find("trees"), plans, {}, diagnostics);
+  book.mistakes = diagnostics.text();
+  return book;
+}
+
+TEST(TreeBook, ReadsATreeForWhoUsesIt) {
+  const Book b = book_of("trees: {air: pursue, road: scatter, both: navigate, idle: follow_lead}",
+                         "air", "road");
+  EXPECT_EQ(b.mistakes, "");
+  EXPECT_TRUE(b.trees.pilots()->find("air"));
+  EXPECT_FALSE(b.trees.drivers()->find("air"));
+  EXPECT_TRUE(b.trees.drivers()->find("road"));
+  EXPECT_FALSE(b.trees.pilots()->find("road"));
+  EXPECT_TRUE(b.trees.pilots()->find("idle")) << "nobody's yet";
+  EXPECT_TRUE(b.trees.drivers()->find("idle"));
+}
+
+TEST(TreeBook, LetsPilotsAndDriversShareATree) {
+  const Book b = book_of(
+      "trees: {way: {winner_takes_all: [{follow_lead: {vote: 20}}, {navigate: {vote: 10}}]}}",
+      "way", "way");
+  EXPECT_EQ(b.mistakes, "");
+  EXPECT_TRUE(b.trees.pilots()->find("way"));
+  EXPECT_TRUE(b.trees.drivers()->find("way"));
+}
+
+TEST(TreeBook, SaysThatATruckCannotFlyAndAnAircraftCannotScatter) {
+  EXPECT_EQ(book_of("trees: {air: pursue, road: scatter}", "air", "air").mistakes,
+            "a:4:27: truck1 is a vehicle, and tree 'air' is for pilots (a:1:14: there is no node "
+            "'pursue')");
+  EXPECT_EQ(book_of("trees: {air: pursue, road: scatter}", "road", "road").mistakes,
+            "a:3:27: eagle1 is an aircraft, and tree 'road' is for drivers (a:1:28: there is no "
+            "node 'scatter')");
+}
+
+TEST(TreeBook, SaysForWhomATreeWasReadThatNobodyCanUse) {
+  EXPECT_EQ(book_of("trees: {air: navigate, road: {sequence: [pursue, scatter]}}", "air", "road")
+                .mistakes,
+            "a:1:42: there is no node 'pursue' (in a tree for drivers: truck1 has it)");
+  EXPECT_EQ(book_of("trees: {air: {navigate: {spede: 1}}}", "air", "").mistakes,
+            "a:1:26: navigate has no parameter 'spede'; did you mean 'speed'?")
+      << "without convoys there is nothing to explain";
+}
+
+TEST(TreeBook, KnowsNoAltitudeOnTheGround) {
+  EXPECT_EQ(
+      book_of("trees: {air: pursue, road: {sequence: [altitude > 1 km, scatter]}}", "air", "road")
+          .mistakes,
+      "a:1:40: there is no state field 'altitude' (in a tree for drivers: truck1 has it)");
+}
+
+}  // namespace
+}  // namespace eyrie::scenario

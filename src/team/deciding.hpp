@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One decision of one agent inside a simulation, whatever the platform.
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/assert.hpp"
+#include "core/field.hpp"
+#include "model/events.hpp"
+#include "sim/rate.hpp"
+#include "sim/system.hpp"
+#include "ubf/agent.hpp"
+#include "ubf/transition.hpp"
+
+namespace eyrie::team {
+
+/// No tree: nobody decides.
+inline constexpr std::uint16_t kNoTree = ubf::kNone;
+
+/// The payload of an order to use another tree.
+struct SwapTree {
+  std::uint16_t tree = 0;
+  std::uint16_t reserved[3] = {};
+  static constexpr auto fields() {
+    return field_list(field("tree", &SwapTree::tree), field("reserved", &SwapTree::reserved));
+  }
+};
+
+/// From now on an agent uses another tree, which begins with nothing remembered.
+template <class Agent>
+void use_tree(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
+  agent.tree = tree;
+  agent.node = agent.phase = ubf::kNone;
+  std::memset(memory.data(), 0, memory.size());
+}
+
+/// The trees of one kind of platform and how often its agents ask them.
+template <class State, class Action>
+class Deciding {
+ public:
+  using Trees = ubf::Trees<State, Action>;
+  using Proposal = ubf::Proposal<Action>;
+  using Trace = ubf::Trace<Action>;
+
+  /// std::logic_error without trees and for no period.
+  Deciding(std::shared_ptr<const Trees> trees, std::uint32_t period)
+      : trees_(std::move(trees)), period_(period) {
+    EYRIE_THROW_UNLESS(trees_ != nullptr, "whoever decides needs trees");
+    EYRIE_THROW_UNLESS(period_ > 0, "a decision every 0 steps");
+    for (const auto& tree : *trees_) {
+      std::size_t node = 0;
+      while (node < tree.size() && !tree.node(static_cast<ubf::NodeIndex>(node)).is_sequencer())
+        ++node;
+      outermost_.push_back(node < tree.size() ? static_cast<ubf::NodeIndex>(node) : ubf::kNone);
+    }
+  }
+
+  [[nodiscard]] const Trees& trees() const { return *trees_; }
+  [[nodiscard]] bool due(const sim::StepInfo& info, PlayerId who, std::uint16_t tree) const {
+    return tree != kNoTree && sim::due(info.step, who, period_);
+  }
+  /// The first sequencer of a tree, kNone if it has none.
+  [[nodiscard]] ubf::NodeIndex outermost(std::uint16_t tree) const { return outermost_[tree]; }
+
+  /// What a tree recommends in a state; works on `memory`.
+  [[nodiscard]] Proposal ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
+                             PlayerId who, std::byte* memory, ubf::TransitionLog* log,
+                             Trace* trace) const {
+    EYRIE_ASSERT(tree < trees_->size());
+    Proposal decided;
+    (*trees_)[tree].tick({.state = state,
+                          .time = info.time(),
+                          .dt = period_ * info.dt,
+                          .step = info.step,
+                          .seed = info.seed,
+                          .player = who,
+                          .memory = memory,
+                          .trace = trace,
+                          .log = log},
+                         decided);
+    return decided;
+  }
+  /// The same on a copy of the memory, with every node's answer. Allocates; for debriefs.
+  [[nodiscard]] Proposal retrace(std::uint16_t tree, const State& state, const sim::StepInfo& info,
+                                 PlayerId who, std::span<const std::byte> memory,
+                                 Trace& trace) const {
+    std::vector<std::uint64_t> slab((memory.size() + 7) / 8);
+    std::memcpy(slab.data(), memory.data(), memory.size());
+    return ask(tree, state, info, who, reinterpret_cast<std::byte*>(slab.data()), nullptr, &trace);
+  }
+
+ private:
+  std::shared_ptr<const Trees> trees_;
+  std::uint32_t period_;
+  std::vector<ubf::NodeIndex> outermost_;
+};
+
+/// Writes into the agent's row what was decided.
+template <class Agent, class Proposal>
+void keep_decision(Agent& agent, const Proposal& decided, std::uint64_t step) {
+  agent.decided = step;
+  ++agent.ticks;
+  agent.node = decided.leader;
+  agent.vote = decided.vote;
+}
+
+/// Emits what one agent's decision has to tell on every platform.
+class Telling {
+ public:
+  Telling(PlayerId who, const Vec3& place, sim::Outbox& out)
+      : who_(who), place_(place), out_(out) {}
+
+  void tell(model::EventKind kind, PlayerId whom = {}, std::uint16_t aux = 0, double a = 0,
+            double b = 0, double c = 0) const {
+    out_.emit({.kind = kind,
+               .aux = aux,
+               .who = who_,
+               .whom = whom,
+               .place = place_,
+               .values = {static_cast<float>(a), static_cast<float>(b), static_cast<float>(c)}});
+  }
+  /// Every change of a sequencer; that of the `outermost` one is kept in the agent's phase.
+  template <class Agent>
+  void transitions(const ubf::TransitionLog& log, ubf::NodeIndex outermost, Agent& agent) const {
+    for (const ubf::Transition& t : log.entries()) {
+      tell(model::EventKind::phase, {}, agent.tree, t.from == ubf::kNone ? -1.0 : t.from, t.to,
+           t.node);
+      if (t.node == outermost)
+        agent.phase = t.to;
+    }
+  }
+  /// A new behavior in charge.
+  template <class Agent>
+  void in_charge(const Agent& before, const Agent& agent) const {
+    if (agent.node != before.node || before.ticks == 0)
+      tell(model::EventKind::in_charge, {}, agent.tree,
+           agent.node == ubf::kNone ? -1.0 : agent.node, static_cast<double>(agent.vote));
+  }
+
+ protected:
+  PlayerId who_;
+  Vec3 place_;
+  sim::Outbox& out_;
+};
+
+}  // namespace eyrie::team
