@@ -4,11 +4,20 @@
 #include "commands.hpp"
 #include "record/json_schema.hpp"
 #include "scenario/catalog.hpp"
+#include "scenario/plugins.hpp"
 
 namespace eyrie::app {
 
-int catalog(CatalogFormat format) {
-  const scenario::Catalog all = scenario::make_catalog(scenario::Source::disk(home()));
+int catalog(CatalogFormat format, const std::vector<std::string>& files) {
+  scenario::Source source = scenario::Source::disk(home());
+  scenario::Plugins plugins;
+  Diagnostics diagnostics;
+  scenario::load_plugins(files, plugins, source, diagnostics);
+  if (!diagnostics.ok()) {
+    fmt::print(stderr, "{}\n", diagnostics.text());
+    return 2;
+  }
+  const scenario::Catalog all = scenario::make_catalog(source, plugins);
   fmt::print("{}", format == CatalogFormat::json_schema ? record::catalog_json_schema(all)
                    : format == CatalogFormat::markdown  ? scenario::catalog_markdown(all)
                                                         : scenario::catalog_text(all));

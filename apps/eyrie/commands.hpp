@@ -12,7 +12,7 @@ namespace eyrie::app {
 struct FlyOptions {
   std::string scenario;  ///< file, or the name of one in scenarios/; empty: the sweep
   std::optional<std::uint64_t> seed;
-  std::vector<std::string> sets;
+  std::vector<std::string> sets, plugins;
   std::string out;    ///< folder; empty: runs/<scenario>-<seed>
   std::string until;  ///< quantity; empty: as the scenario says
   unsigned workers = 1;
@@ -22,11 +22,18 @@ struct FlyOptions {
 };
 
 int fly(const FlyOptions& options);
-int validate(const std::vector<std::string>& files);
-int replay(const std::string& run, unsigned workers, bool json);
+int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins);
 
 enum class CatalogFormat { text, markdown, json_schema };
-int catalog(CatalogFormat format);
+int catalog(CatalogFormat format, const std::vector<std::string>& plugins);
+
+struct ReplayOptions {
+  std::string run;
+  std::vector<std::string> plugins;  ///< where plug-ins of the run are now
+  unsigned workers = 1;
+  bool json = false;
+};
+int replay(const ReplayOptions& options);
 
 /// The folder with data/ and scenarios/: EYRIE_HOME, or the one the program was built from.
 [[nodiscard]] std::string home();

@@ -81,7 +81,8 @@ record::RunFile run_file_of(const scenario::Mission& mission, std::uint64_t seed
       .layout_hash = mission.run().simulation().schema().layout_hash(),
       .orders = {orders.begin(), orders.end()},
       .trail = trail.trail(),
-      .outcome = std::move(outcome)};
+      .outcome = std::move(outcome),
+      .plugins = s.plugins};
 }
 
 /// Nothing is left behind when a file could not be written.
@@ -104,7 +105,7 @@ int fly(const FlyOptions& options) {
     }
     until = time.value;
   }
-  const auto scenario = load_or_complain(options.scenario, options.sets);
+  const auto scenario = load_or_complain(options.scenario, options.sets, options.plugins);
   if (!scenario)
     return 2;
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);

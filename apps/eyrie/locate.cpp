@@ -40,8 +40,9 @@ std::string scenario_file(const std::string& name) {
                                                                     : shipped.generic_string();
 }
 
-std::shared_ptr<const scenario::Scenario> load_or_complain(const std::string& name,
-                                                           const std::vector<std::string>& sets) {
+std::shared_ptr<const scenario::Scenario> load_or_complain(
+    const std::string& name, const std::vector<std::string>& sets,
+    const std::vector<std::string>& plugins) {
   const std::string file = scenario_file(name);
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
@@ -55,7 +56,7 @@ std::shared_ptr<const scenario::Scenario> load_or_complain(const std::string& na
     return nullptr;
   }
   try {
-    return scenario::load({file, sets}, scenario::Source::disk(home()));
+    return scenario::load({file, sets, plugins}, scenario::Source::disk(home()));
   } catch (const ConfigError& e) {
     fmt::print(stderr, "{}\n", e.diagnostics().text());
     return nullptr;

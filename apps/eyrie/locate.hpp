@@ -14,6 +14,7 @@ namespace eyrie::app {
 
 /// Loads it, or prints every mistake on stderr and gives null.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_or_complain(
-    const std::string& name, const std::vector<std::string>& sets);
+    const std::string& name, const std::vector<std::string>& sets,
+    const std::vector<std::string>& plugins);
 
 }  // namespace eyrie::app

@@ -16,10 +16,9 @@ using namespace eyrie::app;
 /// What the user asked for, once the line is parsed.
 struct Commands {
   FlyOptions fly;
-  std::vector<std::string> files;
-  std::string run;
-  unsigned workers = 1;
-  bool json = false, markdown = false, json_schema = false;
+  ReplayOptions replay;
+  std::vector<std::string> files, plugins;
+  bool markdown = false, json_schema = false;
 };
 
 /// CLI11 takes "-1" for the largest number of all.
@@ -31,6 +30,11 @@ std::string whole_number(const std::string& text) {
              : "must be a whole number from 0 to 18446744073709551615";
 }
 
+void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
+  app->add_option("--plugin", plugins, help)->allow_extra_args(false);
+}
+constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
+
 void add_fly(CLI::App& app, Commands& c) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
   fly->add_option("scenario", c.fly.scenario, "a file, or the name of one in scenarios/")
@@ -38,6 +42,7 @@ void add_fly(CLI::App& app, Commands& c) {
   fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)")
       ->check(whole_number);
   fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+  add_plugins(fly, c.fly.plugins, kPluginHelp);
   fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");
   fly->add_option("--workers", c.fly.workers, "threads that share the step; never the result")
@@ -66,15 +71,18 @@ int main(int argc, char** argv) {
   add_fly(app, c);
   CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
   validate_cmd->add_option("files", c.files, "scenario files")->required();
+  add_plugins(validate_cmd, c.plugins, kPluginHelp);
   CLI::App* catalog_cmd =
       app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
   auto* schema = catalog_cmd->add_flag("--json-schema", c.json_schema, "as a JSON schema");
   catalog_cmd->add_flag("--markdown", c.markdown, "as the reference page")->excludes(schema);
+  add_plugins(catalog_cmd, c.plugins, kPluginHelp);
   CLI::App* replay_cmd = app.add_subcommand("replay", "Fly a recorded run again and compare");
-  replay_cmd->add_option("run", c.run, "a run folder or its run file")->required();
-  replay_cmd->add_option("--workers", c.workers, "threads that share the step")
+  replay_cmd->add_option("run", c.replay.run, "a run folder or its run file")->required();
+  replay_cmd->add_option("--workers", c.replay.workers, "threads that share the step")
       ->check(CLI::Range(1, 256));
-  replay_cmd->add_flag("--json", c.json, "one JSON object instead of words");
+  replay_cmd->add_flag("--json", c.replay.json, "one JSON object instead of words");
+  add_plugins(replay_cmd, c.replay.plugins, "where a plug-in of the run is now, if it has moved");
 
   try {
     app.parse(argc, argv);
@@ -86,12 +94,13 @@ int main(int argc, char** argv) {
     if (app.got_subcommand("fly"))
       return fly(c.fly);
     if (app.got_subcommand(validate_cmd))
-      return validate(c.files);
+      return validate(c.files, c.plugins);
     if (app.got_subcommand(replay_cmd))
-      return replay(c.run, c.workers, c.json);
+      return replay(c.replay);
     return catalog(c.json_schema ? CatalogFormat::json_schema
                    : c.markdown  ? CatalogFormat::markdown
-                                 : CatalogFormat::text);
+                                 : CatalogFormat::text,
+                   c.plugins);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "eyrie: %s\n", e.what());
     return 1;

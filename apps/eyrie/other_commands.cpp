@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-/// \file  validate, replay and --version.
+/// \file  validate and --version.
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "commands.hpp"
-#include "core/diagnostics.hpp"
 #include "locate.hpp"
-#include "record/run_file.hpp"
-#include "report.hpp"
-#include "scenario/mission.hpp"
-#include "sim/trail.hpp"
 
 namespace eyrie::app {
 
@@ -44,82 +37,16 @@ std::string players_text(const scenario::Scenario& scenario) {
 
 }  // namespace
 
-int validate(const std::vector<std::string>& files) {
+int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins) {
   int code = 0;
   for (const std::string& file : files) {
-    if (const auto scenario = load_or_complain(file, {}))
+    if (const auto scenario = load_or_complain(file, {}, plugins))
       fmt::print("{}: {}, {}\n", scenario->file, players_text(*scenario),
                  counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
     else
       code = 2;
   }
   return code;
-}
-
-int replay(const std::string& run, unsigned workers, bool json) {
-  const std::string file = std::filesystem::is_directory(run)
-                               ? (std::filesystem::path(run) / "run.eyrie").string()
-                               : run;
-  const record::Decoded decoded = record::read_run_file(file);
-  if (!decoded.error.empty()) {
-    fmt::print(stderr, "{}: {}\n", file, decoded.error);
-    return 2;
-  }
-  const record::RunFile& recorded = decoded.run;
-  std::shared_ptr<const scenario::Scenario> scenario;
-  try {
-    scenario = scenario::load({recorded.scenario, recorded.sets},
-                              scenario::Source::bundle(recorded.files));
-  } catch (const ConfigError& e) {
-    fmt::print(stderr, "{}: this build refuses the scenario inside:\n{}\n", file,
-               e.diagnostics().text());
-    return 2;
-  }
-  if (scenario->simulation->schema().layout_hash() != recorded.layout_hash) {
-    fmt::print(stderr,
-               "{}: recorded by {}, whose world has another layout than that of {}; fly it again "
-               "with that build\n",
-               file, recorded.build, version_text());
-    return 2;
-  }
-
-  sim::Run flight(scenario->simulation, scenario->world(recorded.seed), {.workers = workers});
-  sim::TrailChecker checker(recorded.trail);
-  flight.attach(checker);
-  for (const sim::Order& order : recorded.orders)
-    if (const std::string refused = flight.submit(order); !refused.empty()) {
-      fmt::print(stderr, "{}: {}\n", file, refused);
-      return 2;
-    }
-  const auto last = recorded.trail.marks.empty() ? 0 : recorded.trail.marks.back().step;
-  while (flight.world().step() < last && !checker.done())
-    flight.step();
-  flight.finish();
-
-  const auto& departure = checker.departure();
-  if (json) {
-    nlohmann::ordered_json j{{"run", file},
-                             {"steps", flight.world().step()},
-                             {"hash", hash_text(flight.world().hash())},
-                             {"same", !departure}};
-    if (departure) {
-      j["first_step"] = departure->step;
-      j["reason"] = departure->reason;
-      if (departure->where)
-        j["where"] = {{"table", departure->where->table},
-                      {"column", departure->where->column},
-                      {"field", departure->where->field},
-                      {"player", departure->where->player.value}};
-    }
-    fmt::print("{}\n", j.dump(2));
-  } else if (departure) {
-    fmt::print("{}: differs from the recording by {}\n{}\n", file, recorded.build,
-               departure->reason);
-  } else {
-    fmt::print("{}: the same, {} steps, world hash {}\n", file, flight.world().step(),
-               hash_text(flight.world().hash()));
-  }
-  return departure ? 1 : 0;
 }
 
 }  // namespace eyrie::app

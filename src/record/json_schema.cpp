@@ -151,7 +151,8 @@ Json node_definition(const Catalog& catalog) {
     if (stands_alone(node))
       names.push_back(node.name);
     Json schema = body(node);
-    schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + ")";
+    const std::string origin = node.origin == "eyrie" ? "" : " of " + node.origin;
+    schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + origin + ")";
     types[node.name] = std::move(schema);
   }
   // a pilot's node has every parameter of a driver's of the same name
@@ -186,7 +187,10 @@ Json model_definition(const ModelKind& kind) {
   map["properties"]["source"] = {{"description", "where the numbers come from"}};
   if (!needed.empty())
     map["anyOf"] = {{{"required", Json::array({"base"})}}, {{"required", needed}}};
-  map["description"] = kind.help;
+  std::string description = kind.help;
+  for (const auto& [name, origin] : kind.origins)
+    description += "; " + name + " is of " + origin;
+  map["description"] = description;
   return map;
 }
 
@@ -218,6 +222,7 @@ class Root {
     schema["properties"].at("orders")["items"]["anyOf"] = {
         {{"required", Json::array({"swap_tree"})}}, {{"required", Json::array({"lose"})}}};
     put(schema, "include", include_schema());
+    put(schema, "plugins", one_or_nothing(include_schema()));
     put(schema, "trees", trees());
     put(schema, "data", data_schema(catalog_));
     put(schema, "blue", reference_to("side"));
@@ -282,7 +287,10 @@ class Root {
         {"type", "object"},
         {"description", "a file that scenarios include"},
         {"properties",
-         {{"include", include_schema()}, {"trees", trees()}, {"data", data_schema(catalog_)}}},
+         {{"include", include_schema()},
+          {"plugins", one_or_nothing(include_schema())},
+          {"trees", trees()},
+          {"data", data_schema(catalog_)}}},
         {"additionalProperties", false}};
     return result;
   }

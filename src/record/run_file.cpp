@@ -149,13 +149,13 @@ bool operator==(const RunFile& a, const RunFile& b) {
          a.seed == b.seed &&
          std::bit_cast<std::uint64_t>(a.until) == std::bit_cast<std::uint64_t>(b.until) &&
          a.layout_hash == b.layout_hash && same_bytes(a.orders, b.orders) && a.trail == b.trail &&
-         a.outcome == b.outcome;
+         a.outcome == b.outcome && a.plugins == b.plugins;
 }
 
 std::string encode(const RunFile& run) {
   Writer w;
   w.raw(kMagic.data(), kMagic.size());
-  w.number(kRunFileVersion);
+  w.number(run.plugins.empty() ? kRunFileVersion : kRunFileWithPlugins);
   w.number(kByteOrder);
   w.text(run.build);
   w.text(run.scenario);
@@ -173,6 +173,13 @@ std::string encode(const RunFile& run) {
   w.block(run.orders);
   write_trail(w, run.trail);
   w.text(run.outcome);
+  if (!run.plugins.empty()) {
+    w.number<std::uint64_t>(run.plugins.size());
+    for (const scenario::PluginFile& plugin : run.plugins) {
+      w.text(plugin.path);
+      w.number(plugin.hash);
+    }
+  }
   return w.finish();
 }
 
@@ -188,10 +195,10 @@ Decoded decode(std::string_view bytes) {
   const auto version = r.number<std::uint32_t>();
   if (r.number<std::uint32_t>() != kByteOrder)
     return {{}, "the run file comes from a machine of another byte order"};
-  if (version != kRunFileVersion)
+  if (version != kRunFileVersion && version != kRunFileWithPlugins)
     return {{},
-            fmt::format("the run file has format version {}; this program reads version {}",
-                        version, kRunFileVersion)};
+            fmt::format("the run file has format version {}; this program reads versions {} and {}",
+                        version, kRunFileVersion, kRunFileWithPlugins)};
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);
   if (sum != checksum(bytes.substr(0, bytes.size() - kChecksum)))
@@ -215,6 +222,13 @@ Decoded decode(std::string_view bytes) {
   run.orders = r.block<sim::Order>();
   run.trail = read_trail(r);
   run.outcome = r.text();
+  if (version == kRunFileWithPlugins) {
+    const auto plugins = r.number<std::uint64_t>();
+    for (std::uint64_t i = 0; r.has(plugins - i, 16) && i < plugins; ++i) {
+      std::string path = r.text();
+      run.plugins.push_back({std::move(path), r.number<std::uint64_t>()});
+    }
+  }
   if (!r.ok() || !r.at_end())
     return {{}, "the run file is corrupt: its sections do not fit"};
   return result;

@@ -7,16 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/plugin_file.hpp"
 #include "sim/order.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::record {
 
-/// Version of the format that encode() writes and decode() accepts.
-inline constexpr std::uint32_t kRunFileVersion = 1;
+/// Version of the format that encode() writes: that of a run without plug-ins, and of one with
+/// them. decode() accepts both.
+inline constexpr std::uint32_t kRunFileVersion = 1, kRunFileWithPlugins = 2;
 
 /// Enough to fly a run again on any machine and to tell where it differs. The texts of all files
-/// are inside, so nothing on the disk of the replaying machine matters.
+/// are inside, so nothing on the disk of the replaying machine matters but plug-ins.
 struct RunFile {
   std::string build;                         ///< of the program that recorded it
   std::string scenario;                      ///< the file that was flown, a key of `files`
@@ -28,6 +30,7 @@ struct RunFile {
   std::vector<sim::Order> orders;
   sim::HashTrail trail;
   std::string outcome;  ///< one line for people
+  std::vector<scenario::PluginFile> plugins;
 
   friend bool operator==(const RunFile& a, const RunFile& b);
 };

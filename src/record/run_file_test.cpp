@@ -45,13 +45,25 @@ TEST(RunFile, ComesBackAsItWas) {
   EXPECT_TRUE(back.run == example());
 }
 
+TEST(RunFile, HasAFormatOfItsOwnWithPlugins) {
+  RunFile plugged = example();
+  plugged.plugins = {{"/x/libmine.so", 0x0123456789abcdef}, {"/x/libother.so", 2}};
+  const std::string bytes = encode(plugged);
+  EXPECT_EQ(bytes[8], kRunFileWithPlugins);
+  EXPECT_TRUE(decode(bytes).run == plugged);
+  EXPECT_EQ(encode(example())[8], kRunFileVersion) << "the others stay as they were";
+  std::string cut = bytes.substr(0, bytes.size() - 8 - 1) + std::string(8, ' ');
+  EXPECT_EQ(decode(signed_again(cut)).error, "the run file is corrupt: its sections do not fit");
+}
+
 TEST(RunFile, SaysWhatIsWrongWithForeignFiles) {
   EXPECT_EQ(decode("").error, "this is not a run file");
   EXPECT_EQ(decode("PNG and so on, long enough to hold a header").error, "this is not a run file");
   EXPECT_EQ(decode("EYRIERUN").error, "the run file is cut");
   std::string other = encode(example());
   other[8] = 9;
-  EXPECT_EQ(decode(other).error, "the run file has format version 9; this program reads version 1");
+  EXPECT_EQ(decode(other).error,
+            "the run file has format version 9; this program reads versions 1 and 2");
   EXPECT_EQ(read_run_file("/nowhere/x").error, "cannot read the file");
 }
 

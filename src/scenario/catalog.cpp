@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "core/describe.hpp"
-#include "driver/catalog.hpp"
 #include "driver/state.hpp"
 #include "model/library.hpp"
-#include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
 #include "scenario/spec.hpp"
 #include "ubf/standard_nodes.hpp"
@@ -57,7 +55,10 @@ std::vector<FilePart> file_parts() {
       {"scenario", "", std::string(ScenarioSpec::help),
        with(parameters<ScenarioSpec>(),
             {custom("include", "text or list of texts",
-                    "a file, or a list of files, whose `trees` and `data` are added"),
+                    "a file, or a list of files, whose `trees`, `data` and `plugins` are added"),
+             custom("plugins", "text or list of texts",
+                    "a plug-in, or a list of them: shared libraries whose nodes and models may "
+                    "then be named; relative to this file"),
              by_hand("environment"), custom("trees", "map", "trees by name: see *Trees*"),
              custom("data", "map", "models by kind and name: see *Models*"),
              custom("blue", "map", side_help), custom("red", "map", side_help)})},
@@ -87,22 +88,25 @@ std::vector<FilePart> file_parts() {
 
 template <Described Model>
 ModelKind kind(std::string_view folder, const Source& source) {
-  return {std::string(folder), std::string(Model::type_name), std::string(Model::help),
-          parameters<Model>(), source.data_names(folder)};
+  ModelKind result{std::string(folder), std::string(Model::type_name), std::string(Model::help),
+                   parameters<Model>(), source.data_names(folder),     {}};
+  for (const std::string& name : result.names)
+    if (const auto origin = source.origin(folder, name))
+      result.origins[name] = *origin;
+  return result;
 }
 
 }  // namespace
 
-Catalog make_catalog(const Source& source) {
+Catalog make_catalog(const Source& source, const Plugins& plugins) {
   Catalog result;
   result.file = file_parts();
-  const auto registry = pilot::make_registry();
-  result.nodes.assign(registry.catalog().begin(), registry.catalog().end());
+  const auto nodes = plugins.registries().pilots.catalog();
+  result.nodes.assign(nodes.begin(), nodes.end());
   result.fields = ubf::state_field_infos<pilot::State>();
   driver::Registry standard;
   ubf::add_standard_nodes(standard);
-  const auto drivers = driver::make_registry();
-  for (const ubf::NodeInfo& node : drivers.catalog())
+  for (const ubf::NodeInfo& node : plugins.registries().drivers.catalog())
     if (!standard.find(node.name))
       result.driver_nodes.push_back(node);
   result.driver_fields = ubf::state_field_infos<driver::State>();

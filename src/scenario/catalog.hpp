@@ -2,10 +2,12 @@
 #pragma once
 /// \file  Everything that files may say, gathered from the descriptions that also read the files:
 /// the generated references cannot differ from the program.
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/param.hpp"
+#include "scenario/plugins.hpp"
 #include "scenario/source.hpp"
 #include "ubf/spec.hpp"
 #include "ubf/state_fields.hpp"
@@ -27,7 +29,8 @@ struct ModelKind {
   std::string type_name;  ///< "radar"
   std::string help;
   std::vector<ParamInfo> parameters;
-  std::vector<std::string> names;  ///< of the files there are, sorted
+  std::vector<std::string> names;  ///< of the files there are and of those of plug-ins, sorted
+  std::map<std::string, std::string> origins;  ///< the plug-ins of the latter, by name
 };
 
 struct Catalog {
@@ -40,8 +43,9 @@ struct Catalog {
   std::vector<ModelKind> models;  ///< in the order of DataLoader::kinds()
 };
 
-/// The names of models come from `source`, everything else from the program.
-[[nodiscard]] Catalog make_catalog(const Source& source);
+/// The names of models come from `source`, everything else from the program and the plug-ins that
+/// were loaded into `source`.
+[[nodiscard]] Catalog make_catalog(const Source& source, const Plugins& plugins = {});
 
 /// A short list for the terminal: names and one line of help each, grouped.
 [[nodiscard]] std::string catalog_text(const Catalog& catalog);

@@ -181,6 +181,8 @@ class Writer {
   }
   void node_entry(const ubf::NodeInfo& node) {
     add("\n#### {}\n\n{}{}\n", node.name, sentence(node.help), children(node));
+    if (node.origin != "eyrie")
+      add("\nFrom the plug-in `{}`.\n", node.origin);
     if (is_sequencer(node))
       text_ += kSequencer;
     table(node.parameters);
@@ -214,6 +216,8 @@ class Writer {
     add("\n### {}\n\n`data/{}/<name>.yaml`: {}.\n", kind.type_name, kind.folder, kind.help);
     if (!kind.names.empty())
       add("\nThere are `{}`.\n", fmt::join(kind.names, "`, `"));
+    for (const auto& [name, origin] : kind.origins)
+      add("\n`{}` is from the plug-in `{}`.\n", name, origin);
     table(kind.parameters);
   }
 

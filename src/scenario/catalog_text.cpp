@@ -31,11 +31,15 @@ std::string catalog_text(const Catalog& catalog) {
   const auto line = [&](std::string_view name, std::string_view help) {
     fmt::format_to(std::back_inserter(text), "  {:<{}}  {}\n", name, width, help);
   };
+  const auto node_line = [&](const ubf::NodeInfo& node) {
+    line(node.name,
+         node.origin == "eyrie" ? node.help : fmt::format("{} (of {})", node.help, node.origin));
+  };
   for (const auto& [kind, title] : kGroups) {
     text += std::string(title) + "\n";
     for (const ubf::NodeInfo& node : catalog.nodes)
       if (node.kind == kind)
-        line(node.name, node.help);
+        node_line(node);
     text += "\n";
   }
   text += "State fields: compared by conditions in words, looked at by switch\n";
@@ -46,12 +50,16 @@ std::string catalog_text(const Catalog& catalog) {
   text +=
       "\nDrivers: what the trees of vehicles have besides arbiters, control nodes and decorators\n";
   for (const ubf::NodeInfo& node : catalog.driver_nodes)
-    line(node.name, node.help);
+    node_line(node);
   text += "\nModels: data/<kind>/<name>.yaml\n";
   for (const ModelKind& kind : catalog.models) {
     line(kind.folder, kind.help);
-    if (!kind.names.empty())
-      line("", fmt::format("({})", fmt::join(kind.names, ", ")));
+    std::vector<std::string> names = kind.names;
+    for (std::string& name : names)
+      if (const auto from = kind.origins.find(name); from != kind.origins.end())
+        name += " of " + from->second;
+    if (!names.empty())
+      line("", fmt::format("({})", fmt::join(names, ", ")));
   }
   return text + "\nEvery parameter with its unit, range and default: eyrie catalog --markdown\n";
 }

@@ -32,13 +32,6 @@ std::string_view singular(std::string_view kind) {
 /// Of one kind in one scenario. A station knows its store by one byte (model::Station).
 constexpr std::size_t kMostModels = 200;
 
-/// Whether data/<kind>/<name>.yaml stays in its folder.
-bool names_a_file(std::string_view name) {
-  return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
-    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20;
-  });
-}
-
 /// `over` on top of `base`: maps are merged key by key, everything else is replaced.
 Value merged(Value base, const Value& over) {
   if (!base.is_map() || !over.is_map())

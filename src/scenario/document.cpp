@@ -16,7 +16,7 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 2> kMergeable{"trees", "data"};
+constexpr std::array<std::string_view, 3> kMergeable{"trees", "data", "plugins"};
 
 Value* find(Value& map, std::string_view key) {
   for (Value::Entry& e : map.entries)
@@ -105,10 +105,13 @@ class Includer {
 
   void merge_entry(Value& into, const Value::Entry& e) {
     if (std::find(kMergeable.begin(), kMergeable.end(), e.key) == kMergeable.end()) {
-      diagnostics_.error(e.where, fmt::format("an included file holds trees and data, not {}{}",
-                                              quote(e.key), did_you_mean(e.key, kMergeable)));
+      diagnostics_.error(e.where,
+                         fmt::format("an included file holds trees, data and plugins, not {}{}",
+                                     quote(e.key), did_you_mean(e.key, kMergeable)));
       return;
     }
+    if (e.key == "plugins")
+      return merge_plugins(into, e);
     if (!e.value.is_map() && !e.value.is_null()) {
       diagnostics_.error(e.value.where,
                          fmt::format("{}: expected a map, got {}", e.key, e.value.shown()));
@@ -121,6 +124,19 @@ class Includer {
       *there = e.value;
     else if (there->is_map())  // otherwise whoever reads it says so
       merge_map(*there, e.value, e.key == "data" ? "data" : "tree", e.key == "data", diagnostics_);
+  }
+
+  /// One list of all; each item keeps its place, to which its path is relative.
+  static void merge_plugins(Value& into, const Value::Entry& e) {
+    Value* there = find(into, e.key);
+    if (!there)
+      return into.entries.push_back(e);
+    if (!there->is_list())
+      *there = Value::list({*there}, there->where);
+    if (e.value.is_list())
+      there->items.insert(there->items.end(), e.value.items.begin(), e.value.items.end());
+    else
+      there->items.push_back(e.value);
   }
 
   Source& source_;

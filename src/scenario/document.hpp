@@ -10,9 +10,10 @@
 
 namespace eyrie::scenario {
 
-/// Reads `file` and merges what its `include:` names: the maps `trees` and `data` of the included
-/// files (nothing else may stand in them). A file that is reached in two ways is read once. A name
-/// that is defined twice, a file that is missing and a file that includes itself are mistakes.
+/// Reads `file` and merges what its `include:` names: the maps `trees` and `data` and the list
+/// `plugins` of the included files (nothing else may stand in them). A file that is reached in two
+/// ways is read once. A name that is defined twice, a file that is missing and a file that includes
+/// itself are mistakes.
 [[nodiscard]] Value load_document(const std::string& file, Source& source,
                                   Diagnostics& diagnostics);
 

@@ -121,13 +121,14 @@ TEST(Document, RefusesNamesThatAreDefinedTwice) {
 }
 
 TEST(Document, RefusesWhatAnIncludedFileMayNotHold) {
-  EXPECT_EQ(load({{"dir/a.yaml", "include: b.yaml\ntrees: {}\n"},
-                  {"dir/b.yaml", "tree: {}\nseed: 2\ntrees: [navigate]\n"}})
-                .mistakes,
-            "dir/b.yaml:1:1: an included file holds trees and data, not 'tree'; did you mean "
-            "'trees'?\n"
-            "dir/b.yaml:2:1: an included file holds trees and data, not 'seed'\n"
-            "dir/b.yaml:3:8: trees: expected a map, got a list");
+  EXPECT_EQ(
+      load({{"dir/a.yaml", "include: b.yaml\ntrees: {}\n"},
+            {"dir/b.yaml", "tree: {}\nseed: 2\ntrees: [navigate]\n"}})
+          .mistakes,
+      "dir/b.yaml:1:1: an included file holds trees, data and plugins, not 'tree'; did you mean "
+      "'trees'?\n"
+      "dir/b.yaml:2:1: an included file holds trees, data and plugins, not 'seed'\n"
+      "dir/b.yaml:3:8: trees: expected a map, got a list");
 }
 
 // --set

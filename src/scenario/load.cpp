@@ -17,6 +17,7 @@
 #include "scenario/document.hpp"
 #include "scenario/place.hpp"
 #include "scenario/plan.hpp"
+#include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/trees.hpp"
 #include "sim/rate.hpp"
@@ -24,21 +25,25 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 7> kByHand{"include", "environment", "trees", "data",
-                                                  "routes",  "blue",        "red"};
+constexpr std::array<std::string_view, 8> kByHand{"include", "plugins", "environment", "trees",
+                                                  "data",    "routes",  "blue",        "red"};
 
 class Loader {
  public:
   Loader(const LoadRequest& request, Source& source) : source_(source) {
+    load_plugins(request.plugins, plugins_, source_, diagnostics_);
     out_->file = request.file;
     out_->sets = request.sets;
     library_ = std::make_shared<model::Library>();
   }
 
   std::shared_ptr<const Scenario> load() {
+    stop_if_wrong();
     document_ = load_document(out_->file, source_, diagnostics_);
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
+    if (const Value* v = document_.find("plugins"))
+      load_plugins(*v, plugins_, source_, diagnostics_);
     stop_if_wrong();
     bind(out_->spec, document_, diagnostics_, kByHand);
     if (const Value* v = document_.find("environment"))
@@ -46,7 +51,8 @@ class Loader {
     library_->reference =
         Reference({out_->spec.reference.latitude, out_->spec.reference.longitude, 0.0});
     plans_ = read_plans(document_, diagnostics_);
-    trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders, diagnostics_);
+    trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders,
+                            plugins_.registries(), diagnostics_);
     out_->trees = trees_.pilots();
     out_->driver_trees = trees_.drivers();
     models();
@@ -309,9 +315,11 @@ class Loader {
       stop_if_wrong();
     }
     out_->files = source_.files();
+    out_->plugins.assign(plugins_.files().begin(), plugins_.files().end());
   }
 
   Source& source_;
+  Plugins plugins_;
   Diagnostics diagnostics_;
   Value document_;
   Plans plans_;

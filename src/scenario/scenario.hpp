@@ -18,6 +18,7 @@
 #include "pilot/columns.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "scenario/plugin_file.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
@@ -48,6 +49,7 @@ struct Scenario {
   std::vector<sim::Order> orders;
   std::map<std::string, std::string> files;  ///< every text it was made from
   std::vector<std::string> sets;             ///< overrides, as given
+  std::vector<PluginFile> plugins;           ///< whose nodes its trees may hold
 
   [[nodiscard]] std::size_t count(Platform platform) const {
     return static_cast<std::size_t>(
@@ -58,10 +60,11 @@ struct Scenario {
   [[nodiscard]] sim::World world(std::uint64_t seed) const;
 };
 
-/// What to load: a file, and `path=value` overrides.
+/// What to load: a file, `path=value` overrides, and plug-ins besides those that the file names.
 struct LoadRequest {
   std::string file;
-  std::vector<std::string> sets;
+  std::vector<std::string> sets = {};
+  std::vector<std::string> plugins = {};
 };
 
 /// Reads, checks and builds. Throws ConfigError with every mistake that was found.

@@ -10,6 +10,19 @@
 
 namespace eyrie::scenario {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kYaml = ".yaml";
+
+std::string model_key(std::string_view kind, std::string_view name) {
+  return std::string(kind) + "/" + std::string(name) + std::string(kYaml);
+}
+/// The name that mistakes in the model of a plug-in carry.
+std::string plugin_name(std::string_view origin, std::string_view key) {
+  return "plugin:" + std::string(origin) + "/" + std::string(key);
+}
+
+}  // namespace
 
 Source Source::disk(std::string home) {
   Source s;
@@ -27,6 +40,9 @@ Source Source::bundle(std::map<std::string, std::string> files) {
 std::optional<std::string> Source::read(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
     return known->second;
+  for (const auto& [key, model] : models_)
+    if (name == plugin_name(model.origin, key))
+      return files_[name] = model.text;
   if (!from_disk_)
     return std::nullopt;
   // data/ stands below home whatever the working folder is; everything else is as the user wrote it
@@ -52,12 +68,27 @@ std::optional<std::string> Source::read(const std::string& name) {
 }
 
 std::string Source::data_name(std::string_view kind, std::string_view name) const {
-  return "data/" + std::string(kind) + "/" + std::string(name) + ".yaml";
+  const std::string key = model_key(kind, name);
+  const auto added = models_.find(key);
+  return added == models_.end() ? "data/" + key : plugin_name(added->second.origin, key);
+}
+
+void Source::add_model(std::string_view kind, std::string_view name, std::string origin,
+                       std::string text) {
+  models_[model_key(kind, name)] = {std::move(origin), std::move(text)};
+}
+
+std::optional<std::string> Source::origin(std::string_view kind, std::string_view name) const {
+  const auto added = models_.find(model_key(kind, name));
+  return added == models_.end() ? std::nullopt : std::optional(added->second.origin);
 }
 
 std::vector<std::string> Source::data_names(std::string_view kind) const {
   std::vector<std::string> names;
-  const std::string folder = "data/" + std::string(kind) + "/";
+  const std::string below = std::string(kind) + "/", folder = "data/" + below;
+  for (const auto& [key, model] : models_)
+    if (key.starts_with(below))
+      names.push_back(key.substr(below.size(), key.size() - below.size() - kYaml.size()));
   if (from_disk_) {
     std::error_code failed;
     for (const auto& entry : fs::directory_iterator(fs::path(home_) / folder, failed))
@@ -71,6 +102,12 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+bool names_a_file(std::string_view name) {
+  return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
+    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20;
+  });
 }
 
 std::string relative_to(std::string_view file, std::string_view name) {

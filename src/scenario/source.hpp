@@ -23,16 +23,24 @@ class Source {
   /// The text of a file, or nothing when it is missing, unreadable or no file. Of a file larger
   /// than kLargest only so much that a parser sees that it is too large.
   [[nodiscard]] std::optional<std::string> read(const std::string& name);
-  /// The name under which `data/<kind>/<name>.yaml` is read.
+  /// The name under which `data/<kind>/<name>.yaml`, or the model of a plug-in, is read.
   [[nodiscard]] std::string data_name(std::string_view kind, std::string_view name) const;
   /// Every name in data/<kind>, sorted: for "did you mean".
   [[nodiscard]] std::vector<std::string> data_names(std::string_view kind) const;
 
   /// A text that is read under that name from now on, such as a scenario made by a program.
   void add(std::string name, std::string text) { files_[std::move(name)] = std::move(text); }
+  /// A model that stands in no file; `origin` is the plug-in that it comes from. From then on it is
+  /// the one of that kind and name.
+  void add_model(std::string_view kind, std::string_view name, std::string origin,
+                 std::string text);
+  /// The plug-in that a model comes from, or nothing.
+  [[nodiscard]] std::optional<std::string> origin(std::string_view kind,
+                                                  std::string_view name) const;
 
   /// Every file read so far: name -> text.
   [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
+  [[nodiscard]] bool is_bundle() const { return !from_disk_; }
 
   static constexpr std::size_t kLargest = std::size_t{16} << 20;
 
@@ -40,7 +48,15 @@ class Source {
   std::string home_;
   bool from_disk_ = false;
   std::map<std::string, std::string> files_;
+
+  struct Model {
+    std::string origin, text;
+  };
+  std::map<std::string, Model> models_;  ///< of plug-ins, by "<kind>/<name>.yaml"
 };
+
+/// Whether data/<kind>/<name>.yaml stays in its folder.
+[[nodiscard]] bool names_a_file(std::string_view name);
 
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);

@@ -88,6 +88,19 @@ TEST(SourceBundle, ServesItsTextsAndNothingElse) {
   EXPECT_EQ(source.files().size(), 3u);
 }
 
+TEST(Source, ServesTheModelsOfPluginsUnderNamesThatSayWhoseTheyAre) {
+  Source source = Source::bundle({{"data/guns/m61.yaml", "a"}});
+  source.add_model("guns", "bb_gun", "libtoys.so", "rate: 1");
+  EXPECT_EQ(source.data_name("guns", "bb_gun"), "plugin:libtoys.so/guns/bb_gun.yaml");
+  EXPECT_EQ(source.data_name("guns", "m61"), "data/guns/m61.yaml");
+  EXPECT_EQ(source.data_names("guns"), (std::vector<std::string>{"bb_gun", "m61"}));
+  EXPECT_EQ(source.origin("guns", "bb_gun"), "libtoys.so");
+  EXPECT_EQ(source.origin("guns", "m61"), std::nullopt);
+  EXPECT_EQ(source.files().size(), 1u) << "only what was read goes into a recording";
+  EXPECT_EQ(source.read("plugin:libtoys.so/guns/bb_gun.yaml"), "rate: 1");
+  EXPECT_EQ(source.files().size(), 2u);
+}
+
 TEST(RelativeTo, FollowsTheFolderOfTheFile) {
   EXPECT_EQ(relative_to("scenarios/a.yaml", "packages/b.yaml"), "scenarios/packages/b.yaml");
   EXPECT_EQ(relative_to("scenarios/a.yaml", "../b.yaml"), "b.yaml");

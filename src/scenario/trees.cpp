@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <map>
 
-#include "driver/catalog.hpp"
-#include "pilot/catalog.hpp"
-
 namespace eyrie::scenario {
 namespace {
 
@@ -50,7 +47,7 @@ std::vector<ubf::NamedSpec> named_trees(const Value& map, Diagnostics& diagnosti
 template <class Trees, class Registry>
 struct Shelf {
   Trees& trees;
-  Registry registry;
+  const Registry& registry;
   std::span<const ubf::NamedSpec> all;
   std::string_view platform, agent;  ///< "an aircraft", "pilot"
 
@@ -91,7 +88,7 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
 }  // namespace
 
 TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                        Diagnostics& diagnostics) {
+                        const Registries& registries, Diagnostics& diagnostics) {
   TreeBook book;
   if (!map || map->is_null())
     return book;
@@ -104,9 +101,9 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   note_users(plans.convoys, orders, drivers);
 
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
-  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, pilot::make_registry(), named,
+  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named,
                                            "an aircraft", "pilot"};
-  Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, driver::make_registry(), named,
+  Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, registries.drivers, named,
                                                 "a vehicle", "driver"};
   const bool both = !plans.convoys.empty();
   for (const ubf::NamedSpec& spec : named) {

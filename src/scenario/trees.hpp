@@ -13,6 +13,7 @@
 #include "driver/trees.hpp"
 #include "pilot/trees.hpp"
 #include "scenario/plan.hpp"
+#include "scenario/plugin.hpp"
 
 namespace eyrie::scenario {
 
@@ -23,7 +24,7 @@ class TreeBook {
  public:
   /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
   static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                       Diagnostics& diagnostics);
+                       const Registries& registries, Diagnostics& diagnostics);
 
   [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }
   [[nodiscard]] const std::shared_ptr<driver::Trees>& drivers() const { return drivers_; }

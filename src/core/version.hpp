@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace eyrie {
+
+/// Of the whole project. CMakeLists.txt reads it from this line.
+inline constexpr const char* kVersion = "0.1.0";
+
+}  // namespace eyrie

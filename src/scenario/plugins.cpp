@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/plugins.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <utility>
+
+#include "driver/catalog.hpp"
+#include "pilot/catalog.hpp"
+#include "scenario/data.hpp"
+#include "scenario/shared_library.hpp"
+
+namespace eyrie::scenario {
+namespace {
+namespace fs = std::filesystem;
+
+/// Every reason why a model of a plug-in cannot be taken.
+std::vector<std::string> model_problems(const Registrar& added, const Source& source) {
+  std::vector<std::string> problems;
+  for (const ModelText& model : added.models()) {
+    const auto kinds = DataLoader::kinds();
+    const auto names = source.data_names(model.kind);
+    const auto same = [&](const ModelText& other) {
+      return other.kind == model.kind && other.name == model.name;
+    };
+    if (std::find(kinds.begin(), kinds.end(), model.kind) == kinds.end())
+      problems.push_back(fmt::format("there is no kind of model {}{}", quote(model.kind),
+                                     did_you_mean(model.kind, kinds)));
+    else if (!names_a_file(model.name))
+      problems.push_back(fmt::format("{} is no name for a model", quote(model.name)));
+    else if (std::find(names.begin(), names.end(), model.name) != names.end())
+      problems.push_back(fmt::format("there is already a model {} ({})", quote(model.name),
+                                     source.data_name(model.kind, model.name)));
+    else if (&*std::find_if(added.models().begin(), added.models().end(), same) != &model)
+      problems.push_back(fmt::format("it adds the model {} twice", quote(model.name)));
+  }
+  return problems;
+}
+
+/// The nearest shared library in the folder of one that is not there.
+std::string nothing_there(const fs::path& path) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(path.parent_path(), ignored))
+    if (entry.path().extension() == ".so")
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return "there is no such file" + did_you_mean(path.filename().string(), names);
+}
+
+}  // namespace
+
+Plugins::Plugins() : registries_{.pilots = pilot::make_registry(), .drivers = driver::make_registry()} {}
+
+std::vector<std::string> Plugins::load(const std::string& path, Source& source) {
+  std::error_code failed;
+  const fs::path file = fs::weakly_canonical(path, failed);
+  if (failed || !fs::exists(file, failed))
+    return {nothing_there(fs::absolute(path, failed))};
+  for (const PluginFile& known : files_)
+    if (known.path == file)
+      return {};
+  const auto hash = hash_of_file(file);
+  if (!hash)
+    return {"it cannot be read"};
+  const OpenedPlugin opened = open_plugin(file);
+  if (!opened.info)
+    return {opened.problem};
+
+  // into a copy, so that of a plug-in that is refused nothing stays
+  const std::string origin = file.filename();
+  Registries registries = registries_;
+  Registrar registrar(registries, origin);
+  try {
+    opened.info->add(registrar);
+  } catch (const std::exception& e) {
+    return {fmt::format("it failed while it was adding: {}", e.what())};
+  } catch (...) {
+    return {"it failed while it was adding"};
+  }
+  std::vector<std::string> problems = registrar.problems();
+  for (std::string& problem : model_problems(registrar, source))
+    problems.push_back(std::move(problem));
+  if (!problems.empty())
+    return problems;
+  registries_ = std::move(registries);
+  for (const ModelText& model : registrar.models())
+    source.add_model(model.kind, model.name, origin, model.yaml);
+  files_.push_back({file, *hash});
+  return {};
+}
+
+void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
+                  Diagnostics& diagnostics) {
+  for (const std::string& path : paths)
+    for (std::string& problem : plugins.load(path, source))
+      diagnostics.error({"--plugin " + path, 0, 0}, std::move(problem));
+}
+
+void load_plugins(const Value& key, Plugins& plugins, Source& source, Diagnostics& diagnostics) {
+  const auto load = [&](const Value& item) {
+    if (!item.is_scalar())
+      return diagnostics.error(item.where, "plugins: expected a file, got " + item.shown());
+    if (source.is_bundle())
+      return;
+    // what --set names is meant as it was typed
+    const bool typed = item.where.file.text().starts_with("--set ");
+    for (const std::string& problem :
+         plugins.load(typed ? item.text : relative_to(item.where.file.text(), item.text), source))
+      diagnostics.error(item.where, fmt::format("plug-in {}: {}", quote(item.text), problem));
+  };
+  if (key.is_list())
+    std::for_each(key.items.begin(), key.items.end(), load);
+  else if (key.is_scalar())
+    load(key);
+  else if (!key.is_null())
+    diagnostics.error(key.where, "plugins: expected a file or a list of files, got " + key.shown());
+}
+
+}  // namespace eyrie::scenario

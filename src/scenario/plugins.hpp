@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The plug-ins of a scenario, and the nodes that there are with them.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+#include "core/value.hpp"
+#include "scenario/plugin.hpp"
+#include "scenario/plugin_file.hpp"
+#include "scenario/source.hpp"
+
+namespace eyrie::scenario {
+
+/// Eyrie's own nodes and those of the plug-ins that were loaded. A shared library stays loaded
+/// until the program ends, because trees hold its code.
+class Plugins {
+ public:
+  Plugins();
+
+  /// Loads a shared library: its nodes are then in registries(), its models in `source`. Gives
+  /// every reason why it is refused; nothing of it is taken then. A file that is loaded already is
+  /// not loaded again.
+  [[nodiscard]] std::vector<std::string> load(const std::string& path, Source& source);
+
+  [[nodiscard]] const Registries& registries() const { return registries_; }
+  /// In the order in which they were loaded.
+  [[nodiscard]] std::span<const PluginFile> files() const { return files_; }
+
+ private:
+  Registries registries_;
+  std::vector<PluginFile> files_;
+};
+
+/// Loads what the command line names.
+void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
+                  Diagnostics& diagnostics);
+/// Loads what `plugins:` of a document names: one file or a list, relative to the file that says
+/// so. Out of a bundle nothing is loaded: whoever replays has done that.
+void load_plugins(const Value& key, Plugins& plugins, Source& source, Diagnostics& diagnostics);
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+/// \file  A plug-in with a behavior, an arbiter and a model; docs/howto/write-a-plugin.md shows its
+/// end.
+#include "scenario/plugin.hpp"
+
+namespace pilot = eyrie::pilot;
+namespace ubf = eyrie::ubf;
+
+class HoldCourse final : public pilot::Behavior {
+ public:
+  static constexpr std::string_view type_name = "hold_course", help = "flies straight on";
+  static constexpr auto params() {
+    return std::tuple{
+        eyrie::param("course", &HoldCourse::course_, "rad", eyrie::any(), "true heading")};
+  }
+  pilot::Status tick(const pilot::Tick&, pilot::Proposal& out) const override {
+    out.action.heading = course_;
+    out.action.mode = eyrie::model::AutopilotMode::hold;
+    out.vote = 30;
+    return pilot::Status::running;
+  }
+
+ private:
+  double course_ = 0;
+};
+
+/// Asks everybody and takes the last answer.
+class LastWord final : public ubf::Voting<pilot::State, pilot::Action> {
+  using Base = ubf::Voting<pilot::State, pilot::Action>;
+
+ public:
+  static constexpr std::string_view type_name = "last_word", help = "the proposal of the last";
+  static constexpr ubf::Kind kind = ubf::Kind::arbiter;
+  static auto params() { return Base::vote_params<LastWord>(); }
+  using Base::Base;
+
+  bool stands() const noexcept override { return true; }
+  pilot::Status tick(const pilot::Tick& t, pilot::Proposal& out) const override {
+    pilot::Status status = pilot::Status::failure;
+    pilot::Proposal next;
+    for (const auto& child : children_) {
+      const pilot::Status answer = ask(*child, t, next);
+      if (answer == pilot::Status::failure)
+        continue;
+      out.copy(next);
+      status = answer;
+    }
+    rescale(out);
+    return status;
+  }
+};
+
+EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) {
+  registrar.add<HoldCourse>();
+  registrar.add<LastWord>();
+  registrar.add_model("aircraft", "f16_without_radar", "base: f16c\nradar: null\n");
+})

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+/// \file  Plug-ins are loaded, or refused with words; those of this folder are built for it.
+#include <gtest/gtest.h>
+
+#include "scenario/plugins.hpp"
+#include "scenario/scenario.hpp"
+#include "support/plugin.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using scenario::Plugins;
+using scenario::Source;
+using Words = std::vector<std::string>;
+
+/// What is said of a plug-in, and that nothing of a refused one stays.
+Words words_about(const std::string& path) {
+  Source source = Source::disk(".");
+  Plugins plugins;
+  const std::size_t nodes = plugins.registries().pilots.catalog().size();
+  Words words = plugins.load(path, source);
+  EXPECT_FALSE(words.empty()) << path;
+  EXPECT_EQ(plugins.registries().pilots.catalog().size(), nodes) << path;
+  EXPECT_TRUE(plugins.files().empty()) << path;
+  EXPECT_EQ(source.origin("radars", "mine"), std::nullopt) << path;
+  return words;
+}
+
+TEST(PluginLoading, TakesNodesAndModelsWithTheirOrigin) {
+  Source source = Source::disk(".");
+  Plugins plugins;
+  ASSERT_EQ(plugins.load(plugin("good"), source), Words{});
+  const auto* node = plugins.registries().pilots.find("hold_course");
+  ASSERT_TRUE(node);
+  EXPECT_EQ(node->origin, "libgood.so");
+  EXPECT_EQ(node->parameters.at(0).name, "course");
+  EXPECT_EQ(plugins.registries().pilots.find("last_word")->kind, ubf::Kind::arbiter);
+  EXPECT_EQ(source.origin("aircraft", "f16_without_radar"), "libgood.so");
+  EXPECT_EQ(source.origin("aircraft", "f16c"), std::nullopt);
+  ASSERT_EQ(plugins.files().size(), 1u);
+  EXPECT_EQ(plugins.files()[0].hash, scenario::hash_of_file(plugin("good")));
+}
+
+TEST(PluginLoading, TakesAFileOnceByWhateverPath) {
+  Source source = Source::disk(".");
+  Plugins plugins;
+  const TempFolder folder;
+  std::filesystem::create_symlink(plugin("good"), folder / "other.so");
+  EXPECT_EQ(plugins.load(plugin("good"), source), Words{});
+  EXPECT_EQ(plugins.load(folder / "other.so", source), Words{});
+  EXPECT_EQ(plugins.files().size(), 1u);
+}
+
+TEST(PluginLoading, RefusesWhatAnotherPluginHasAdded) {
+  Source source = Source::disk(".");
+  Plugins plugins;
+  const TempFolder folder;
+  std::filesystem::copy(plugin("good"), folder / "libtwin.so");
+  EXPECT_EQ(plugins.load(plugin("good"), source), Words{});
+  EXPECT_EQ(plugins.load(folder / "libtwin.so", source),
+            (Words{"there is already a node 'hold_course' (of libgood.so)",
+                   "there is already a node 'last_word' (of libgood.so)",
+                   "there is already a model 'f16_without_radar' "
+                   "(plugin:libgood.so/aircraft/f16_without_radar.yaml)"}));
+}
+
+TEST(PluginLoading, SaysEverythingThatIsWrongWithNames) {
+  EXPECT_EQ(
+      words_about(plugin("taken")),
+      (Words{"there is already a node 'pursue' (of eyrie)",
+             "there is already a node 'fresh' (of libtaken.so)", "'tree' is no name for a node",
+             "there is already a model 'f16c' (data/airframes/f16c.yaml)",
+             "there is no kind of model 'airframe'; did you mean 'airframes'?",
+             "'../mine' is no name for a model", "it adds the model 'mine' twice"}));
+}
+
+TEST(PluginLoading, RefusesWhatWasBuiltForAnotherEyrieBeforeRunningIt) {
+  EXPECT_EQ(
+      words_about(plugin("old")),
+      Words{fmt::format("it was built for Eyrie 0.0.9, this is {}; build it again", kVersion)});
+  EXPECT_EQ(words_about(plugin("layout")),
+            Words{"it was built with other headers of Eyrie than this program; build it again"});
+  EXPECT_EQ(words_about(plugin("format")),
+            Words{"it was built for another version of Eyrie; build it again"});
+  EXPECT_EQ(words_about(plugin("magic")), Words{"its eyrie_plugin was not made by EYRIE_PLUGIN"});
+}
+
+TEST(PluginLoading, RefusesWhatIsNoPlugin) {
+  const TempFolder folder;
+  EXPECT_EQ(words_about(plugin("foreign")),
+            Words{"it is not a plug-in: there is no EYRIE_PLUGIN in it"});
+  EXPECT_EQ(words_about(plugin("unresolved")),
+            Words{"it uses 'eyrie::pilot::nowhere(double)', which is nowhere; eyrie_add_plugin "
+                  "links what it needs"});
+  EXPECT_EQ(words_about(folder.write("text.so", "int main() {}\n")),
+            Words{"it is not a shared library"});
+  EXPECT_EQ(words_about(folder.write("long.so", std::string(10'000, 'x'))),
+            Words{"it is not a shared library"});
+  EXPECT_EQ(words_about(folder / "lonk.so"),
+            Words{"there is no such file; did you mean 'long.so'?"});
+  EXPECT_EQ(words_about(folder.path()), Words{"it cannot be read"});
+}
+
+TEST(PluginLoading, SurvivesAPluginThatFails) {
+  EXPECT_EQ(words_about(plugin("throwing")),
+            Words{"it failed while it was adding: no licence found"});
+}
+
+/// One aircraft, a tree and what stands before them.
+std::string small_scenario(const std::string& head, const std::string& aircraft = "f16c") {
+  return "eyrie: 1\nname: small\n" + head +
+         "reference: {latitude: 33 deg, longitude: -68 deg}\nuntil: 2 s\n"
+         "trees: {pilot: {last_word: [navigate, hold_course]}}\n"
+         "blue: {flights: {eagle: {aircraft: " +
+         aircraft +
+         ", tree: pilot, players: [eagle1], start: {north: 0 nmi, east: 0 nmi, "
+         "altitude: 20000 ft, heading: 90 deg, speed: 450 kt}}}}\n";
+}
+
+std::string load_error(std::map<std::string, std::string> files, Words plugins = {},
+                       Words sets = {}) {
+  Source source = Source::disk(".");
+  for (auto& [name, text] : files)
+    source.add(name, text);
+  try {
+    static_cast<void>(scenario::load({"small.yaml", sets, plugins}, std::move(source)));
+  } catch (const ConfigError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(PluginScenario, NamesItsPluginsAndUsesTheirNodesAndModels) {
+  Source source = Source::disk(".");
+  source.add("small.yaml",
+             small_scenario("plugins: [" + plugin("good") + ", " + plugin("broken") + "]\n",
+                            "f16_without_radar"));
+  const auto loaded = scenario::load({"small.yaml"}, std::move(source));
+  EXPECT_EQ(loaded->trees->size(), 1u);
+  ASSERT_EQ(loaded->plugins.size(), 2u);
+  EXPECT_EQ(loaded->plugins[0].path, plugin("good"));
+  EXPECT_TRUE(loaded->files.contains("plugin:libgood.so/aircraft/f16_without_radar.yaml"));
+  EXPECT_FALSE(loaded->files.contains("plugin:libbroken.so/airframes/brick.yaml")) << "not used";
+}
+
+TEST(PluginScenario, MayNameThemInMoreThanOnePlace) {
+  const std::string none = small_scenario("");
+  EXPECT_NE(load_error({{"small.yaml", none}}), "");
+  EXPECT_EQ(load_error({{"small.yaml", none}}, {plugin("good")}), "");
+  EXPECT_EQ(load_error({{"small.yaml", none}}, {}, {"plugins=[" + plugin("good") + "]"}), "");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("plugins:\n")}}, {plugin("good")}), "");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("include: [a.yaml, b.yaml]\n")},
+                        {"a.yaml", "plugins: " + plugin("good") + "\n"},
+                        {"b.yaml", "plugins: [" + plugin("good") + "]\n"}}),
+            "");
+}
+
+TEST(PluginScenario, IsToldWhereItsMistakeIs) {
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("plugins: [nowhere/libx.so, {a: b}]\n")}}),
+            "small.yaml:3:11: plug-in 'nowhere/libx.so': there is no such file\n"
+            "small.yaml:3:28: plugins: expected a file, got a map");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("plugins: {a: b}\n")}}),
+            "small.yaml:3:10: plugins: expected a file or a list of files, got a map");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("include: dir/a.yaml\n")},
+                        {"dir/a.yaml", "plugins:\n  - libx.so\n"}}),
+            "dir/a.yaml:2:5: plug-in 'libx.so': there is no such file");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("")}}, {"libx.so", plugin("foreign")}),
+            "--plugin libx.so: there is no such file\n--plugin " + plugin("foreign") +
+                ": it is not a plug-in: there is no EYRIE_PLUGIN in it");
+}
+
+TEST(PluginScenario, IsToldOfAMistakeInAModelOfAPlugin) {
+  EXPECT_EQ(
+      load_error(
+          {{"small.yaml",
+            small_scenario("data: {aircraft: {mine: {base: f16c, airframe: brick}}}\n", "mine")}},
+          {plugin("good"), plugin("broken")}),
+      "plugin:libbroken.so/airframes/brick.yaml:2:13: empty_mass: expected a mass such as "
+      "'900 kg', got '2 nmi' (a length)");
+}
+
+TEST(PluginScenario, LoadsNothingOutOfABundle) {
+  const std::string text = small_scenario("plugins: nowhere/libx.so\n");
+  Source bundle = Source::bundle({{"small.yaml", text}});
+  try {
+    static_cast<void>(scenario::load({"small.yaml"}, std::move(bundle)));
+    FAIL() << "the nodes are not there";
+  } catch (const ConfigError& e) {
+    EXPECT_NE(std::string(e.what()).find("there is no node 'last_word'"), std::string::npos)
+        << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::test

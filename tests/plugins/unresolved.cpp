@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+/// \file  A shared library that was linked with nothing that it needs.
+namespace eyrie::pilot {
+double nowhere(double x);
+}
+extern "C" __attribute__((visibility("default"))) double answer() {
+  return eyrie::pilot::nowhere(42);
+}
