@@ -6,6 +6,7 @@ set(package lib/cmake/Eyrie)
 
 install(TARGETS eyrie DESTINATION bin COMPONENT program)
 install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
+install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 
 install(TARGETS eyrie_options EXPORT EyrieTargets-core)
 get_property(layers GLOBAL PROPERTY EYRIE_LAYERS)
@@ -17,6 +18,25 @@ foreach(layer ${layers})
   install(DIRECTORY src/${layer} DESTINATION include/eyrie COMPONENT library FILES_MATCHING PATTERN "*.hpp"
           PATTERN "*test*" EXCLUDE)
 endforeach()
+
+# the cockpit for tests of behaviors, pilot/testing.hpp, without what Eyrie's own tests need besides
+add_library(eyrie_testing STATIC src/pilot/testing.cpp tests/support/data_file.cpp)
+target_include_directories(eyrie_testing PRIVATE tests)
+target_link_libraries(eyrie_testing PUBLIC eyrie_pilot)
+set_target_properties(eyrie_testing PROPERTIES EXPORT_NAME testing UNITY_BUILD OFF)
+install(TARGETS eyrie_testing EXPORT EyrieTargets-testing DESTINATION lib COMPONENT library)
+install(EXPORT EyrieTargets-testing NAMESPACE Eyrie:: DESTINATION ${package} COMPONENT library)
+foreach(header pilot/testing.hpp model/flight/test_flight.hpp model/sensor/test_players.hpp)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES src/${header} DESTINATION include/eyrie/${folder} COMPONENT library)
+endforeach()
+install(FILES cmake/EyriePlugin.cmake DESTINATION ${package} COMPONENT library)
+install(FILES cmake/plugin_test_main.cpp DESTINATION share/eyrie COMPONENT library)
+
+# the package beside the build, for whoever works from a checkout (./eyrie new)
+list(TRANSFORM layers PREPEND eyrie_ OUTPUT_VARIABLE targets)
+add_custom_target(eyrie_package DEPENDS eyrie eyrie_testing ${targets} VERBATIM
+                  COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${CMAKE_BINARY_DIR}/package > install.log)
 
 configure_package_config_file(cmake/EyrieConfig.cmake.in EyrieConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(EyrieConfigVersion.cmake COMPATIBILITY SameMinorVersion)

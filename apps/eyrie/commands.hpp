@@ -35,6 +35,9 @@ struct ReplayOptions {
 };
 int replay(const ReplayOptions& options);
 
+/// Writes the folder `name` with a behavior, its test, a scenario and a CMake file.
+int new_behavior(const std::string& name);
+
 /// The folder with data/ and scenarios/: EYRIE_HOME, or the one the program was built from.
 [[nodiscard]] std::string home();
 /// "eyrie 0.1.0 (gcc 12.2.0, Release)"

@@ -18,6 +18,7 @@ struct Commands {
   FlyOptions fly;
   ReplayOptions replay;
   std::vector<std::string> files, plugins;
+  std::string name;
   bool markdown = false, json_schema = false;
 };
 
@@ -83,6 +84,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 256));
   replay_cmd->add_flag("--json", c.replay.json, "one JSON object instead of words");
   add_plugins(replay_cmd, c.replay.plugins, "where a plug-in of the run is now, if it has moved");
+  CLI::App* new_cmd = app.add_subcommand("new", "Begin something of your own");
+  new_cmd->require_subcommand(1)
+      ->add_subcommand("behavior", "A plug-in with one behavior, its test and a scenario")
+      ->add_option("name", c.name, "what trees call it; also the name of the folder")
+      ->required();
 
   try {
     app.parse(argc, argv);
@@ -97,6 +103,8 @@ int main(int argc, char** argv) {
       return validate(c.files, c.plugins);
     if (app.got_subcommand(replay_cmd))
       return replay(c.replay);
+    if (app.got_subcommand(new_cmd))
+      return new_behavior(c.name);
     return catalog(c.json_schema ? CatalogFormat::json_schema
                    : c.markdown  ? CatalogFormat::markdown
                                  : CatalogFormat::text,

@@ -44,9 +44,8 @@ model::Library make_library() {
 }
 
 Tree build(const std::string& text) {
-  static const Registry registry = make_registry();
   Diagnostics diagnostics;
-  auto tree = registry.build_tree("test", ubf::testing::Document::parse(text), diagnostics);
+  auto tree = registry().build_tree("test", ubf::testing::Document::parse(text), diagnostics);
   if (!tree)
     throw std::runtime_error(diagnostics.text());
   return std::move(*tree);
@@ -57,6 +56,11 @@ Tree build(const std::string& text) {
 const model::Library& library() {
   static const model::Library l = make_library();
   return l;
+}
+
+Registry& registry() {
+  static Registry all = make_registry();
+  return all;
 }
 
 Pilot::Pilot(const std::string& text) : tree_(build(text)), slab_(tree_.memory_bytes() / 8) {}

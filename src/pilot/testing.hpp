@@ -32,6 +32,10 @@ enum Store : std::uint16_t { kMedium = 0, kShort = 1 };
 /// same for every test: finding the zones of the missiles takes a while.
 [[nodiscard]] const model::Library& library();
 
+/// The nodes that decide() and Pilot know: those of pilot/catalog.hpp. What a test adds is known
+/// from then on.
+[[nodiscard]] Registry& registry();
+
 /// The rows of one aircraft, here eagle1 alone: level at 8000 m over the reference point, heading
 /// north at 250 m/s, at 100 s; with all its stores, half of its fuel, and nobody else in the world.
 /// The Earth is flat in the rows and axes are north-east-down.

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Installs BUILD into a fresh folder below WORK, builds the project beside this file against that and compares what its
-# programs print with EXAMPLES/*.txt. The installed program flies from its own data.
+# programs print with EXAMPLES/*.txt. The installed program flies from its own data, and what PAGE tells its reader to type
+# is done word for word.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT code EQUAL 0)
@@ -11,8 +12,9 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+set(prefix ${WORK}/home/eyrie)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${prefix}
     -DEXAMPLES=${EXAMPLES} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 foreach(pair first_tree=01_first_tree fly_a_mission=04_fly_a_mission)
@@ -26,4 +28,19 @@ foreach(pair first_tree=01_first_tree fly_a_mission=04_fly_a_mission)
   endif()
 endforeach()
 unset(ENV{EYRIE_HOME})
-run(${WORK}/prefix/bin/eyrie fly merge --until "10 s" --quiet --out ${WORK}/run)
+run(${prefix}/bin/eyrie fly merge --until "10 s" --quiet --out ${WORK}/run)
+
+# a reader with an empty folder, Eyrie in ~/eyrie, and nothing in the environment
+file(MAKE_DIRECTORY ${WORK}/empty)
+run(sed -n "/^```sh$/,/^```$/{/^```/!p}" ${PAGE})
+if(NOT output MATCHES "cmake --build build\nctest ")
+  message(FATAL_ERROR "${PAGE} builds and tests nothing:\n${output}")
+endif()
+file(WRITE ${WORK}/page.sh "${output}")
+run(env -C ${WORK}/empty -i HOME=${WORK}/home PATH=/usr/bin:/bin sh -ex ${WORK}/page.sh)
+foreach(said "100% tests passed, 0 tests failed out of 2" "turns its back on who is near .of libveer_off.so."
+             "the same, 9000 steps")
+  if(NOT output MATCHES "${said}")
+    message(FATAL_ERROR "the commands of ${PAGE} do not say '${said}':\n${output}")
+  endif()
+endforeach()

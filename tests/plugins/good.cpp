@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// \file  A plug-in with a behavior, an arbiter and a model; docs/howto/write-a-plugin.md shows its
+/// \file  A plug-in with behaviors for pilots and drivers, an arbiter and a model; docs/howto/write-a-plugin.md shows its
 /// end.
 #include "scenario/plugin.hpp"
 
@@ -50,8 +50,21 @@ class LastWord final : public ubf::Voting<pilot::State, pilot::Action> {
   }
 };
 
+/// For drivers: a plug-in may serve both platforms.
+class Halt final : public eyrie::driver::Behavior {
+ public:
+  static constexpr std::string_view type_name = "halt", help = "stands";
+  eyrie::driver::Status tick(const eyrie::driver::Tick&,
+                             eyrie::driver::Proposal& out) const override {
+    out.action.speed = 0;
+    out.vote = 5;
+    return eyrie::driver::Status::running;
+  }
+};
+
 EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) {
   registrar.add<HoldCourse>();
   registrar.add<LastWord>();
+  registrar.add<Halt>();
   registrar.add_model("aircraft", "f16_without_radar", "base: f16c\nradar: null\n");
 })

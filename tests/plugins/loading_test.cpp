@@ -36,6 +36,9 @@ TEST(PluginLoading, TakesNodesAndModelsWithTheirOrigin) {
   EXPECT_EQ(node->origin, "libgood.so");
   EXPECT_EQ(node->parameters.at(0).name, "course");
   EXPECT_EQ(plugins.registries().pilots.find("last_word")->kind, ubf::Kind::arbiter);
+  ASSERT_TRUE(plugins.registries().drivers.find("halt"));
+  EXPECT_EQ(plugins.registries().drivers.find("halt")->origin, "libgood.so");
+  EXPECT_FALSE(plugins.registries().pilots.find("halt"));
   EXPECT_EQ(source.origin("aircraft", "f16_without_radar"), "libgood.so");
   EXPECT_EQ(source.origin("aircraft", "f16c"), std::nullopt);
   ASSERT_EQ(plugins.files().size(), 1u);

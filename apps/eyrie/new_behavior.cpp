@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+/// \file  new behavior NAME: a copy of examples/plugin under another name.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "commands.hpp"
+#include "core/diagnostics.hpp"
+#include "scenario/plugins.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 40;
+/// What YAML and trees take for something else.
+constexpr std::array<std::string_view, 9> kReserved{"null", "true", "false", "yes", "no",
+                                                    "on",   "off",  "any",   "tree"};
+
+bool is_small(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// "Break Turn-2" -> "break_turn_2": a name that may be used, or "" if nothing is left of it.
+std::string usable(std::string_view wanted) {
+  std::string name;
+  for (const char c : wanted) {
+    const bool large = c >= 'A' && c <= 'Z';
+    if (large && !name.empty() && is_small(name.back()))
+      name += '_';
+    const char small = large ? static_cast<char>(c - 'A' + 'a') : c;
+    if (is_small(small) || (is_digit(small) && !name.empty()))
+      name += small;
+    else if (!name.empty() && name.back() != '_')
+      name += '_';
+  }
+  name.resize(std::min(name.size(), kLongestName));
+  while (name.ends_with('_'))
+    name.pop_back();
+  return name;
+}
+
+/// "break_turn" -> "BreakTurn"
+std::string camel(std::string_view name) {
+  std::string type;
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '_')
+      type += begins && is_small(c) ? static_cast<char>(c - 'a' + 'A') : c;
+    begins = c == '_';
+  }
+  return type;
+}
+
+std::string name_problem(const std::string& name) {
+  if (const std::string better = usable(name); better != name || name.empty())
+    return fmt::format(
+        "{} is no name for a behavior: a small letter, then small letters, digits "
+        "and '_'{}",
+        quote(name), better.empty() ? "" : fmt::format("; perhaps {}?", quote(better)));
+  if (std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end())
+    return fmt::format("{} means something else in a scenario; perhaps '{}_it'?", quote(name),
+                       name);
+  const scenario::Plugins none;
+  if (const auto* there = none.registries().pilots.find(name))
+    return fmt::format("there is already a node {} (of {})", quote(name), there->origin);
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(name, ignored)))
+    return fmt::format("{} exists already; nothing was written", quote(name));
+  return {};
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != text.npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The prefix of the package that this program belongs to: where it is installed, or what
+/// ./eyrie has put beside the build. Empty if there is none.
+std::string package() {
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  const fs::path prefix = program.parent_path().parent_path();
+  for (const fs::path& place : {prefix, prefix / "package"})
+    if (!failed && fs::exists(place / "lib/cmake/Eyrie/EyrieConfig.cmake", failed))
+      return place.string();
+  return {};
+}
+
+/// Everything of `from` under the other name, into the folder `to`. Throws std::runtime_error.
+std::vector<std::string> copy_renamed(const fs::path& from, const fs::path& to,
+                                      const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(from)) {
+    if (!entry.is_regular_file())
+      continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    text = replaced(replaced(std::move(text), "dodge", name), "Dodge", camel(name));
+    if (const std::string prefix = package(); !prefix.empty())
+      text = replaced(std::move(text), "$ENV{HOME}/eyrie", prefix);
+    names.push_back(replaced(entry.path().filename(), "dodge", name));
+    std::ofstream out(to / names.back(), std::ios::binary);
+    out << text;
+    out.close();
+    if (!in || !out)
+      throw std::runtime_error(fmt::format("cannot write '{}/{}'", name, names.back()));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+int new_behavior(const std::string& name) {
+  if (const std::string problem = name_problem(name); !problem.empty()) {
+    fmt::print(stderr, "eyrie: {}\n", problem);
+    return 2;
+  }
+  // beside its place until it is complete
+  const fs::path part = fmt::format("{}.part-{}", name, ::getpid());
+  std::vector<std::string> files;
+  try {
+    fs::create_directory(part);
+    files = copy_renamed(fs::path(home()) / "examples" / "plugin", part, name);
+    fs::rename(part, name);
+  } catch (const std::exception& e) {
+    std::error_code ignored;
+    fs::remove_all(part, ignored);
+    const auto* disk = dynamic_cast<const fs::filesystem_error*>(&e);
+    fmt::print(stderr, "eyrie: {}\n",
+               disk ? fmt::format("cannot make '{}': {}: {}", name, disk->path1().string(),
+                                  disk->code().message())
+                    : e.what());
+    return 1;
+  }
+  fmt::print("{}/: {}\n", name, fmt::join(files, ", "));
+  if (package().empty())
+    fmt::print("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);
+  fmt::print("cd {} && cmake -B build && cmake --build build && ctest --test-dir build\n", name);
+  return 0;
+}
+
+}  // namespace eyrie::app
