@@ -283,15 +283,14 @@ class Root {
     put(result["side"], "convoys", convoys);
     result["side"]["anyOf"] = {{{"required", Json::array({"flights"})}},
                                {{"required", Json::array({"convoys"})}}};
-    result["package"] = {
-        {"type", "object"},
-        {"description", "a file that scenarios include"},
-        {"properties",
-         {{"include", include_schema()},
-          {"plugins", one_or_nothing(include_schema())},
-          {"trees", trees()},
-          {"data", data_schema(catalog_)}}},
-        {"additionalProperties", false}};
+    result["package"] = {{"type", "object"},
+                         {"description", "a file that scenarios include"},
+                         {"properties",
+                          {{"include", include_schema()},
+                           {"plugins", one_or_nothing(include_schema())},
+                           {"trees", trees()},
+                           {"data", data_schema(catalog_)}}},
+                         {"additionalProperties", false}};
     return result;
   }
 

@@ -52,6 +52,19 @@ TEST(TreeBook, LetsPilotsAndDriversShareATree) {
   EXPECT_TRUE(b.trees.drivers()->find("way"));
 }
 
+TEST(TreeBook, RunsWhatWasWrittenForOnePlatformOnTheOtherUnderItsOwnNames) {
+  const std::string package =
+      "trees:\n"
+      "  wary: {guard: {when: range > 5 km, child: navigate}}\n"
+      "  air: {tree: wary}\n"
+      "  road: {tree: {wary: {fields: {range: aircraft_range}}}}\n";
+  const Book b = book_of(package, "air", "road");
+  EXPECT_EQ(b.mistakes, "");
+  EXPECT_TRUE(b.trees.pilots()->find("air"));
+  EXPECT_TRUE(b.trees.drivers()->find("road"));
+  EXPECT_FALSE(b.trees.drivers()->find("wary")) << "a driver's state has no range";
+}
+
 TEST(TreeBook, SaysThatATruckCannotFlyAndAnAircraftCannotScatter) {
   EXPECT_EQ(book_of("trees: {air: pursue, road: scatter}", "air", "air").mistakes,
             "a:4:27: truck1 is a vehicle, and tree 'air' is for pilots (a:1:14: there is no node "

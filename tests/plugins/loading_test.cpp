@@ -64,6 +64,7 @@ TEST(PluginLoading, RefusesWhatAnotherPluginHasAdded) {
   EXPECT_EQ(plugins.load(folder / "libtwin.so", source),
             (Words{"there is already a node 'hold_course' (of libgood.so)",
                    "there is already a node 'last_word' (of libgood.so)",
+                   "there is already a node 'halt' (of libgood.so)",
                    "there is already a model 'f16_without_radar' "
                    "(plugin:libgood.so/aircraft/f16_without_radar.yaml)"}));
 }
