@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scenario/roster.hpp"
+
 namespace eyrie::app {
 
 struct FlyOptions {
@@ -24,6 +26,28 @@ struct FlyOptions {
 int fly(const FlyOptions& options);
 int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins);
 
+struct ExplainOptions {
+  std::string run;  ///< a run folder or its run file
+  std::string player;
+  std::string at, from, to;  ///< times, as 312.4, '5 min' or 5:12.4
+  std::string event;         ///< in the name or the story of an event
+  bool changes = false, json = false;
+  std::vector<std::string> plugins;
+};
+int explain(const ExplainOptions& options);
+
+struct WhatIfOptions {
+  std::string run, player;
+  std::vector<std::string> sets;
+  std::string at;           ///< a time; empty: the beginning
+  bool branch = false;      ///< fly on from the first difference
+  std::uint32_t seeds = 0;  ///< fly so many seeds both ways; 0: none
+  bool json = false;
+  std::vector<std::string> plugins;
+};
+int what_if(const WhatIfOptions& options);
+int diff(const std::string& left, const std::string& right, bool json);
+
 enum class CatalogFormat { text, markdown, json_schema };
 int catalog(CatalogFormat format, const std::vector<std::string>& plugins);
 
@@ -37,6 +61,13 @@ int replay(const ReplayOptions& options);
 
 /// Writes the folder `name` with a behavior, its test, a scenario and a CMake file.
 int new_behavior(const std::string& name);
+
+/// s: "312.4", "5 min", or "5:12.4" as the story says it; nothing for other texts.
+[[nodiscard]] std::optional<double> time_of(const std::string& text);
+
+/// A player by name; nothing after saying that there is none.
+[[nodiscard]] std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
+                                                         const std::string& name);
 
 /// The folder with data/ and scenarios/: EYRIE_HOME, or the one the program was built from.
 [[nodiscard]] std::string home();

@@ -17,6 +17,9 @@ using namespace eyrie::app;
 struct Commands {
   FlyOptions fly;
   ReplayOptions replay;
+  ExplainOptions explain;
+  WhatIfOptions what_if;
+  std::string left, right;
   std::vector<std::string> files, plugins;
   std::string name;
   bool markdown = false, json_schema = false;
@@ -62,6 +65,48 @@ void add_fly(CLI::App& app, Commands& c) {
   fly->add_flag("--json", c.fly.json, "one JSON object on standard output instead of words");
 }
 
+void add_explain(CLI::App& app, Commands& c) {
+  CLI::App* explain =
+      app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
+  ExplainOptions& o = c.explain;
+  explain->add_option("run", o.run, "a run folder or its run file")->required();
+  explain->add_option("--player", o.player, "who")->required();
+  auto* at =
+      explain->add_option("--at", o.at, "the decision at this time: 312.4, '5 min' or 5:12.4");
+  auto* from =
+      explain->add_option("--from", o.from, "every decision from this time on")->excludes(at);
+  auto* to = explain->add_option("--to", o.to, "and up to this one")->excludes(at);
+  auto* changes = explain->add_flag(
+      "--changes", o.changes, "whenever somebody else in the tree leads, and why (the default)");
+  changes->excludes(at);
+  explain->add_option("--event", o.event, "the decisions at events with this word, such as break")
+      ->excludes(at)
+      ->excludes(from)
+      ->excludes(to)
+      ->excludes(changes);
+  explain->add_flag("--json", o.json, "for tools");
+  add_plugins(explain, o.plugins, "where a plug-in of the run is now, if it has moved");
+}
+
+void add_what_if(CLI::App& app, Commands& c) {
+  CLI::App* what_if = app.add_subcommand(
+      "whatif",
+      "What an agent of a recorded run would have decided with other trees or parameters");
+  WhatIfOptions& o = c.what_if;
+  what_if->add_option("run", o.run, "a run folder or its run file")->required();
+  what_if->add_option("--player", o.player, "who")->required();
+  what_if->add_option("--set", o.sets, "the change, as for fly: trees.bvr.per_field.pursue.vote=70")
+      ->allow_extra_args(false)
+      ->required();
+  what_if->add_option("--at", o.at, "from this time on: 312.4, '5 min' or 5:12.4");
+  what_if->add_flag("--branch", o.branch,
+                    "fly on from the first difference and compare how it ends");
+  what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
+      ->check(CLI::Range(1, 100000));
+  what_if->add_flag("--json", o.json, "for tools");
+  add_plugins(what_if, o.plugins, "where a plug-in of the run is now, if it has moved");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -70,6 +115,12 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   Commands c;
   add_fly(app, c);
+  add_explain(app, c);
+  add_what_if(app, c);
+  CLI::App* diff_cmd = app.add_subcommand("diff", "Where two recorded runs part");
+  diff_cmd->add_option("left", c.left, "a run folder or its run file")->required();
+  diff_cmd->add_option("right", c.right, "another one")->required();
+  diff_cmd->add_flag("--json", c.replay.json, "for tools");
   CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
   validate_cmd->add_option("files", c.files, "scenario files")->required();
   add_plugins(validate_cmd, c.plugins, kPluginHelp);
@@ -99,6 +150,12 @@ int main(int argc, char** argv) {
   try {
     if (app.got_subcommand("fly"))
       return fly(c.fly);
+    if (app.got_subcommand("explain"))
+      return explain(c.explain);
+    if (app.got_subcommand("whatif"))
+      return what_if(c.what_if);
+    if (app.got_subcommand(diff_cmd))
+      return diff(c.left, c.right, c.replay.json);
     if (app.got_subcommand(validate_cmd))
       return validate(c.files, c.plugins);
     if (app.got_subcommand(replay_cmd))

@@ -20,6 +20,11 @@ void tell_changes(const team::Telling& telling, const State& state, const Agent&
   }
 }
 
+void swap(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
+  team::use_tree(agent, memory, tree);
+  agent.call = Call::none;
+}
+
 }  // namespace
 
 sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree) {
@@ -48,8 +53,7 @@ void DriverSystem::apply_order(sim::World& world, const sim::StepInfo&, const si
   if (!row || tree >= setup_.trees->size())
     return;
   Agent& agent = world.rows(setup_.drivers.agent)[*row];
-  team::use_tree(agent, world.bytes(setup_.drivers.brain, *row), tree);
-  agent.call = Call::none;
+  swap(agent, world.bytes(setup_.drivers.brain, *row), tree);
   const team::Telling telling(order.player, world.rows(setup_.vehicles.kinematics)[*row].position,
                               out);
   telling.tell(EventKind::order, {}, tree, order.kind.value);
@@ -92,6 +96,31 @@ void DriverSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chu
     telling.transitions(log, deciding_.outermost(agent.tree), agent);
     tell_changes(telling, state, before, agent);
   }
+}
+
+bool DriverSystem::revisit(const sim::World& before, const sim::World& after, PlayerId who,
+                           std::span<const sim::Order> orders,
+                           const std::function<void(const team::Moment<State>&)>& use) const {
+  const model::VehicleColumns& c = setup_.vehicles;
+  const auto row = before.row(c.table, who), sensed = after.row(c.table, who);
+  const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
+  if (!row || !sensed || !sim::due(info.step, who, setup_.period))
+    return false;
+  Agent agent = before.rows(setup_.drivers.agent)[*row];
+  const auto slab = before.bytes(setup_.drivers.brain, *row);
+  std::vector<std::byte> memory(slab.begin(), slab.end());
+  for (const sim::Order& order : orders)
+    if (order.player == who && order.kind == OrderKind::swap_tree &&
+        order.as<team::SwapTree>().tree < setup_.trees->size())
+      swap(agent, memory, order.as<team::SwapTree>().tree);
+  if (agent.tree == team::kNoTree)
+    return false;
+  const model::Fit& fit = before.rows(c.fit)[*row];
+  const State state({before.rows(c.kinematics)[*row], before.rows(c.driving)[*row],
+                     after.rows(c.lookout)[*sensed], after.rows(c.datalink)[*sensed], agent},
+                    *setup_.library, fit, setup_.convoys[fit.flight], info.time());
+  use({state, info, who, memory});
+  return true;
 }
 
 }  // namespace eyrie::driver

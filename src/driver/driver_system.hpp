@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Every driver's decision: perceive, ask the tree, act. The decide phase of vehicles.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,6 +52,11 @@ class DriverSystem final : public sim::System {
                    sim::Outbox& out) const override;
   void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
               sim::Outbox& out) const override;
+
+  /// As PilotSystem::revisit: what a driver perceived when he decided in a step.
+  bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
+               std::span<const sim::Order> orders,
+               const std::function<void(const team::Moment<State>&)>& use) const;
 
  private:
   DriverSetup setup_;

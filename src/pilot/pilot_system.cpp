@@ -141,9 +141,10 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
   }
 }
 
-Proposal PilotSystem::retrace(const Cockpit& cockpit, const model::Fit& fit,
-                              const sim::StepInfo& info, PlayerId who,
-                              std::span<const std::byte> memory, Trace& trace) const {
+void PilotSystem::perceive_again(const Cockpit& cockpit, const model::Fit& fit,
+                                 const sim::StepInfo& info, PlayerId who,
+                                 std::span<const std::byte> memory,
+                                 const std::function<void(const team::Moment<State>&)>& use) const {
   Agent agent = cockpit.agent;
   const Cockpit copied{cockpit.own,      cockpit.propulsion, cockpit.flying, cockpit.stores,
                        cockpit.gun,      cockpit.tracks,     cockpit.rwr,    cockpit.threats,
@@ -151,7 +152,7 @@ Proposal PilotSystem::retrace(const Cockpit& cockpit, const model::Fit& fit,
   const State state =
       pilot::perceive(copied, *setup_.library, fit, setup_.flights[fit.flight], info.time());
   account_for_shots(state, agent);
-  return deciding_.retrace(agent.tree, state, info, who, memory, trace);
+  use({state, info, who, memory});
 }
 
 std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,
@@ -161,20 +162,23 @@ std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,
   if (agent.tree == kNoTree)
     return std::nullopt;
   const Rows rows(world, setup_.aircraft);
-  return retrace(rows.cockpit(row, agent, rows, row), rows.fit[row], info,
+  std::optional<Proposal> decided;
+  perceive_again(rows.cockpit(row, agent, rows, row), rows.fit[row], info,
                  world.ids(setup_.aircraft.table)[row], world.bytes(setup_.pilots.brain, row),
-                 trace);
+                 [&](const team::Moment<State>& m) {
+                   decided = deciding_.retrace(agent.tree, m.state, m.info, m.who, m.memory, trace);
+                 });
+  return decided;
 }
 
-std::optional<Proposal> PilotSystem::trace_decision(const sim::World& before,
-                                                    const sim::World& after, PlayerId who,
-                                                    Trace& trace,
-                                                    std::span<const sim::Order> orders) const {
+bool PilotSystem::revisit(const sim::World& before, const sim::World& after, PlayerId who,
+                          std::span<const sim::Order> orders,
+                          const std::function<void(const team::Moment<State>&)>& use) const {
   const auto row = before.row(setup_.aircraft.table, who);
   const auto sensed_row = after.row(setup_.aircraft.table, who);
   const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
   if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
-    return std::nullopt;
+    return false;
 
   // what the orders of the step left him with
   Agent agent = before.rows(setup_.pilots.agent)[*row];
@@ -185,11 +189,23 @@ std::optional<Proposal> PilotSystem::trace_decision(const sim::World& before,
         order.as<SwapTree>().tree < setup_.trees->size())
       swap(agent, memory, order.as<SwapTree>().tree);
   if (agent.tree == kNoTree)
-    return std::nullopt;
+    return false;
 
   const Rows rows(before, setup_.aircraft), sensed(after, setup_.aircraft);
-  return retrace(rows.cockpit(*row, agent, sensed, *sensed_row), rows.fit[*row], info, who, memory,
-                 trace);
+  perceive_again(rows.cockpit(*row, agent, sensed, *sensed_row), rows.fit[*row], info, who, memory,
+                 use);
+  return true;
+}
+
+std::optional<Proposal> PilotSystem::trace_decision(const sim::World& before,
+                                                    const sim::World& after, PlayerId who,
+                                                    Trace& trace,
+                                                    std::span<const sim::Order> orders) const {
+  std::optional<Proposal> decided;
+  revisit(before, after, who, orders, [&](const team::Moment<State>& m) {
+    decided = deciding_.retrace(m.state.agent.tree, m.state, m.info, m.who, m.memory, trace);
+  });
+  return decided;
 }
 
 }  // namespace eyrie::pilot

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Every pilot's decision: perceive, ask the tree, act. The decide phase of aircraft.
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -64,17 +65,22 @@ class PilotSystem final : public sim::System {
                                                        const sim::StepInfo& info, std::size_t row,
                                                        Trace& trace) const;
 
-  /// The decision that a pilot made in a step, exactly, from the worlds before and after it: what
-  /// the sensors wrote in that step is taken from `after`, everything else from `before`. `orders`
-  /// are those of the step. Nothing if he had no decision due, no tree, or left in that step.
+  /// Calls `use` with what a pilot perceived when he decided in a step, exactly, from the worlds
+  /// before and after it: what the sensors wrote in that step is taken from `after`, everything
+  /// else from `before`. `orders` are those of the step. False if he had no decision due, no tree,
+  /// or left in that step.
+  bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
+               std::span<const sim::Order> orders,
+               const std::function<void(const team::Moment<State>&)>& use) const;
+  /// The decision that he made then.
   [[nodiscard]] std::optional<Proposal> trace_decision(
       const sim::World& before, const sim::World& after, PlayerId who, Trace& trace,
       std::span<const sim::Order> orders = {}) const;
 
  private:
-  [[nodiscard]] Proposal retrace(const Cockpit& cockpit, const model::Fit& fit,
-                                 const sim::StepInfo& info, PlayerId who,
-                                 std::span<const std::byte> memory, Trace& trace) const;
+  void perceive_again(const Cockpit& cockpit, const model::Fit& fit, const sim::StepInfo& info,
+                      PlayerId who, std::span<const std::byte> memory,
+                      const std::function<void(const team::Moment<State>&)>& use) const;
 
   PilotSetup setup_;
   team::Deciding<State, Action> deciding_;

@@ -7,6 +7,14 @@
 
 namespace eyrie::scenario {
 
+namespace {
+
+std::uint64_t step_at(double time, const Scenario& scenario) {
+  return static_cast<std::uint64_t>(std::floor(time * scenario.spec.rates.kinematics + 0.5));
+}
+
+}  // namespace
+
 std::string_view outcome_name(Outcome outcome) {
   switch (outcome) {
     case Outcome::running:
@@ -25,13 +33,20 @@ std::string_view outcome_name(Outcome outcome) {
   return "?";
 }
 
+Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until,
+                 bool any_home)
+    : scenario_(std::move(scenario)),
+      run_(scenario_->simulation, std::move(start)),
+      until_(until),
+      last_step_(step_at(until_, *scenario_)),
+      any_home_(any_home) {}
+
 Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
                  std::optional<double> until, const sim::RunOptions& options)
     : scenario_(std::move(scenario)),
       run_(scenario_->simulation, scenario_->world(seed), options),
       until_(until.value_or(scenario_->spec.until)),
-      last_step_(
-          static_cast<std::uint64_t>(std::floor(until_ * scenario_->spec.rates.kinematics + 0.5))) {
+      last_step_(step_at(until_, *scenario_)) {
   for (const sim::Order& order : scenario_->orders)
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }

@@ -18,6 +18,16 @@
 
 namespace eyrie::team {
 
+/// What an agent perceived at a decision that is looked at again; good during the call that gets
+/// it.
+template <class State>
+struct Moment {
+  const State& state;
+  const sim::StepInfo& info;
+  PlayerId who;
+  std::span<const std::byte> memory;  ///< of its tree, before the decision
+};
+
 /// No tree: nobody decides.
 inline constexpr std::uint16_t kNoTree = ubf::kNone;
 

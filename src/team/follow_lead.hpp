@@ -31,11 +31,11 @@ class FollowLead : public ubf::Behavior<typename Platform::State, typename Platf
   std::optional<Place> go(const ubf::Tick<typename Platform::State>& t,
                           ubf::Proposal<typename Platform::Action>& out) const {
     const auto& s = t.state;
-    if (s.leads())
+    const std::optional<Leader> leader = s.leads() ? std::nullopt : s.leader();
+    if (!leader) {
+      static_cast<void>(this->fails(t, s.leads() ? "leads" : "the leader was not heard of"));
       return std::nullopt;
-    const std::optional<Leader> leader = s.leader();
-    if (!leader)
-      return std::nullopt;
+    }
 
     const Vec3 offset = s.place();
     const model::Guidance wanted = model::follow_guidance(s.guidance(), s.own,

@@ -40,7 +40,7 @@ class Navigate : public ubf::Behavior<typename Platform::State, typename Platfor
     const auto& s = t.state;
     const std::span<const model::Route> routes = s.routes();
     if (route_ >= routes.size() || routes[route_].waypoints.empty())
-      return {};
+      return {this->fails(t, "there is no such route")};
     const model::Route& route = routes[route_];
     model::NavState nav = s.nav();
     if (nav.route != route_)

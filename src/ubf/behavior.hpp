@@ -16,6 +16,7 @@
 #include "core/draw.hpp"
 #include "core/id.hpp"
 #include "ubf/action_traits.hpp"
+#include "ubf/any_trace.hpp"
 #include "ubf/memory.hpp"
 #include "ubf/transition.hpp"
 
@@ -115,8 +116,6 @@ class BestSoFar {
   return vote >= 0 && vote <= 3.402823466e38F;
 }
 
-class AnyTrace;
-
 /// Everything a node may look at during one tick. Nothing in it outlives the tick.
 template <class State>
 struct Tick {
@@ -198,6 +197,12 @@ class Behavior {
   void set_type(std::string_view type) { type_ = type; }
 
  protected:
+  /// `failure`, and why for whoever traces the tick: a literal, said at no cost to others.
+  [[nodiscard]] Status fails(const Tick<State>& t, const char* why) const {
+    if (t.trace) [[unlikely]]
+      t.trace->because(index_, why);
+    return Status::failure;
+  }
   /// Random numbers of this node in this step: a pure function of seed, player, step and node.
   [[nodiscard]] Draw draw(const Tick<State>& t) const {
     return Draw(t.seed, t.player, Stream::behavior, t.step, index_);

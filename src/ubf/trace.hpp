@@ -14,17 +14,6 @@
 
 namespace eyrie::ubf {
 
-/// What Tick carries of a Trace<Action>; it knows which action it was made for.
-class AnyTrace {
- protected:
-  explicit AnyTrace(const void* action) : action_(action) {}
-  ~AnyTrace() = default;
-
-  template <class Action>
-  static constexpr char kTag = 0;
-  const void* action_;
-};
-
 /// The decisions of one tick, node by node. Made once for the largest tree and reused: recording
 /// allocates nothing. A tree decides the same with and without one.
 template <class Action>
@@ -41,7 +30,7 @@ class Trace final : public AnyTrace {
     std::array<NodeIndex, kFields<Action>> supplier = none();
   };
 
-  explicit Trace(std::size_t nodes) : AnyTrace(&kTag<Action>), rows_(nodes) {}
+  explicit Trace(std::size_t nodes) : AnyTrace(&kTag<Action>, nodes), rows_(nodes) {}
 
   [[nodiscard]] static Trace& of(AnyTrace& trace) {
     auto& mine = static_cast<Trace&>(trace);
@@ -59,6 +48,7 @@ class Trace final : public AnyTrace {
   void begin(std::size_t nodes) {
     EYRIE_DEMAND(nodes <= rows_.size(), "a trace smaller than the tree");
     used_ = nodes;
+    std::fill(reasons_.begin(), reasons_.end(), nullptr);
     for (Row& row : std::span(rows_.data(), used_)) {
       row.ticked = false;
       row.status = Status::failure;

@@ -43,6 +43,39 @@ TEST(Trace, HoldsEveryNodesStatusVoteAndAction) {
   EXPECT_EQ(robot.row("root").proposal.vote, 5);
 }
 
+/// Fails, and says why, whenever it is asked in an even step.
+class Moody final : public Behavior<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "moody";
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    if (t.step % 2 == 0)
+      return fails(t, "an even step");
+    out.action.heading = 1;
+    out.vote = 1;
+    return Status::running;
+  }
+};
+
+TEST(Trace, KeepsWhyANodeFailedUntilTheNextTick) {
+  const Tree<State, Action> tree("test", make<Wta>(make<Moody>()));
+  Trace<Action> trace(tree.size());
+  const State state;
+  Proposal<Action> out;
+  std::vector<std::uint64_t> slab(tree.memory_bytes() / 8 + 1);
+  for (const std::uint64_t step : {2u, 3u, 4u}) {
+    tree.tick({.state = state,
+               .step = step,
+               .memory = reinterpret_cast<std::byte*>(slab.data()),
+               .trace = &trace},
+              out);
+    if (step % 2 == 0)
+      EXPECT_STREQ(trace.why(1), "an even step");
+    else
+      EXPECT_EQ(trace.why(1), nullptr);
+    EXPECT_EQ(trace.why(0), nullptr) << "an arbiter has nothing to say for itself";
+  }
+}
+
 TEST(Trace, TellsWhoWasNotAskedAndForgetsTheLastTick) {
   Robot robot(make<Selector<State, Action>>(probes(2)));
   robot.cue(1) = {kRunning, 2, {.heading = 1}};

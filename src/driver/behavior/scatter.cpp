@@ -18,7 +18,7 @@ Status Scatter::tick(const Tick& t, Proposal& out) const {
   }
   if (t.time >= m.until) {
     m = {};
-    return Status::failure;
+    return fails(t, "no unknown or hostile aircraft is near");
   }
   out.action.heading = wrap_tau(m.heading);
   out.action.speed = norm(s.own.position - m.from) < distance_ ? speed_ : 0;

@@ -15,7 +15,7 @@ Status AvoidGround::tick(const Tick& t, Proposal& out) const {
   const double radius = speed * speed / (model::kGravity * (pull_ - 1));
   const double pull_out = radius * (1 - std::sqrt(1 - sine * sine));
   if (s.own.altitude - sink * warning_time_ - pull_out >= floor_)
-    return Status::failure;
+    return fails(t, "high enough");
   out.action.heading = wrap_tau(s.own.heading);
   out.action.altitude = std::max(s.own.altitude, floor_) + climb_;
   out.action.load_factor = pull_;

@@ -42,7 +42,7 @@ Status BreakTurn::tick(const Tick& t, Proposal& out) const {
     defend(s, *missile, m);
   } else if (m.phase == Call::none || ubf::passed(s.time, m.until, 0)) {
     m = {};
-    return Status::failure;
+    return fails(t, "no missile is known to come");
   }
   const bool near = m.phase == Call::defend_near;
   out.action.heading = m.heading;

@@ -12,7 +12,7 @@ Status Egress::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   const auto distance = s.home_distance();
   if (!distance)
-    return Status::failure;
+    return fails(t, "the flight has no home");
   const Vec3& home = *s.flight.home;
   const bool arrived = *distance <= arrival_;
 

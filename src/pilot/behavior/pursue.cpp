@@ -68,7 +68,7 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   const Seen* target = s.target();
   if (!target)
-    return Status::failure;
+    return fails(t, "no target");
   Action& action = out.action;
   out.vote = vote_;
   action.target = target->id();

@@ -46,12 +46,19 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
   return best;
 }
 
-bool ReleaseWeapon::may_shoot(const State& s, const Seen& target) const {
+const char* ReleaseWeapon::why_not(const State& s, const Seen& target) const {
+  if (!target.hostile())
+    return "the target is not identified as hostile";
+  if (s.time - target.track->time > max_age_)
+    return "the track is too old";
+  if (s.stores.pending_track)
+    return "a missile is leaving";
+  if (s.off_nose(target.ned) > off_boresight_)
+    return "the target is too far off the nose";
   // two standard deviations: a target whose place is badly known may be where the friend is
   const double unsure = 2 * static_cast<double>(target.track->position_sigma);
-  return target.hostile() && s.time - target.track->time <= max_age_ && !s.stores.pending_track &&
-         s.off_nose(target.ned) <= off_boresight_ &&
-         !friend_near(s, target.ned, clear_radius_ + unsure);
+  return friend_near(s, target.ned, clear_radius_ + unsure) ? "a friend is near the target"
+                                                            : nullptr;
 }
 
 bool ReleaseWeapon::is_covered(const State& s, const Claims& claims) const {
@@ -73,21 +80,27 @@ bool ReleaseWeapon::leaves_it(const State& s, const Seen& target, const Claims& 
 Status ReleaseWeapon::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   HoldMemory& m = memory(t);
+  const auto holds_fire = [&](const char* why) {
+    m = {};
+    return fails(t, why);
+  };
   const Seen* target = s.target();
-  if (target && may_shoot(s, *target)) {
-    const Claims claims = claims_on(s, *target);
-    const auto store = is_covered(s, claims) ? std::nullopt : choose_store(s, *target);
-    if (store && leaves_it(s, *target, claims, m))
-      return Status::failure;
-    if (store) {
-      out.action.target = target->id();
-      out.action.release = Release{target->id(), *store};
-      out.vote = vote_;
-      return Status::running;
-    }
-  }
-  m = {};
-  return Status::failure;
+  if (!target)
+    return holds_fire("no target");
+  if (const char* why = why_not(s, *target))
+    return holds_fire(why);
+  const Claims claims = claims_on(s, *target);
+  if (is_covered(s, claims))
+    return holds_fire("enough missiles are on their way to the target");
+  const auto store = choose_store(s, *target);
+  if (!store)
+    return holds_fire("the target is in no missile's zone, or a friend is near the line");
+  if (leaves_it(s, *target, claims, m))
+    return fails(t, "a mate shoots first");
+  out.action.target = target->id();
+  out.action.release = Release{target->id(), *store};
+  out.vote = vote_;
+  return Status::running;
 }
 
 }  // namespace eyrie::pilot

@@ -55,7 +55,8 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
   Status tick(const Tick& t, Proposal& out) const override;
 
  private:
-  [[nodiscard]] bool may_shoot(const State& s, const Seen& target) const;
+  /// Why it must not shoot at a target whatever it shoots with; null if it may.
+  [[nodiscard]] const char* why_not(const State& s, const Seen& target) const;
   /// Missiles enough are on their way to the target.
   [[nodiscard]] bool is_covered(const State& s, const Claims& claims) const;
   /// The store to release, an index into the Library.

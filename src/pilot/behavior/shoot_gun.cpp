@@ -22,24 +22,25 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   BurstMemory& m = memory(t);
   const Seen* target = s.target();
-  if (!target || !target->hostile() || s.gun.rounds == 0 || !s.type.index.gun) {
+  const auto holds_fire = [&](const char* why) {
     m = {};
-    return Status::failure;
-  }
+    return fails(t, why);
+  };
+  if (!target || !target->hostile())
+    return holds_fire("no hostile target");
+  if (s.gun.rounds == 0 || !s.type.index.gun)
+    return holds_fire("no rounds");
   const model::GunType& gun = s.library.guns[*s.type.index.gun];
   const double reach = range_.value_or(gun.greatest_range);
-  if (target->range > reach) {
-    m = {};
-    return Status::failure;
-  }
+  if (target->range > reach)
+    return holds_fire("the target is out of reach");
   const auto sight = gun_sight(s, *target);
-  if (sight->off_nose > tolerance_.value_or(gun.aim_cone) ||
-      friend_in_line(s, {.direction = sight->aim,
+  if (sight->off_nose > tolerance_.value_or(gun.aim_cone))
+    return holds_fire("the nose is not on the aim point");
+  if (friend_in_line(s, {.direction = sight->aim,
                          .to = target->range + clear_beyond_,
-                         .half_angle = clear_cone_})) {
-    m = {};
-    return Status::failure;
-  }
+                         .half_angle = clear_cone_}))
+    return holds_fire("a friend is in the line of fire");
   out.action.target = target->id();
   out.action.trigger = trigger(s.time, m);
   out.action.heading = wrap_tau(bearing_of(sight->aim));

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+/// \file  whatif: another tree or parameter for a recorded run; diff: two recorded runs.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "debrief/difference.hpp"
+#include "debrief/what_if.hpp"
+#include "record/story.hpp"
+
+namespace eyrie::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<debrief::Recorded> open_or_complain(const std::string& run,
+                                                  const std::vector<std::string>& plugins) {
+  debrief::Opened opened = debrief::open(run, plugins, version_text());
+  for (const std::string& problem : opened.problems)
+    fmt::print(stderr, "{}\n", problem);
+  return std::move(opened.recorded);
+}
+
+void print_fields(const debrief::Otherwise& first) {
+  for (const debrief::Changed& field : first.fields)
+    fmt::print("  {:<12} {} -> {}\n", field.name, field.flown, field.other);
+}
+
+Json first_json(const debrief::Otherwise& first) {
+  Json fields = Json::array();
+  for (const debrief::Changed& field : first.fields) {
+    fields.push_back({{"name", field.name}, {"flown", field.flown}, {"other", field.other}});
+    if (field.difference)
+      fields.back()["difference"] = *field.difference;
+    if (!field.unit.empty())
+      fields.back()["unit"] = field.unit;
+  }
+  return {{"time_s", first.time},
+          {"step", first.step},
+          {"leader", {{"flown", first.flown}, {"other", first.other}}},
+          {"fields", fields}};
+}
+
+Json outcome_json(const debrief::Outcome& outcome) {
+  const auto side = [](const debrief::Outcome::Side& s) {
+    return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
+  };
+  return {{"outcome", outcome.outcome},
+          {"time_s", outcome.time},
+          {"blue", side(outcome.blue)},
+          {"red", side(outcome.red)}};
+}
+
+void print_outcome(std::string_view name, const debrief::Outcome& o) {
+  fmt::print("  {:<10} {:<10} {:>8}   {:>3} {:>3}   {:>3} {:>3}   {:>3} {:>3}\n", name, o.outcome,
+             record::clock_text(o.time), o.blue.losses, o.red.losses, o.blue.shots, o.red.shots,
+             o.blue.home, o.red.home);
+}
+void print_outcome_head() {
+  fmt::print(
+      "\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu "
+      "red\n",
+      "", "outcome", "time", "losses", "shots", "home", "");
+}
+
+/// Mean and standard error of a figure over seeds.
+struct Mean {
+  double sum = 0, squares = 0;
+  std::uint32_t n = 0;
+  void add(double x) {
+    sum += x;
+    squares += x * x;
+    ++n;
+  }
+  [[nodiscard]] double mean() const { return n ? sum / n : 0; }
+  [[nodiscard]] double error() const {
+    return n > 1 ? std::sqrt(std::max(squares - sum * sum / n, 0.0) / (n - 1) / n) : 0;
+  }
+};
+
+/// The same seeds flown both ways: the differences are paired.
+Json over_seeds(const debrief::Recorded& recorded,
+                const std::shared_ptr<const scenario::Scenario>& other, std::uint32_t seeds,
+                bool quiet) {
+  struct Figure {
+    const char* name;
+    double (*of)(const debrief::Outcome&);
+    Mean flown{}, other{}, difference{};
+  };
+  Figure figures[] = {
+      {"blue losses", [](const debrief::Outcome& o) { return double(o.blue.losses); }},
+      {"red losses", [](const debrief::Outcome& o) { return double(o.red.losses); }},
+      {"blue shots", [](const debrief::Outcome& o) { return double(o.blue.shots); }},
+      {"red shots", [](const debrief::Outcome& o) { return double(o.red.shots); }},
+      {"time", [](const debrief::Outcome& o) { return o.time; }}};
+  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
+    if (!quiet)
+      fmt::print(stderr, "\rseed {} of {}", seed, seeds);
+    const auto flown = debrief::outcome_of(recorded.scenario, seed);
+    const auto changed = debrief::outcome_of(other, seed);
+    for (Figure& figure : figures) {
+      figure.flown.add(figure.of(flown));
+      figure.other.add(figure.of(changed));
+      figure.difference.add(figure.of(changed) - figure.of(flown));
+    }
+  }
+  if (!quiet)
+    fmt::print(stderr, "\r{:40}\r", "");
+  Json all = Json::array();
+  if (!quiet)
+    fmt::print("\nover seeds 1 to {}: mean, and of the difference its standard error\n", seeds);
+  for (const Figure& figure : figures) {
+    if (!quiet)
+      fmt::print("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {:.2f}\n", figure.name,
+                 figure.flown.mean(), figure.other.mean(), figure.difference.mean(),
+                 figure.difference.error());
+    all.push_back({{"name", figure.name},
+                   {"flown", figure.flown.mean()},
+                   {"other", figure.other.mean()},
+                   {"difference", figure.difference.mean()},
+                   {"standard_error", figure.difference.error()}});
+  }
+  return {{"seeds", seeds}, {"figures", all}};
+}
+
+Json parting_json(const std::optional<debrief::Parting>& parting) {
+  if (!parting)
+    return {};
+  return {{"time_s", parting->time}, {"step", parting->step}, {"text", parting->text}};
+}
+
+}  // namespace
+
+int what_if(const WhatIfOptions& options) {
+  const auto from = options.at.empty() ? std::optional(0.0) : time_of(options.at);
+  if (!from) {
+    fmt::print(stderr, "--at {}: expected a time such as 312.4, '5 min' or 5:12.4\n",
+               quote(options.at));
+    return 2;
+  }
+  const auto recorded = open_or_complain(options.run, options.plugins);
+  if (!recorded)
+    return 2;
+  const auto who = player_or_complain(recorded->scenario->roster, options.player);
+  if (!who)
+    return 2;
+  std::shared_ptr<const scenario::Scenario> other;
+  try {
+    other = debrief::with_overrides(*recorded, options.sets);
+  } catch (const ConfigError& e) {
+    fmt::print(stderr, "{}\n", e.diagnostics().text());
+    return 2;
+  }
+  if (other->trees->size() != recorded->scenario->trees->size() ||
+      other->driver_trees->size() != recorded->scenario->driver_trees->size()) {
+    fmt::print(stderr, "the change adds or removes a tree; change one that is there\n");
+    return 2;
+  }
+
+  const debrief::WhatIf result = debrief::what_if(*recorded, *other, *who, *from);
+  Json json{{"run", recorded->file},
+            {"player", options.player},
+            {"decisions", result.decisions},
+            {"different", result.different}};
+  if (result.first)
+    json["first"] = first_json(*result.first);
+  json["spans_s"] = result.spans;
+  if (!options.json) {
+    fmt::print("{}: {} of {} decisions would have been other ones\n", options.player,
+               result.different, result.decisions);
+    if (result.first) {
+      fmt::print("first at {} (step {}): {} -> {}\n", record::clock_text(result.first->time),
+                 result.first->step, result.first->flown, result.first->other);
+      print_fields(*result.first);
+    }
+  }
+  if (options.branch && result.first) {
+    std::string problem;
+    const auto flown = debrief::outcome_of(*recorded);
+    const auto branched = debrief::branch(*recorded, other, result.first->step, problem);
+    if (!branched) {
+      fmt::print(stderr, "--branch: {}\n", problem);
+      return 2;
+    }
+    json["branch"] = {{"flown", outcome_json(flown)}, {"other", outcome_json(*branched)}};
+    if (!options.json) {
+      print_outcome_head();
+      print_outcome("flown", flown);
+      print_outcome("otherwise", *branched);
+    }
+  }
+  if (options.seeds > 0)
+    json["over_seeds"] = over_seeds(*recorded, other, options.seeds, options.json);
+  if (options.json)
+    fmt::print("{}\n", json.dump(2));
+  return 0;
+}
+
+int diff(const std::string& left, const std::string& right, bool json) {
+  const auto a = open_or_complain(left, {});
+  const auto b = open_or_complain(right, {});
+  if (!a || !b)
+    return 2;
+  std::string problem;
+  const auto found = debrief::compare(*a, *b, problem);
+  if (!found) {
+    fmt::print(stderr, "{}\n", problem);
+    return 2;
+  }
+  if (json) {
+    const Json j{{"left", a->file},
+                 {"right", b->file},
+                 {"same", found->same()},
+                 {"steps", found->steps},
+                 {"world", parting_json(found->world)},
+                 {"action", parting_json(found->action)},
+                 {"event", parting_json(found->event)}};
+    fmt::print("{}\n", j.dump(2));
+    return found->same() ? 0 : 1;
+  }
+  if (found->same())
+    fmt::print("the same, {} steps\n", found->steps);
+  for (const auto& [name, place] :
+       {std::pair("world", &found->world), std::pair("action", &found->action),
+        std::pair("event", &found->event)})
+    if (*place)
+      fmt::print("{:<7} {:>8}  {}\n", name, record::clock_text((*place)->time), (*place)->text);
+  return found->same() ? 0 : 1;
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/decision.hpp"
+
+#include <fmt/format.h>
+
+namespace eyrie::debrief {
+namespace {
+
+/// Where two nodes part: the children of their lowest common ancestor that they are in.
+std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const Decision& d, ubf::NodeIndex a,
+                                                  ubf::NodeIndex b) {
+  while (d.nodes[a].depth > d.nodes[b].depth && d.nodes[a].parent != b)
+    a = d.nodes[a].parent;
+  while (d.nodes[b].depth > d.nodes[a].depth && d.nodes[b].parent != a)
+    b = d.nodes[b].parent;
+  while (a != b && d.nodes[a].parent != d.nodes[b].parent && d.nodes[a].parent != b &&
+         d.nodes[b].parent != a) {
+    a = d.nodes[a].parent;
+    b = d.nodes[b].parent;
+  }
+  return {a, b};
+}
+
+/// Where a sequencer went, and because of what: " for wvr: in_sight holds".
+std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
+  std::string to, because;
+  for (const Answer& child : now.nodes) {
+    if (child.parent != sequencer || !child.asked)
+      continue;
+    if (child.vote > 0)
+      to = " for " + child.label;
+    else if (child.status == ubf::Status::success && child.action.empty())
+      because += fmt::format("{}{} holds", because.empty() ? ": " : ", ", child.label);
+  }
+  return to + because;
+}
+
+}  // namespace
+
+std::string reason(const Won& won) {
+  if (won.rivals.empty())
+    return "nobody else asked for it";
+  const Rival& next = won.rivals.front();
+  return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
+         : next.against == next.vote
+             ? fmt::format("voted {:g} as the other did, and comes first", next.vote)
+             : fmt::format("{:g} against {:g}, by its place in the tree", next.against, next.vote);
+}
+
+std::string words(const Answer& answer) {
+  if (!answer.asked)
+    return "not asked";
+  if (answer.status == ubf::Status::failure)
+    return answer.why.empty() ? "failed" : "failed: " + answer.why;
+  return answer.vote > 0 ? fmt::format("{}, votes {:g}", ubf::to_text(answer.status), answer.vote)
+                         : std::string(ubf::to_text(answer.status));
+}
+
+std::string why_not(const Decision& now, ubf::NodeIndex before) {
+  if (before >= now.nodes.size())
+    return "nobody led";
+  const Answer& then = now.nodes[before];
+  if (!then.asked) {
+    ubf::NodeIndex left = before;  // the highest node that was not asked
+    while (now.nodes[left].parent != ubf::kNone && !now.nodes[now.nodes[left].parent].asked)
+      left = now.nodes[left].parent;
+    const ubf::NodeIndex parent = now.nodes[left].parent;
+    if (parent != ubf::kNone && now.nodes[parent].type == "sequencer")
+      return now.nodes[left].label + " was left" + transition(now, parent);
+    return fmt::format("{} was not asked", now.nodes[left].label);
+  }
+  if (then.status == ubf::Status::failure)
+    return fmt::format("{} {}", then.label, words(then));
+  if (now.leader == ubf::kNone)
+    return fmt::format("{} proposed nothing", then.label);
+  const auto [mine, its] = parting(now, now.leader, before);
+  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].vote,
+                     now.nodes[mine].vote);
+}
+
+}  // namespace eyrie::debrief

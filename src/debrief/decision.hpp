@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One decision of one agent, with every node's answer, in words and numbers: the same for
+/// every platform.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ubf/behavior.hpp"
+
+namespace eyrie::debrief {
+
+/// A value of the state or of an action.
+struct Value {
+  std::string name;              ///< "heading"
+  std::string unit;              ///< SI, "" for none
+  std::optional<double> number;  ///< in that unit; none: not a number, or no value
+  std::string text;              ///< for people: "045 deg", "follow", "-"
+};
+
+/// What one node answered.
+struct Answer {
+  std::string label, type, path;  ///< path: "root/bvr/pursue"
+  std::uint16_t depth = 0, parent = ubf::kNone;
+  bool asked = false;
+  bool is_leaf = true;
+  ubf::Status status = ubf::Status::failure;
+  float vote = 0;
+  std::uint16_t halts = 0;    ///< how often it was made to forget
+  std::string why;            ///< it failed; "" if it did not say
+  std::vector<Value> action;  ///< the fields that it set
+};
+
+/// Somebody who proposed a field that another one won.
+struct Rival {
+  ubf::NodeIndex node = ubf::kNone;
+  Value value;
+  /// The votes that stood against each other where both were compared: of the branch with the
+  /// winner, and of the branch with the rival.
+  float against = 0, vote = 0;
+};
+
+/// A field of the action that came out of the root.
+struct Won {
+  Value value;
+  ubf::NodeIndex winner = ubf::kNone;
+  std::vector<Rival> rivals;  ///< by vote, the highest first
+};
+
+/// Something that the agent believed to be there.
+struct Perceived {
+  std::string kind;           ///< "track", "missile", "aircraft", "mate"
+  std::string name;           ///< "#3", with who it really was for the debrief: "#3 (bogey1)"
+  std::vector<Value> values;  ///< range, bearing, identity ...
+};
+
+struct Decision {
+  std::uint64_t step = 0;  ///< of the world
+  double time = 0;         ///< s
+  PlayerId player{};
+  std::string tree;
+  ubf::Status status = ubf::Status::failure;
+  float vote = 0;
+  ubf::NodeIndex leader = ubf::kNone;  ///< whose recommendation led; kNone: nobody's
+  std::vector<Answer> nodes;           ///< pre-order
+  std::vector<Won> action;
+  std::vector<Value> state;
+  std::vector<Perceived> perceived;
+};
+
+/// "voted 40 against 10", or how else a field was won.
+[[nodiscard]] std::string reason(const Won& won);
+/// What a node has to say of itself: "failed: no target", "not asked", "running, 40".
+[[nodiscard]] std::string words(const Answer& answer);
+/// Why somebody else leads now: what became of who led before (an index into now.nodes).
+[[nodiscard]] std::string why_not(const Decision& now, ubf::NodeIndex before);
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/decision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "debrief/report.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+using ubf::Status;
+
+Answer answer(std::string label, std::string type, std::uint16_t depth, std::uint16_t parent) {
+  return {.label = std::move(label), .type = std::move(type), .depth = depth, .parent = parent};
+}
+
+/// A sequencer over two trees: far (pursue, navigate) and near (shoot), and a condition.
+Decision in_two_phases(bool near) {
+  Decision d;
+  d.nodes = {answer("root", "sequencer", 0, ubf::kNone), answer("far", "winner_takes_all", 1, 0),
+             answer("pursue", "pursue", 2, 1),           answer("navigate", "navigate", 2, 1),
+             answer("near", "winner_takes_all", 1, 0),   answer("shoot", "shoot", 2, 4),
+             answer("in_sight", "in_sight", 1, 0)};
+  const auto says = [&](std::size_t node, Status status, float vote) {
+    d.nodes[node].asked = true;
+    d.nodes[node].status = status;
+    d.nodes[node].vote = vote;
+  };
+  says(0, Status::running, near ? 60 : 40);
+  says(6, near ? Status::success : Status::failure, 0);
+  if (near) {
+    says(4, Status::running, 60);
+    says(5, Status::running, 60);
+  } else {
+    says(1, Status::running, 40);
+    says(2, Status::running, 40);
+    says(3, Status::running, 10);
+  }
+  d.leader = near ? 5 : 2;
+  return d;
+}
+
+TEST(Decision, SaysWhyWhoLedBeforeDoesNotLeadNow) {
+  Decision d = in_two_phases(false);
+  EXPECT_EQ(why_not(d, 3), "navigate voted 10 against 40");
+  d.nodes[3].status = Status::failure;
+  d.nodes[3].why = "there is no such route";
+  EXPECT_EQ(why_not(d, 3), "navigate failed: there is no such route");
+  EXPECT_EQ(why_not(in_two_phases(true), 2), "far was left for near: in_sight holds");
+}
+
+TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
+  Decision d = in_two_phases(false);
+  d.nodes[0].type = "winner_takes_all";
+  d.nodes[4].asked = d.nodes[5].asked = true;
+  d.nodes[4].status = d.nodes[5].status = Status::running;
+  d.nodes[4].vote = 30;  // scaled down from 60 on the way up
+  d.nodes[5].vote = 60;
+  EXPECT_EQ(why_not(d, 5), "shoot voted 30 against 40");
+}
+
+TEST(Decision, SaysWhatANodeAnswered) {
+  Answer node = answer("pursue", "pursue", 1, 0);
+  EXPECT_EQ(words(node), "not asked");
+  node.asked = true;
+  EXPECT_EQ(words(node), "failed");
+  node.why = "no target";
+  EXPECT_EQ(words(node), "failed: no target");
+  node.status = Status::running;
+  node.vote = 40.5F;
+  EXPECT_EQ(words(node), "running, votes 40.5");
+}
+
+TEST(Decision, SaysHowAFieldWasWon) {
+  Won won{.value = {.name = "heading"}, .winner = 2};
+  EXPECT_EQ(reason(won), "nobody else asked for it");
+  won.rivals = {{.node = 3, .against = 50, .vote = 45.7F}};
+  EXPECT_EQ(reason(won), "voted 50 against 45.7");
+  won.rivals = {{.node = 3, .against = 50, .vote = 50}};
+  EXPECT_EQ(reason(won), "voted 50 as the other did, and comes first");
+  won.rivals = {{.node = 3, .against = 10, .vote = 50}};
+  EXPECT_EQ(reason(won), "10 against 50, by its place in the tree");
+}
+
+TEST(Decision, ShowsOnlyWhatWasAsked) {
+  Decision d = in_two_phases(true);
+  d.player = PlayerId{1};
+  d.tree = "both";
+  d.vote = 60;
+  scenario::Roster roster;
+  roster.players.push_back({.name = "eagle1"});
+  const std::string text = decision_text(d, roster);
+  EXPECT_NE(text.find("eagle1 at 00:00.0 (step 0), by tree both: shoot leads with 60"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(">     shoot   running, votes 60\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("    far       not asked\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("pursue"), std::string::npos) << "below what was not asked";
+}
+
+}  // namespace
+}  // namespace eyrie::debrief

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/explainer.hpp"
+
+#include <algorithm>
+
+#include "debrief/values.hpp"
+#include "model/track.hpp"
+#include "ubf/leaf/holds.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+template <class Action>
+std::vector<Value> values_of(const Action& action) {
+  std::vector<Value> values;
+  ubf::for_each_field<Action>([&](const auto& f, auto) {
+    if (action.*f.member)
+      values.push_back(action_value(f.name, f.unit, *(action.*f.member)));
+  });
+  return values;
+}
+
+/// What a node without a label of its own is called: conditions in their words, "not in_sight".
+template <class State, class Action>
+std::string spoken(const ubf::Behavior<State, Action>& node) {
+  if (const auto* condition = dynamic_cast<const ubf::Holds<State, Action>*>(&node))
+    return condition->that;
+  if (node.type() == "inverter" && node.children().size() == 1)
+    return "not " + spoken(*node.children()[0]);
+  return std::string(node.label());
+}
+
+/// What stays the same about the nodes of a tree.
+template <class State, class Action>
+std::vector<Answer> unanswered(const ubf::Tree<State, Action>& tree) {
+  std::vector<Answer> all;
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const auto index = static_cast<ubf::NodeIndex>(i);
+    const auto& node = tree.node(index);
+    Answer answer{.label = node.label() == node.type() ? spoken(node) : std::string(node.label()),
+                  .type = std::string(node.type()),
+                  .path = tree.path(index),
+                  .depth = static_cast<std::uint16_t>(tree.depth(index)),
+                  .parent = tree.parent(index),
+                  .is_leaf = node.children().empty()};
+    if (dynamic_cast<const ubf::Condition<State, Action>*>(&node))
+      answer.why = "does not hold";  // if it fails without a word of its own
+    all.push_back(std::move(answer));
+  }
+  return all;
+}
+
+template <class Action>
+std::vector<Answer> answers(std::vector<Answer> all, const ubf::Trace<Action>& trace) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto index = static_cast<ubf::NodeIndex>(i);
+    const auto& row = trace.row(index);
+    Answer& answer = all[i];
+    answer.asked = row.ticked;
+    answer.status = row.status;
+    answer.vote = row.proposal.vote;
+    answer.halts = row.halts;
+    answer.action = values_of(row.proposal.action);
+    if (!row.ticked || row.status != ubf::Status::failure)
+      answer.why.clear();
+    else if (const char* why = trace.why(index))
+      answer.why = why;
+  }
+  return all;
+}
+
+/// The child of `above` that a node is in.
+template <class State, class Action>
+ubf::NodeIndex branch(const ubf::Tree<State, Action>& tree, ubf::NodeIndex above,
+                      ubf::NodeIndex node) {
+  while (tree.parent(node) != above)
+    node = tree.parent(node);
+  return node;
+}
+
+/// The lowest node that has both below it.
+template <class State, class Action>
+ubf::NodeIndex meeting(const ubf::Tree<State, Action>& tree, ubf::NodeIndex a, ubf::NodeIndex b) {
+  while (a != b) {
+    if (tree.depth(a) >= tree.depth(b) && a != 0)
+      a = tree.parent(a);
+    else
+      b = tree.parent(b);
+  }
+  return a;
+}
+
+/// Who won each field of the root's action, and against whom.
+template <class State, class Action>
+std::vector<Won> contest(const ubf::Tree<State, Action>& tree, const ubf::Trace<Action>& trace) {
+  std::vector<Won> all;
+  const auto& root = trace.row(0);
+  ubf::for_each_field<Action>([&](const auto& f, auto i) {
+    if (!(root.proposal.action.*f.member))
+      return;
+    Won won{.value = action_value(f.name, f.unit, *(root.proposal.action.*f.member)),
+            .winner = root.supplier[i],
+            .rivals = {}};
+    for (std::size_t n = 0; n < tree.size(); ++n) {
+      const auto node = static_cast<ubf::NodeIndex>(n);
+      const auto& row = trace.row(node);
+      if (node == won.winner || !tree.node(node).children().empty() ||
+          !(row.proposal.action.*f.member))
+        continue;
+      Rival rival{.node = node,
+                  .value = action_value(f.name, f.unit, *(row.proposal.action.*f.member)),
+                  .against = row.proposal.vote,
+                  .vote = row.proposal.vote};
+      const ubf::NodeIndex met = meeting(tree, won.winner, node);
+      if (met != won.winner) {
+        rival.against = trace.row(branch(tree, met, won.winner)).proposal.vote;
+        rival.vote = trace.row(branch(tree, met, node)).proposal.vote;
+      }
+      won.rivals.push_back(std::move(rival));
+    }
+    std::stable_sort(won.rivals.begin(), won.rivals.end(),
+                     [](const Rival& a, const Rival& b) { return a.vote > b.vote; });
+    all.push_back(std::move(won));
+  });
+  return all;
+}
+
+/// "#3 (bogey1)": as the agent knows it, and who it really was.
+std::string debrief_name(std::uint32_t id, PlayerId truth, const scenario::Scenario& scenario) {
+  if (!truth)
+    return fmt::format("#{}", id);
+  return scenario.roster.find(truth) ? fmt::format("#{} ({})", id, scenario.roster.name(truth))
+                                     : fmt::format("#{} (missile {})", id, truth.value);
+}
+
+std::vector<Perceived> perceived(const pilot::State& s, const scenario::Scenario& scenario) {
+  std::vector<Perceived> all;
+  for (const pilot::Seen& seen : s.tracks_seen()) {
+    const bool chosen = s.target() == &seen;
+    all.push_back({chosen ? "target" : "track",
+                   debrief_name(seen.id().value, seen.track->truth, scenario),
+                   {action_value("identity", {}, seen.track->identity),
+                    number_value("range", "m", seen.range),
+                    number_value("bearing", "rad", wrap_tau(pilot::bearing_of(seen.ned))),
+                    number_value("altitude", "m", pilot::altitude_of(s.own, seen.ned)),
+                    number_value("closing", "m/s", s.closing_on(seen)),
+                    number_value("age", "s", s.time - seen.track->time)}});
+  }
+  for (std::uint32_t i = 0; i < s.threats.count; ++i) {
+    const model::InboundMissile& m = s.threats.missiles[i];
+    all.push_back({"missile",
+                   debrief_name(i + 1, m.truth, scenario),
+                   {number_value("bearing", "rad", wrap_tau(m.bearing)),
+                    number_value("range", "m", m.has_position ? m.range : ubf::kNoValue),
+                    number_value("known for", "s", s.time - m.first_time)}});
+  }
+  return all;
+}
+
+std::vector<Perceived> perceived(const driver::State& s, const scenario::Scenario& scenario) {
+  std::vector<Perceived> all;
+  std::uint32_t number = 0;
+  for (const model::Sighted& seen : s.lookout.all())
+    all.push_back(
+        {"aircraft",
+         debrief_name(++number, seen.truth, scenario),
+         {action_value("identity", {}, seen.identity), number_value("range", "m", s.range_to(seen)),
+          number_value("bearing", "rad", wrap_tau(s.bearing_to(seen.position))),
+          number_value("age", "s", s.time - seen.time)}});
+  return all;
+}
+
+template <class State, class Action>
+Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action>& tree,
+                     ubf::Trace<Action>& trace, const std::vector<Answer>& blank, double dt,
+                     const scenario::Scenario& scenario) {
+  std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
+  std::copy(m.memory.begin(), m.memory.end(), reinterpret_cast<std::byte*>(slab.data()));
+  ubf::Proposal<Action> out;
+  Decision d;
+  d.status = tree.tick({.state = m.state,
+                        .time = m.info.time(),
+                        .dt = dt,
+                        .step = m.info.step,
+                        .seed = m.info.seed,
+                        .player = m.who,
+                        .memory = reinterpret_cast<std::byte*>(slab.data()),
+                        .trace = &trace},
+                       out);
+  d.step = m.info.step;
+  d.time = m.info.time();
+  d.player = m.who;
+  d.tree = tree.name();
+  d.vote = out.vote;
+  d.leader = out.leader;
+  d.nodes = answers(blank, trace);
+  d.action = contest(tree, trace);
+  d.state = state_values(m.state);
+  d.perceived = perceived(m.state, scenario);
+  return d;
+}
+
+}  // namespace
+
+Explainer::Explainer(const scenario::Scenario& scenario)
+    : scenario_(scenario),
+      pilots_(find_system<pilot::PilotSystem>(*scenario.simulation)),
+      drivers_(find_system<driver::DriverSystem>(*scenario.simulation)),
+      pilot_trace_(scenario.trees->max_size()),
+      driver_trace_(scenario.driver_trees->max_size()) {
+  for (const auto& tree : *scenario.trees)
+    pilot_nodes_.push_back(unanswered(tree));
+  for (const auto& tree : *scenario.driver_trees)
+    driver_nodes_.push_back(unanswered(tree));
+}
+
+std::optional<Decision> Explainer::explain(const sim::World& before, const sim::World& after,
+                                           PlayerId who, std::span<const sim::Order> orders) {
+  std::optional<Decision> decision;
+  const double dt = 1 / scenario_.spec.rates.decisions;
+  const auto* player = scenario_.roster.find(who);
+  if (player && player->platform == scenario::Platform::vehicle && drivers_)
+    drivers_->revisit(before, after, who, orders, [&](const team::Moment<driver::State>& m) {
+      const auto tree = m.state.agent.tree;
+      decision = decision_of(m, (*scenario_.driver_trees)[tree], driver_trace_, driver_nodes_[tree],
+                             dt, scenario_);
+    });
+  else
+    pilots_->revisit(before, after, who, orders, [&](const team::Moment<pilot::State>& m) {
+      const auto tree = m.state.agent.tree;
+      decision =
+          decision_of(m, (*scenario_.trees)[tree], pilot_trace_, pilot_nodes_[tree], dt, scenario_);
+    });
+  return decision;
+}
+
+ubf::NodeIndex Explainer::leader(const sim::World& world, PlayerId who) const {
+  if (const auto row = world.row(scenario_.aircraft.table, who))
+    return world.rows(scenario_.pilots.agent)[*row].node;
+  if (scenario_.vehicles)
+    if (const auto row = world.row(scenario_.vehicles->table, who))
+      return world.rows(scenario_.drivers.agent)[*row].node;
+  return ubf::kNone;
+}
+
+std::string Explainer::leader_label(const sim::World& world, PlayerId who) const {
+  const auto label = [](const auto& trees, const auto& agent) {
+    return agent.tree < trees.size() && agent.node < trees[agent.tree].size()
+               ? std::string(trees[agent.tree].node(agent.node).label())
+               : "nobody";
+  };
+  if (const auto row = world.row(scenario_.aircraft.table, who))
+    return label(*scenario_.trees, world.rows(scenario_.pilots.agent)[*row]);
+  if (scenario_.vehicles)
+    if (const auto row = world.row(scenario_.vehicles->table, who))
+      return label(*scenario_.driver_trees, world.rows(scenario_.drivers.agent)[*row]);
+  return "nobody";
+}
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/recorded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+namespace eyrie::debrief {
+namespace {
+namespace fs = std::filesystem;
+
+/// Where the plug-ins of a run are, in its order: where they were, or a file of that name among
+/// `given`. What is missing, another one or not of the run is a problem.
+std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string> given,
+                                      std::vector<std::string>& problems) {
+  std::vector<std::string> found;
+  for (const scenario::PluginFile& plugin : run.plugins) {
+    const std::string name = fs::path(plugin.path).filename();
+    const auto moved = std::find_if(given.begin(), given.end(), [&](const std::string& file) {
+      return fs::path(file).filename() == name;
+    });
+    found.push_back(moved == given.end() ? plugin.path : *moved);
+    if (moved != given.end())
+      given.erase(moved);
+    const auto hash = scenario::hash_of_file(found.back());
+    if (!hash)
+      problems.push_back(
+          fmt::format("the run needs the plug-in {}, which is not there; --plugin "
+                      "says where it is now",
+                      found.back()));
+    else if (*hash != plugin.hash)
+      problems.push_back(
+          fmt::format("{} is not the {} of the run: it has other bytes", found.back(), name));
+  }
+  for (const std::string& file : given)
+    problems.push_back(
+        fmt::format("the run has no plug-in {}", quote(fs::path(file).filename().string())));
+  return found;
+}
+
+}  // namespace
+
+Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build) {
+  Recorded recorded;
+  recorded.file = fs::is_directory(path) ? (fs::path(path) / "run.eyrie").string() : path;
+  std::vector<std::string> problems;
+  const auto refused = [&] {
+    for (std::string& problem : problems)
+      problem = fmt::format("{}: {}", recorded.file, problem);
+    return Opened{std::nullopt, std::move(problems)};
+  };
+  record::Decoded decoded = record::read_run_file(recorded.file);
+  if (!decoded.error.empty()) {
+    problems.push_back(decoded.error);
+    return refused();
+  }
+  recorded.run = std::move(decoded.run);
+  recorded.plugins = find_plugins(recorded.run, std::move(plugins), problems);
+  if (!problems.empty())
+    return refused();
+  try {
+    recorded.scenario = with_overrides(recorded, {});
+  } catch (const ConfigError& e) {
+    problems.push_back("this build refuses the scenario inside:\n" + e.diagnostics().text());
+    return refused();
+  }
+  const auto& scenario = *recorded.scenario;
+  if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash) {
+    problems.push_back(
+        fmt::format("recorded by {}, whose world has another layout than that of {}; fly it again "
+                    "with that build",
+                    recorded.run.build, build));
+    return refused();
+  }
+  return {std::move(recorded), {}};
+}
+
+std::shared_ptr<const scenario::Scenario> with_overrides(const Recorded& recorded,
+                                                         const std::vector<std::string>& sets) {
+  std::vector<std::string> all = recorded.run.sets;
+  all.insert(all.end(), sets.begin(), sets.end());
+  return scenario::load({recorded.run.scenario, std::move(all), recorded.plugins},
+                        scenario::Source::bundle(recorded.run.files));
+}
+
+Reflight::Reflight(const Recorded& recorded)
+    : run_(recorded.scenario->simulation, recorded.scenario->world(recorded.run.seed)),
+      last_(recorded.last_step()),
+      before_(run_.world()) {
+  for (const sim::Order& order : recorded.run.orders)
+    if (const std::string refused = run_.submit(order); !refused.empty())
+      throw std::runtime_error(fmt::format("{}: {}", recorded.file, refused));
+}
+
+bool Reflight::step() {
+  if (run_.world().step() >= last_)
+    return false;
+  before_ = run_.world();
+  orders_.clear();
+  for (const sim::Order& order : run_.orders())
+    if (order.step == before_.step())
+      orders_.push_back(order);
+  events_ = run_.step();
+  return true;
+}
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Recorded runs, opened to be flown again.
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/run_file.hpp"
+#include "scenario/scenario.hpp"
+#include "sim/run.hpp"
+
+namespace eyrie::debrief {
+
+/// A run file and the scenario inside it.
+struct Recorded {
+  std::string file;
+  record::RunFile run;
+  std::vector<std::string> plugins;  ///< where they are now, in the order of the run
+  std::shared_ptr<const scenario::Scenario> scenario;
+
+  /// World::step() at the end of the recording.
+  [[nodiscard]] std::uint64_t last_step() const {
+    return run.trail.marks.empty() ? 0 : run.trail.marks.back().step;
+  }
+};
+
+/// A run, or why there is none: `problems` is empty exactly if `recorded` is there.
+struct Opened {
+  std::optional<Recorded> recorded;
+  std::vector<std::string> problems;  ///< a line each, with the file
+};
+
+/// Opens a run folder or its run file. `plugins` are the places of plug-ins that have moved since;
+/// `build` is what this program calls itself. A file that is cut, foreign, or of a build with
+/// another world is refused.
+[[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
+                          std::string_view build);
+
+/// The scenario of a run with more overrides (`path=value`). Throws ConfigError.
+[[nodiscard]] std::shared_ptr<const scenario::Scenario> with_overrides(
+    const Recorded& recorded, const std::vector<std::string>& sets);
+
+/// Flies a recorded run again, with every step's world before and after.
+class Reflight {
+ public:
+  explicit Reflight(const Recorded& recorded);
+
+  /// It must outlive the last step.
+  void attach(sim::Observer& observer) { run_.attach(observer); }
+  /// One step; false at the end of the recording.
+  bool step();
+  [[nodiscard]] const sim::World& before() const { return before_; }
+  [[nodiscard]] const sim::World& after() const { return run_.world(); }
+  /// Those of the step.
+  [[nodiscard]] std::span<const sim::Event> events() const { return events_; }
+  [[nodiscard]] std::span<const sim::Order> orders() const { return orders_; }
+  /// s, of the decisions in the step.
+  [[nodiscard]] double time() const {
+    return static_cast<double>(before_.step()) * run_.simulation().dt();
+  }
+
+ private:
+  sim::Run run_;
+  std::uint64_t last_;
+  sim::World before_;
+  std::span<const sim::Event> events_;
+  std::vector<sim::Order> orders_;
+};
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "record/story.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWidth = 100;
+
+std::string joined(const std::vector<Value>& values) {
+  std::vector<std::string> words;
+  for (const Value& value : values)
+    words.push_back(value.name + " " + value.text);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Breaks after commas so that no line is longer than kWidth; further lines are indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::string out(indent, ' ');
+  std::size_t column = indent, begin = 0;
+  while (begin < text.size()) {
+    const std::size_t comma = text.find(", ", begin);
+    const std::size_t end = comma == std::string::npos ? text.size() : comma + 2;
+    if (column + (end - begin) > kWidth && column > indent) {
+      out.erase(out.find_last_not_of(' ') + 1);
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    out.append(text, begin, end - begin);
+    column += end - begin;
+    begin = end;
+  }
+  return out + "\n";
+}
+
+bool leads(const Decision& d, std::size_t node) {
+  for (ubf::NodeIndex n = d.leader; n != ubf::kNone; n = d.nodes[n].parent)
+    if (n == node)
+      return true;
+  return false;
+}
+
+void tree_text(const Decision& d, std::string& text) {
+  std::size_t width = 0;
+  for (const Answer& answer : d.nodes)
+    if (answer.parent == ubf::kNone || d.nodes[answer.parent].asked)
+      width = std::max(width, 2u * answer.depth + answer.label.size());
+  width = std::min<std::size_t>(width, 48);
+  for (std::size_t i = 0; i < d.nodes.size(); ++i) {
+    const Answer& answer = d.nodes[i];
+    const bool hidden = answer.parent != ubf::kNone && !d.nodes[answer.parent].asked;
+    if (hidden)  // below what was not asked nothing was
+      continue;
+    const std::string name = std::string(2u * answer.depth, ' ') + answer.label;
+    // what a composite hands on is what some leaf below it said
+    const std::string said =
+        answer.is_leaf && !answer.action.empty() ? ": " + joined(answer.action) : "";
+    fmt::format_to(std::back_inserter(text), "{} {:<{}}  {}{}\n", leads(d, i) ? '>' : ' ', name,
+                   width, words(answer), said);
+  }
+}
+
+void action_text(const Decision& d, std::string& text) {
+  for (const Won& won : d.action) {
+    std::string rivals;
+    for (const Rival& rival : won.rivals)
+      rivals += fmt::format("{}{} {}", rivals.empty() ? " (" : ", ", d.nodes[rival.node].label,
+                            rival.value.text);
+    fmt::format_to(std::back_inserter(text), "  {:<12} {:<14} {:<16} {}{}\n", won.value.name,
+                   won.value.text, label_of(d, won.winner), reason(won),
+                   rivals.empty() ? "" : rivals + ")");
+  }
+}
+
+Json value_json(const Value& value) {
+  Json j{{"name", value.name}, {"text", value.text}};
+  if (value.number)
+    j["value"] = *value.number;
+  if (!value.unit.empty())
+    j["unit"] = value.unit;
+  return j;
+}
+Json values_json(const std::vector<Value>& values) {
+  Json all = Json::array();
+  for (const Value& value : values)
+    all.push_back(value_json(value));
+  return all;
+}
+
+Json answer_json(const Answer& answer) {
+  Json j{{"path", answer.path},
+         {"label", answer.label},
+         {"type", answer.type},
+         {"depth", answer.depth},
+         {"asked", answer.asked}};
+  if (!answer.asked)
+    return j;
+  j["status"] = ubf::to_text(answer.status);
+  j["vote"] = answer.vote;
+  if (!answer.why.empty())
+    j["why"] = answer.why;
+  if (answer.halts > 0)
+    j["halts"] = answer.halts;
+  j["action"] = values_json(answer.action);
+  return j;
+}
+
+Json won_json(const Decision& d, const Won& won) {
+  Json j = value_json(won.value);
+  j["winner"] = won.winner == ubf::kNone ? Json() : Json(d.nodes[won.winner].path);
+  j["reason"] = reason(won);
+  j["rivals"] = Json::array();
+  for (const Rival& rival : won.rivals)
+    j["rivals"].push_back({{"node", d.nodes[rival.node].path},
+                           {"value", value_json(rival.value)},
+                           {"vote", rival.vote},
+                           {"against", rival.against}});
+  return j;
+}
+
+Json decision_json(const Decision& d, const scenario::Roster& roster) {
+  Json j{{"time_s", d.time},
+         {"step", d.step},
+         {"player", roster.name(d.player)},
+         {"tree", d.tree},
+         {"status", ubf::to_text(d.status)},
+         {"vote", d.vote},
+         {"leader", d.leader == ubf::kNone ? Json() : Json(d.nodes[d.leader].path)}};
+  j["action"] = Json::array();
+  for (const Won& won : d.action)
+    j["action"].push_back(won_json(d, won));
+  j["nodes"] = Json::array();
+  for (const Answer& answer : d.nodes)
+    j["nodes"].push_back(answer_json(answer));
+  j["state"] = values_json(d.state);
+  j["perceived"] = Json::array();
+  for (const Perceived& one : d.perceived)
+    j["perceived"].push_back(
+        {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}});
+  return j;
+}
+
+}  // namespace
+
+std::string label_of(const Decision& decision, ubf::NodeIndex node) {
+  return node < decision.nodes.size() ? decision.nodes[node].label : "nobody";
+}
+
+std::string branch_of(const Decision& decision, ubf::NodeIndex node) {
+  if (node >= decision.nodes.size() || decision.nodes[node].parent == ubf::kNone)
+    return label_of(decision, node);
+  return label_of(decision, decision.nodes[node].parent) + "/" + label_of(decision, node);
+}
+
+std::string decision_text(const Decision& d, const scenario::Roster& roster) {
+  std::string text = fmt::format("{} at {} (step {}), by tree {}: {} leads with {:g}\n\nsees\n",
+                                 roster.name(d.player), record::clock_text(d.time), d.step, d.tree,
+                                 label_of(d, d.leader), d.vote);
+  text += wrapped(joined(d.state), 2);
+  for (const Perceived& one : d.perceived)
+    text += wrapped(fmt::format("{} {}: {}", one.kind, one.name, joined(one.values)), 2);
+  text += "\ntree\n";
+  tree_text(d, text);
+  text += "\naction\n";
+  action_text(d, text);
+  return text;
+}
+
+std::string decision_line(const Decision& d) {
+  std::vector<Value> values;
+  for (const Won& won : d.action)
+    values.push_back(won.value);
+  return fmt::format("{:>8}  {:<16} {:>5g}  {}\n", record::clock_text(d.time),
+                     label_of(d, d.leader), d.vote, joined(values));
+}
+
+std::string decisions_json(std::span<const Decision> decisions, const scenario::Roster& roster) {
+  Json all = Json::array();
+  for (const Decision& d : decisions)
+    all.push_back(decision_json(d, roster));
+  return all.dump(2) + "\n";
+}
+
+std::string change_text(const Change& change) {
+  return fmt::format("{:>8}  {:<16} -> {:<16} {}\n", record::clock_text(change.now.time),
+                     change.from, change.to, change.why);
+}
+
+std::string changes_json(std::span<const Change> changes, const scenario::Roster& roster) {
+  Json all = Json::array();
+  for (const Change& change : changes) {
+    Json j{{"from", change.from}, {"to", change.to}, {"why", change.why}};
+    j["decision"] = decision_json(change.now, roster);
+    all.push_back(std::move(j));
+  }
+  return all.dump(2) + "\n";
+}
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What an agent would have decided with another tree or other parameters: its recorded
+/// states are arbitrated again, without flying.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "debrief/decision.hpp"
+#include "debrief/recorded.hpp"
+#include "scenario/mission.hpp"
+
+namespace eyrie::debrief {
+
+/// A field that would have been another one.
+struct Changed {
+  std::string name, unit;
+  std::string flown, other;          ///< for people; "-" for nothing
+  std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
+};
+
+/// A decision that would have been another one.
+struct Otherwise {
+  std::uint64_t step = 0;
+  double time = 0;           ///< s
+  std::string flown, other;  ///< who led
+  std::vector<Changed> fields;
+};
+
+struct WhatIf {
+  std::uint64_t decisions = 0;  ///< looked at
+  std::uint64_t different = 0;  ///< whose action would have been another one
+  std::optional<Otherwise> first;
+  /// Times (s) from the first to the last of decisions in a row that would have been different.
+  std::vector<std::pair<double, double>> spans;
+};
+
+/// Asks the trees of `other`, which is the scenario of the run with overrides, about every state
+/// that an agent perceived from `from` (s) on. They begin there with what the agent remembered if
+/// its tree remembers the same things, and else with nothing.
+[[nodiscard]] WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other,
+                             PlayerId who, double from);
+
+/// How a run ended, for comparisons.
+struct Outcome {
+  std::string outcome;  ///< as scenario::outcome_name
+  double time = 0;      ///< s
+  struct Side {
+    std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
+  };
+  Side blue, red;
+};
+
+/// The run as it was recorded.
+[[nodiscard]] Outcome outcome_of(const Recorded& recorded);
+/// Flown as recorded up to `step`, and from there on with the trees and models of `other`. Nothing
+/// if that has another world, such as trees that remember more: `problem` says so.
+[[nodiscard]] std::optional<Outcome> branch(const Recorded& recorded,
+                                            std::shared_ptr<const scenario::Scenario> other,
+                                            std::uint64_t step, std::string& problem);
+/// A whole flight of a scenario.
+[[nodiscard]] Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario,
+                                 std::uint64_t seed);
+
+}  // namespace eyrie::debrief

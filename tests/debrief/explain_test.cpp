@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+/// \file  Recorded runs looked at again: what is explained is what was flown.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "debrief/difference.hpp"
+#include "debrief/explainer.hpp"
+#include "debrief/what_if.hpp"
+#include "sim/trail.hpp"
+#include "support/flight.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using namespace debrief;
+
+/// A scenario flown for `until` s and recorded in memory.
+Recorded recorded(const std::string& name, double until, std::uint64_t seed,
+                  const std::vector<std::string>& sets = {}) {
+  const auto scenario = load_scenario(name, sets);
+  sim::TrailRecorder trail(sim::TrailDetail::marks_only);
+  scenario::Mission mission(scenario, seed, until);
+  mission.run().attach(trail);
+  mission.fly();
+  Recorded r;
+  r.file = name;
+  r.run = {.build = "test",
+           .scenario = scenario->file,
+           .files = scenario->files,
+           .sets = scenario->sets,
+           .seed = seed,
+           .until = until,
+           .layout_hash = scenario->simulation->schema().layout_hash(),
+           .orders = scenario->orders,
+           .trail = trail.trail(),
+           .outcome = ""};
+  r.scenario = scenario;
+  return r;
+}
+
+class ExplainedRun : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Whole, ExplainedRun, testing::Values("sweep", "convoy"),
+                         [](const auto& run) { return std::string(run.param); });
+
+TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
+  const Recorded run = recorded(GetParam(), 900, 5);
+  const scenario::Scenario& s = *run.scenario;
+  Explainer explainer(s);
+  Reflight flight(run);
+  std::size_t decisions = 0;
+  while (flight.step()) {
+    if (flight.before().step() / 5 % 5 != 0)  // every fifth decision
+      continue;
+    for (std::size_t i = 0; i < s.roster.players.size(); ++i) {
+      const PlayerId who{static_cast<std::uint32_t>(i + 1)};
+      const auto decision =
+          explainer.explain(flight.before(), flight.after(), who, flight.orders());
+      if (!decision)
+        continue;
+      ++decisions;
+      // what the agent's row says after the step
+      ASSERT_EQ(decision->leader, explainer.leader(flight.after(), who))
+          << s.roster.name(who) << " at " << flight.time();
+      ASSERT_EQ(decision->nodes.size() > 0, true);
+      // the leader set what came out, or some of it
+      for (const Won& won : decision->action) {
+        ASSERT_LT(won.winner, decision->nodes.size());
+        ASSERT_TRUE(decision->nodes[won.winner].asked);
+        ASSERT_NE(decision->nodes[won.winner].status, ubf::Status::failure);
+      }
+    }
+  }
+  EXPECT_GT(decisions, 5'000U);
+}
+
+TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
+  const Recorded run = recorded("sweep", 800, 13);
+  Explainer explainer(*run.scenario);
+  Reflight flight(run);
+  std::size_t failures = 0;
+  while (flight.step()) {
+    if (flight.before().step() / 5 % 5 != 0)
+      continue;
+    const auto d = explainer.explain(flight.before(), flight.after(), PlayerId{1}, flight.orders());
+    for (std::size_t i = 0; d && i < d->nodes.size(); ++i) {
+      const Answer& node = d->nodes[i];
+      if (!node.is_leaf || !node.asked || node.status != ubf::Status::failure)
+        continue;
+      ++failures;
+      ASSERT_NE(node.why, "") << node.path << " at " << d->time;
+    }
+  }
+  EXPECT_GT(failures, 5'000U);
+}
+
+TEST(WhatIf, FindsNothingWithoutAChange) {
+  const Recorded run = recorded("sweep", 700, 13);
+  const auto same = with_overrides(run, {"trees.bvr.per_field.pursue.vote=40"});
+  const WhatIf result = what_if(run, *same, PlayerId{2}, 0);
+  EXPECT_GT(result.decisions, 3000U);
+  EXPECT_EQ(result.different, 0U);
+}
+
+TEST(WhatIf, NamesTheTickInWhichTheChangedFlightFirstActsOtherwise) {
+  const std::string change = "trees.ingress.winner_takes_all.follow_lead.vote=5";
+  const Recorded run = recorded("sweep", 60, 13), other = recorded("sweep", 60, 13, {change});
+  std::string problem;
+  const auto flown = compare(run, other, problem);
+  ASSERT_TRUE(flown && flown->action) << problem;
+  std::uint64_t first = ~std::uint64_t{0};
+  for (std::uint32_t i = 1; i <= run.scenario->roster.players.size(); ++i)
+    if (const WhatIf result = what_if(run, *other.scenario, PlayerId{i}, 0); result.first)
+      first = std::min(first, result.first->step);
+  EXPECT_EQ(first, flown->action->step);
+}
+
+TEST(WhatIf, SaysByHowMuch) {
+  const Recorded run = recorded("convoy", 500, 3);
+  const auto other = with_overrides(run, {"trees.convoy.winner_takes_all.scatter.range=3 km"});
+  const WhatIf result = what_if(run, *other, run.scenario->roster.find("supply2").value(), 0);
+  ASSERT_TRUE(result.first);
+  EXPECT_EQ(result.first->flown, "scatter");
+  EXPECT_EQ(result.first->other, "follow_lead");
+  EXPECT_EQ(result.spans.front().first, result.first->time);
+  ASSERT_EQ(result.first->fields.at(0).name, "heading");
+  EXPECT_NEAR(std::fabs(result.first->fields[0].difference.value()), si(70, "deg"), 0.3);
+  EXPECT_EQ(result.first->fields.at(2).name, "call");
+  EXPECT_EQ(result.first->fields[2].other, "-");
+}
+
+TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
+  const Recorded run = recorded("sweep", 3600, 13);
+  const Outcome flown = outcome_of(run);
+  std::string problem;
+  const auto branched = branch(run, run.scenario, 20'000, problem);
+  ASSERT_TRUE(branched) << problem;
+  EXPECT_EQ(branched->outcome, flown.outcome);
+  EXPECT_EQ(branched->time, flown.time);
+  EXPECT_EQ(branched->blue.shots, flown.blue.shots);
+  EXPECT_EQ(branched->red.losses, flown.red.losses);
+  EXPECT_EQ(branched->blue.home, flown.blue.home);
+  const auto fewer = branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=0"}),
+                            20'000, problem);
+  ASSERT_TRUE(fewer) << problem;
+  EXPECT_LT(fewer->blue.shots, flown.blue.shots);
+}
+
+TEST(RunDifference, IsNothingForTheSameRun) {
+  const Recorded run = recorded("merge", 60, 8);
+  std::string problem;
+  const auto same = compare(run, recorded("merge", 60, 8), problem);
+  ASSERT_TRUE(same) << problem;
+  EXPECT_TRUE(same->same());
+  EXPECT_EQ(same->steps, 3000U);
+}
+
+TEST(RunDifference, SaysWhenOneEndsBeforeTheOther) {
+  std::string problem;
+  const auto found = compare(recorded("merge", 60, 8), recorded("merge", 50, 8), problem);
+  ASSERT_TRUE(found && found->world && found->event);
+  EXPECT_EQ(found->steps, 2500U);
+  EXPECT_EQ(found->world->text, "merge is over, the other goes on");
+}
+
+TEST(RunDifference, RefusesWorldsOfOtherTables) {
+  std::string problem;
+  EXPECT_FALSE(compare(recorded("merge", 1, 8), recorded("convoy", 1, 8), problem));
+  EXPECT_NE(problem.find("other tables"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace eyrie::test

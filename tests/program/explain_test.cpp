@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+/// \file  explain, whatif and diff as a user has them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using nlohmann::json;
+
+/// Two runs of the sweep, flown once.
+struct RecordedRuns {
+  RecordedRuns() {
+    const std::vector<std::string> flight{"fly", "sweep", "--until", "11 min", "--quiet", "--out"};
+    auto a = flight, b = flight;
+    a.insert(a.end(), {"a"});
+    b.insert(b.end(), {"b", "--set", "trees.bvr.per_field.release_weapon.zone=0.3"});
+    EXPECT_EQ(run_program(folder, a).code, 0);
+    EXPECT_EQ(run_program(folder, b).code, 0);
+  }
+  TempFolder folder;
+};
+Ran debriefed(const std::vector<std::string>& arguments) {
+  static const RecordedRuns runs;
+  return run_program(runs.folder, arguments);
+}
+bool says(const std::string& text, const std::string& pattern) {
+  return std::regex_search(text, std::regex(pattern));
+}
+
+TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
+  const Ran ran = debriefed({"explain", "a", "--player", "eagle2", "--at", "5:12.4"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(
+      says(ran.out, R"(eagle2 at 05:12\.5 \(step 15623\), by tree sweep: follow_lead leads)"))
+      << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(\n>     follow_lead +running, votes 20: heading)"));
+  EXPECT_TRUE(says(ran.out, R"(\n        break_turn +failed: no missile is known to come\n)"));
+  EXPECT_TRUE(says(
+      ran.out, R"(\n  heading +97 deg +follow_lead +voted 20 against 10 \(navigate 123 deg\)\n)"));
+  EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey1\): identity hostile, range)"));
+}
+
+TEST(ExplainProgram, ListsWhoTookOverFromWhomAndWhy) {
+  const Ran ran = debriefed({"explain", "a", "--player", "eagle2", "--changes"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_TRUE(
+      says(ran.out, R"(follow_lead +-> pursue +ingress was left for bvr: hostile_track holds)"));
+  EXPECT_TRUE(says(ran.out, R"(pursue +-> release_weapon +pursue voted 40 against 60)"));
+  EXPECT_EQ(debriefed({"explain", "a", "--player", "eagle2"}).out, ran.out) << "the default";
+}
+
+TEST(ExplainProgram, FindsTheDecisionsAtEventsByAWordOfTheStory) {
+  const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_TRUE(says(ran.out, R"(break_turn leads with 80)"));
+  const Ran none = debriefed({"explain", "a", "--player", "bogey1", "--event", "ditch"});
+  EXPECT_EQ(none.code, 1);
+  EXPECT_EQ(none.err, "bogey1 made no such decision\n");
+}
+
+TEST(ExplainProgram, GivesToolsTheSame) {
+  const Ran ran =
+      debriefed({"explain", "a", "--player", "eagle2", "--from", "300", "--to", "5:01", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json all = json::parse(ran.out);
+  ASSERT_EQ(all.size(), 10u) << "ten decisions in a second";
+  const json& d = all.at(0);
+  EXPECT_EQ(d.at("player"), "eagle2");
+  EXPECT_EQ(d.at("leader"), "root/ingress/follow_lead");
+  for (const json& field : d.at("action"))
+    if (field.at("name") == "heading") {
+      EXPECT_EQ(field.at("winner"), "root/ingress/follow_lead");
+      EXPECT_EQ(field.at("rivals").at(0).at("node"), "root/ingress/navigate");
+      EXPECT_EQ(field.at("unit"), "rad");
+    }
+  EXPECT_EQ(d.at("nodes").at(0).at("asked"), true);
+  EXPECT_GT(d.at("state").size(), 20u);
+}
+
+TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
+  const Ran parted = debriefed({"diff", "a", "b", "--json"});
+  EXPECT_EQ(parted.code, 1);
+  const json difference = json::parse(parted.out);
+  std::uint64_t first = ~std::uint64_t{0};
+  for (const char* player : {"eagle1", "eagle2"}) {  // who shoot
+    const Ran ran = debriefed({"whatif", "a", "--player", player, "--set",
+                               "trees.bvr.per_field.release_weapon.zone=0.3", "--json"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const json j = json::parse(ran.out);
+    if (j.contains("first"))
+      first = std::min(first, j.at("first").at("step").get<std::uint64_t>());
+  }
+  EXPECT_EQ(difference.at("action").at("step"), first);
+  EXPECT_EQ(debriefed({"diff", "a", "a"}).out, "the same, 33000 steps\n");
+}
+
+TEST(ExplainProgram, SaysWhatIsWrongWithWhatWasAsked) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Ran ran = debriefed(arguments);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.out, "");
+    return ran.err;
+  };
+  EXPECT_EQ(refused({"explain", "a", "--player", "eagel2"}),
+            "--player: there is no player 'eagel2'; did you mean 'eagle2'?\n");
+  EXPECT_EQ(refused({"explain", "a", "--player", "eagle2", "--at", "noon"}),
+            "--at 'noon': expected a time such as 312.4, '5 min' or 5:12.4\n");
+  EXPECT_EQ(refused({"explain", "nowhere", "--player", "eagle2"}).substr(0, 9), "nowhere: ");
+  EXPECT_EQ(
+      refused({"whatif", "a", "--player", "eagle2", "--set",
+               "trees.bvr.per_field.release_weapon.zon=0.3"}),
+      "--set trees.bvr.per_field.release_weapon.zon=0.3:1:36: release_weapon has no parameter "
+      "'zon'; did you mean 'zone'?\n");
+  EXPECT_EQ(refused({"whatif", "a", "--player", "eagle2", "--set", "trees.more=navigate"}),
+            "the change adds or removes a tree; change one that is there\n");
+}
+
+}  // namespace
+}  // namespace eyrie::test
