@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/no_allocation.hpp"
+#include "ubf/testing_registry.hpp"
 #include "ubf/testing_trees.hpp"
 
 namespace eyrie::ubf::testing {
@@ -36,9 +37,7 @@ TEST(EveryTree, TheTestTreesContainEveryStandardNode) {
     for (std::size_t i = 0; i < robot.tree.size(); ++i)
       seen.insert(robot.tree.node(static_cast<NodeIndex>(i)).type());
   }
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  for (const NodeInfo& info : registry.catalog())
+  for (const NodeInfo& info : standard_registry().catalog())
     EXPECT_TRUE(seen.contains(info.name)) << info.name;
 }
 

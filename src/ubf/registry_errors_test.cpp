@@ -2,30 +2,10 @@
 /// \file  Every mistake that a file can make in a tree, and the words that the user reads.
 #include <gtest/gtest.h>
 
-#include "ubf/registry.hpp"
-#include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
-
-const RobotRegistry& registry() {
-  static const RobotRegistry kRegistry = [] {
-    RobotRegistry made;
-    add_standard_nodes(made);
-    made.add<Probe>();
-    made.add<Check>();
-    return made;
-  }();
-  return kRegistry;
-}
-
-std::string mistakes(std::string_view text, std::span<const NamedSpec> others = {}) {
-  Diagnostics diagnostics;
-  const auto tree = registry().build_tree("test", Document::parse(text), diagnostics, others);
-  EXPECT_EQ(tree.has_value(), diagnostics.ok());
-  return diagnostics.text();
-}
 
 TEST(RegistryErrors, AnUnknownNodeIsAnsweredWithTheNearestName) {
   EXPECT_EQ(mistakes("{winer_takes_all: []}"),
@@ -131,8 +111,7 @@ TEST(RegistryErrors, ALabelIsATextThatAPathCanHold) {
 }
 
 TEST(RegistryErrors, AReferenceNamesATreeThatExists) {
-  const Value ingress = Document::parse("{probe: {cue: 1}}");
-  const std::array others{NamedSpec{"ingress", &ingress}};
+  const NamedTrees others = NamedTrees().with("ingress", "{probe: {cue: 1}}");
   EXPECT_EQ(mistakes("{tree: ingres}", others),
             "test.yaml:1:8: there is no tree 'ingres'; did you mean 'ingress'?");
   EXPECT_EQ(mistakes("tree"),
@@ -143,23 +122,21 @@ TEST(RegistryErrors, AReferenceNamesATreeThatExists) {
 }
 
 TEST(RegistryErrors, ATreeThatRefersToItselfIsRefusedWithTheWayRound) {
-  const Value a = Document::parse("{selector: [{tree: b}]}", "a.yaml");
-  const Value b = Document::parse("{selector: [{tree: c}]}", "b.yaml");
-  const Value c = Document::parse("{selector: [{tree: a}]}", "c.yaml");
-  const std::array others{NamedSpec{"a", &a}, NamedSpec{"b", &b}, NamedSpec{"c", &c}};
+  const NamedTrees others = NamedTrees()
+                                .with("a", "{selector: [{tree: b}]}")
+                                .with("b", "{selector: [{tree: c}]}")
+                                .with("c", "{selector: [{tree: a}]}");
   EXPECT_EQ(mistakes("{selector: [{tree: a}]}", others),
             "c.yaml:1:20: tree 'a' refers to itself: a -> b -> c -> a");
 
-  const Value self = Document::parse("{selector: [{tree: test}]}");
-  const std::array own{NamedSpec{"test", &self}};
-  EXPECT_EQ(mistakes("{selector: [{tree: test}]}", own),
+  const std::string self = "{selector: [{tree: test}]}";
+  EXPECT_EQ(mistakes(self, NamedTrees().with("test", self)),
             "test.yaml:1:20: tree 'test' refers to itself: test -> test");
 }
 
 TEST(RegistryErrors, MistakesInASharedTreeAreToldOnce) {
-  const Value bad = Document::parse("{probe: {cue: 99}}", "bad.yaml");
-  const std::array others{NamedSpec{"bad", &bad}};
-  EXPECT_EQ(mistakes("{selector: [{tree: bad}, {tree: bad}]}", others),
+  EXPECT_EQ(mistakes("{selector: [{tree: bad}, {tree: bad}]}",
+                     NamedTrees().with("bad", "{probe: {cue: 99}}")),
             "bad.yaml:1:15: cue: 99 is outside [0, 31]");
 }
 
@@ -174,41 +151,29 @@ TEST(RegistryErrors, DepthIsLimited) {
 
 /// Each tree refers twice to the next: 2^40 nodes from 40 lines.
 TEST(RegistryErrors, TreesThatMultiplyAreStoppedAtTheNodeLimit) {
-  std::vector<Value> values;
-  std::vector<std::string> names;
+  NamedTrees others;
   for (int i = 0; i < 40; ++i) {
     const std::string next = "{tree: t" + std::to_string(i + 1) + "}";
-    values.push_back(Document::parse("{selector: [" + next + ", " + next + "]}"));
-    names.push_back("t" + std::to_string(i));
+    others.with("t" + std::to_string(i), "{selector: [" + next + ", " + next + "]}");
   }
-  values.push_back(Document::parse("{check: {cue: 1}}"));
-  names.push_back("t40");
-  std::vector<NamedSpec> others;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    others.push_back({names[i], &values[i]});
-  EXPECT_EQ(mistakes("{tree: t0}", others), "test.yaml:1:2: the tree has more than 65535 nodes");
+  others.with("t40", "{check: {cue: 1}}");
+  EXPECT_EQ(mistakes("{tree: t0}", others), "t39.yaml:1:2: the tree has more than 65535 nodes");
 }
 
 TEST(RegistryErrors, AChainOfReferencesIsLimited) {
-  std::vector<Value> values;
-  std::vector<std::string> names;
-  for (int i = 0; i < 100; ++i) {
-    values.push_back(Document::parse("{tree: t" + std::to_string(i + 1) + "}"));
-    names.push_back("t" + std::to_string(i));
-  }
-  std::vector<NamedSpec> others;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    others.push_back({names[i], &values[i]});
+  NamedTrees others;
+  for (int i = 0; i < 100; ++i)
+    others.with("t" + std::to_string(i), "{tree: t" + std::to_string(i + 1) + "}");
   EXPECT_EQ(mistakes("{tree: t0}", others),
-            "test.yaml:1:2: trees refer to one another more than 64 deep");
+            "t62.yaml:1:2: trees refer to one another more than 64 deep");
 }
 
 TEST(RegistryErrors, MemoryIsLimited) {
-  const Value holder = Document::parse("{commitment: {hold: 1 s, child: {probe: {cue: 1}}}}");
+  const NamedTrees others =
+      NamedTrees().with("holder", "{commitment: {hold: 1 s, child: {probe: {cue: 1}}}}");
   std::string text = "{selector: [";
   for (int i = 0; i < 20'000; ++i)
     text += "{tree: holder},";
-  const std::array others{NamedSpec{"holder", &holder}};
   EXPECT_EQ(mistakes(text + "]}", others),
             "test.yaml:1:1: tree 'test' needs 1600008 bytes of memory per agent, the most is "
             "1048576");

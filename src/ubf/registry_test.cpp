@@ -6,19 +6,10 @@
 
 #include <algorithm>
 
-#include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
-
-RobotRegistry standard() {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  registry.add<Check>();
-  return registry;
-}
 
 /// The tree as an outline: "type" or "type:label", children in parentheses.
 std::string outline(const Node& node) {
@@ -31,14 +22,6 @@ std::string outline(const Node& node) {
   for (const auto& child : node.children())
     text += (text.ends_with('(') ? "" : " ") + outline(*child);
   return text + ")";
-}
-
-RobotTree build(std::string_view text, std::span<const NamedSpec> others = {}) {
-  Diagnostics diagnostics;
-  auto tree = standard().build_tree("test", Document::parse(text), diagnostics, others);
-  if (!tree)
-    throw ConfigError(diagnostics);
-  return std::move(*tree);
 }
 
 std::string built(std::string_view text) {
@@ -67,14 +50,10 @@ class Rest final : public Node {
 };
 
 TEST(Registry, ReadsANodeWithoutParametersInEveryWayAFileMayWriteIt) {
-  RobotRegistry registry = standard();
+  RobotRegistry registry = standard_registry();
   registry.add<Rest>();
-  for (const char* text : {"rest", "{rest: }", "{rest: {}}"}) {
-    Diagnostics diagnostics;
-    const auto tree = registry.build_tree("test", Document::parse(text), diagnostics);
-    ASSERT_TRUE(tree) << text << ": " << diagnostics.text();
-    EXPECT_EQ(outline(tree->root()), "rest");
-  }
+  for (const char* text : {"rest", "{rest: }", "{rest: {}}"})
+    EXPECT_EQ(outline(build(text, {}, registry).root()), "rest");
 }
 
 TEST(Registry, ReadsChildrenAsAListOrUnderTheirKey) {
@@ -164,24 +143,21 @@ TEST(Registry, ReadsASequencer) {
 }
 
 TEST(Registry, ASequencerFromAFileWorks) {
-  const RobotTree tree = build(kMission);
-  std::vector<std::byte> slab(tree.memory_bytes());
-  State state;
-  RobotProposal out;
-  state.cues[2].status = kSuccess;
-  tree.tick({.state = state, .memory = slab.data()}, out);
-  EXPECT_EQ(tree.active_name(slab), "home");
-  state.cues[2].status = kFailure;
-  tree.tick({.state = state, .memory = slab.data()}, out);
-  EXPECT_EQ(tree.active_name(slab), "out");
+  Robot robot(build(kMission));
+  robot.say(2, kSuccess);
+  robot.tick();
+  EXPECT_EQ(robot.tree.active_name(robot.slab), "home");
+  robot.say(2, kFailure);
+  robot.tick();
+  EXPECT_EQ(robot.tree.active_name(robot.slab), "out");
 }
 
 TEST(Registry, CopiesNamedTreesWhereTheyAreReferredTo) {
-  const Value attack = Document::parse("{winner_takes_all: [{tree: shoot}, {probe: {cue: 1}}]}");
-  const Value shoot = Document::parse("{probe: {cue: 0}}");
-  const Value home = Document::parse("{probe: {cue: 2, name: back}}");
-  const std::array others{NamedSpec{"attack", &attack}, NamedSpec{"shoot", &shoot},
-                          NamedSpec{"home", &home}};
+  const NamedTrees others =
+      NamedTrees()
+          .with("attack", "{winner_takes_all: [{tree: shoot}, {probe: {cue: 1}}]}")
+          .with("shoot", "{probe: {cue: 0}}")
+          .with("home", "{probe: {cue: 2, name: back}}");
   const RobotTree tree = build("{selector: [{tree: attack}, {tree: shoot}, {tree: home}]}", others);
   EXPECT_EQ(outline(tree.root()),
             "selector(winner_takes_all:attack(probe:shoot probe) probe:shoot probe:back)");
@@ -189,7 +165,7 @@ TEST(Registry, CopiesNamedTreesWhereTheyAreReferredTo) {
 }
 
 TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
-  const RobotRegistry registry = standard();
+  const RobotRegistry& registry = standard_registry();
   const auto with_child = [](const NodeInfo& info, const std::string& child) {
     static const std::map<std::string, std::string> kRequired{
         {"paper_fusion", "high_vote: 1, "},
@@ -225,16 +201,14 @@ TEST(Registry, LetsAnyNodeStandUnderAnyOther) {
       if (outer.name == "for_each" || inner.name == "for_each")
         continue;  // takes nothing that remembers: for_each_test.cpp
       const std::string text = with_child(outer, with_child(inner, "{probe: {cue: 0}}"));
-      Diagnostics diagnostics;
-      const auto tree = registry.build_tree("pair", Document::parse(text), diagnostics);
-      ASSERT_TRUE(tree) << text << "\n" << diagnostics.text();
+      ASSERT_EQ(mistakes(text), "") << text;
       ++pairs;
     }
   EXPECT_EQ(pairs, 35 * 35);
 }
 
 TEST(Registry, CatalogTellsEverythingAboutEachType) {
-  const RobotRegistry registry = standard();
+  const RobotRegistry& registry = standard_registry();
   const NodeInfo* timeout = registry.find("timeout");
   ASSERT_TRUE(timeout);
   EXPECT_EQ(timeout->kind, Kind::decorator);
@@ -264,7 +238,7 @@ TEST(Registry, KnowsWhoRegisteredAType) {
 }
 
 TEST(Registry, RefusesANameThatIsTaken) {
-  RobotRegistry registry = standard();
+  RobotRegistry registry = standard_registry();
   EXPECT_THROW(registry.add<Probe>(), std::logic_error);
 }
 

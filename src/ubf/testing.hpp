@@ -151,8 +151,9 @@ class Check final : public Condition<State, Action> {
 /// A tree with everything around it that one agent needs. Tests set cues, tick, and look.
 class Robot {
  public:
-  explicit Robot(Child root)
-      : tree("test", std::move(root)), slab(tree.memory_bytes()), trace(tree.size()) {}
+  explicit Robot(Child root) : Robot(RobotTree("test", std::move(root))) {}
+  explicit Robot(RobotTree made)
+      : tree(std::move(made)), slab(tree.memory_bytes()), trace(tree.size()) {}
 
   /// One tick, 0.1 s after the last one.
   Status tick() {

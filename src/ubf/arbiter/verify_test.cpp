@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "ubf/arbiter/testing_cues.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
@@ -88,69 +88,39 @@ TEST(Bounds, SayWhatIsWrongWithThem) {
   EXPECT_TRUE(bounds.empty());
 }
 
-/// The mistakes in a file, or "" if there is none.
-std::string verify_mistakes(std::string_view text) {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  Diagnostics diagnostics;
-  const auto tree = registry.build_tree("test", Document::parse(text), diagnostics);
-  EXPECT_EQ(tree.has_value(), diagnostics.count() == 0);
-  return diagnostics.count() ? diagnostics.text() : "";
-}
-
 TEST(Verify, IsReadFromAFileWithUnits) {
-  EXPECT_EQ(
-      verify_mistakes("{verify: {bounds: {altitude: {min: 1000 ft}, heading: {min: 0 deg, max: 90 "
-                      "deg}}, fallback: true, children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
-      "");
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  Diagnostics diagnostics;
-  auto tree = registry.build_tree(
-      "test",
-      Document::parse("{verify: {bounds: {altitude: {min: 1 km}}, children: [{probe: {cue: 0}}]}}"),
-      diagnostics);
-  ASSERT_TRUE(tree);
-  const auto& bounds = dynamic_cast<const Verified&>(tree->root()).bounds;
+  EXPECT_EQ(mistakes("{verify: {bounds: {altitude: {min: 1000 ft}, heading: {min: 0 deg, max: 90 "
+                     "deg}}, fallback: true, children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
+            "");
+  const RobotTree tree =
+      build("{verify: {bounds: {altitude: {min: 1 km}}, children: [{probe: {cue: 0}}]}}");
+  const auto& bounds = dynamic_cast<const Verified&>(tree.root()).bounds;
   EXPECT_TRUE(bounds.hold({.altitude = 1000}));
   EXPECT_FALSE(bounds.hold({.altitude = 999}));
 }
 
 TEST(Verify, RefusesWhatAConditionInWordsSaysOfStateAndProposal) {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  Diagnostics diagnostics;
-  const auto tree = registry.build_tree(
-      "test",
-      Document::parse("{verify: {refuse: [action.release == 7 and not alarm, action.altitude < "
-                      "500 m], children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"),
-      diagnostics);
-  ASSERT_TRUE(tree) << diagnostics.text();
-  State state;
-  state.cues[0] = {kRunning, 9, {.altitude = 600, .release = 7}};
-  state.cues[1] = {kRunning, 1, {.heading = 1}};
-  std::vector<std::byte> slab(tree->memory_bytes());
-  RobotProposal out;
+  Robot robot(
+      build("{verify: {refuse: [action.release == 7 and not alarm, action.altitude < 500 m], "
+            "children: [{probe: {cue: 0}}, {probe: {cue: 1}}]}}"));
+  robot.cue(0) = {kRunning, 9, {.altitude = 600, .release = 7}};
+  robot.cue(1) = {kRunning, 1, {.heading = 1}};
   const auto vote = [&] {
-    out.clear();
-    tree->tick({.state = state, .memory = slab.data()}, out);
-    return out.vote;
+    robot.tick();
+    return robot.out.vote;
   };
   EXPECT_EQ(vote(), 1) << "a release without alarm";
-  state.alarm = true;
+  robot.state.alarm = true;
   EXPECT_EQ(vote(), 9);
-  state.cues[0].action.altitude = 499;
+  robot.state.cues[0].action.altitude = 499;
   EXPECT_EQ(vote(), 1);
-  state.cues[0].action.altitude = {};
+  robot.state.cues[0].action.altitude = {};
   EXPECT_EQ(vote(), 9) << "a field that is not set passes";
 }
 
 TEST(Verify, TellsEveryMistakeInAFile) {
   const auto has = [](std::string_view text, std::string_view words) {
-    const std::string said = verify_mistakes(text);
+    const std::string said = mistakes(text);
     EXPECT_NE(said.find(words), std::string::npos) << said;
   };
   has("{verify: {children: [{probe: {cue: 0}}]}}", "verify needs 'bounds' or 'refuse' to check");

@@ -8,8 +8,7 @@
 #include <functional>
 
 #include "ubf/arbiter/utility.hpp"
-#include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
@@ -204,17 +203,8 @@ TEST(Utility, SpreadsOverTheGridAndNoFurther) {
 }
 
 TEST(GridArbiters, MistakesAreSaid) {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  const auto said = [&](const std::string& type, const std::string& grid) {
-    Diagnostics diagnostics;
-    const auto tree = registry.build_tree(
-        "test",
-        Document::parse("{" + type + ": {grid: " + grid + ", children: [{probe: {cue: 0}}]}}"),
-        diagnostics);
-    EXPECT_EQ(tree.has_value(), diagnostics.ok());
-    return diagnostics.text();
+  const auto said = [](const std::string& type, const std::string& grid) {
+    return mistakes("{" + type + ": {grid: " + grid + ", children: [{probe: {cue: 0}}]}}");
   };
   const std::string good = "{heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg}}";
   EXPECT_EQ(said("vote_grid", good), "");

@@ -3,24 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
-
-RobotRegistry switch_registry() {
-  RobotRegistry made;
-  add_standard_nodes(made);
-  made.add<Probe>();
-  return made;
-}
-std::string switch_mistakes(std::string_view text) {
-  Diagnostics diagnostics;
-  const auto tree = switch_registry().build_tree("test", Document::parse(text), diagnostics);
-  EXPECT_EQ(tree.has_value(), diagnostics.ok());
-  return diagnostics.text();
-}
 
 /// Children for phases 0 and 1, and with `has_default` one for the rest.
 Robot by_phase(bool has_default) {
@@ -102,22 +88,15 @@ TEST(Switch, DoesAsTheRuleSaysForEveryShortHistory) {
 }
 
 TEST(Switch, IsReadWithItsCases) {
-  Diagnostics diagnostics;
-  auto tree = switch_registry().build_tree(
-      "test",
-      Document::parse("{switch: {on: phase, cases: {fetch: {probe: {cue: 1}}, home: "
-                      "{probe: {cue: 2}}}, default: {probe: {cue: 3}}, vote_scale: 2}}"),
-      diagnostics);
-  ASSERT_TRUE(tree) << diagnostics.text();
-  State state;
-  for (std::size_t i = 1; i < 4; ++i)
-    state.cues[i] = {kRunning, static_cast<float>(i), {}};
-  std::vector<std::byte> slab(tree->memory_bytes());
-  RobotProposal out;
+  Robot robot(
+      build("{switch: {on: phase, cases: {fetch: {probe: {cue: 1}}, home: {probe: {cue: 2}}}, "
+            "default: {probe: {cue: 3}}, vote_scale: 2}}"));
   const auto vote = [&](std::uint8_t phase) {
-    state.phase = phase;
-    tree->tick({.state = state, .memory = slab.data()}, out);
-    return out.vote;
+    for (std::size_t i = 1; i < 4; ++i)
+      robot.say(i, kRunning, static_cast<float>(i));
+    robot.state.phase = phase;
+    robot.tick();
+    return robot.out.vote;
   };
   EXPECT_EQ(vote(0), 6);
   EXPECT_EQ(vote(1), 2);
@@ -125,16 +104,16 @@ TEST(Switch, IsReadWithItsCases) {
 }
 
 TEST(Switch, MistakesAreSaid) {
-  EXPECT_EQ(switch_mistakes("{switch: {on: phas, cases: {home: {probe: {cue: 1}}}}}"),
+  EXPECT_EQ(mistakes("{switch: {on: phas, cases: {home: {probe: {cue: 1}}}}}"),
             "test.yaml:1:15: there is no state field 'phas'; did you mean 'phase'?");
-  EXPECT_EQ(switch_mistakes("{switch: {on: phase, cases: {hom: {probe: {cue: 1}}}}}"),
+  EXPECT_EQ(mistakes("{switch: {on: phase, cases: {hom: {probe: {cue: 1}}}}}"),
             "test.yaml:1:30: 'phase' is never 'hom'; did you mean 'home'?");
-  EXPECT_EQ(switch_mistakes("{switch: {on: alarm, cases: {yes: {probe: {cue: 1}}}}}"),
+  EXPECT_EQ(mistakes("{switch: {on: alarm, cases: {yes: {probe: {cue: 1}}}}}"),
             "test.yaml:1:30: 'alarm' is never 'yes'");
-  EXPECT_EQ(switch_mistakes("{switch: {on: count, cases: {1: {probe: {cue: 1}}, 1.0: {probe: "
-                            "{cue: 1}}}}}"),
+  EXPECT_EQ(mistakes("{switch: {on: count, cases: {1: {probe: {cue: 1}}, 1.0: {probe: "
+                     "{cue: 1}}}}}"),
             "test.yaml:1:52: there are two cases '1.0'");
-  EXPECT_EQ(switch_mistakes("{switch: {on: phase}}"),
+  EXPECT_EQ(mistakes("{switch: {on: phase}}"),
             "test.yaml:1:2: switch needs 'cases', a map from values to nodes");
 }
 

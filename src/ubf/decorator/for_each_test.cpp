@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
+#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
@@ -71,35 +70,18 @@ TEST(ForEach, FailsWithoutThingsAndIfEveryOneFails) {
 }
 
 TEST(ForEach, KnowsSuccessOfConditionsThatProposeNothing) {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  Diagnostics diagnostics;
-  const auto tree = registry.build_tree(
-      "test", Document::parse("{for_each: {over: things, child: {holds: range < 30 m}}}"),
-      diagnostics);
-  ASSERT_TRUE(tree) << diagnostics.text();
-  State state;
-  state.things = {40, 20};
-  RobotProposal out;
-  const auto ask = [&] { return tree->tick({.state = state}, out); };
-  state.thing_count = 1;
-  EXPECT_EQ(ask(), kFailure);
-  state.thing_count = 2;
-  EXPECT_EQ(ask(), kSuccess);
+  Robot robot(build("{for_each: {over: things, child: {holds: range < 30 m}}}"));
+  robot.state.things = {40, 20};
+  robot.state.thing_count = 1;
+  EXPECT_EQ(robot.tick(), kFailure);
+  robot.state.thing_count = 2;
+  EXPECT_EQ(robot.tick(), kSuccess);
 }
 
 TEST(ForEach, MistakesAreSaid) {
-  RobotRegistry registry;
-  add_standard_nodes(registry);
-  registry.add<Probe>();
-  const auto said = [&](std::string_view text) {
-    Diagnostics diagnostics;
-    static_cast<void>(registry.build_tree("test", Document::parse(text), diagnostics));
-    return diagnostics.text();
-  };
-  EXPECT_EQ(said("{for_each: {over: thing, child: {holds: alarm}}}"),
+  EXPECT_EQ(mistakes("{for_each: {over: thing, child: {holds: alarm}}}"),
             "test.yaml:1:19: the state has no list 'thing'; did you mean 'things'?");
-  EXPECT_EQ(said("{for_each: {over: things, child: {inverter: {probe: {cue: 1}}}}}"),
+  EXPECT_EQ(mistakes("{for_each: {over: things, child: {inverter: {probe: {cue: 1}}}}}"),
             "test.yaml:1:2: for_each asks for one thing after the other, but probe remembers");
 }
 
