@@ -13,177 +13,170 @@
 namespace eyrie::ubf::testing {
 namespace {
 
-constexpr std::array kAll{kFailure, kRunning, kSuccess};
+using Statuses = std::vector<Status>;
+constexpr std::size_t kNobody = 9;
+/// Of the children: of two the earlier, the later or neither votes higher.
+constexpr std::array kVotes{2.F, 1.F, 2.F};
 
 struct Expected {
   Status status = kFailure;
-  std::vector<bool> asked, halted, mute;  ///< mute: what it proposes is ignored
+  std::size_t leader = kNobody;  ///< whose proposal goes up
+  std::vector<bool> asked, halted;
 };
 
-/// Keeps for each child whether it is going on and how often it ended; from that alone follows
+/// Keeps for each child whether it is going on and how it ended; from that alone follows
 /// everything. `a` and `b` are the node's numbers.
 class Reference {
  public:
   Reference(std::string type, std::size_t width, std::size_t a = 0, std::size_t b = 0)
       : type_(std::move(type)), a_(a), b_(b), going_(width), ended_(width, kRunning) {}
 
-  Expected tick(const std::vector<Status>& says) {
-    const std::vector<bool> none(going_.size());
-    Expected now{.asked = none, .halted = none, .mute = none};
-    now.status = decide(says, now);
-    for (std::size_t i = 0; i < going_.size(); ++i) {
-      const bool runs = now.asked[i] && says[i] == kRunning;
-      const bool ended = now.status != kRunning;
-      now.halted[i] = now.halted[i] || (going_[i] && !now.asked[i]) || (runs && ended);
-      going_[i] = runs && !now.halted[i];
+  /// `value` is what a switch looks at.
+  const Expected& tick(const Statuses& says, std::size_t value) {
+    says_ = says;
+    now_.leader = kNobody;
+    now_.asked.assign(says.size(), false);
+    now_.halted.assign(says.size(), false);
+    now_.status = decide(value);
+    for (std::size_t i = 0; i < says.size(); ++i) {
+      const bool runs = now_.asked[i] && says[i] == kRunning;
+      const bool ended = now_.status != kRunning;
+      now_.halted[i] = now_.halted[i] || (going_[i] && !now_.asked[i]) || (runs && ended);
+      going_[i] = runs && !now_.halted[i];
     }
-    return now;
+    if (now_.status == kFailure)
+      now_.leader = kNobody;
+    return now_;
   }
 
  private:
-  Status decide(const std::vector<Status>& says, Expected& now) {
-    if (type_ == "parallel")
-      return parallel(says, now);
-    if (type_ == "parallel_all")
-      return parallel_all(says, now);
+  Status decide(std::size_t value) {
+    if (type_ == "switch")  // over `a` cases, behind them the default
+      return ask(std::min(value, a_));
     if (type_ == "if_then_else" || type_ == "while" || type_ == "guard")
-      return branch(says, now);
-    const bool in_line = type_.starts_with("selector") || type_.starts_with("sequence");
-    return in_line ? line(says, now) : decorator(says[0], now);
+      return branch();
+    if (type_.starts_with("parallel") || type_ == "for_each_strongest")
+      return everyone();
+    const bool in_line = type_.starts_with("se") || type_ == "for_each_first";
+    return in_line ? line() : decorator();
   }
-  Status line(const std::vector<Status>& says, Expected& now) {
-    const Status go_on = type_.starts_with("selector") ? kFailure : kSuccess;
+  /// The last that proposes something leads a sequence; else the strongest, of equals the earlier.
+  Status ask(std::size_t i) {
+    if (i == says_.size())
+      return kFailure;
+    now_.asked[i] = true;
+    const bool first = type_.starts_with("sequence") || now_.leader == kNobody;
+    if (says_[i] != kFailure && (first || kVotes[i] > kVotes[now_.leader]))
+      now_.leader = i;
+    return says_[i];
+  }
+  Status line() {
+    const Status go_on = type_.starts_with("sequence") ? kSuccess : kFailure;
     const auto open = std::find(going_.begin(), going_.end(), true);
     const bool resumes = type_.ends_with("with_memory") && open != going_.end();
-    for (auto i = resumes ? static_cast<std::size_t>(open - going_.begin()) : 0; i < says.size();
-         ++i) {
-      now.asked[i] = true;
-      if (says[i] != go_on)
-        return says[i];
-    }
-    return go_on;
+    auto i = static_cast<std::size_t>(resumes ? open - going_.begin() : 0);
+    Status status = ask(i);
+    while (status == go_on && ++i < says_.size())
+      status = ask(i);
+    return status;
   }
-  Status parallel(const std::vector<Status>& says, Expected& now) {
-    now.asked.assign(says.size(), true);
-    if (count(says, kSuccess) >= a_)
-      return kSuccess;
-    return count(says, kFailure) >= b_ ? kFailure : kRunning;
+  Status everyone() {
+    if (type_ != "parallel_all" || !count(kRunning))  // else those that ended are asked no more
+      ended_.assign(says_.size(), kRunning);
+    for (std::size_t i = 0; i < says_.size(); ++i)
+      if (ended_[i] == kRunning)
+        ended_[i] = ask(i);
+    if (type_ == "for_each_strongest")
+      return now_.leader == kNobody ? kFailure : says_[now_.leader];
+    if (type_ == "parallel")
+      return count(kSuccess) >= a_ ? kSuccess : count(kFailure) >= b_ ? kFailure : kRunning;
+    return count(kRunning) ? kRunning : count(kFailure) >= a_ ? kFailure : kSuccess;
   }
-  Status parallel_all(const std::vector<Status>& says, Expected& now) {
-    for (std::size_t i = 0; i < says.size(); ++i)
-      if (ended_[i] == kRunning) {
-        now.asked[i] = true;
-        ended_[i] = says[i];
-      }
-    const auto ended = ended_;
-    if (count(ended, kRunning))
-      return kRunning;
-    ended_.assign(says.size(), kRunning);
-    return count(ended, kFailure) >= a_ ? kFailure : kSuccess;
-  }
-  Status branch(const std::vector<Status>& says, Expected& now) {
+  Status branch() {
     const bool once = type_ == "if_then_else";
-    std::size_t chosen = once && going_[1] ? 1 : once && going_[2] ? 2 : 0;
-    if (chosen == 0) {
-      now.asked[0] = now.mute[0] = true;
-      if (once && says[0] == kRunning)
-        return kRunning;
-      now.halted[0] = says[0] == kRunning;
-      chosen = says[0] == kSuccess ? 1 : 2;
-    }
-    if (chosen == says.size())
-      return kFailure;
-    now.asked[chosen] = true;
-    return says[chosen];
+    if (once && (going_[1] || going_[2]))
+      return ask(going_[1] ? 1 : 2);
+    now_.asked[0] = true;  // what it proposes is ignored
+    if (once && says_[0] == kRunning)
+      return kRunning;
+    now_.halted[0] = says_[0] == kRunning;
+    return ask(says_[0] == kSuccess ? 1 : 2);
   }
-  Status decorator(Status says, Expected& now) {
-    now.asked[0] = type_ != "run_once" || ended_[0] == kRunning;
-    if (!now.asked[0])
-      return ended_[0];
+  Status decorator() {
     if (type_ == "run_once")
-      ended_[0] = says;
-    const Status again = type_ == "repeat" ? kSuccess : kFailure;
-    if (says == kRunning || type_ == "run_once")
+      return ended_[0] == kRunning ? ended_[0] = ask(0) : ended_[0];
+    const Status says = ask(0);
+    if (says == kRunning)
       return says;
     if (type_ == "inverter")
       return says == kSuccess ? kFailure : kSuccess;
     if (type_ == "force_success" || type_ == "force_failure")
       return type_ == "force_success" ? kSuccess : kFailure;
+    const Status again = type_ == "repeat" ? kSuccess : kFailure;
     rounds_ = says == again ? (rounds_ + 1) % a_ : 0;
     return says == again && rounds_ ? kRunning : says;
   }
-  static std::size_t count(const std::vector<Status>& all, Status status) {
-    return static_cast<std::size_t>(std::count(all.begin(), all.end(), status));
+  std::size_t count(Status status) const {
+    return static_cast<std::size_t>(std::count(ended_.begin(), ended_.end(), status));
   }
 
   std::string type_;
   std::size_t a_, b_, rounds_ = 0;
   std::vector<bool> going_;
-  std::vector<Status> ended_;  ///< how each child ended; running if it did not
+  Statuses ended_, says_;  ///< how each child ended, running if it did not; what each says now
+  Expected now_;
 };
 
-/// The child whose proposal must go up; every probe proposes its number as altitude, the later the
-/// higher its vote. Kept simple: of those asked that did not fail, the last.
-std::optional<double> expected_altitude(const Expected& now, const std::vector<Status>& says) {
-  std::optional<double> altitude;
-  if (now.status == kFailure)
-    return altitude;
-  for (std::size_t i = 0; i < says.size(); ++i)
-    if (now.asked[i] && !now.mute[i] && says[i] != kFailure)
-      altitude = static_cast<double>(i);
-  return altitude;
-}
-
-/// Every way in which `width` children can answer in `ticks` ticks.
-std::vector<std::vector<std::vector<Status>>> all_answers(std::size_t width, std::size_t ticks) {
-  std::vector<std::vector<std::vector<Status>>> result{{}};
-  for (std::size_t t = 0; t < ticks; ++t) {
-    std::vector<std::vector<Status>> rows{{}};
-    for (std::size_t i = 0; i < width; ++i) {
-      std::vector<std::vector<Status>> longer;
-      for (const auto& row : rows)
-        for (const Status status : kAll) {
-          longer.push_back(row);
-          longer.back().push_back(status);
-        }
-      rows = std::move(longer);
-    }
-    std::vector<std::vector<std::vector<Status>>> longer;
-    for (const auto& sequence : result)
-      for (const auto& row : rows) {
-        longer.push_back(sequence);
-        longer.back().push_back(row);
-      }
-    result = std::move(longer);
-  }
-  return result;
-}
-
-void compare(Child node, const Reference& fresh, std::size_t width) {
+/// Calls `look` after every tick of every history of three ticks, with the slab as it was before.
+/// In each tick every child says something, and the state has one of `values` values.
+template <class Look>
+void compare(Child node, const Reference& fresh, std::size_t width, std::size_t values, Look look) {
   Robot robot(std::move(node));
-  for (std::size_t i = 0; i < width; ++i)
+  robot.state.thing_count = width;
+  std::size_t ticks = values;
+  for (std::size_t i = 0; i < width; ++i) {
     robot.cue(i).action.altitude = static_cast<double>(i);
-  for (const auto& sequence : all_answers(width, 3)) {
+    ticks *= 3;
+  }
+  Statuses says(width);
+  for (std::size_t history = 0; history < ticks * ticks * ticks; ++history) {
+    std::size_t rest = history;
+    const auto pick = [&](std::size_t count) {
+      const std::size_t picked = rest % count;
+      rest /= count;
+      return picked;
+    };
     Reference reference = fresh;
-    std::vector<std::uint32_t> remembered(width);
     std::fill(robot.slab.begin(), robot.slab.end(), std::byte{0});
-    for (const auto& says : sequence) {
-      for (std::size_t i = 0; i < width; ++i)
-        robot.say(i, says[i], static_cast<float>(i + 1));
-      robot.tick();
-      const Expected now = reference.tick(says);
-      ASSERT_EQ(robot.status, now.status);
-      ASSERT_EQ(robot.out.action.altitude, expected_altitude(now, says));
+    for (int tick = 0; tick < 3; ++tick) {
       for (std::size_t i = 0; i < width; ++i) {
-        const auto index = static_cast<NodeIndex>(i + 1);
-        ASSERT_EQ(robot.trace.row(index).ticked, now.asked[i]);
-        ASSERT_EQ(robot.trace.row(index).halts, now.halted[i] ? 1 : 0);
-        remembered[i] = now.halted[i] ? 0 : remembered[i] + now.asked[i];
-        const auto& probe = static_cast<const Probe&>(robot.tree.node(index));
-        ASSERT_EQ(probe.asked(robot.slab.data()), remembered[i]);
+        says[i] = static_cast<Status>(pick(3));
+        robot.say(i, says[i], kVotes[i]);
       }
+      const std::size_t value = pick(values);
+      robot.state.phase = static_cast<std::uint8_t>(value);
+      const std::vector<std::byte> before = robot.slab;
+      robot.tick();
+      const Expected& now = reference.tick(says, value);
+      ASSERT_EQ(robot.status, now.status) << "history " << history;
+      ASSERT_EQ(robot.out.action.altitude.value_or(kNobody), now.leader) << "history " << history;
+      ASSERT_NO_FATAL_FAILURE(look(robot, before, now)) << "history " << history;
     }
   }
+}
+/// The same for a node whose children are probes, and what these remember.
+void compare(Child node, const Reference& fresh, std::size_t width, std::size_t values = 1) {
+  const auto look = [&](const Robot& robot, const auto& before, const Expected& now) {
+    for (std::size_t i = 0; i < width; ++i) {
+      const auto index = static_cast<NodeIndex>(i + 1);
+      ASSERT_EQ(robot.trace.row(index).ticked, now.asked[i]);
+      ASSERT_EQ(robot.trace.row(index).halts, now.halted[i] ? 1 : 0);
+      const auto& probe = static_cast<const Probe&>(robot.tree.node(index));
+      ASSERT_EQ(probe.asked(robot.slab.data()),
+                now.halted[i] ? 0 : probe.asked(before.data()) + now.asked[i]);
+    }
+  };
+  compare(std::move(node), fresh, width, values, look);
 }
 
 template <template <class, class> class Control>
@@ -217,6 +210,54 @@ TEST(ControlTable, ParallelAllWithEveryThreshold) {
       auto all = make<ParallelAll<State, Action>>(probes(width));
       all->failure_count = static_cast<std::uint32_t>(failures);
       compare(std::move(all), Reference("parallel_all", width, failures), width);
+    }
+}
+
+TEST(ControlTable, SwitchWithAndWithoutADefault) {
+  for (std::size_t cases = 1; cases <= 2; ++cases)
+    for (const std::size_t width : {cases, cases + 1}) {
+      auto node = make<Switch<State, Action>>(probes(width));
+      node->look_at([](const State& s) { return static_cast<double>(s.phase); },
+                    cases == 1 ? std::vector<double>{0} : std::vector<double>{0, 1});
+      compare(std::move(node), Reference("switch", width, cases), width, 3);
+    }
+}
+
+/// Says of the thing that is looked at what the probe of its number would, and notes that it did.
+class Teller final : public Node {
+ public:
+  static constexpr std::string_view type_name = "teller";
+  static constexpr std::string_view help = "says what the cue of a thing's number says";
+  explicit Teller(std::vector<bool>& asked) : asked_(asked) {}
+
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    EYRIE_DEMAND(out.is_empty(), "what a behavior is given to write to is not empty");
+    const auto number = static_cast<std::size_t>(t.state.range);
+    asked_[number] = true;
+    out.action = t.state.cues[number].action;
+    out.vote = t.state.cues[number].vote;
+    return t.state.cues[number].status;
+  }
+
+ private:
+  std::vector<bool>& asked_;
+};
+
+TEST(ControlTable, ForEachOverNoneToThreeThings) {
+  const StateList<State> numbers{"numbers", "of cues", [](const State& s) { return s.thing_count; },
+                                 [](State& s, std::size_t i) { s.range = static_cast<double>(i); }};
+  for (std::size_t width = 0; width <= 3; ++width)
+    for (const Choose choose : {Choose::first, Choose::strongest}) {
+      std::vector<bool> asked(width);
+      auto node = make<ForEach<State, Action>>(make<Teller>(asked));
+      node->choose = choose;
+      node->go_over(numbers);
+      const auto look = [&](const Robot&, const auto&, const Expected& now) {
+        ASSERT_EQ(asked, now.asked);
+        asked.assign(width, false);
+      };
+      const char* type = choose == Choose::first ? "for_each_first" : "for_each_strongest";
+      compare(std::move(node), Reference(type, width), width, 1, look);
     }
 }
 

@@ -57,36 +57,6 @@ TEST(Switch, MakesTheChildItTurnsAwayFromForgetOnce) {
   EXPECT_EQ(robot.halts("root/probe[1]"), 1);
 }
 
-/// All sequences of three values and three answers of each of two children, against five lines.
-TEST(Switch, DoesAsTheRuleSaysForEveryShortHistory) {
-  constexpr int kTicks = 3, kAnswers = 3 * 3 * 3;  // value, status of child 0, of child 1
-  int histories = 0;
-  for (int history = 0; history < kAnswers * kAnswers * kAnswers; ++history, ++histories) {
-    Robot robot = by_phase(false);
-    int open = -1, rest = history;
-    for (int tick = 0; tick < kTicks; ++tick, rest /= kAnswers) {
-      const int value = rest % 3;
-      const std::array answers{static_cast<Status>(rest / 3 % 3),
-                               static_cast<Status>(rest / 9 % 3)};
-      robot.state.phase = static_cast<std::uint8_t>(value);
-      robot.say(0, answers[0], 1);
-      robot.say(1, answers[1], 1);
-      robot.tick();
-
-      const int halted = open >= 0 && open != value ? open : -1;
-      const Status expected = value < 2 ? answers[static_cast<std::size_t>(value)] : kFailure;
-      open = expected == kRunning ? value : -1;
-      ASSERT_EQ(robot.status, expected) << "history " << history << ", tick " << tick;
-      for (int child = 0; child < 2; ++child) {
-        const std::string path = fmt::format("root/probe[{}]", child);
-        ASSERT_EQ(robot.asked_now(path), child == value) << "history " << history;
-        ASSERT_EQ(robot.halts(path), child == halted) << "history " << history;
-      }
-    }
-  }
-  EXPECT_EQ(histories, 19683);
-}
-
 TEST(Switch, IsReadWithItsCases) {
   Robot robot(
       build("{switch: {on: phase, cases: {fetch: {probe: {cue: 1}}, home: {probe: {cue: 2}}}, "
