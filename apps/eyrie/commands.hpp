@@ -31,7 +31,7 @@ struct ExplainOptions {
   std::string player;
   std::string at, from, to;  ///< times, as 312.4, '5 min' or 5:12.4
   std::string event;         ///< in the name or the story of an event
-  bool changes = false, json = false;
+  bool changes = false, json = false, csv = false;
   std::vector<std::string> plugins;
 };
 int explain(const ExplainOptions& options);

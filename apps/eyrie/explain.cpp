@@ -182,7 +182,8 @@ int explain(const ExplainOptions& options) {
   }
   wanted.once = !options.at.empty();
   const bool window = !options.from.empty() || !options.to.empty();
-  wanted.changes = options.changes || (!wanted.once && !window && wanted.event.empty());
+  wanted.changes =
+      options.changes || (!options.csv && !wanted.once && !window && wanted.event.empty());
 
   const debrief::Opened opened = debrief::open(options.run, options.plugins, version_text());
   for (const std::string& problem : opened.problems)
@@ -195,7 +196,9 @@ int explain(const ExplainOptions& options) {
     return 2;
 
   const Found found = look(*opened.recorded, *who, wanted);
-  if (options.json) {
+  if (options.csv) {
+    fmt::print("{}", debrief::decisions_csv(found.decisions, roster));
+  } else if (options.json) {
     fmt::print("{}", wanted.changes ? debrief::changes_json(found.changes, roster)
                                     : debrief::decisions_json(found.decisions, roster));
   } else if (wanted.changes) {

@@ -84,7 +84,9 @@ void add_explain(CLI::App& app, Commands& c) {
       ->excludes(from)
       ->excludes(to)
       ->excludes(changes);
-  explain->add_flag("--json", o.json, "for tools");
+  auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
+  csv->excludes(changes);
+  explain->add_flag("--json", o.json, "for tools")->excludes(csv);
   add_plugins(explain, o.plugins, "where a plug-in of the run is now, if it has moved");
 }
 

@@ -191,6 +191,31 @@ std::string decisions_json(std::span<const Decision> decisions, const scenario::
   return all.dump(2) + "\n";
 }
 
+std::string decisions_csv(std::span<const Decision> decisions, const scenario::Roster& roster) {
+  std::string text = "time_s,step,player,tree,node,status,vote,field,value,unit,won\n";
+  const auto to = std::back_inserter(text);
+  for (const Decision& d : decisions)
+    for (std::size_t i = 0; i < d.nodes.size(); ++i) {
+      const Answer& node = d.nodes[i];
+      if (!node.asked)
+        continue;
+      const std::string who =
+          fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step, roster.name(d.player), d.tree,
+                      node.path, ubf::to_text(node.status), node.vote);
+      if (node.action.empty())
+        fmt::format_to(to, "{},,,,\n", who);
+      for (const Value& value : node.action) {
+        const bool won = std::any_of(d.action.begin(), d.action.end(), [&](const Won& w) {
+          return w.value.name == value.name && w.winner == i;
+        });
+        const std::string shown =
+            value.number ? fmt::format("{}", *value.number) : fmt::format("\"{}\"", value.text);
+        fmt::format_to(to, "{},{},{},{},{}\n", who, value.name, shown, value.unit, won ? 1 : 0);
+      }
+    }
+  return text;
+}
+
 std::string change_text(const Change& change) {
   return fmt::format("{:>8}  {:<16} -> {:<16} {}\n", record::clock_text(change.now.time),
                      change.from, change.to, change.why);

@@ -17,6 +17,12 @@ namespace eyrie::debrief {
 [[nodiscard]] std::string decisions_json(std::span<const Decision> decisions,
                                          const scenario::Roster& roster);
 
+/// A row per field that a node proposed (or one without a field), of all nodes that were asked:
+/// time_s,step,player,tree,node,status,vote,field,value,unit,won. `value` is a number in SI where
+/// it is one, and else a text in quotes.
+[[nodiscard]] std::string decisions_csv(std::span<const Decision> decisions,
+                                        const scenario::Roster& roster);
+
 /// Somebody else leads than at the decision before.
 struct Change {
   Decision now;

@@ -82,6 +82,20 @@ TEST(ExplainProgram, GivesToolsTheSame) {
   EXPECT_GT(d.at("state").size(), 20u);
 }
 
+TEST(ExplainProgram, WritesATableOfWhatEveryNodeProposed) {
+  const Ran ran =
+      debriefed({"explain", "a", "--player", "eagle2", "--from", "300", "--to", "5:00.2", "--csv"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(
+      ran.out.starts_with("time_s,step,player,tree,node,status,vote,field,value,unit,won\n"));
+  EXPECT_TRUE(says(ran.out,
+                   R"(\n300\.\d+,\d+,eagle2,sweep,root/ingress/follow_lead,running,20,heading,)"
+                   R"([0-9.]+,rad,1\n)"))
+      << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(root/ingress/navigate,running,10,mode,"route",,0\n)"));
+  EXPECT_TRUE(says(ran.out, R"(root/ingress/survive/break_turn,failure,0,,,,\n)"));
+}
+
 TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
   const Ran parted = debriefed({"diff", "a", "b", "--json"});
   EXPECT_EQ(parted.code, 1);
