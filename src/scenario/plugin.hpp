@@ -86,13 +86,17 @@ inline constexpr std::uint32_t kPluginFormat = 1;
 /// were compiled with other headers, or with another kind of standard library.
 [[nodiscard]] constexpr std::uint64_t plugin_layout() {
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  for (const std::size_t size :
-       {sizeof(std::string), sizeof(ubf::NodeInfo), sizeof(ParamInfo), sizeof(Value),
-        sizeof(Registrar), sizeof(Registries), sizeof(pilot::Behavior), sizeof(pilot::Tick),
-        sizeof(pilot::State), sizeof(pilot::Action), sizeof(pilot::Proposal), sizeof(pilot::Agent),
-        sizeof(driver::State), sizeof(driver::Action), sizeof(driver::Agent),
-        sizeof(model::Kinematics), sizeof(model::TrackFile), sizeof(model::DatalinkState),
-        sizeof(model::Threats), sizeof(model::Stores), sizeof(model::Library)})
+  for (const std::size_t size : {sizeof(std::string),      sizeof(ubf::NodeInfo),
+                                 sizeof(ParamInfo),        sizeof(Value),
+                                 sizeof(Registrar),        sizeof(Registries),
+                                 sizeof(pilot::Behavior),  sizeof(pilot::Tick),
+                                 sizeof(pilot::State),     sizeof(pilot::Action),
+                                 sizeof(pilot::Proposal),  sizeof(pilot::Agent),
+                                 sizeof(driver::State),    sizeof(driver::Action),
+                                 sizeof(driver::Agent),    sizeof(model::Kinematics),
+                                 sizeof(model::TrackFile), sizeof(model::DatalinkState),
+                                 sizeof(model::Threats),   sizeof(model::Stores),
+                                 sizeof(model::Library)})
     hash = (hash ^ size) * 0x100000001b3;
   return hash;
 }

@@ -51,7 +51,8 @@ std::string nothing_there(const fs::path& path) {
 
 }  // namespace
 
-Plugins::Plugins() : registries_{.pilots = pilot::make_registry(), .drivers = driver::make_registry()} {}
+Plugins::Plugins()
+    : registries_{.pilots = pilot::make_registry(), .drivers = driver::make_registry()} {}
 
 std::vector<std::string> Plugins::load(const std::string& path, Source& source) {
   std::error_code failed;

@@ -101,8 +101,8 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   note_users(plans.convoys, orders, drivers);
 
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
-  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named,
-                                           "an aircraft", "pilot"};
+  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named, "an aircraft",
+                                           "pilot"};
   Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, registries.drivers, named,
                                                 "a vehicle", "driver"};
   const bool both = !plans.convoys.empty();

@@ -26,7 +26,8 @@ Book book_of(const std::string& trees, const std::string& flown, const std::stri
   const Plans plans = read_plans(document, diagnostics);
   EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
   Book book;
-  book.trees = TreeBook::read(document.find("trees"), plans, {}, Plugins().registries(), diagnostics);
+  book.trees =
+      TreeBook::read(document.find("trees"), plans, {}, Plugins().registries(), diagnostics);
   book.mistakes = diagnostics.text();
   return book;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// \file  A plug-in with behaviors for pilots and drivers, an arbiter and a model; docs/howto/write-a-plugin.md shows its
-/// end.
+/// \file  A plug-in with behaviors for pilots and drivers, an arbiter and a model;
+/// docs/howto/write-a-plugin.md shows its end.
 #include "scenario/plugin.hpp"
 
 namespace pilot = eyrie::pilot;
