@@ -118,8 +118,9 @@ std::vector<Won> contest(const ubf::Tree<State, Action>& tree, const ubf::Trace<
       }
       won.rivals.push_back(std::move(rival));
     }
-    std::stable_sort(won.rivals.begin(), won.rivals.end(),
-                     [](const Rival& a, const Rival& b) { return a.vote > b.vote; });
+    std::sort(won.rivals.begin(), won.rivals.end(), [](const Rival& a, const Rival& b) {
+      return a.vote != b.vote ? a.vote > b.vote : a.node < b.node;
+    });
     all.push_back(std::move(won));
   });
   return all;
