@@ -227,7 +227,6 @@ TEST(ControlTable, SwitchWithAndWithoutADefault) {
 class Teller final : public Node {
  public:
   static constexpr std::string_view type_name = "teller";
-  static constexpr std::string_view help = "says what the cue of a thing's number says";
   explicit Teller(std::vector<bool>& asked) : asked_(asked) {}
 
   Status tick(const RobotTick& t, RobotProposal& out) const override {
