@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scenario/roster.hpp"
+#include "debrief/recorded.hpp"
 
 namespace eyrie::app {
 
@@ -65,6 +65,9 @@ int new_behavior(const std::string& name);
 /// s: "312.4", "5 min", or "5:12.4" as the story says it; nothing for other texts.
 [[nodiscard]] std::optional<double> time_of(const std::string& text);
 
+/// A recorded run; nothing after saying why there is none.
+[[nodiscard]] std::optional<debrief::Recorded> open_or_complain(
+    const std::string& run, const std::vector<std::string>& plugins);
 /// A player by name; nothing after saying that there is none.
 [[nodiscard]] std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
                                                          const std::string& name);

@@ -185,17 +185,15 @@ int explain(const ExplainOptions& options) {
   wanted.changes =
       options.changes || (!options.csv && !wanted.once && !window && wanted.event.empty());
 
-  const debrief::Opened opened = debrief::open(options.run, options.plugins, version_text());
-  for (const std::string& problem : opened.problems)
-    fmt::print(stderr, "{}\n", problem);
-  if (!opened.recorded)
+  const auto recorded = open_or_complain(options.run, options.plugins);
+  if (!recorded)
     return 2;
-  const scenario::Roster& roster = opened.recorded->scenario->roster;
+  const scenario::Roster& roster = recorded->scenario->roster;
   const auto who = player_or_complain(roster, options.player);
   if (!who)
     return 2;
 
-  const Found found = look(*opened.recorded, *who, wanted);
+  const Found found = look(*recorded, *who, wanted);
   if (options.csv) {
     fmt::print("{}", debrief::decisions_csv(found.decisions, roster));
   } else if (options.json) {

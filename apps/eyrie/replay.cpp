@@ -12,15 +12,21 @@
 
 namespace eyrie::app {
 
-int replay(const ReplayOptions& options) {
-  debrief::Opened opened = debrief::open(options.run, options.plugins, version_text());
+std::optional<debrief::Recorded> open_or_complain(const std::string& run,
+                                                  const std::vector<std::string>& plugins) {
+  debrief::Opened opened = debrief::open(run, plugins, version_text());
   for (const std::string& problem : opened.problems)
     fmt::print(stderr, "{}\n", problem);
-  if (!opened.recorded)
+  return std::move(opened.recorded);
+}
+
+int replay(const ReplayOptions& options) {
+  const auto opened = open_or_complain(options.run, options.plugins);
+  if (!opened)
     return 2;
-  const record::RunFile& recorded = opened.recorded->run;
-  const std::string& file = opened.recorded->file;
-  const auto& scenario = opened.recorded->scenario;
+  const record::RunFile& recorded = opened->run;
+  const std::string& file = opened->file;
+  const auto& scenario = opened->scenario;
 
   sim::Run flight(scenario->simulation, scenario->world(recorded.seed),
                   {.workers = options.workers});

@@ -16,14 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<debrief::Recorded> open_or_complain(const std::string& run,
-                                                  const std::vector<std::string>& plugins) {
-  debrief::Opened opened = debrief::open(run, plugins, version_text());
-  for (const std::string& problem : opened.problems)
-    fmt::print(stderr, "{}\n", problem);
-  return std::move(opened.recorded);
-}
-
 void print_fields(const debrief::Otherwise& first) {
   for (const debrief::Changed& field : first.fields)
     fmt::print("  {:<12} {} -> {}\n", field.name, field.flown, field.other);

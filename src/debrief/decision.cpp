@@ -6,21 +6,6 @@
 namespace eyrie::debrief {
 namespace {
 
-/// Where two nodes part: the children of their lowest common ancestor that they are in.
-std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const Decision& d, ubf::NodeIndex a,
-                                                  ubf::NodeIndex b) {
-  while (d.nodes[a].depth > d.nodes[b].depth && d.nodes[a].parent != b)
-    a = d.nodes[a].parent;
-  while (d.nodes[b].depth > d.nodes[a].depth && d.nodes[b].parent != a)
-    b = d.nodes[b].parent;
-  while (a != b && d.nodes[a].parent != d.nodes[b].parent && d.nodes[a].parent != b &&
-         d.nodes[b].parent != a) {
-    a = d.nodes[a].parent;
-    b = d.nodes[b].parent;
-  }
-  return {a, b};
-}
-
 /// Where a sequencer went, and because of what: " for wvr: in_sight holds".
 std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
   std::string to, because;
@@ -37,9 +22,22 @@ std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
 
 }  // namespace
 
+std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
+                                                  ubf::NodeIndex a, ubf::NodeIndex b) {
+  std::pair at{a, b};
+  while (a != b) {
+    ubf::NodeIndex& deeper = nodes[a].depth >= nodes[b].depth ? a : b;
+    (&deeper == &a ? at.first : at.second) = deeper;
+    deeper = nodes[deeper].parent;
+  }
+  return at;
+}
+
 std::string reason(const Won& won) {
   if (won.rivals.empty())
     return "nobody else asked for it";
+  if (won.blended)
+    return fmt::format("blended of {}", won.rivals.size());
   const Rival& next = won.rivals.front();
   return next.against > next.vote ? fmt::format("voted {:g} against {:g}", next.against, next.vote)
          : next.against == next.vote
@@ -73,7 +71,7 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
     return fmt::format("{} {}", then.label, words(then));
   if (now.leader == ubf::kNone)
     return fmt::format("{} proposed nothing", then.label);
-  const auto [mine, its] = parting(now, now.leader, before);
+  const auto [mine, its] = parting(now.nodes, now.leader, before);
   return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].vote,
                      now.nodes[mine].vote);
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ubf/behavior.hpp"
@@ -45,12 +46,13 @@ struct Rival {
 struct Won {
   Value value;
   ubf::NodeIndex winner = ubf::kNone;
-  std::vector<Rival> rivals;  ///< by vote, the highest first
+  bool blended = false;       ///< the winner is an arbiter that made it of what its children said
+  std::vector<Rival> rivals;  ///< by vote, the highest first; what a blend is made of, too
 };
 
 /// Something that the agent believed to be there.
 struct Perceived {
-  std::string kind;           ///< "track", "missile", "aircraft", "mate"
+  std::string kind;           ///< "target", "track", "radar", "missile", "aircraft"
   std::string name;           ///< "#3", with who it really was for the debrief: "#3 (bogey1)"
   std::vector<Value> values;  ///< range, bearing, identity ...
 };
@@ -68,6 +70,11 @@ struct Decision {
   std::vector<Value> state;
   std::vector<Perceived> perceived;
 };
+
+/// The branches in which two nodes are where their ways from the root part: children of the lowest
+/// node that has both below it. Of two of which one is above the other, the upper one is itself.
+[[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
+                                                                ubf::NodeIndex a, ubf::NodeIndex b);
 
 /// "voted 40 against 10", or how else a field was won.
 [[nodiscard]] std::string reason(const Won& won);

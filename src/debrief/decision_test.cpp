@@ -59,6 +59,15 @@ TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   EXPECT_EQ(why_not(d, 5), "shoot voted 30 against 40");
 }
 
+TEST(Decision, FindsWhereTwoWaysPart) {
+  const Decision d = in_two_phases(false);
+  const auto pair = [](ubf::NodeIndex a, ubf::NodeIndex b) { return std::pair(a, b); };
+  EXPECT_EQ(parting(d.nodes, 2, 3), pair(2, 3)) << "siblings";
+  EXPECT_EQ(parting(d.nodes, 2, 5), pair(1, 4));
+  EXPECT_EQ(parting(d.nodes, 5, 6), pair(4, 6));
+  EXPECT_EQ(parting(d.nodes, 1, 3), pair(1, 3)) << "one above the other";
+}
+
 TEST(Decision, SaysWhatANodeAnswered) {
   Answer node = answer("pursue", "pursue", 1, 0);
   EXPECT_EQ(words(node), "not asked");
@@ -80,6 +89,8 @@ TEST(Decision, SaysHowAFieldWasWon) {
   EXPECT_EQ(reason(won), "voted 50 as the other did, and comes first");
   won.rivals = {{.node = 3, .against = 10, .vote = 50}};
   EXPECT_EQ(reason(won), "10 against 50, by its place in the tree");
+  won.blended = true;
+  EXPECT_EQ(reason(won), "blended of 1");
 }
 
 TEST(Decision, ShowsOnlyWhatWasAsked) {

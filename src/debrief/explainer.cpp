@@ -69,30 +69,9 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Trace<Action>& t
   return all;
 }
 
-/// The child of `above` that a node is in.
-template <class State, class Action>
-ubf::NodeIndex branch(const ubf::Tree<State, Action>& tree, ubf::NodeIndex above,
-                      ubf::NodeIndex node) {
-  while (tree.parent(node) != above)
-    node = tree.parent(node);
-  return node;
-}
-
-/// The lowest node that has both below it.
-template <class State, class Action>
-ubf::NodeIndex meeting(const ubf::Tree<State, Action>& tree, ubf::NodeIndex a, ubf::NodeIndex b) {
-  while (a != b) {
-    if (tree.depth(a) >= tree.depth(b) && a != 0)
-      a = tree.parent(a);
-    else
-      b = tree.parent(b);
-  }
-  return a;
-}
-
 /// Who won each field of the root's action, and against whom.
-template <class State, class Action>
-std::vector<Won> contest(const ubf::Tree<State, Action>& tree, const ubf::Trace<Action>& trace) {
+template <class Action>
+std::vector<Won> contest(const std::vector<Answer>& nodes, const ubf::Trace<Action>& trace) {
   std::vector<Won> all;
   const auto& root = trace.row(0);
   ubf::for_each_field<Action>([&](const auto& f, auto i) {
@@ -100,23 +79,18 @@ std::vector<Won> contest(const ubf::Tree<State, Action>& tree, const ubf::Trace<
       return;
     Won won{.value = action_value(f.name, f.unit, *(root.proposal.action.*f.member)),
             .winner = root.supplier[i],
+            .blended = !nodes[root.supplier[i]].is_leaf,
             .rivals = {}};
-    for (std::size_t n = 0; n < tree.size(); ++n) {
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
       const auto node = static_cast<ubf::NodeIndex>(n);
-      const auto& row = trace.row(node);
-      if (node == won.winner || !tree.node(node).children().empty() ||
-          !(row.proposal.action.*f.member))
+      const auto& proposed = trace.row(node).proposal.action.*f.member;
+      if (node == won.winner || !nodes[n].is_leaf || !proposed)
         continue;
-      Rival rival{.node = node,
-                  .value = action_value(f.name, f.unit, *(row.proposal.action.*f.member)),
-                  .against = row.proposal.vote,
-                  .vote = row.proposal.vote};
-      const ubf::NodeIndex met = meeting(tree, won.winner, node);
-      if (met != won.winner) {
-        rival.against = trace.row(branch(tree, met, won.winner)).proposal.vote;
-        rival.vote = trace.row(branch(tree, met, node)).proposal.vote;
-      }
-      won.rivals.push_back(std::move(rival));
+      const auto [its, mine] = parting(nodes, node, won.winner);
+      won.rivals.push_back({.node = node,
+                            .value = action_value(f.name, f.unit, *proposed),
+                            .against = nodes[mine].vote,
+                            .vote = nodes[its].vote});
     }
     std::sort(won.rivals.begin(), won.rivals.end(), [](const Rival& a, const Rival& b) {
       return a.vote != b.vote ? a.vote > b.vote : a.node < b.node;
@@ -147,6 +121,14 @@ std::vector<Perceived> perceived(const pilot::State& s, const scenario::Scenario
                     number_value("closing", "m/s", s.closing_on(seen)),
                     number_value("age", "s", s.time - seen.track->time)}});
   }
+  for (std::uint32_t i = 0; i < s.rwr.count; ++i) {
+    const model::RwrWarning& warning = s.rwr.warnings[i];
+    all.push_back({"radar",
+                   debrief_name(i + 1, warning.emitter, scenario),
+                   {action_value("kind", {}, warning.kind),
+                    number_value("bearing", "rad", wrap_tau(warning.bearing)),
+                    number_value("known for", "s", s.time - warning.first_time)}});
+  }
   for (std::uint32_t i = 0; i < s.threats.count; ++i) {
     const model::InboundMissile& m = s.threats.missiles[i];
     all.push_back({"missile",
@@ -173,21 +155,11 @@ std::vector<Perceived> perceived(const driver::State& s, const scenario::Scenari
 
 template <class State, class Action>
 Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action>& tree,
-                     ubf::Trace<Action>& trace, const std::vector<Answer>& blank, double dt,
+                     ubf::Trace<Action>& trace, const std::vector<Answer>& blank,
                      const scenario::Scenario& scenario) {
-  std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
-  std::copy(m.memory.begin(), m.memory.end(), reinterpret_cast<std::byte*>(slab.data()));
-  ubf::Proposal<Action> out;
+  const auto out = team::ask_again(tree, m, &trace);
   Decision d;
-  d.status = tree.tick({.state = m.state,
-                        .time = m.info.time(),
-                        .dt = dt,
-                        .step = m.info.step,
-                        .seed = m.info.seed,
-                        .player = m.who,
-                        .memory = reinterpret_cast<std::byte*>(slab.data()),
-                        .trace = &trace},
-                       out);
+  d.status = trace.row(0).status;
   d.step = m.info.step;
   d.time = m.info.time();
   d.player = m.who;
@@ -195,7 +167,7 @@ Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action
   d.vote = out.vote;
   d.leader = out.leader;
   d.nodes = answers(blank, trace);
-  d.action = contest(tree, trace);
+  d.action = contest(d.nodes, trace);
   d.state = state_values(m.state);
   d.perceived = perceived(m.state, scenario);
   return d;
@@ -218,19 +190,18 @@ Explainer::Explainer(const scenario::Scenario& scenario)
 std::optional<Decision> Explainer::explain(const sim::World& before, const sim::World& after,
                                            PlayerId who, std::span<const sim::Order> orders) {
   std::optional<Decision> decision;
-  const double dt = 1 / scenario_.spec.rates.decisions;
   const auto* player = scenario_.roster.find(who);
   if (player && player->platform == scenario::Platform::vehicle && drivers_)
     drivers_->revisit(before, after, who, orders, [&](const team::Moment<driver::State>& m) {
       const auto tree = m.state.agent.tree;
       decision = decision_of(m, (*scenario_.driver_trees)[tree], driver_trace_, driver_nodes_[tree],
-                             dt, scenario_);
+                             scenario_);
     });
   else
     pilots_->revisit(before, after, who, orders, [&](const team::Moment<pilot::State>& m) {
       const auto tree = m.state.agent.tree;
       decision =
-          decision_of(m, (*scenario_.trees)[tree], pilot_trace_, pilot_nodes_[tree], dt, scenario_);
+          decision_of(m, (*scenario_.trees)[tree], pilot_trace_, pilot_nodes_[tree], scenario_);
     });
   return decision;
 }

@@ -99,9 +99,9 @@ bool Reflight::step() {
     return false;
   before_ = run_.world();
   orders_.clear();
-  for (const sim::Order& order : run_.orders())
-    if (order.step == before_.step())
-      orders_.push_back(order);
+  const auto all = run_.orders();  // by step
+  while (next_order_ < all.size() && all[next_order_].step == before_.step())
+    orders_.push_back(all[next_order_++]);
   events_ = run_.step();
   return true;
 }

@@ -68,6 +68,7 @@ class Reflight {
   sim::World before_;
   std::span<const sim::Event> events_;
   std::vector<sim::Order> orders_;
+  std::size_t next_order_ = 0;
 };
 
 }  // namespace eyrie::debrief

@@ -54,8 +54,8 @@ template <class State, class Action>
 class Comparison {
  public:
   using Trees = ubf::Trees<State, Action>;
-  Comparison(const Trees& flown, const Trees& other, double dt, WhatIf& result)
-      : flown_(flown), other_(other), dt_(dt), result_(result) {}
+  Comparison(const Trees& flown, const Trees& other, WhatIf& result)
+      : flown_(flown), other_(other), result_(result) {}
 
   void look(const team::Moment<State>& m) {
     const std::uint16_t index = m.state.agent.tree;
@@ -68,26 +68,12 @@ class Comparison {
         std::copy_n(m.memory.begin(), other.memory_bytes(),
                     reinterpret_cast<std::byte*>(slab_.data()));
     }
-    std::vector<std::uint64_t> before(m.memory.size() / 8 + 1);
-    std::copy(m.memory.begin(), m.memory.end(), reinterpret_cast<std::byte*>(before.data()));
-    const auto was = ask(flown, m, before), would = ask(other, m, slab_);
+    const auto was = team::ask_again(flown, m);
+    const auto would = team::ask_again(other, m, reinterpret_cast<std::byte*>(slab_.data()));
     compare(flown, other, m, was, would);
   }
 
  private:
-  ubf::Proposal<Action> ask(const ubf::Tree<State, Action>& tree, const team::Moment<State>& m,
-                            std::vector<std::uint64_t>& slab) const {
-    ubf::Proposal<Action> out;
-    tree.tick({.state = m.state,
-               .time = m.info.time(),
-               .dt = dt_,
-               .step = m.info.step,
-               .seed = m.info.seed,
-               .player = m.who,
-               .memory = reinterpret_cast<std::byte*>(slab.data())},
-              out);
-    return out;
-  }
   static std::string label(const ubf::Tree<State, Action>& tree, ubf::NodeIndex node) {
     return node == ubf::kNone ? "nobody" : std::string(tree.node(node).label());
   }
@@ -112,7 +98,6 @@ class Comparison {
 
   const Trees& flown_;
   const Trees& other_;
-  double dt_;
   WhatIf& result_;
   std::uint16_t tree_ = team::kNoTree;
   std::vector<std::uint64_t> slab_;
@@ -134,11 +119,10 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
                double from) {
   WhatIf result;
   const scenario::Scenario& flown = *recorded.scenario;
-  const double dt = 1 / flown.spec.rates.decisions;
   const auto* pilots = find_system<pilot::PilotSystem>(*flown.simulation);
   const auto* drivers = find_system<driver::DriverSystem>(*flown.simulation);
-  Comparison<pilot::State, pilot::Action> in_air(*flown.trees, *other.trees, dt, result);
-  Comparison<driver::State, driver::Action> on_ground(*flown.driver_trees, *other.driver_trees, dt,
+  Comparison<pilot::State, pilot::Action> in_air(*flown.trees, *other.trees, result);
+  Comparison<driver::State, driver::Action> on_ground(*flown.driver_trees, *other.driver_trees,
                                                       result);
   const bool drives = flown.roster.find(who)->platform == scenario::Platform::vehicle;
   Reflight flight(recorded);

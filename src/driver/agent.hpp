@@ -32,4 +32,7 @@ struct Agent {
 };
 static_assert(fields_cover_row<Agent>());
 
+/// What drivers add to the table of vehicles.
+using DriverColumns = team::AgentColumns<Agent>;
+
 }  // namespace eyrie::driver

@@ -20,11 +20,6 @@ void tell_changes(const team::Telling& telling, const State& state, const Agent&
   }
 }
 
-void swap(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
-  team::use_tree(agent, memory, tree);
-  agent.call = Call::none;
-}
-
 }  // namespace
 
 sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree) {
@@ -52,8 +47,8 @@ void DriverSystem::apply_order(sim::World& world, const sim::StepInfo&, const si
   const auto tree = order.as<team::SwapTree>().tree;
   if (!row || tree >= setup_.trees->size())
     return;
-  Agent& agent = world.rows(setup_.drivers.agent)[*row];
-  swap(agent, world.bytes(setup_.drivers.brain, *row), tree);
+  team::use_tree(world.rows(setup_.drivers.agent)[*row], world.bytes(setup_.drivers.brain, *row),
+                 tree);
   const team::Telling telling(order.player, world.rows(setup_.vehicles.kinematics)[*row].position,
                               out);
   telling.tell(EventKind::order, {}, tree, order.kind.value);
@@ -84,10 +79,8 @@ void DriverSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chu
 
     // decide
     ubf::TransitionLog log;
-    const auto memory = world.bytes(setup_.drivers.brain, row);
-    EYRIE_ASSERT(setup_.trees->max_memory() <= memory.size());
-    const Proposal decided =
-        deciding_.ask(agent.tree, state, info, ids[row], memory.data(), &log, nullptr);
+    const Proposal decided = deciding_.ask(agent.tree, state, info, ids[row],
+                                           world.bytes(setup_.drivers.brain, row), log);
 
     // act
     const Agent before = agent;
@@ -100,26 +93,22 @@ void DriverSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chu
 
 bool DriverSystem::revisit(const sim::World& before, const sim::World& after, PlayerId who,
                            std::span<const sim::Order> orders,
-                           const std::function<void(const team::Moment<State>&)>& use) const {
+                           const team::UseMoment<State>& use) const {
   const model::VehicleColumns& c = setup_.vehicles;
   const auto row = before.row(c.table, who), sensed = after.row(c.table, who);
   const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
   if (!row || !sensed || !sim::due(info.step, who, setup_.period))
     return false;
-  Agent agent = before.rows(setup_.drivers.agent)[*row];
-  const auto slab = before.bytes(setup_.drivers.brain, *row);
-  std::vector<std::byte> memory(slab.begin(), slab.end());
-  for (const sim::Order& order : orders)
-    if (order.player == who && order.kind == OrderKind::swap_tree &&
-        order.as<team::SwapTree>().tree < setup_.trees->size())
-      swap(agent, memory, order.as<team::SwapTree>().tree);
+  const auto [agent, memory] =
+      team::recall(before, setup_.drivers, *row, who, orders, sim::OrderKind(OrderKind::swap_tree),
+                   setup_.trees->size());
   if (agent.tree == team::kNoTree)
     return false;
   const model::Fit& fit = before.rows(c.fit)[*row];
   const State state({before.rows(c.kinematics)[*row], before.rows(c.driving)[*row],
                      after.rows(c.lookout)[*sensed], after.rows(c.datalink)[*sensed], agent},
                     *setup_.library, fit, setup_.convoys[fit.flight], info.time());
-  use({state, info, who, memory});
+  use(deciding_.moment(state, info, who, memory));
   return true;
 }
 

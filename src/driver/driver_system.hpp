@@ -2,14 +2,13 @@
 #pragma once
 /// \file  Every driver's decision: perceive, ask the tree, act. The decide phase of vehicles.
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "driver/columns.hpp"
+#include "driver/agent.hpp"
 #include "driver/state.hpp"
 #include "driver/trees.hpp"
 #include "sim/order.hpp"
@@ -55,8 +54,7 @@ class DriverSystem final : public sim::System {
 
   /// As PilotSystem::revisit: what a driver perceived when he decided in a step.
   bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
-               std::span<const sim::Order> orders,
-               const std::function<void(const team::Moment<State>&)>& use) const;
+               std::span<const sim::Order> orders, const team::UseMoment<State>& use) const;
 
  private:
   DriverSetup setup_;

@@ -74,4 +74,7 @@ struct Agent {
 };
 static_assert(fields_cover_row<Agent>());
 
+/// What pilots add to the table of aircraft.
+using PilotColumns = team::AgentColumns<Agent>;
+
 }  // namespace eyrie::pilot

@@ -57,11 +57,6 @@ struct Rows {
   std::span<const model::Command> command;
 };
 
-void swap(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
-  team::use_tree(agent, memory, tree);
-  agent.call = Call::none;
-}
-
 }  // namespace
 
 sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree) {
@@ -70,12 +65,6 @@ sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tr
 
 void add_orders(sim::SchemaBuilder& builder) {
   builder.add_order<SwapTree>(OrderKind::swap_tree, "swap_tree");
-}
-
-PilotColumns PilotColumns::define(sim::SchemaBuilder& builder, TableId aircraft,
-                                  std::uint32_t brain_bytes) {
-  return {.agent = builder.add_column<Agent>(aircraft, "agent"),
-          .brain = builder.add_bytes(aircraft, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
 }
 
 PilotSystem::PilotSystem(PilotSetup setup)
@@ -95,7 +84,8 @@ void PilotSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim
   const auto tree = order.as<SwapTree>().tree;
   if (!row || tree >= setup_.trees->size())
     return;
-  swap(world.rows(setup_.pilots.agent)[*row], world.bytes(setup_.pilots.brain, *row), tree);
+  team::use_tree(world.rows(setup_.pilots.agent)[*row], world.bytes(setup_.pilots.brain, *row),
+                 tree);
   out.emit({.kind = model::EventKind::order,
             .aux = tree,
             .who = order.player,
@@ -127,10 +117,8 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
 
     // decide
     ubf::TransitionLog log;
-    const auto memory = world.bytes(setup_.pilots.brain, row);
-    EYRIE_ASSERT((*setup_.trees)[agent.tree].memory_bytes() <= memory.size());
-    const Proposal decided =
-        deciding_.ask(agent.tree, state, info, ids[row], memory.data(), &log, nullptr);
+    const Proposal decided = deciding_.ask(agent.tree, state, info, ids[row],
+                                           world.bytes(setup_.pilots.brain, row), log);
 
     // act
     const Agent before = agent;
@@ -144,7 +132,7 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
 void PilotSystem::perceive_again(const Cockpit& cockpit, const model::Fit& fit,
                                  const sim::StepInfo& info, PlayerId who,
                                  std::span<const std::byte> memory,
-                                 const std::function<void(const team::Moment<State>&)>& use) const {
+                                 const team::UseMoment<State>& use) const {
   Agent agent = cockpit.agent;
   const Cockpit copied{cockpit.own,      cockpit.propulsion, cockpit.flying, cockpit.stores,
                        cockpit.gun,      cockpit.tracks,     cockpit.rwr,    cockpit.threats,
@@ -152,7 +140,7 @@ void PilotSystem::perceive_again(const Cockpit& cockpit, const model::Fit& fit,
   const State state =
       pilot::perceive(copied, *setup_.library, fit, setup_.flights[fit.flight], info.time());
   account_for_shots(state, agent);
-  use({state, info, who, memory});
+  use(deciding_.moment(state, info, who, memory));
 }
 
 std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,
@@ -166,31 +154,24 @@ std::optional<Proposal> PilotSystem::trace_decision(const sim::World& world,
   perceive_again(rows.cockpit(row, agent, rows, row), rows.fit[row], info,
                  world.ids(setup_.aircraft.table)[row], world.bytes(setup_.pilots.brain, row),
                  [&](const team::Moment<State>& m) {
-                   decided = deciding_.retrace(agent.tree, m.state, m.info, m.who, m.memory, trace);
+                   decided = team::ask_again((*setup_.trees)[agent.tree], m, &trace);
                  });
   return decided;
 }
 
 bool PilotSystem::revisit(const sim::World& before, const sim::World& after, PlayerId who,
                           std::span<const sim::Order> orders,
-                          const std::function<void(const team::Moment<State>&)>& use) const {
+                          const team::UseMoment<State>& use) const {
   const auto row = before.row(setup_.aircraft.table, who);
   const auto sensed_row = after.row(setup_.aircraft.table, who);
   const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
   if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
     return false;
-
-  // what the orders of the step left him with
-  Agent agent = before.rows(setup_.pilots.agent)[*row];
-  const auto slab = before.bytes(setup_.pilots.brain, *row);
-  std::vector<std::byte> memory(slab.begin(), slab.end());
-  for (const sim::Order& order : orders)
-    if (order.player == who && order.kind == OrderKind::swap_tree &&
-        order.as<SwapTree>().tree < setup_.trees->size())
-      swap(agent, memory, order.as<SwapTree>().tree);
-  if (agent.tree == kNoTree)
+  const auto [agent, memory] =
+      team::recall(before, setup_.pilots, *row, who, orders, sim::OrderKind(OrderKind::swap_tree),
+                   setup_.trees->size());
+  if (agent.tree == team::kNoTree)
     return false;
-
   const Rows rows(before, setup_.aircraft), sensed(after, setup_.aircraft);
   perceive_again(rows.cockpit(*row, agent, sensed, *sensed_row), rows.fit[*row], info, who, memory,
                  use);
@@ -203,7 +184,7 @@ std::optional<Proposal> PilotSystem::trace_decision(const sim::World& before,
                                                     std::span<const sim::Order> orders) const {
   std::optional<Proposal> decided;
   revisit(before, after, who, orders, [&](const team::Moment<State>& m) {
-    decided = deciding_.retrace(m.state.agent.tree, m.state, m.info, m.who, m.memory, trace);
+    decided = team::ask_again((*setup_.trees)[m.state.agent.tree], m, &trace);
   });
   return decided;
 }

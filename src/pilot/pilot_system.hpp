@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Every pilot's decision: perceive, ask the tree, act. The decide phase of aircraft.
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pilot/columns.hpp"
+#include "pilot/agent.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
 #include "sim/order.hpp"
@@ -70,8 +69,7 @@ class PilotSystem final : public sim::System {
   /// else from `before`. `orders` are those of the step. False if he had no decision due, no tree,
   /// or left in that step.
   bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
-               std::span<const sim::Order> orders,
-               const std::function<void(const team::Moment<State>&)>& use) const;
+               std::span<const sim::Order> orders, const team::UseMoment<State>& use) const;
   /// The decision that he made then.
   [[nodiscard]] std::optional<Proposal> trace_decision(
       const sim::World& before, const sim::World& after, PlayerId who, Trace& trace,
@@ -80,7 +78,7 @@ class PilotSystem final : public sim::System {
  private:
   void perceive_again(const Cockpit& cockpit, const model::Fit& fit, const sim::StepInfo& info,
                       PlayerId who, std::span<const std::byte> memory,
-                      const std::function<void(const team::Moment<State>&)>& use) const;
+                      const team::UseMoment<State>& use) const;
 
   PilotSetup setup_;
   team::Deciding<State, Action> deciding_;

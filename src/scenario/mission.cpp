@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/mission.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/events.hpp"
@@ -39,6 +40,7 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
       run_(scenario_->simulation, std::move(start)),
       until_(until),
       last_step_(step_at(until_, *scenario_)),
+      convoys_(scenario_->library->flights.size()),
       any_home_(any_home) {}
 
 Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
@@ -46,30 +48,29 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
     : scenario_(std::move(scenario)),
       run_(scenario_->simulation, scenario_->world(seed), options),
       until_(until.value_or(scenario_->spec.until)),
-      last_step_(step_at(until_, *scenario_)) {
+      last_step_(step_at(until_, *scenario_)),
+      convoys_(scenario_->library->flights.size()) {
   for (const sim::Order& order : scenario_->orders)
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }
 
-bool Mission::has_arrived(std::uint16_t convoy) const {
+void Mission::look_at_convoys() {
+  std::fill(convoys_.begin(), convoys_.end(), Convoy{});
   const sim::World& world = run_.world();
   const auto fit = world.rows(scenario_->vehicles->fit);
   const auto driving = world.rows(scenario_->vehicles->driving);
   const auto kinematics = world.rows(scenario_->vehicles->kinematics);
-  const auto& routes = scenario_->library->flights[convoy].routes;
-  bool at_the_end = false;
   for (std::size_t i = 0; i < fit.size(); ++i) {
-    if (fit[i].flight != convoy)
-      continue;
-    if (kinematics[i].speed > 0)
-      return false;
+    Convoy& convoy = convoys_[fit[i].flight];
+    const auto& routes = scenario_->library->flights[fit[i].flight].routes;
     const model::NavState& nav = driving[i].nav;
-    at_the_end |= nav.route < routes.size() && nav.leg >= routes[nav.route].waypoints.size();
+    ++convoy.vehicles;
+    convoy.moving |= kinematics[i].speed > 0;
+    convoy.at_the_end |= nav.route < routes.size() && nav.leg >= routes[nav.route].waypoints.size();
   }
-  return at_the_end;
 }
 
-Outcome Mission::judge() const {
+Outcome Mission::judge() {
   const sim::World& world = run_.world();
   std::uint32_t blue = 0, red = 0;
   const auto count = [&](const model::Fit& fit) {
@@ -80,11 +81,15 @@ Outcome Mission::judge() const {
     count(fit);
   bool any_arrived = false;
   if (scenario_->vehicles) {
-    for (const model::Fit& fit : world.rows(scenario_->vehicles->fit)) {
-      const bool arrived = scenario_->spec.ends == Ends::blue_home && has_arrived(fit.flight);
-      any_arrived |= arrived && fit.side == model::Side::blue;
+    look_at_convoys();
+    for (std::size_t f = 0; f < convoys_.size(); ++f) {
+      const Convoy& convoy = convoys_[f];
+      const bool is_blue = scenario_->library->flights[f].side == model::Side::blue;
+      const bool arrived = scenario_->spec.ends == Ends::blue_home && convoy.at_the_end &&
+                           !convoy.moving && convoy.vehicles > 0;
+      any_arrived |= arrived && is_blue;
       if (!arrived)
-        count(fit);
+        (is_blue ? blue : red) += convoy.vehicles;
     }
   }
   if (scenario_->spec.ends == Ends::blue_home && blue == 0)

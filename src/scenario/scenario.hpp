@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "driver/columns.hpp"
+#include "driver/agent.hpp"
 #include "driver/state.hpp"
 #include "driver/trees.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
-#include "pilot/columns.hpp"
+#include "pilot/agent.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
 #include "scenario/plugin_file.hpp"

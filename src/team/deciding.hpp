@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One decision of one agent inside a simulation, whatever the platform.
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -11,7 +13,9 @@
 #include "core/assert.hpp"
 #include "core/field.hpp"
 #include "model/events.hpp"
+#include "sim/order.hpp"
 #include "sim/rate.hpp"
+#include "sim/schema.hpp"
 #include "sim/system.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/transition.hpp"
@@ -24,12 +28,53 @@ template <class State>
 struct Moment {
   const State& state;
   const sim::StepInfo& info;
+  double dt;  ///< s, from decision to decision
   PlayerId who;
   std::span<const std::byte> memory;  ///< of its tree, before the decision
 };
+template <class State>
+using UseMoment = std::function<void(const Moment<State>&)>;
+
+/// What a tree recommends at such a moment; works on `memory`, which is as large as it needs.
+template <class State, class Action>
+ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
+                                std::byte* memory, ubf::Trace<Action>* trace = nullptr) {
+  ubf::Proposal<Action> out;
+  tree.tick({.state = m.state,
+             .time = m.info.time(),
+             .dt = m.dt,
+             .step = m.info.step,
+             .seed = m.info.seed,
+             .player = m.who,
+             .memory = memory,
+             .trace = trace},
+            out);
+  return out;
+}
+/// The same on a copy of what the agent remembered then. Allocates.
+template <class State, class Action>
+ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
+                                ubf::Trace<Action>* trace = nullptr) {
+  std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
+  std::memcpy(slab.data(), m.memory.data(), m.memory.size());
+  return ask_again(tree, m, reinterpret_cast<std::byte*>(slab.data()), trace);
+}
 
 /// No tree: nobody decides.
 inline constexpr std::uint16_t kNoTree = ubf::kNone;
+
+/// What agents add to the table of what they steer. Written in decide.
+template <class Agent>
+struct AgentColumns {
+  sim::Column<Agent> agent;
+  sim::ByteColumn brain;  ///< memory of the tree, large enough for every tree of the scenario
+
+  [[nodiscard]] static AgentColumns define(sim::SchemaBuilder& builder, TableId table,
+                                           std::uint32_t brain_bytes) {
+    return {.agent = builder.add_column<Agent>(table, "agent"),
+            .brain = builder.add_bytes(table, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
+  }
+};
 
 /// The payload of an order to use another tree.
 struct SwapTree {
@@ -45,7 +90,28 @@ template <class Agent>
 void use_tree(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
   agent.tree = tree;
   agent.node = agent.phase = ubf::kNone;
+  agent.call = {};
   std::memset(memory.data(), 0, memory.size());
+}
+
+/// An agent's row and what its tree remembers.
+template <class Agent>
+struct Recalled {
+  Agent agent;
+  std::vector<std::byte> memory;
+};
+/// What the orders of a step left an agent with that stands in row `row` of the world before it.
+template <class Agent>
+[[nodiscard]] Recalled<Agent> recall(const sim::World& before, const AgentColumns<Agent>& columns,
+                                     std::uint32_t row, PlayerId who,
+                                     std::span<const sim::Order> orders, sim::OrderKind swap,
+                                     std::size_t trees) {
+  const auto slab = before.bytes(columns.brain, row);
+  Recalled<Agent> recalled{before.rows(columns.agent)[row], {slab.begin(), slab.end()}};
+  for (const sim::Order& order : orders)
+    if (order.player == who && order.kind == swap && order.as<SwapTree>().tree < trees)
+      use_tree(recalled.agent, recalled.memory, order.as<SwapTree>().tree);
+  return recalled;
 }
 
 /// The trees of one kind of platform and how often its agents ask them.
@@ -54,7 +120,6 @@ class Deciding {
  public:
   using Trees = ubf::Trees<State, Action>;
   using Proposal = ubf::Proposal<Action>;
-  using Trace = ubf::Trace<Action>;
 
   /// std::logic_error without trees and for no period.
   Deciding(std::shared_ptr<const Trees> trees, std::uint32_t period)
@@ -78,9 +143,10 @@ class Deciding {
 
   /// What a tree recommends in a state; works on `memory`.
   [[nodiscard]] Proposal ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
-                             PlayerId who, std::byte* memory, ubf::TransitionLog* log,
-                             Trace* trace) const {
+                             PlayerId who, std::span<std::byte> memory,
+                             ubf::TransitionLog& log) const {
     EYRIE_ASSERT(tree < trees_->size());
+    EYRIE_ASSERT((*trees_)[tree].memory_bytes() <= memory.size());
     Proposal decided;
     (*trees_)[tree].tick({.state = state,
                           .time = info.time(),
@@ -88,19 +154,15 @@ class Deciding {
                           .step = info.step,
                           .seed = info.seed,
                           .player = who,
-                          .memory = memory,
-                          .trace = trace,
-                          .log = log},
+                          .memory = memory.data(),
+                          .log = &log},
                          decided);
     return decided;
   }
-  /// The same on a copy of the memory, with every node's answer. Allocates; for debriefs.
-  [[nodiscard]] Proposal retrace(std::uint16_t tree, const State& state, const sim::StepInfo& info,
-                                 PlayerId who, std::span<const std::byte> memory,
-                                 Trace& trace) const {
-    std::vector<std::uint64_t> slab((memory.size() + 7) / 8);
-    std::memcpy(slab.data(), memory.data(), memory.size());
-    return ask(tree, state, info, who, reinterpret_cast<std::byte*>(slab.data()), nullptr, &trace);
+  /// The moment of a decision.
+  [[nodiscard]] Moment<State> moment(const State& state, const sim::StepInfo& info, PlayerId who,
+                                     std::span<const std::byte> memory) const {
+    return {state, info, period_ * info.dt, who, memory};
   }
 
  private:

@@ -98,6 +98,9 @@ class BestSoFar {
 
   /// Where the next child proposes.
   [[nodiscard]] Proposal<Action>& next() noexcept { return *next_; }
+  /// The best so far, empty before the first. Compare with it, not with a copy of its vote: that
+  /// one goes through memory too, with a store after every choice and more to hold during a call.
+  [[nodiscard]] const Proposal<Action>& kept() const noexcept { return *best_; }
   /// What is in next() is the best so far.
   void keep() noexcept { std::swap(best_, next_); }
   /// Leaves the best in `out`.

@@ -45,6 +45,12 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
   EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey1\): identity hostile, range)"));
 }
 
+TEST(ExplainProgram, ShowsWarningsAsTheyWerePerceived) {
+  const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--at", "10:06"});
+  EXPECT_TRUE(says(ran.out, R"(radar #\d+ \(eagle\d\): kind search, bearing)")) << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(missile #\d+ \(missile \d+\): bearing)")) << ran.out;
+}
+
 TEST(ExplainProgram, ListsWhoTookOverFromWhomAndWhy) {
   const Ran ran = debriefed({"explain", "a", "--player", "eagle2", "--changes"});
   EXPECT_EQ(ran.code, 0);

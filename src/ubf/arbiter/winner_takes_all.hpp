@@ -21,25 +21,23 @@ class WinnerTakesAll final : public Voting<State, Action> {
   [[nodiscard]] bool stands() const noexcept override { return true; }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    Status status = Status::failure;
-    const typename WinnerTakesAll::Node* winner = nullptr;
-    float highest = 0;
+    Status status = Status::failure;  // stays, with an empty proposal, if nobody is heard
+    const typename WinnerTakesAll::Node* winner = nullptr;  // noted for the trace alone
     Scratch<Action> other;
     BestSoFar<Action> best(out, other);
     for (const auto& child : this->children_) {
       const Status answer = this->ask(*child, t, best.next());
-      if (answer == Status::failure || !(best.next().vote > highest))
+      if (answer == Status::failure || !(best.next().vote > best.kept().vote))
         continue;
-      highest = best.next().vote;
       status = answer;
-      winner = child.get();
+      if (t.trace) [[unlikely]]
+        winner = child.get();
       best.keep();
     }
-    if (!winner)
-      return Status::failure;
     best.hand_on();
     this->rescale(out);
-    this->took(t, *winner);
+    if (winner) [[unlikely]]
+      this->took(t, *winner);
     return status;
   }
 };
