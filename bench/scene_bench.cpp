@@ -12,7 +12,10 @@
 #include <memory>
 #include <string>
 
+#include "debrief/explainer.hpp"
+#include "debrief/recorded.hpp"
 #include "model/flight/fly.hpp"
+#include "page/page_data.hpp"
 #include "scenario/mission.hpp"
 #include "support/no_allocation.hpp"
 
@@ -161,6 +164,53 @@ void fly(benchmark::State& state, const char* name) {
 BENCHMARK_CAPTURE(fly, sweep, "sweep")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fly, sweep_paper, "sweep_paper")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(fly, sweep_even, "sweep_even")->Unit(benchmark::kMillisecond);
+
+/// The sweep again from its run file: flown alone, with every decision of every player traced, and
+/// made into the debrief page. What the debrief costs; recording a run costs nothing of it.
+debrief::Recorded recorded_sweep() {
+  const auto scene =
+      scenario::load({home() + "/scenarios/sweep.yaml", {}}, scenario::Source::disk(home()));
+  sim::TrailRecorder trail(sim::TrailDetail::marks_only);
+  scenario::Mission mission(scene, scene->spec.seed);
+  mission.run().attach(trail);
+  mission.fly();
+  debrief::Recorded recorded;
+  recorded.run.seed = scene->spec.seed;
+  recorded.run.trail = trail.trail();
+  recorded.scenario = scene;
+  return recorded;
+}
+
+void again(benchmark::State& state, bool traced) {
+  const debrief::Recorded recorded = recorded_sweep();
+  const auto* pilots = debrief::find_system<pilot::PilotSystem>(*recorded.scenario->simulation);
+  pilot::Trace trace(recorded.scenario->trees->max_size());
+  double decisions = 0;
+  std::uint64_t hash = 0;
+  for (auto _ : state) {
+    debrief::Reflight flight(recorded);
+    while (flight.step())
+      for (std::uint32_t id = 1; traced && id <= recorded.scenario->roster.players.size(); ++id)
+        decisions += pilots
+                         ->trace_decision(flight.before(), flight.after(), PlayerId{id}, trace,
+                                          flight.orders())
+                         .has_value();
+    hash = flight.after().hash();
+  }
+  state.counters["decisions"] = decisions / static_cast<double>(state.iterations());
+  state.SetLabel(fmt::format("hash 0x{:016x}", hash));
+}
+BENCHMARK_CAPTURE(again, flown, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(again, traced, true)->Unit(benchmark::kMillisecond);
+
+void debrief_page(benchmark::State& state) {
+  const debrief::Recorded recorded = recorded_sweep();
+  std::size_t bytes = 0;
+  for (auto _ : state)
+    bytes = page::page_data(recorded).size();
+  state.counters["bytes"] = static_cast<double>(bytes);
+}
+BENCHMARK(debrief_page)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

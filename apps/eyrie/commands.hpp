@@ -21,6 +21,7 @@ struct FlyOptions {
   unsigned paranoid = 0;           ///< workers of the second step; 0: off
   std::optional<double> realtime;  ///< factor
   bool quiet = false, json = false, force = false;
+  bool debrief = true;  ///< writes the page beside the run
 };
 
 int fly(const FlyOptions& options);
@@ -47,6 +48,33 @@ struct WhatIfOptions {
 };
 int what_if(const WhatIfOptions& options);
 int diff(const std::string& left, const std::string& right, bool json);
+
+struct DebriefOptions {
+  std::vector<std::string> runs;  ///< one, or two to compare: run folders or run files
+  std::string out;                ///< file; empty: debrief.html beside the first run
+  bool force = false;
+  std::vector<std::string> plugins;
+};
+int debrief_page(const DebriefOptions& options);
+
+/// What became of a page.
+struct PageWritten {
+  bool written = false;
+  bool failed = false;    ///< what went wrong was said
+  std::string problem{};  ///< why there is none though nothing went wrong
+};
+/// The page of one run.
+[[nodiscard]] PageWritten write_page(const debrief::Recorded& recorded, const std::string& file);
+
+enum class ExportFormat { czml, geojson, decisions };
+struct ExportOptions {
+  std::string run, player;  ///< player: of decisions; empty: everybody's
+  ExportFormat format = ExportFormat::czml;
+  std::string out;  ///< file; empty: run.czml, run.geojson or decisions.csv beside the run
+  bool force = false;
+  std::vector<std::string> plugins;
+};
+int export_run(const ExportOptions& options);
 
 enum class CatalogFormat { text, markdown, json_schema };
 int catalog(CatalogFormat format, const std::vector<std::string>& plugins);

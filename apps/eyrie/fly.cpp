@@ -2,15 +2,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
 
 #include "commands.hpp"
 #include "core/units.hpp"
+#include "interrupt.hpp"
 #include "locate.hpp"
 #include "output.hpp"
 #include "report.hpp"
@@ -20,13 +19,6 @@ namespace eyrie::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-std::atomic<bool> interrupted = false;
-
-extern "C" void on_interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);  // the second time it ends at once
-}
 
 /// Keeps the mission at `factor` times real time and counts the steps that came late.
 class Pacer {
@@ -51,12 +43,12 @@ class Pacer {
 };
 
 void fly_to_the_end(scenario::Mission& mission, const FlyOptions& options, Timing& timing) {
-  std::signal(SIGINT, on_interrupt);
+  listen_for_interrupts();
   const auto begun = Clock::now();
   Pacer pacer(mission.run().simulation().dt(), options.realtime.value_or(1));
   timing.paced = options.realtime.has_value();
   while (mission.step()) {
-    if (interrupted)
+    if (interrupted())
       mission.stop();
     if (mission.run().difference())
       mission.stop();
@@ -146,15 +138,26 @@ int fly(const FlyOptions& options) {
     return 1;
   }
 
+  debrief::Recorded recorded{.file = folder->path(),
+                             .run = run_file_of(mission, seed, trail, outcome_text(mission, tally)),
+                             .plugins = {},
+                             .scenario = scenario};
   record::Sink run(folder->file("run.eyrie"));
-  run.write(record::encode(run_file_of(mission, seed, trail, outcome_text(mission, tally))));
+  run.write(record::encode(recorded.run));
   if (!written(run) || !written(events) || !written(flight))
+    return 1;
+  PageWritten page;
+  if (options.debrief)
+    page = write_page(recorded, folder->file("debrief.html"));
+  if (page.failed)
     return 1;
   folder->commit();
   if (options.json)
     fmt::print("{}\n", json_report(mission, tally, seed, timing, folder->path()));
   else
-    report.closing(mission, tally, timing, folder->path());
+    report.closing(mission, tally, timing, folder->path(), page.written);
+  if (!page.problem.empty())
+    fmt::print(stderr, "eyrie: {}\n", page.problem);
   return std::fflush(stdout) == 0 ? 0 : 1;
 }
 

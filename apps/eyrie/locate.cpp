@@ -26,6 +26,18 @@ std::string home() {
   return EYRIE_HOME_DEFAULT;
 }
 
+std::string viewer_file() {
+  if (const char* set = std::getenv("EYRIE_VIEWER"))
+    return set;
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  const fs::path prefix = program.parent_path().parent_path();
+  for (const char* place : {"viewer/debrief.html", "share/eyrie/debrief.html"})  // built, installed
+    if (!failed && fs::is_regular_file(prefix / place, failed))
+      return (prefix / place).string();
+  return "";
+}
+
 std::string scenario_file(const std::string& name) {
   const std::string wanted = name.empty() ? "sweep" : name;
   std::error_code ignored;

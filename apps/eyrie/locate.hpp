@@ -9,6 +9,10 @@
 
 namespace eyrie::app {
 
+/// The page that runs are put into: EYRIE_VIEWER, or the one beside the program; "" if there is
+/// none.
+[[nodiscard]] std::string viewer_file();
+
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
 
 #include "commands.hpp"
@@ -19,6 +20,8 @@ struct Commands {
   ReplayOptions replay;
   ExplainOptions explain;
   WhatIfOptions what_if;
+  DebriefOptions debrief;
+  ExportOptions exported;
   std::string left, right;
   std::vector<std::string> files, plugins;
   std::string name;
@@ -62,6 +65,7 @@ void add_fly(CLI::App& app, Commands& c) {
       ->check(CLI::PositiveNumber);
   fly->add_flag("--force", c.fly.force, "replace the folder given by --out");
   fly->add_flag("--quiet", c.fly.quiet, "no story, only how it ended");
+  fly->add_flag("!--no-debrief", c.fly.debrief, "do not write the page debrief.html");
   fly->add_flag("--json", c.fly.json, "one JSON object on standard output instead of words");
 }
 
@@ -97,7 +101,10 @@ void add_what_if(CLI::App& app, Commands& c) {
   WhatIfOptions& o = c.what_if;
   what_if->add_option("run", o.run, "a run folder or its run file")->required();
   what_if->add_option("--player", o.player, "who")->required();
-  what_if->add_option("--set", o.sets, "the change, as for fly: trees.bvr.per_field.pursue.vote=70")
+  what_if
+      ->add_option("--set", o.sets,
+                   "the change: a node of the tree, root/bvr=fusion or root/bvr/pursue.vote=70, or "
+                   "as for fly, trees.bvr.per_field.pursue.vote=70")
       ->allow_extra_args(false)
       ->required();
   what_if->add_option("--at", o.at, "from this time on: 312.4, '5 min' or 5:12.4");
@@ -107,6 +114,38 @@ void add_what_if(CLI::App& app, Commands& c) {
       ->check(CLI::Range(1, 100000));
   what_if->add_flag("--json", o.json, "for tools");
   add_plugins(what_if, o.plugins, "where a plug-in of the run is now, if it has moved");
+}
+
+void add_debrief(CLI::App& app, Commands& c) {
+  CLI::App* debrief = app.add_subcommand(
+      "debrief", "A recorded run, or two, as a page in which every decision can be questioned");
+  DebriefOptions& o = c.debrief;
+  debrief->add_option("runs", o.runs, "a run folder or its run file; two of them to compare")
+      ->required()
+      ->expected(1, 2);
+  debrief->add_option("--out", o.out, "the file (default: debrief.html beside the first run)");
+  debrief->add_flag("--force", o.force, "replace the file given by --out");
+  add_plugins(debrief, o.plugins, "where a plug-in of the runs is now, if it has moved");
+}
+
+void add_export(CLI::App& app, Commands& c) {
+  CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
+  ExportOptions& o = c.exported;
+  exported->add_option("run", o.run, "a run folder or its run file")->required();
+  exported
+      ->add_option("--to", o.format,
+                   "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node "
+                   "of every player proposed)")
+      ->required()
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, ExportFormat>{{"czml", ExportFormat::czml},
+                                              {"geojson", ExportFormat::geojson},
+                                              {"decisions", ExportFormat::decisions}}));
+  exported->add_option("--player", o.player, "only this player's decisions");
+  exported->add_option("--out", o.out,
+                       "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
+  exported->add_flag("--force", o.force, "replace the file given by --out");
+  add_plugins(exported, o.plugins, "where a plug-in of the run is now, if it has moved");
 }
 
 }  // namespace
@@ -119,6 +158,8 @@ int main(int argc, char** argv) {
   add_fly(app, c);
   add_explain(app, c);
   add_what_if(app, c);
+  add_debrief(app, c);
+  add_export(app, c);
   CLI::App* diff_cmd = app.add_subcommand("diff", "Where two recorded runs part");
   diff_cmd->add_option("left", c.left, "a run folder or its run file")->required();
   diff_cmd->add_option("right", c.right, "another one")->required();
@@ -156,6 +197,10 @@ int main(int argc, char** argv) {
       return explain(c.explain);
     if (app.got_subcommand("whatif"))
       return what_if(c.what_if);
+    if (app.got_subcommand("debrief"))
+      return debrief_page(c.debrief);
+    if (app.got_subcommand("export"))
+      return export_run(c.exported);
     if (app.got_subcommand(diff_cmd))
       return diff(c.left, c.right, c.replay.json);
     if (app.got_subcommand(validate_cmd))

@@ -98,7 +98,7 @@ void Report::table(const scenario::Mission& mission, const record::Tally& tally)
 }
 
 void Report::closing(const scenario::Mission& mission, const record::Tally& tally,
-                     const Timing& timing, const std::string& run_dir) const {
+                     const Timing& timing, const std::string& run_dir, bool page) const {
   table(mission, tally);
   const double time = mission.run().time();
   fmt::print("{}\n", outcome_text(mission, tally));
@@ -110,7 +110,8 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
     fmt::print("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n",
                timing.missed, timing.deadlines, timing.worst_late * 1000);
   if (!run_dir.empty())
-    fmt::print("written to {}: run.eyrie, events.csv, flight.acmi\n", run_dir);
+    fmt::print("written to {}: run.eyrie, events.csv, flight.acmi{}\n", run_dir,
+               page ? ", debrief.html" : "");
 }
 
 std::string json_report(const scenario::Mission& mission, const record::Tally& tally,

@@ -25,7 +25,7 @@ class Report {
   void header(std::uint64_t seed) const;
   void line(const record::StoryLine& line) const;
   void closing(const scenario::Mission& mission, const record::Tally& tally, const Timing& timing,
-               const std::string& run_dir) const;
+               const std::string& run_dir, bool page) const;
 
  private:
   [[nodiscard]] std::string paint(std::string text, record::Tone tone) const;

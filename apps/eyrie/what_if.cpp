@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "debrief/difference.hpp"
+#include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
 #include "record/story.hpp"
 
@@ -141,7 +142,11 @@ int what_if(const WhatIfOptions& options) {
     return 2;
   std::shared_ptr<const scenario::Scenario> other;
   try {
-    other = debrief::with_overrides(*recorded, options.sets);
+    Diagnostics wrong;
+    auto overrides = debrief::read_overrides(*recorded->scenario, *who, options.sets, wrong);
+    if (!wrong.ok())
+      throw ConfigError(wrong);
+    other = debrief::with_overrides(*recorded, overrides.sets, std::move(overrides.changes));
   } catch (const ConfigError& e) {
     fmt::print(stderr, "{}\n", e.diagnostics().text());
     return 2;

@@ -77,12 +77,14 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
   return {std::move(recorded), {}};
 }
 
-std::shared_ptr<const scenario::Scenario> with_overrides(const Recorded& recorded,
-                                                         const std::vector<std::string>& sets) {
+std::shared_ptr<const scenario::Scenario> with_overrides(
+    const Recorded& recorded, const std::vector<std::string>& sets,
+    std::vector<scenario::TreeChange> changes) {
   std::vector<std::string> all = recorded.run.sets;
   all.insert(all.end(), sets.begin(), sets.end());
-  return scenario::load({recorded.run.scenario, std::move(all), recorded.plugins},
-                        scenario::Source::bundle(recorded.run.files));
+  return scenario::load(
+      {recorded.run.scenario, std::move(all), recorded.plugins, std::move(changes)},
+      scenario::Source::bundle(recorded.run.files));
 }
 
 Reflight::Reflight(const Recorded& recorded)

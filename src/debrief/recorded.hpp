@@ -39,9 +39,11 @@ struct Opened {
 [[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
                           std::string_view build);
 
-/// The scenario of a run with more overrides (`path=value`). Throws ConfigError.
+/// The scenario of a run with more overrides (`path=value`) and changes of trees. Throws
+/// ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> with_overrides(
-    const Recorded& recorded, const std::vector<std::string>& sets);
+    const Recorded& recorded, const std::vector<std::string>& sets,
+    std::vector<scenario::TreeChange> changes = {});
 
 /// Flies a recorded run again, with every step's world before and after.
 class Reflight {

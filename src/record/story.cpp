@@ -63,7 +63,7 @@ void Story::say(PlayerId who, std::string text, Tone tone) {
   const auto* player = scenario_.roster.find(who);
   if (tone == Tone::plain && player)
     tone = tone_of(player->side);
-  tell_({time_, tone, name(who), std::move(text)});
+  tell_({time_, tone, kind_, who, name(who), std::move(text)});
 }
 
 bool Story::first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom) {
@@ -97,7 +97,8 @@ void Story::ended(const sim::Event& e) {
 
 void Story::tell(const sim::Event& e) {
   const auto* player = scenario_.roster.find(e.who);
-  switch (kind_of(e)) {
+  kind_ = kind_of(e);
+  switch (kind_) {
     case EventKind::contact:
       if (!same_side(e.who, e.whom) && first_in_flight(e.kind.value, e.who, e.whom))
         say(e.who, fmt::format("contact, {}", miles(e.values[0])));

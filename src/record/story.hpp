@@ -21,6 +21,8 @@ enum class Tone : unsigned char { plain, blue, red, kill, phase };
 struct StoryLine {
   double time = 0;  ///< s
   Tone tone = Tone::plain;
+  model::EventKind kind = model::EventKind::none;  ///< of the event that it tells
+  PlayerId player;                                 ///< who does it
   std::string who, text;
 };
 
@@ -52,6 +54,7 @@ class Story final : public sim::Observer {
   const scenario::Scenario& scenario_;
   Tell tell_;
   double time_ = 0;
+  model::EventKind kind_ = model::EventKind::none;  ///< that is being told
   std::map<PlayerId, Missile> missiles_;
   std::set<std::tuple<std::uint16_t, std::uint16_t, PlayerId>> told_;
   std::vector<PlayerId> leads_;

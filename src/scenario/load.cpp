@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 8> kByHand{"include", "plugins", "environ
 
 class Loader {
  public:
-  Loader(const LoadRequest& request, Source& source) : source_(source) {
+  Loader(const LoadRequest& request, Source& source) : source_(source), changes_(request.changes) {
     load_plugins(request.plugins, plugins_, source_, diagnostics_);
     out_->file = request.file;
     out_->sets = request.sets;
@@ -52,7 +52,7 @@ class Loader {
         Reference({out_->spec.reference.latitude, out_->spec.reference.longitude, 0.0});
     plans_ = read_plans(document_, diagnostics_);
     trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders,
-                            plugins_.registries(), diagnostics_);
+                            plugins_.registries(), changes_, diagnostics_);
     out_->trees = trees_.pilots();
     out_->driver_trees = trees_.drivers();
     models();
@@ -319,6 +319,7 @@ class Loader {
   }
 
   Source& source_;
+  const std::vector<TreeChange>& changes_;
   Plugins plugins_;
   Diagnostics diagnostics_;
   Value document_;

@@ -22,6 +22,7 @@
 #include "scenario/roster.hpp"
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
+#include "scenario/tree_change.hpp"
 #include "sim/order.hpp"
 #include "sim/simulation.hpp"
 #include "sim/world.hpp"
@@ -65,6 +66,7 @@ struct LoadRequest {
   std::string file;
   std::vector<std::string> sets = {};
   std::vector<std::string> plugins = {};
+  std::vector<TreeChange> changes = {};  ///< of trees; a run file does not keep them
 };
 
 /// Reads, checks and builds. Throws ConfigError with every mistake that was found.

@@ -50,10 +50,15 @@ struct Shelf {
   const Registry& registry;
   std::span<const ubf::NamedSpec> all;
   std::string_view platform, agent;  ///< "an aircraft", "pilot"
+  const std::vector<TreeChange>& changes;
 
   /// Builds and keeps a tree; false after mistakes.
   bool add(const ubf::NamedSpec& spec, Diagnostics& diagnostics) {
-    auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all);
+    std::vector<ubf::NodeChange> mine;
+    for (const TreeChange& one : changes)
+      if (one.tree == spec.name)
+        mine.push_back(one.change);
+    auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all, mine);
     if (tree)
       trees.add(std::move(*tree));
     return tree.has_value();
@@ -88,7 +93,8 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
 }  // namespace
 
 TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                        const Registries& registries, Diagnostics& diagnostics) {
+                        const Registries& registries, const std::vector<TreeChange>& changes,
+                        Diagnostics& diagnostics) {
   TreeBook book;
   if (!map || map->is_null())
     return book;
@@ -101,10 +107,10 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   note_users(plans.convoys, orders, drivers);
 
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
-  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named, "an aircraft",
-                                           "pilot"};
+  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named,
+                                           "an aircraft", "pilot",           changes};
   Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, registries.drivers, named,
-                                                "a vehicle", "driver"};
+                                                "a vehicle",    "driver",           changes};
   const bool both = !plans.convoys.empty();
   for (const ubf::NamedSpec& spec : named) {
     book.names_.push_back(spec.name);

@@ -14,6 +14,7 @@
 #include "pilot/trees.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/plugin.hpp"
+#include "scenario/tree_change.hpp"
 
 namespace eyrie::scenario {
 
@@ -24,7 +25,8 @@ class TreeBook {
  public:
   /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
   static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
-                       const Registries& registries, Diagnostics& diagnostics);
+                       const Registries& registries, const std::vector<TreeChange>& changes,
+                       Diagnostics& diagnostics);
 
   [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }
   [[nodiscard]] const std::shared_ptr<driver::Trees>& drivers() const { return drivers_; }

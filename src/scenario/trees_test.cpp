@@ -27,7 +27,7 @@ Book book_of(const std::string& trees, const std::string& flown, const std::stri
   EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
   Book book;
   book.trees =
-      TreeBook::read(document.find("trees"), plans, {}, Plugins().registries(), diagnostics);
+      TreeBook::read(document.find("trees"), plans, {}, Plugins().registries(), {}, diagnostics);
   book.mistakes = diagnostics.text();
   return book;
 }

@@ -3,6 +3,7 @@
 /// \file  From a node as a file writes it to the node: children, parameters and all mistakes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -32,10 +33,11 @@ class NodeReader {
   using Children = std::vector<Child>;
 
   NodeReader(const Registry<State, Action>& registry, std::span<const NamedSpec> trees,
-             Diagnostics& diagnostics)
+             Diagnostics& diagnostics, std::span<const NodeChange> changes = {})
       : registry_(registry),
         trees_(trees),
         diagnostics_(diagnostics),
+        changes_(changes),
         fields_(state_field_infos<State>()) {}
 
   /// The node and everything below it, or null after reporting at least one mistake.
@@ -50,7 +52,7 @@ class NodeReader {
     if (!within_limits(spec->where))
       return nullptr;
     ++depth_;
-    Child node = registry_.make(*spec, *this);
+    Child node = changes_.empty() ? registry_.make(*spec, *this) : make_changed(*spec);
     --depth_;
     return node;
   }
@@ -111,6 +113,10 @@ class NodeReader {
         const Value whole = Value::map({entry(std::string(B::text_key), *spec.body)}, spec.where);
         return make_node<B>({spec.type, spec.where, &whole});
       }
+    if (!pending_.empty()) {
+      const Value whole = with_pending<B>(*spec.body);
+      return make_node<B>({spec.type, spec.where, &whole});
+    }
     const std::size_t before = diagnostics_.count();
     auto node = ubf::make<B>();
     node->set_label(read_label(*spec.body, diagnostics_));
@@ -145,6 +151,52 @@ class NodeReader {
       return false;
     }
     return true;
+  }
+
+  /// The node that was read last, with the changes that are meant for it.
+  [[nodiscard]] Child make_changed(NodeSpec spec) {
+    Value body;
+    pending_.clear();
+    for (const NodeChange& change : changes_) {
+      if (change.node + std::size_t{1} != count_)
+        continue;
+      if (!change.key.empty()) {
+        pending_.push_back(&change);
+        continue;
+      }
+      if (!change.value.is_scalar()) {
+        error(change.value.where,
+              fmt::format("expected the name of a node, got {}", change.value.shown()));
+        return nullptr;
+      }
+      body = body_for_another_type(*spec.body);
+      spec = {change.value.text, change.value.where, &body};
+    }
+    Child node = registry_.make(spec, *this);
+    pending_.clear();
+    return node;
+  }
+  /// A body with the changes of parameters put in.
+  template <class B>
+  [[nodiscard]] Value with_pending(const Value& body) {
+    Value whole = body;
+    if (body.is_null()) {
+      whole = Value::map({}, body.where);
+    } else if (body.is_list()) {
+      whole = Value::map({entry("children", body)}, body.where);
+    } else if constexpr (requires { B::slots; }) {
+      if (B::slots.size() == 1 && is_child_alone<B>(body))
+        whole = Value::map({entry(std::string(B::slots.front()), body)}, body.where);
+    }
+    for (const NodeChange* change : std::exchange(pending_, {})) {
+      const auto there = std::find_if(whole.entries.begin(), whole.entries.end(),
+                                      [&](const Value::Entry& e) { return e.key == change->key; });
+      if (there != whole.entries.end())
+        *there = {change->key, change->where, change->value};
+      else
+        whole.entries.push_back({change->key, change->where, change->value});
+    }
+    return whole;
   }
 
   [[nodiscard]] Child read_reference(const NodeSpec& spec) {
@@ -304,6 +356,8 @@ class NodeReader {
   const Registry<State, Action>& registry_;
   std::span<const NamedSpec> trees_;
   Diagnostics& diagnostics_;
+  std::span<const NodeChange> changes_;
+  std::vector<const NodeChange*> pending_;  ///< for the node that is being made
   std::vector<StateFieldInfo> fields_;
   FieldNames names_;
   std::vector<std::string> open_;  ///< names of the trees being read, outermost first

@@ -47,12 +47,13 @@ class Registry {
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
-  /// Reports every mistake, then gives nothing.
+  /// `changes` are made on the way. Reports every mistake, then gives nothing.
   [[nodiscard]] std::optional<TreeType> build_tree(const std::string& name, const Value& value,
                                                    Diagnostics& diagnostics,
-                                                   std::span<const NamedSpec> others = {}) const {
+                                                   std::span<const NamedSpec> others = {},
+                                                   std::span<const NodeChange> changes = {}) const {
     const std::size_t before = diagnostics.count();
-    Reader reader(*this, others, diagnostics);
+    Reader reader(*this, others, diagnostics, changes);
     std::unique_ptr<Node> root = reader.read_tree(name, value);
     if (diagnostics.count() != before)
       return std::nullopt;

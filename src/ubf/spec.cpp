@@ -53,6 +53,16 @@ std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics) 
   return NodeSpec{only.key, only.where, &only.value};
 }
 
+Value body_for_another_type(const Value& body) {
+  if (!body.is_map())
+    return body;
+  Value kept = Value::map({}, body.where);
+  for (const Value::Entry& e : body.entries)
+    if (e.key == kLabelKey || e.key == "children" || e.key == "vote" || e.key == "vote_scale")
+      kept.entries.push_back(e);
+  return kept;
+}
+
 std::optional<std::string> label_problem(std::string_view label) {
   if (label.empty())
     return "must not be empty";

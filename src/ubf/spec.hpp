@@ -46,6 +46,18 @@ struct NodeSpec {
   const Value* body = nullptr;  ///< a null value if nothing is
 };
 
+/// Something else than what is written, for one node of a tree: another type, which keeps children,
+/// label and vote but no other parameter, or another value of a parameter.
+struct NodeChange {
+  NodeIndex node = 0;  ///< in pre-order
+  std::string key;     ///< a parameter; empty: the type
+  Value value;
+  Location where;  ///< of the key
+};
+
+/// What is left of a node's body for another type.
+[[nodiscard]] Value body_for_another_type(const Value& body);
+
 /// What the catalog says of a registered type.
 struct NodeInfo {
   std::string name;

@@ -7,44 +7,19 @@
 #include "debrief/difference.hpp"
 #include "debrief/explainer.hpp"
 #include "debrief/what_if.hpp"
-#include "sim/trail.hpp"
-#include "support/flight.hpp"
+#include "support/recorded.hpp"
 
 namespace eyrie::test {
 namespace {
 
 using namespace debrief;
 
-/// A scenario flown for `until` s and recorded in memory.
-Recorded recorded(const std::string& name, double until, std::uint64_t seed,
-                  const std::vector<std::string>& sets = {}) {
-  const auto scenario = load_scenario(name, sets);
-  sim::TrailRecorder trail(sim::TrailDetail::marks_only);
-  scenario::Mission mission(scenario, seed, until);
-  mission.run().attach(trail);
-  mission.fly();
-  Recorded r;
-  r.file = name;
-  r.run = {.build = "test",
-           .scenario = scenario->file,
-           .files = scenario->files,
-           .sets = scenario->sets,
-           .seed = seed,
-           .until = until,
-           .layout_hash = scenario->simulation->schema().layout_hash(),
-           .orders = scenario->orders,
-           .trail = trail.trail(),
-           .outcome = ""};
-  r.scenario = scenario;
-  return r;
-}
-
 class ExplainedRun : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Whole, ExplainedRun, testing::Values("sweep", "convoy"),
                          [](const auto& run) { return std::string(run.param); });
 
 TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
-  const Recorded run = recorded(GetParam(), 900, 5);
+  const Recorded run = recorded_flight(GetParam(), 900, 5);
   const scenario::Scenario& s = *run.scenario;
   Explainer explainer(s);
   Reflight flight(run);
@@ -75,7 +50,7 @@ TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
 }
 
 TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
-  const Recorded run = recorded("sweep", 800, 13);
+  const Recorded run = recorded_flight("sweep", 800, 13);
   Explainer explainer(*run.scenario);
   Reflight flight(run);
   std::size_t failures = 0;
@@ -95,7 +70,7 @@ TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
 }
 
 TEST(WhatIf, FindsNothingWithoutAChange) {
-  const Recorded run = recorded("sweep", 700, 13);
+  const Recorded run = recorded_flight("sweep", 700, 13);
   const auto same = with_overrides(run, {"trees.bvr.per_field.pursue.vote=40"});
   const WhatIf result = what_if(run, *same, PlayerId{2}, 0);
   EXPECT_GT(result.decisions, 3000U);
@@ -104,7 +79,8 @@ TEST(WhatIf, FindsNothingWithoutAChange) {
 
 TEST(WhatIf, NamesTheTickInWhichTheChangedFlightFirstActsOtherwise) {
   const std::string change = "trees.ingress.winner_takes_all.follow_lead.vote=5";
-  const Recorded run = recorded("sweep", 60, 13), other = recorded("sweep", 60, 13, {change});
+  const Recorded run = recorded_flight("sweep", 60, 13),
+                 other = recorded_flight("sweep", 60, 13, {change});
   std::string problem;
   const auto flown = compare(run, other, problem);
   ASSERT_TRUE(flown && flown->action) << problem;
@@ -116,7 +92,7 @@ TEST(WhatIf, NamesTheTickInWhichTheChangedFlightFirstActsOtherwise) {
 }
 
 TEST(WhatIf, SaysByHowMuch) {
-  const Recorded run = recorded("convoy", 500, 3);
+  const Recorded run = recorded_flight("convoy", 500, 3);
   const auto other = with_overrides(run, {"trees.convoy.winner_takes_all.scatter.range=3 km"});
   const WhatIf result = what_if(run, *other, run.scenario->roster.find("supply2").value(), 0);
   ASSERT_TRUE(result.first);
@@ -130,7 +106,7 @@ TEST(WhatIf, SaysByHowMuch) {
 }
 
 TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
-  const Recorded run = recorded("sweep", 3600, 13);
+  const Recorded run = recorded_flight("sweep", 3600, 13);
   const Outcome flown = outcome_of(run);
   std::string problem;
   const auto branched = branch(run, run.scenario, 20'000, problem);
@@ -147,9 +123,9 @@ TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
 }
 
 TEST(RunDifference, IsNothingForTheSameRun) {
-  const Recorded run = recorded("merge", 60, 8);
+  const Recorded run = recorded_flight("merge", 60, 8);
   std::string problem;
-  const auto same = compare(run, recorded("merge", 60, 8), problem);
+  const auto same = compare(run, recorded_flight("merge", 60, 8), problem);
   ASSERT_TRUE(same) << problem;
   EXPECT_TRUE(same->same());
   EXPECT_EQ(same->steps, 3000U);
@@ -157,7 +133,8 @@ TEST(RunDifference, IsNothingForTheSameRun) {
 
 TEST(RunDifference, SaysWhenOneEndsBeforeTheOther) {
   std::string problem;
-  const auto found = compare(recorded("merge", 60, 8), recorded("merge", 50, 8), problem);
+  const auto found =
+      compare(recorded_flight("merge", 60, 8), recorded_flight("merge", 50, 8), problem);
   ASSERT_TRUE(found && found->world && found->event);
   EXPECT_EQ(found->steps, 2500U);
   EXPECT_EQ(found->world->text, "merge is over, the other goes on");
@@ -165,7 +142,7 @@ TEST(RunDifference, SaysWhenOneEndsBeforeTheOther) {
 
 TEST(RunDifference, RefusesWorldsOfOtherTables) {
   std::string problem;
-  EXPECT_FALSE(compare(recorded("merge", 1, 8), recorded("convoy", 1, 8), problem));
+  EXPECT_FALSE(compare(recorded_flight("merge", 1, 8), recorded_flight("convoy", 1, 8), problem));
   EXPECT_NE(problem.find("other tables"), std::string::npos);
 }
 

@@ -19,6 +19,8 @@ struct RecordedRuns {
     auto a = flight, b = flight;
     a.insert(a.end(), {"a"});
     b.insert(b.end(), {"b", "--set", "trees.bvr.per_field.release_weapon.zone=0.3"});
+    for (auto* flown : {&a, &b})
+      flown->push_back("--no-debrief");
     EXPECT_EQ(run_program(folder, a).code, 0);
     EXPECT_EQ(run_program(folder, b).code, 0);
   }
@@ -138,6 +140,48 @@ TEST(ExplainProgram, SaysWhatIsWrongWithWhatWasAsked) {
       "'zon'; did you mean 'zone'?\n");
   EXPECT_EQ(refused({"whatif", "a", "--player", "eagle2", "--set", "trees.more=navigate"}),
             "the change adds or removes a tree; change one that is there\n");
+}
+
+TEST(WhatIfProgram, ChangesANodeByItsPath) {
+  const auto asked = [](std::vector<std::string> sets) {
+    std::vector<std::string> words{"whatif", "a", "--player", "eagle2", "--json"};
+    for (std::string& set : sets)
+      words.insert(words.end(), {"--set", std::move(set)});
+    const Ran ran = debriefed(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return json::parse(ran.out);
+  };
+  // the same question by the path in the file and by the path in the tree
+  const json by_file = asked({"trees.bvr.per_field.pursue.vote=15"});
+  const json by_node = asked({"root/bvr/pursue.vote=15"});
+  EXPECT_GT(by_node["different"], 100);
+  EXPECT_EQ(by_node["spans_s"], by_file["spans_s"]);
+  EXPECT_EQ(by_node["first"], by_file["first"]);
+  // another arbiter keeps the children, and may have parameters of its own
+  const json winner = asked({"root/bvr=winner_takes_all"});
+  EXPECT_EQ(winner["first"]["leader"]["other"], "pursue");
+  EXPECT_EQ(winner["first"]["fields"][0]["name"], "follow");
+  const json fused = asked({"root/bvr=fusion", "root/bvr.top=2"});
+  EXPECT_EQ(fused["first"]["leader"]["other"], "bvr");
+  // of another tree than the player's: nothing changes for him
+  EXPECT_EQ(asked({"patrol:root/bvr/pursue.vote=1"})["different"], 0);
+}
+
+TEST(WhatIfProgram, SaysWhatIsWrongWithThePathOfANode) {
+  for (const auto& [set, words] :
+       {std::pair("root/bvrr=fusion",
+                  ":1:1: tree 'sweep' has no node 'root/bvrr'; did you mean "
+                  "'root/bvr'?"),
+        std::pair("root/bvr=fusio", ":1:10: there is no node 'fusio'; did you mean 'fusion'?"),
+        std::pair("root/bvr/pursue.vot=1",
+                  ":1:17: pursue has no parameter 'vot'; did you mean 'vote'?"),
+        std::pair("root/bvr/pursue.vote=-1", ":1:22: "), std::pair("root/bvr=[1]", ":1:10: "),
+        std::pair("patrl:root/bvr=fusion", ":1:1: there is no tree 'patrl'"),
+        std::pair("root/bvr=pursue", ":1:10: ")}) {
+    const Ran ran = debriefed({"whatif", "a", "--player", "eagle2", "--set", set});
+    EXPECT_EQ(ran.code, 2) << set;
+    EXPECT_NE(ran.err.find("--set " + std::string(set) + words), std::string::npos) << ran.err;
+  }
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ struct Ran {
 }
 
 struct RunOptions {
-  std::string home = source_root();  ///< EYRIE_HOME
+  std::string home = source_root();                                   ///< EYRIE_HOME
+  std::string viewer = source_root() + "/tests/support/viewer.html";  ///< EYRIE_VIEWER
   /// Bytes after which a write to a file fails, as on a full disk; 0: none.
   std::size_t file_size_limit = 0;
 };
@@ -103,7 +104,8 @@ struct RunOptions {
   posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
 
   std::vector<std::string> words{program_path()};
-  std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C"};
+  std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C",
+                                    "EYRIE_VIEWER=" + options.viewer};
   if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
     words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
              std::to_string(options.file_size_limit / 512), words[0]};

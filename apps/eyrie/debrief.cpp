@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+/// \file  debrief: a recorded run as a page that explains every decision.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "locate.hpp"
+#include "page/page.hpp"
+#include "page/page_data.hpp"
+#include "record/sink.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+
+/// Says on a terminal how far it is.
+class Counter {
+ public:
+  explicit Counter(double end) : end_(end), shown_(::isatty(STDERR_FILENO)) {}
+  ~Counter() {
+    if (shown_ && percent_ >= 0)
+      fmt::print(stderr, "\r\033[K");
+  }
+  Counter(const Counter&) = delete;
+  Counter& operator=(const Counter&) = delete;
+
+  void at(double time) {
+    const int percent = static_cast<int>(100 * time / end_);
+    if (!shown_ || percent == percent_)
+      return;
+    percent_ = percent;
+    fmt::print(stderr, "\rdebrief page: {} %", percent);
+    std::fflush(stderr);
+  }
+
+ private:
+  double end_;
+  bool shown_;
+  int percent_ = -1;
+};
+
+std::optional<std::string> viewer() {
+  const std::string file = viewer_file();
+  std::ifstream in(file, std::ios::binary);
+  if (file.empty() || !in)
+    return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+std::string data_of(const debrief::Recorded& recorded) {
+  Counter counter(static_cast<double>(recorded.last_step()) * recorded.scenario->simulation->dt());
+  return page::page_data(recorded, [&](double time) {
+    counter.at(time);
+    return !interrupted();
+  });
+}
+
+/// False after saying why.
+bool write_page(const std::string& file, const std::string& text) {
+  if (text.empty()) {
+    fmt::print(stderr, "eyrie: {} is no debrief page of this version; build it again\n",
+               viewer_file());
+    return false;
+  }
+  const std::string part = fmt::format("{}.part-{}", file, ::getpid());
+  record::Sink sink(part);
+  sink.write(text);
+  if (!sink.close()) {
+    fmt::print(stderr, "eyrie: {}\n", sink.error());
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    return false;
+  }
+  fs::rename(part, file);
+  return true;
+}
+
+constexpr const char* kNoViewer =
+    "the debrief page is not built: it needs npm and its packages; './eyrie fly' builds it when it "
+    "can";
+
+}  // namespace
+
+PageWritten write_page(const debrief::Recorded& recorded, const std::string& file) {
+  const auto shell = viewer();
+  if (!shell)
+    return {.problem = kNoViewer};
+  const std::string data = data_of(recorded);
+  if (data.empty())
+    return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
+  if (!write_page(file, page::page_with(*shell, {&data, 1})))
+    return {.failed = true};
+  return {.written = true};
+}
+
+int debrief_page(const DebriefOptions& options) {
+  const auto shell = viewer();
+  if (!shell) {
+    fmt::print(stderr, "eyrie: {}\n", kNoViewer);
+    return 1;
+  }
+  std::vector<debrief::Recorded> runs;
+  for (const std::string& run : options.runs) {
+    auto opened = open_or_complain(run, options.plugins);
+    if (!opened)
+      return 2;
+    runs.push_back(std::move(*opened));
+  }
+  std::string file = options.out;
+  if (file.empty()) {
+    const fs::path folder = fs::path(runs.front().file).parent_path();
+    file = (folder / (runs.size() > 1 ? "debrief-two.html" : "debrief.html")).string();
+  } else if (fs::exists(file) && !options.force) {
+    fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
+               file);
+    return 2;
+  }
+  listen_for_interrupts();
+  std::vector<std::string> data;
+  for (const debrief::Recorded& run : runs) {
+    data.push_back(data_of(run));
+    if (data.back().empty()) {
+      fmt::print(stderr, "eyrie: interrupted, nothing was written\n");
+      return 130;
+    }
+  }
+  if (!write_page(file, page::page_with(*shell, data)))
+    return 1;
+  fmt::print("written to {}, {:.1f} MB\n", file, static_cast<double>(fs::file_size(file)) / 1e6);
+  return 0;
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/// \file  export: a recorded run for other tools.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "commands.hpp"
+#include "debrief/explainer.hpp"
+#include "debrief/report.hpp"
+#include "interrupt.hpp"
+#include "record/czml.hpp"
+#include "record/geojson.hpp"
+#include "record/sink.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+
+void write_paths(const debrief::Recorded& recorded, ExportFormat format, record::Sink& sink) {
+  record::Paths paths(*recorded.scenario);
+  debrief::Reflight flight(recorded);
+  flight.attach(paths);
+  while (!interrupted() && flight.step()) {
+  }
+  paths.finish(flight.after());
+  sink.write(format == ExportFormat::czml ? record::czml(paths) : record::geojson(paths));
+}
+
+/// Every decision of every player, or of one.
+void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> who,
+                     record::Sink& sink) {
+  const scenario::Scenario& scenario = *recorded.scenario;
+  debrief::Reflight flight(recorded);
+  debrief::Explainer explainer(scenario);
+  std::vector<debrief::Decision> decisions;
+  bool first = true;
+  const auto flush = [&] {
+    const std::string text = debrief::decisions_csv(decisions, scenario.roster);
+    sink.write(first ? std::string_view(text) : std::string_view(text).substr(text.find('\n') + 1));
+    first = false;
+    decisions.clear();
+  };
+  while (!interrupted() && flight.step()) {
+    for (std::uint32_t id = 1; id <= scenario.roster.players.size(); ++id)
+      if (!who || *who == PlayerId{id})
+        if (auto decision =
+                explainer.explain(flight.before(), flight.after(), PlayerId{id}, flight.orders()))
+          decisions.push_back(std::move(*decision));
+    if (decisions.size() > 1000)
+      flush();
+  }
+  flush();
+}
+
+}  // namespace
+
+int export_run(const ExportOptions& options) {
+  const auto recorded = open_or_complain(options.run, options.plugins);
+  if (!recorded)
+    return 2;
+  std::optional<PlayerId> who;
+  if (!options.player.empty()) {
+    who = player_or_complain(recorded->scenario->roster, options.player);
+    if (!who)
+      return 2;
+    if (options.format != ExportFormat::decisions) {
+      fmt::print(stderr, "--player is for decisions: paths are those of all players\n");
+      return 2;
+    }
+  }
+  std::string file = options.out;
+  if (file.empty()) {
+    constexpr const char* kNames[] = {"run.czml", "run.geojson", "decisions.csv"};
+    file = (fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)])
+               .string();
+  } else if (fs::exists(file) && !options.force) {
+    fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
+               file);
+    return 2;
+  }
+  listen_for_interrupts();
+  const std::string part = fmt::format("{}.part-{}", file, ::getpid());
+  record::Sink sink(part);
+  if (options.format == ExportFormat::decisions)
+    write_decisions(*recorded, who, sink);
+  else
+    write_paths(*recorded, options.format, sink);
+  std::error_code failed;
+  if (interrupted()) {
+    fmt::print(stderr, "eyrie: interrupted, nothing was written\n");
+    fs::remove(part, failed);
+    return 130;
+  }
+  if (!sink.close()) {
+    fmt::print(stderr, "eyrie: {}\n", sink.error());
+    fs::remove(part, failed);
+    return 1;
+  }
+  fs::rename(part, file);
+  fmt::print("written to {}, {:.1f} MB\n", file, static_cast<double>(fs::file_size(file)) / 1e6);
+  return 0;
+}
+
+}  // namespace eyrie::app

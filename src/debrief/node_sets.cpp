@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/node_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "scenario/yaml.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+/// The nodes of one tree by their paths, in pre-order.
+using Paths = std::vector<std::string>;
+
+template <class Trees>
+bool add_paths(const Trees& trees, const std::string& name, Paths& paths) {
+  const auto index = trees.find(name);
+  if (!index)
+    return false;
+  for (std::size_t i = 0; i < trees[*index].size(); ++i)
+    paths.push_back(trees[*index].path(static_cast<ubf::NodeIndex>(i)));
+  return true;
+}
+
+/// The tree that a player begins with.
+std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
+  const auto name = [](const auto& trees, std::uint16_t index) {
+    return index < trees.size() ? std::string(trees[index].name()) : "";
+  };
+  const sim::World& world = *scenario.start;
+  if (const auto row = world.row(scenario.aircraft.table, who))
+    return name(*scenario.trees, world.rows(scenario.pilots.agent)[*row].tree);
+  if (scenario.vehicles)
+    if (const auto row = world.row(scenario.vehicles->table, who))
+      return name(*scenario.driver_trees, world.rows(scenario.drivers.agent)[*row].tree);
+  return "";
+}
+
+class Reader {
+ public:
+  Reader(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
+         Diagnostics& diagnostics)
+      : scenario_(scenario), who_(who), text_(text), diagnostics_(diagnostics) {}
+
+  /// False if this is no path of a node.
+  bool read(Overrides& out) {
+    const std::size_t equals = text_.find('=');
+    std::string path = text_.substr(0, equals);
+    std::string tree;
+    if (const std::size_t colon = path.find(':'); colon != std::string::npos) {
+      tree = path.substr(0, colon);
+      begin_ = colon + 1;
+      path = path.substr(begin_);
+    }
+    if (equals == std::string::npos || !is_path(path))
+      return false;
+    Paths paths;
+    if (tree.empty())
+      tree = tree_of(scenario_, who_);
+    if (!add_paths(*scenario_.trees, tree, paths) &&
+        !add_paths(*scenario_.driver_trees, tree, paths)) {
+      error(0, fmt::format("there is no tree {}", quote(tree)));
+      return true;
+    }
+    change(paths, tree, path, equals, out);
+    return true;
+  }
+
+ private:
+  [[nodiscard]] static bool is_path(std::string_view path) {
+    return path.substr(0, 4) == "root" && (path.size() == 4 || path[4] == '/' || path[4] == '.');
+  }
+  [[nodiscard]] Location at(std::size_t offset) const {
+    return {"--set " + text_, 1, static_cast<int>(offset) + 1};
+  }
+  void error(std::size_t offset, std::string message) {
+    diagnostics_.error(at(offset), std::move(message));
+  }
+
+  void change(const Paths& paths, const std::string& tree, const std::string& path,
+              std::size_t equals, Overrides& out) {
+    std::string node = path, key;
+    auto found = std::find(paths.begin(), paths.end(), node);
+    const std::size_t point = path.rfind('.');
+    if (found == paths.end() && point != std::string::npos) {
+      node = path.substr(0, point);
+      key = path.substr(point + 1);
+      found = std::find(paths.begin(), paths.end(), node);
+    }
+    if (found == paths.end())
+      return error(begin_, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
+                                       did_you_mean(node, paths)));
+    if (point != std::string::npos && node != path && key.empty())
+      return error(begin_ + path.size(), "a parameter is missing behind the point");
+    Diagnostics wrong;
+    eyrie::Value value = scenario::parse_yaml(text_.substr(equals + 1), "--set", wrong);
+    if (!wrong.ok())
+      return error(equals + 1, wrong.sorted().front().message);
+    value.where = at(equals + 1);
+    const auto index = static_cast<ubf::NodeIndex>(found - paths.begin());
+    out.changes.push_back({tree,
+                           {.node = index,
+                            .key = key,
+                            .value = std::move(value),
+                            .where = at(begin_ + (key.empty() ? 0 : point + 1))}});
+  }
+
+  const scenario::Scenario& scenario_;
+  PlayerId who_;
+  const std::string& text_;
+  Diagnostics& diagnostics_;
+  std::size_t begin_ = 0;  ///< of the path
+};
+
+}  // namespace
+
+Overrides read_overrides(const scenario::Scenario& scenario, PlayerId who,
+                         const std::vector<std::string>& texts, Diagnostics& diagnostics) {
+  Overrides out;
+  for (const std::string& text : texts)
+    if (!Reader(scenario, who, text, diagnostics).read(out))
+      out.sets.push_back(text);
+  return out;
+}
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "page/column.hpp"
+
+#include <cmath>
+
+#include "core/assert.hpp"
+
+namespace eyrie::page {
+namespace {
+
+void put_varint(std::int64_t value, std::string& out) {
+  auto bits = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
+  for (; bits >= 128; bits >>= 7)
+    out.push_back(static_cast<char>(bits | 128));
+  out.push_back(static_cast<char>(bits));
+}
+
+std::string encoded(const std::vector<std::int64_t>& values, int order) {
+  std::string out;
+  out.reserve(values.size() * 2);
+  std::int64_t last = 0, slope = 0;
+  for (const std::int64_t value : values) {
+    const std::int64_t difference = value - last;
+    put_varint(order == 0 ? value : order == 1 ? difference : difference - slope, out);
+    last = value;
+    slope = difference;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::int64_t Column::rounded(double value) const {
+  if (std::isnan(value))
+    return kNothing;
+  const double quanta = std::floor(value / quantum_ + 0.5);
+  EYRIE_DEMAND(std::fabs(quanta) < 9e15, "a number too large for its column");
+  return static_cast<std::int64_t>(quanta);
+}
+
+ColumnPlace ColumnBytes::put(const Column& column) {
+  ColumnPlace place{bytes_.size(), column.size(), column.quantum(), 0};
+  std::string best;
+  for (int order = 0; order < 3; ++order) {
+    std::string candidate = encoded(column.values(), order);
+    if (order > 0 && candidate.size() >= best.size())
+      continue;
+    best = std::move(candidate);
+    place.order = order;
+  }
+  bytes_ += best;
+  return place;
+}
+
+}  // namespace eyrie::page

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Long rows of numbers in few bytes, as viewer/src/run/decode.ts reads them.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace eyrie::page {
+
+/// Numbers rounded to multiples of a quantum.
+class Column {
+ public:
+  /// Stands for NaN.
+  static constexpr std::int64_t kNothing = -2147483648;
+
+  explicit Column(double quantum = 1) : quantum_(quantum) {}
+
+  /// NaN is kept; everything else must be finite.
+  void add(double value) { values_.push_back(rounded(value)); }
+  /// In quanta.
+  void add_rounded(std::int64_t value) { values_.push_back(value); }
+  [[nodiscard]] std::int64_t rounded(double value) const;
+
+  [[nodiscard]] double quantum() const { return quantum_; }
+  [[nodiscard]] std::size_t size() const { return values_.size(); }
+  [[nodiscard]] const std::vector<std::int64_t>& values() const { return values_; }
+
+ private:
+  double quantum_;
+  std::vector<std::int64_t> values_;
+};
+
+/// Where a column stands among the bytes: offset, count, quantum, order of the differences.
+struct ColumnPlace {
+  std::size_t offset = 0, count = 0;
+  double quantum = 1;
+  int order = 0;
+};
+
+/// Columns one behind the other, each as zigzag varints of whichever differences take the fewest
+/// bytes: none, first or second.
+class ColumnBytes {
+ public:
+  ColumnPlace put(const Column& column);
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace eyrie::page

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "page/column.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <limits>
+
+#include "page/packed.hpp"
+
+namespace eyrie::page {
+namespace {
+
+/// The reader, written after the words of decode.ts.
+std::vector<double> read_column(const std::string& bytes, const ColumnPlace& place) {
+  std::vector<double> out;
+  std::size_t at = place.offset;
+  std::int64_t last = 0, slope = 0;
+  while (out.size() < place.count) {
+    std::uint64_t bits = 0;
+    for (int shift = 0;; shift += 7) {
+      const auto byte = static_cast<unsigned char>(bytes.at(at++));
+      bits |= std::uint64_t{byte & 127U} << shift;
+      if (byte < 128)
+        break;
+    }
+    const auto value = static_cast<std::int64_t>(bits >> 1) ^ -static_cast<std::int64_t>(bits & 1);
+    slope = place.order == 2 ? slope + value : value;
+    last = place.order == 0 ? value : last + slope;
+    out.push_back(last == Column::kNothing ? std::numeric_limits<double>::quiet_NaN()
+                                           : static_cast<double>(last) * place.quantum);
+  }
+  return out;
+}
+
+RC_GTEST_PROP(Column, ComesBackToWithinHalfAQuantum, (std::vector<std::int32_t> raw)) {
+  Column column(0.125), other(1);
+  for (const std::int32_t value : raw) {
+    column.add(value / 7.0);
+    other.add(value % 3);
+  }
+  ColumnBytes bytes;
+  static_cast<void>(bytes.put(other));
+  const ColumnPlace place = bytes.put(column);
+  const auto back = read_column(bytes.bytes(), place);
+  RC_ASSERT(back.size() == raw.size());
+  for (std::size_t i = 0; i < raw.size(); ++i)
+    RC_ASSERT(std::fabs(back[i] - raw[i] / 7.0) <= 0.0625 + 1e-9);
+}
+
+TEST(Column, KeepsNothingAsNothing) {
+  Column column(0.1);
+  for (const double value : {1.0, std::nan(""), 2.0})
+    column.add(value);
+  ColumnBytes bytes;
+  const auto back = read_column(bytes.bytes(), bytes.put(column));
+  EXPECT_TRUE(std::isnan(back[1]));
+  EXPECT_NEAR(back[2], 2, 1e-9);
+}
+
+TEST(Column, TakesTheDifferencesThatAreShortest) {
+  Column constant, ramp, parabola;
+  for (int i = 0; i < 1000; ++i) {
+    constant.add(1e6);
+    ramp.add(1000.0 * i);
+    parabola.add(1000.0 * i * i);
+  }
+  ColumnBytes bytes;
+  EXPECT_EQ(bytes.put(constant).order, 1);
+  EXPECT_EQ(bytes.put(ramp).order, 2);
+  EXPECT_EQ(bytes.put(parabola).order, 2);
+  EXPECT_LT(bytes.bytes().size(), 6000U);
+}
+
+TEST(Packed, IsBase64OfZlib) {
+  EXPECT_EQ(base64(""), "");  // RFC 4648, section 10
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  const std::string text(10'000, 'x'), packed = deflated(text);
+  EXPECT_LT(packed.size(), 100U);
+  std::string back(text.size(), '\0');
+  uLongf size = back.size();
+  ASSERT_EQ(uncompress(reinterpret_cast<Bytef*>(back.data()), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  EXPECT_EQ(back, text);
+}
+
+}  // namespace
+}  // namespace eyrie::page

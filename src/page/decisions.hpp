@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One agent's decisions in columns.
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "debrief/values.hpp"
+#include "page/shapes.hpp"
+
+namespace eyrie::page {
+
+/// What numbers of a unit are rounded to. People look at them.
+[[nodiscard]] inline double quantum_of(std::string_view unit) {
+  return unit == "rad" ? 1e-6 : unit == "m" ? 1e-3 : 1e-4;
+}
+
+/// How a field of an action stands in a column: "number", "flag", "id" or "text".
+template <class Field>
+[[nodiscard]] constexpr std::string_view column_kind() {
+  using T = typename Field::Value;
+  return std::is_same_v<T, bool> ? "flag"
+         : Field::is_number      ? "number"
+                                 : NamedEnum<T> || requires(const T& v) {
+         to_text(v);
+  }
+  ? "text" : "id";
+}
+
+/// How a field is blended, as the page calls it.
+template <class Field>
+[[nodiscard]] constexpr std::string_view blend_name() {
+  using Blend = typename Field::BlendTag;
+  return std::is_same_v<Blend, ubf::blend::Angle>    ? "angle"
+         : std::is_same_v<Blend, ubf::blend::Mean>   ? "mean"
+         : std::is_same_v<Blend, ubf::blend::Agreed> ? "agreed"
+                                                     : "strongest";
+}
+/// What the page knows of the fields of an action.
+template <class Action>
+[[nodiscard]] Json action_fields() {
+  Json fields = Json::array();
+  ubf::for_each_field<Action>([&](const auto& f, auto) {
+    using Field = std::remove_cvref_t<decltype(f)>;
+    fields.push_back({{"name", f.name},
+                      {"unit", f.unit.si_symbol},
+                      {"blend", blend_name<Field>()},
+                      {"kind", column_kind<Field>()}});
+  });
+  return fields;
+}
+
+/// Steps, shapes, and the values that nodes proposed themselves: leaves all of theirs, arbiters
+/// what they blended.
+class Decisions {
+ public:
+  Decisions(ShapeBook& shapes, TextBook& texts) : shapes_(shapes), texts_(texts) {}
+
+  /// True if somebody else leads than at the decision before.
+  template <class Action>
+  bool add(std::uint64_t step, std::size_t tree, const std::vector<debrief::Answer>& blank,
+           ubf::NodeIndex leader, const ubf::Trace<Action>& trace, bool thin, double period) {
+    const std::int64_t shape = shapes_.number(tree, blank, leader, trace);
+    const bool changed = tree != tree_ || leader != leader_;
+    tree_ = tree;
+    leader_ = leader;
+    // of a thinned run those are kept that are other ones, and one in a while
+    if (thin && shape == shape_ && static_cast<double>(step - last_step_) < period)
+      return changed;
+    shape_ = shape;
+    last_step_ = step;
+    step_.add_rounded(static_cast<std::int64_t>(step));
+    shape_column_.add_rounded(shape);
+    ubf::for_each_field<Action>([&](const auto& f, auto i) { add_field(f, i, blank, trace); });
+    return changed;
+  }
+
+  [[nodiscard]] Json json(ColumnBytes& bytes) const {
+    Json values = Json::array();
+    for (const auto& [at, column] : values_)
+      values.push_back({at.first, at.second, put(bytes, column)});
+    return {{"step", put(bytes, step_)},
+            {"shape", put(bytes, shape_column_)},
+            {"values", std::move(values)}};
+  }
+
+ private:
+  /// One field of all nodes that have a value of their own. What differs stays different, however
+  /// little: the page must see that two nodes want two things.
+  template <class Field, class Action>
+  void add_field(const Field& f, std::size_t index, const std::vector<debrief::Answer>& blank,
+                 const ubf::Trace<Action>& trace) {
+    using T = typename Field::Value;
+    std::vector<std::pair<T, std::int64_t>> taken;
+    for (std::size_t i = 0; i < blank.size(); ++i) {
+      const auto node = static_cast<ubf::NodeIndex>(i);
+      const auto& row = trace.row(node);
+      if (row.supplier[index] != node)
+        continue;
+      const T& value = *(row.proposal.action.*f.member);
+      const auto at = values_.try_emplace(
+          {static_cast<int>(i), static_cast<int>(index)},
+          column_kind<Field>() == "number" ? quantum_of(f.unit.si_symbol) : 1.0);
+      Column& column = at.first->second;
+      std::int64_t number = rounded<Field>(value, column);
+      for (std::size_t k = 0; k < taken.size(); ++k)
+        if (taken[k].second == number && !(taken[k].first == value)) {
+          number = another<Field>(number);
+          k = static_cast<std::size_t>(-1);  // it may now be a third one's
+        }
+      taken.emplace_back(value, number);
+      column.add_rounded(number);
+    }
+  }
+  template <class Field>
+  [[nodiscard]] std::int64_t rounded(const typename Field::Value& value, const Column& column) {
+    using T = typename Field::Value;
+    if constexpr (std::is_arithmetic_v<T>)
+      return column.rounded(static_cast<double>(value));
+    else if constexpr (NamedEnum<T>)
+      return texts_.number(std::string(enum_name(value)));
+    else if constexpr (requires { to_text(value); })
+      return texts_.number(to_text(value));
+    else
+      return static_cast<std::int64_t>(value.value);
+  }
+  /// Shown alike, but not the same.
+  template <class Field>
+  [[nodiscard]] std::int64_t another(std::int64_t number) {
+    return column_kind<Field>() == "text"
+               ? texts_.number(texts_.texts()[static_cast<std::size_t>(number)] + " (another)")
+               : number + 1;
+  }
+
+  ShapeBook& shapes_;
+  TextBook& texts_;
+  Column step_, shape_column_;
+  std::map<std::pair<int, int>, Column> values_;  ///< by node and field
+  std::size_t tree_ = static_cast<std::size_t>(-1);
+  ubf::NodeIndex leader_ = ubf::kNone;
+  std::int64_t shape_ = -1;
+  std::uint64_t last_step_ = 0;
+};
+
+}  // namespace eyrie::page

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "page/motions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.hpp"
+#include "record/names.hpp"
+
+namespace eyrie::page {
+using model::EventKind;
+
+void Motion::add(double time, const Reference& reference, const model::Kinematics& k) {
+  if (time <= last_time_)
+    return;
+  const OnMap at = on_map(reference, k.position);
+  last_time_ = time;
+  t_.add(time);
+  east_.add(at.east);
+  north_.add(at.north);
+  up_.add(at.up);
+  heading_.add(wrap_tau(k.heading + at.turn));
+  pitch_.add(k.pitch);
+  roll_.add(wrap_pi(k.roll));
+}
+
+Json Motion::json(ColumnBytes& bytes) const {
+  return {
+      {"t", put(bytes, t_)},      {"east", put(bytes, east_)},       {"north", put(bytes, north_)},
+      {"up", put(bytes, up_)},    {"heading", put(bytes, heading_)}, {"pitch", put(bytes, pitch_)},
+      {"roll", put(bytes, roll_)}};
+}
+
+Motions::Motions(const scenario::Scenario& scenario, double period)
+    : scenario_(scenario), period_(period), players_(scenario.roster.players.size()) {}
+
+void Motions::sample(Player& player, double time, const model::Kinematics& k, double fuel) {
+  if (time <= player.motion.last_time())
+    return;
+  player.motion.add(time, scenario_.library->reference, k);
+  player.speed.add(k.speed);
+  player.mach.add(k.mach);
+  player.load_factor.add(k.load_factor);
+  player.fuel.add(fuel);
+}
+
+void Motions::look(const sim::World& world, bool players, bool missiles) {
+  const auto see = [&](PlayerId id, const model::Kinematics& k, double fuel) {
+    Player& player = players_[id.value - 1];
+    if (!player.born) {
+      player.born = true;
+      player.born_time = time_;
+    }
+    player.last = k;
+    player.last_fuel = fuel;
+    if (players)
+      sample(player, time_, k, fuel);
+  };
+  const auto& aircraft = scenario_.aircraft;
+  for (std::size_t i = 0; i < world.rows(aircraft.table); ++i)
+    see(world.ids(aircraft.table)[i], world.rows(aircraft.kinematics)[i],
+        world.rows(aircraft.propulsion)[i].fuel);
+  if (const auto& vehicles = scenario_.vehicles)
+    for (std::size_t i = 0; i < world.rows(vehicles->table); ++i)
+      see(world.ids(vehicles->table)[i], world.rows(vehicles->kinematics)[i], ubf::kNoValue);
+  const auto ids = world.ids(scenario_.missiles.table);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    Missile& missile = missiles_[ids[i].value];
+    missile.last = world.rows(scenario_.missiles.kinematics)[i];
+    if (missiles || missile.motion.empty())
+      missile.motion.add(time_, scenario_.library->reference, missile.last);
+  }
+}
+
+void Motions::begin(const sim::World& world, double dt) {
+  dt_ = dt;
+  const auto steps = [&](double seconds) {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
+  };
+  players_every_ = steps(period_);
+  missiles_every_ = steps(period_ / 5);
+  time_ = static_cast<double>(world.step()) * dt;
+  look(world, true, true);
+}
+
+void Motions::leave(PlayerId who, const char* end) {
+  if (!scenario_.roster.find(who))
+    return;
+  Player& player = players_[who.value - 1];
+  if (player.gone >= 0)
+    return;
+  player.gone = time_;
+  player.end = end;
+  sample(player, time_, player.last, player.last_fuel);
+}
+
+void Motions::end_missile(const sim::Event& e, const char* end, std::string detail) {
+  const auto at = missiles_.find(e.who.value);
+  if (at == missiles_.end() || at->second.gone >= 0)
+    return;
+  Missile& missile = at->second;
+  missile.gone = time_;
+  missile.end = end;
+  missile.detail = std::move(detail);
+  missile.motion.add(time_, scenario_.library->reference, missile.last);
+}
+
+void Motions::happened(const sim::Event& e, const sim::World& world) {
+  switch (record::kind_of(e)) {
+    case EventKind::launch: {
+      const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
+      Missile& missile = missiles_[e.who.value];
+      missile.id = e.who.value;
+      missile.type = record::store_label(scenario_, e.values[1]);
+      missile.side = shooter ? shooter->side : model::Side::none;
+      missile.shooter = PlayerId{e.detail};
+      missile.target = e.whom;
+      missile.born = time_;
+      if (const auto row = world.row(scenario_.missiles.table, e.who))
+        missile.last = world.rows(scenario_.missiles.kinematics)[*row];
+      break;
+    }
+    case EventKind::seeker_active:
+      if (const auto at = missiles_.find(e.who.value); at != missiles_.end())
+        at->second.active = time_;
+      break;
+    case EventKind::detonation:
+      end_missile(e, e.values[2] < e.values[1] ? "kill" : "miss",
+                  fmt::format("by {:.0f} m", e.values[0]));
+      break;
+    case EventKind::timeout:
+      end_missile(
+          e, "trashed",
+          std::string(enum_name(static_cast<model::MissileEnd>(static_cast<int>(e.values[0])))));
+      break;
+    case EventKind::kill:
+      leave(e.whom, "lost");
+      break;
+    case EventKind::crash:
+    case EventKind::loss:
+      leave(e.who, "lost");
+      break;
+    case EventKind::home:
+      leave(e.who, "home");
+      break;
+    default:
+      break;
+  }
+}
+
+void Motions::observe(const sim::World& world, const sim::StepInfo& info,
+                      std::span<const sim::Event> events) {
+  time_ = info.time() + info.dt;
+  for (const sim::Event& e : events)
+    happened(e, world);
+  look(world, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
+}
+
+void Motions::finish(const sim::World& world) {
+  look(world, true, true);
+  for (Player& player : players_)
+    if (player.gone < 0)
+      player.gone = time_;
+  for (auto& [id, missile] : missiles_)
+    if (missile.gone < 0)
+      missile.gone = time_;
+}
+
+Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
+  const Player& p = players_[index];
+  Json j{{"born", p.born_time}, {"gone", p.gone}, {"end", p.end}};
+  j["motion"] = p.motion.json(bytes);
+  j["gauges"] = {{"speed", put(bytes, p.speed)},
+                 {"mach", put(bytes, p.mach)},
+                 {"load_factor", put(bytes, p.load_factor)},
+                 {"fuel", put(bytes, p.fuel)}};
+  return j;
+}
+
+Json Motions::missiles(ColumnBytes& bytes) const {
+  const auto index = [&](PlayerId id) {
+    return scenario_.roster.find(id) ? static_cast<int>(id.value) - 1 : -1;
+  };
+  Json all = Json::array();
+  for (const auto& [id, m] : missiles_)
+    all.push_back({{"id", id},
+                   {"type", m.type},
+                   {"side", scenario::side_name(m.side)},
+                   {"shooter", index(m.shooter)},
+                   {"target", index(m.target)},
+                   {"born", m.born},
+                   {"gone", m.gone},
+                   {"active", number_or_null(m.active)},
+                   {"end", m.end},
+                   {"detail", m.detail},
+                   {"motion", m.motion.json(bytes)}});
+  return all;
+}
+
+}  // namespace eyrie::page

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "page/page_data.hpp"
+
+#include <fmt/format.h>
+
+#include "debrief/explainer.hpp"
+#include "page/decisions.hpp"
+#include "page/motions.hpp"
+#include "page/packed.hpp"
+#include "page/sights.hpp"
+#include "page/tree_json.hpp"
+#include "record/story.hpp"
+
+namespace eyrie::page {
+namespace {
+
+// s
+constexpr double kSights = 0.5, kThinnedSights = 5;
+constexpr double kThinnedDecisions = 1;
+constexpr double kMotion = 0.5, kThinnedMotion = 1;
+
+/// What one agent decided and saw.
+struct Agent {
+  Decisions decisions;
+  Sights sights;
+};
+
+/// What the decisions of all agents of one platform are put together with.
+template <class State, class Action>
+class Platform {
+ public:
+  using Trees = ubf::Trees<State, Action>;
+  /// Its trees are numbered from `first` on.
+  Platform(const Trees& trees, std::size_t first)
+      : trees_(trees), first_(first), trace_(trees.max_size()) {
+    for (const auto& tree : trees)
+      blank_.push_back(debrief::unanswered(tree));
+  }
+
+  /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
+  template <class See>
+  void decide(const team::Moment<State>& m, Agent& agent, bool thin, See see) {
+    const std::uint16_t tree = m.state.agent.tree;
+    const auto out = team::ask_again(trees_[tree], m, &trace_);
+    const bool changed = agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader,
+                                             trace_, thin, kThinnedDecisions / m.info.dt);
+    const double every = thin ? kThinnedSights : kSights;
+    if (changed || m.info.time() - agent.sights.last_time() > every - 1e-6)
+      see(m.state);
+  }
+
+  void put_trees(std::string_view platform, Json& all) const {
+    for (const auto& tree : trees_)
+      all.push_back(tree_json(tree, platform));
+  }
+  [[nodiscard]] static Json fields() {
+    Json state = Json::array();
+    for (const auto& field : ubf::StateFields<State>::all()) {
+      const auto kind = field.info.kind;
+      Json one{{"name", field.info.name},
+               {"unit", field.info.unit.si_symbol},
+               {"kind", kind == ubf::FieldKind::number ? "number"
+                        : kind == ubf::FieldKind::flag ? "flag"
+                                                       : "choice"},
+               {"choices", Json::array()}};
+      for (const auto choice : field.info.choices)
+        one["choices"].push_back(choice);
+      state.push_back(std::move(one));
+    }
+    return {{"action", action_fields<Action>()}, {"state", std::move(state)}};
+  }
+
+ private:
+  const Trees& trees_;
+  std::size_t first_;
+  ubf::Trace<Action> trace_;
+  std::vector<std::vector<debrief::Answer>> blank_;
+};
+
+class Writer {
+ public:
+  explicit Writer(const debrief::Recorded& recorded)
+      : recorded_(recorded),
+        scenario_(*recorded.scenario),
+        thin_(scenario_.roster.players.size() > kManyPlayers),
+        shapes_(texts_),
+        pilots_(*scenario_.trees, 0),
+        drivers_(*scenario_.driver_trees, scenario_.trees->size()),
+        pilot_system_(debrief::find_system<pilot::PilotSystem>(*scenario_.simulation)),
+        driver_system_(debrief::find_system<driver::DriverSystem>(*scenario_.simulation)),
+        motions_(scenario_, thin_ ? kThinnedMotion : kMotion),
+        story_(scenario_, [this](const record::StoryLine& line) { tell(line); }) {
+    for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i)
+      agents_.push_back({Decisions(shapes_, texts_), Sights(scenario_, texts_)});
+  }
+
+  /// False if `progress` gave up.
+  bool fly(const Progress& progress) {
+    debrief::Reflight flight(recorded_);
+    flight.attach(motions_);
+    flight.attach(story_);
+    constexpr std::uint64_t kTell = 512;  // steps
+    while (flight.step()) {
+      look(flight);
+      if (progress && flight.after().step() % kTell == 0 && !progress(flight.time()))
+        return false;
+    }
+    motions_.finish(flight.after());
+    return true;
+  }
+
+  [[nodiscard]] std::string packed() const {
+    ColumnBytes bytes;
+    const std::string document = json(bytes).dump();
+    std::string all;
+    for (int shift = 0; shift < 32; shift += 8)
+      all.push_back(static_cast<char>(document.size() >> shift & 255));
+    return base64(deflated(all + document + bytes.bytes()));
+  }
+
+ private:
+  void look(const debrief::Reflight& flight) {
+    for (std::size_t i = 0; i < agents_.size(); ++i) {
+      const PlayerId who{static_cast<std::uint32_t>(i + 1)};
+      Agent& agent = agents_[i];
+      if (scenario_.roster.players[i].platform == scenario::Platform::vehicle)
+        driver_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
+                                [&](const team::Moment<driver::State>& m) {
+                                  drivers_.decide(m, agent, thin_, [&](const driver::State& s) {
+                                    agent.sights.add(s);
+                                  });
+                                });
+      else
+        pilot_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
+                               [&](const team::Moment<pilot::State>& m) {
+                                 pilots_.decide(m, agent, thin_, [&](const pilot::State& s) {
+                                   agent.sights.add(s, radar_of(flight.after(), who));
+                                 });
+                               });
+    }
+  }
+  [[nodiscard]] const model::RadarState* radar_of(const sim::World& world, PlayerId who) const {
+    const auto row = world.row(scenario_.aircraft.table, who);
+    return row ? &world.rows(scenario_.aircraft.radar)[*row] : nullptr;
+  }
+
+  void tell(const record::StoryLine& line) {
+    constexpr const char* kTones[] = {"plain", "blue", "red", "kill", "phase"};
+    const bool is_player = scenario_.roster.find(line.player);
+    lines_.push_back({{"t", line.time},
+                      {"kind", model::event_name(line.kind)},
+                      {"tone", kTones[static_cast<std::size_t>(line.tone)]},
+                      {"who", is_player ? static_cast<int>(line.player.value) - 1 : -1},
+                      {"name", line.who},
+                      {"text", line.text}});
+  }
+
+  [[nodiscard]] Json json(ColumnBytes& bytes) const {
+    Json trees = Json::array(), players = Json::array();
+    pilots_.put_trees("aircraft", trees);
+    drivers_.put_trees("vehicle", trees);
+    for (std::size_t i = 0; i < agents_.size(); ++i)
+      players.push_back(player(i, bytes));
+    const Geodetic& origin = scenario_.library->reference.origin();
+    return {{"format", 1},
+            {"about", about()},
+            {"origin",
+             {{"latitude", degrees(origin.latitude)}, {"longitude", degrees(origin.longitude)}}},
+            {"flights", flights()},
+            {"players", std::move(players)},
+            {"missiles", motions_.missiles(bytes)},
+            {"trees", std::move(trees)},
+            {"shapes", shapes_.json()},
+            {"platforms",
+             {{"aircraft", Platform<pilot::State, pilot::Action>::fields()},
+              {"vehicle", Platform<driver::State, driver::Action>::fields()}}},
+            {"texts", texts_.texts()},
+            {"story", lines_}};
+  }
+
+  [[nodiscard]] Json about() const {
+    const auto& run = recorded_.run;
+    const double dt = scenario_.simulation->dt();
+    const auto& marks = run.trail.marks;
+    const double period = pilot_system_->setup().dt * pilot_system_->setup().period;
+    return {{"scenario", scenario_.spec.name},
+            {"help", scenario_.spec.help_text},
+            {"file", run.scenario},
+            {"seed", std::to_string(run.seed)},
+            {"hash", marks.empty() ? "" : fmt::format("{:#018x}", marks.back().hash)},
+            {"build", run.build},
+            {"steps", recorded_.last_step()},
+            {"dt", dt},
+            {"duration", static_cast<double>(recorded_.last_step()) * dt},
+            {"outcome", run.outcome},
+            {"decision_period", thin_ ? kThinnedDecisions : period},
+            {"thinned", thin_}};
+  }
+
+  [[nodiscard]] Json flights() const {
+    const model::Library& library = *scenario_.library;
+    Json all = Json::array();
+    for (const model::Flight& flight : library.flights) {
+      Json members = Json::array(), route = Json::array(), home;
+      bool drives = false;
+      for (const PlayerId id : flight.members) {
+        members.push_back(id.value - 1);
+        drives |= scenario_.roster.find(id)->platform == scenario::Platform::vehicle;
+      }
+      if (!flight.routes.empty())
+        for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
+          const OnMap at = on_map(library.reference, waypoint.position);
+          route.push_back({at.east, at.north, waypoint.altitude,
+                           waypoint.speed ? Json(*waypoint.speed) : Json()});
+        }
+      if (flight.home) {
+        const OnMap at = on_map(library.reference, *flight.home);
+        home = {at.east, at.north, at.up};
+      }
+      all.push_back({{"name", flight.name},
+                     {"side", scenario::side_name(flight.side)},
+                     {"kind", drives ? "vehicle" : "aircraft"},
+                     {"members", std::move(members)},
+                     {"route", std::move(route)},
+                     {"home", std::move(home)}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const {
+    const auto& p = scenario_.roster.players[index];
+    const bool drives = p.platform == scenario::Platform::vehicle;
+    Json j{{"id", index + 1},
+           {"name", p.name},
+           {"side", scenario::side_name(p.side)},
+           {"kind", drives ? "vehicle" : "aircraft"},
+           {"type", p.label},
+           {"model", p.type},
+           {"flight", p.flight},
+           {"rank", p.rank},
+           {"radar", drives ? Json() : radar(p.type)}};
+    j.update(motions_.player(index, bytes));
+    j["decisions"] = agents_[index].decisions.json(bytes);
+    j["sights"] = agents_[index].sights.json(bytes);
+    return j;
+  }
+  [[nodiscard]] Json radar(const std::string& type) const {
+    const model::Library& library = *scenario_.library;
+    const auto at = library.aircraft.find(type);
+    if (!at || !library.aircraft[*at].index.radar)
+      return {};
+    const model::Radar& radar = library.radars[*library.aircraft[*at].index.radar];
+    return {{"azimuth", radar.scan_half_azimuth},
+            {"elevation", (radar.scan_bars * radar.bar_spacing + radar.beam_width) / 2},
+            {"range", radar.reference_range}};
+  }
+
+  const debrief::Recorded& recorded_;
+  const scenario::Scenario& scenario_;
+  bool thin_;
+  TextBook texts_;
+  ShapeBook shapes_;
+  Platform<pilot::State, pilot::Action> pilots_;
+  Platform<driver::State, driver::Action> drivers_;
+  const pilot::PilotSystem* pilot_system_;
+  const driver::DriverSystem* driver_system_;
+  std::vector<Agent> agents_;
+  Motions motions_;
+  record::Story story_;
+  Json lines_ = Json::array();
+};
+
+}  // namespace
+
+std::string page_data(const debrief::Recorded& recorded, const Progress& progress) {
+  Writer writer(recorded);
+  return writer.fly(progress) ? writer.packed() : "";
+}
+
+}  // namespace eyrie::page

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "record/geojson.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/angle.hpp"
+
+namespace eyrie::record {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json coordinates(const Geodetic& place) {
+  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  return {rounded(degrees(wrap_pi(place.longitude)), 1e7), rounded(degrees(place.latitude), 1e7),
+          rounded(place.altitude, 10)};
+}
+
+Json feature(Json geometry, Json properties) {
+  return {{"type", "Feature"},
+          {"geometry", std::move(geometry)},
+          {"properties", std::move(properties)}};
+}
+
+/// Lines, cut where they cross the 180th meridian: at the last point before and the first behind.
+Json lines(const std::vector<Path::Point>& points) {
+  Json all = Json::array();
+  Json line = Json::array();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool crosses = i > 0 && std::fabs(wrap_pi(points[i].place.longitude) -
+                                            wrap_pi(points[i - 1].place.longitude)) > kPi;
+    if (crosses && line.size() > 1)
+      all.push_back(line);
+    if (crosses)
+      line = Json::array();
+    line.push_back(coordinates(points[i].place));
+  }
+  if (line.size() > 1)
+    all.push_back(std::move(line));
+  return all;
+}
+
+Json path_feature(const Path& path) {
+  constexpr const char* kKinds[] = {"aircraft", "vehicle", "missile"};
+  Json times = Json::array(), led = Json::array();
+  for (const Path::Point& p : path.points)
+    times.push_back(std::round(p.time * 100) / 100);
+  for (const Path::Led& l : path.led)
+    led.push_back({{"from_s", l.time}, {"behavior", l.behavior}, {"vote", l.vote}});
+  Json properties{{"name", path.name},
+                  {"kind", kKinds[static_cast<std::size_t>(path.kind)]},
+                  {"type", path.type},
+                  {"side", scenario::side_name(path.side)}};
+  if (!path.target.empty())
+    properties["target"] = path.target;
+  if (!path.end.empty())
+    properties["end"] = path.end;
+  properties["times_s"] = std::move(times);
+  if (!led.empty())
+    properties["led_by"] = std::move(led);
+  return feature({{"type", "MultiLineString"}, {"coordinates", lines(path.points)}},
+                 std::move(properties));
+}
+
+/// The route of a flight with its home.
+void add_plan(const model::Library& library, const model::Flight& flight, Json& features) {
+  const Json about{{"flight", flight.name}, {"side", scenario::side_name(flight.side)}};
+  if (!flight.routes.empty() && flight.routes[0].waypoints.size() > 1) {
+    std::vector<Path::Point> points;
+    for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
+      Geodetic place = library.reference.to_geodetic(waypoint.position);
+      place.altitude = waypoint.altitude;
+      points.push_back({0, place});
+    }
+    Json properties = about;
+    properties["kind"] = "route";
+    features.push_back(feature({{"type", "MultiLineString"}, {"coordinates", lines(points)}},
+                               std::move(properties)));
+  }
+  if (flight.home) {
+    Json properties = about;
+    properties["kind"] = "home";
+    features.push_back(
+        feature({{"type", "Point"},
+                 {"coordinates", coordinates(library.reference.to_geodetic(*flight.home))}},
+                std::move(properties)));
+  }
+}
+
+}  // namespace
+
+std::string geojson(const Paths& paths) {
+  Json features = Json::array();
+  for (const model::Flight& flight : paths.scenario().library->flights)
+    add_plan(*paths.scenario().library, flight, features);
+  for (const auto& [id, path] : paths.all()) {
+    if (path.points.size() < 2)
+      continue;
+    features.push_back(path_feature(path));
+    if (path.end == "lost")
+      features.push_back(
+          feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},
+                  {{"name", path.name}, {"kind", "loss"}, {"time_s", path.points.back().time}}));
+  }
+  return Json{{"type", "FeatureCollection"}, {"features", std::move(features)}}.dump() + "\n";
+}
+
+}  // namespace eyrie::record

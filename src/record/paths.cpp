@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "record/paths.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "record/names.hpp"
+
+namespace eyrie::record {
+using model::EventKind;
+
+void Paths::keep(std::uint32_t id) {
+  Last& last = last_[id];
+  Path& path = all_[id];
+  if (last.kept >= time_ && !path.points.empty())
+    return;
+  last.kept = time_;
+  path.points.push_back({time_, scenario_.library->reference.to_geodetic(last.position)});
+}
+
+void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
+  last_[id.value].position = position;
+  if (keep_it || all_[id.value].points.empty())
+    keep(id.value);
+}
+
+template <class Agent, class Trees>
+void Paths::lead(PlayerId id, const Agent& agent, const Trees& trees) {
+  if (!agent.ticks)
+    return;
+  const auto& tree = trees[agent.tree];
+  const std::string behavior =
+      agent.node < tree.size() ? std::string(tree.node(agent.node).label()) : "nobody";
+  auto& led = all_[id.value].led;
+  if (led.empty() || led.back().behavior != behavior || led.back().vote != agent.vote)
+    led.push_back({time_, behavior, agent.vote});
+}
+
+void Paths::look(const sim::World& world, bool players, bool missiles) {
+  const auto& aircraft = scenario_.aircraft;
+  for (std::size_t i = 0; i < world.rows(aircraft.table); ++i) {
+    const PlayerId id = world.ids(aircraft.table)[i];
+    see(id, world.rows(aircraft.kinematics)[i].position, players);
+    lead(id, world.rows(scenario_.pilots.agent)[i], *scenario_.trees);
+  }
+  if (const auto& vehicles = scenario_.vehicles)
+    for (std::size_t i = 0; i < world.rows(vehicles->table); ++i) {
+      const PlayerId id = world.ids(vehicles->table)[i];
+      see(id, world.rows(vehicles->kinematics)[i].position, players);
+      lead(id, world.rows(scenario_.drivers.agent)[i], *scenario_.driver_trees);
+    }
+  for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
+    see(world.ids(scenario_.missiles.table)[i],
+        world.rows(scenario_.missiles.kinematics)[i].position, missiles);
+}
+
+void Paths::begin(const sim::World& world, double dt) {
+  const auto steps = [&](double seconds) {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
+  };
+  players_every_ = steps(1);
+  missiles_every_ = steps(0.2);
+  time_ = static_cast<double>(world.step()) * dt;
+  for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
+    const auto& player = scenario_.roster.players[i];
+    Path& path = all_[static_cast<std::uint32_t>(i + 1)];
+    path.name = player.name;
+    path.type = player.label;
+    path.side = player.side;
+    path.kind =
+        player.platform == scenario::Platform::vehicle ? Path::Kind::vehicle : Path::Kind::aircraft;
+  }
+  look(world, true, true);
+}
+
+void Paths::end(PlayerId id, const char* how) {
+  const auto at = all_.find(id.value);
+  if (at == all_.end() || !at->second.end.empty())
+    return;
+  at->second.end = how;
+  keep(id.value);
+}
+
+void Paths::happened(const sim::Event& e) {
+  switch (kind_of(e)) {
+    case EventKind::launch: {
+      const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
+      Path& path = all_[e.who.value];
+      path.kind = Path::Kind::missile;
+      path.type = store_label(scenario_, e.values[1]);
+      path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
+      path.side = shooter ? shooter->side : model::Side::none;
+      path.target = scenario_.roster.name(e.whom);
+      break;
+    }
+    case EventKind::detonation:
+      end(e.who, e.values[2] < e.values[1] ? "kill" : "miss");
+      break;
+    case EventKind::timeout:
+      end(e.who, "trashed");
+      break;
+    case EventKind::kill:
+      end(e.whom, "lost");
+      break;
+    case EventKind::crash:
+    case EventKind::loss:
+      end(e.who, "lost");
+      break;
+    case EventKind::home:
+      end(e.who, "home");
+      break;
+    default:
+      break;
+  }
+}
+
+void Paths::observe(const sim::World& world, const sim::StepInfo& info,
+                    std::span<const sim::Event> events) {
+  time_ = info.time() + info.dt;
+  for (const sim::Event& e : events)
+    happened(e);
+  look(world, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
+}
+
+void Paths::finish(const sim::World& world) {
+  look(world, true, true);
+}
+
+}  // namespace eyrie::record

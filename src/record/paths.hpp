@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Where everybody was and what led them, kept whole: for formats that are written by player
+/// and not by time.
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/frames.hpp"
+#include "scenario/scenario.hpp"
+#include "sim/system.hpp"
+
+namespace eyrie::record {
+
+/// One player or missile.
+struct Path {
+  struct Point {
+    double time = 0;  ///< s
+    Geodetic place;   ///< rad, m above the ellipsoid
+  };
+  /// Which behavior led from `time` on.
+  struct Led {
+    double time = 0;
+    std::string behavior;  ///< label, "nobody"
+    float vote = 0;
+  };
+  std::string name;  ///< "eagle1"; of a missile "AIM-120 of eagle1"
+  std::string type;  ///< "F-15C"
+  model::Side side = model::Side::none;
+  enum class Kind : std::uint8_t { aircraft, vehicle, missile } kind = Kind::aircraft;
+  std::string target;  ///< of a missile
+  std::vector<Point> points;
+  std::vector<Led> led;
+  std::string end = "";  ///< "home", "lost", "kill", "miss", "trashed"; "" until the end of the run
+};
+
+/// Watches a run: players every second, missiles five times a second, both also when they appear
+/// and when they are seen for the last time.
+class Paths final : public sim::Observer {
+ public:
+  explicit Paths(const scenario::Scenario& scenario) : scenario_(scenario) {}
+
+  void begin(const sim::World& world, double dt) override;
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+  void finish(const sim::World& world) override;
+
+  [[nodiscard]] const scenario::Scenario& scenario() const { return scenario_; }
+  /// By id: players first.
+  [[nodiscard]] const std::map<std::uint32_t, Path>& all() const { return all_; }
+  /// s
+  [[nodiscard]] double end_time() const { return time_; }
+
+ private:
+  struct Last {
+    Vec3 position;
+    double kept = -1;  ///< s, when its last point was kept
+  };
+
+  void look(const sim::World& world, bool players, bool missiles);
+  void see(PlayerId id, const Vec3& position, bool keep);
+  void keep(std::uint32_t id);
+  void happened(const sim::Event& event);
+  void end(PlayerId id, const char* how);
+  template <class Agent, class Trees>
+  void lead(PlayerId id, const Agent& agent, const Trees& trees);
+
+  const scenario::Scenario& scenario_;
+  double time_ = 0;
+  std::uint64_t players_every_ = 50, missiles_every_ = 10;
+  std::map<std::uint32_t, Path> all_;
+  std::map<std::uint32_t, Last> last_;
+};
+
+}  // namespace eyrie::record

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+/// \file  What is in the debrief page is what the explainer says.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "debrief/explainer.hpp"
+#include "debrief/report.hpp"
+#include "page/page.hpp"
+#include "page/page_data.hpp"
+#include "support/recorded.hpp"
+
+namespace eyrie::page {
+namespace {
+
+using nlohmann::json;
+
+std::string unpacked(const std::string& base64) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string packed;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : base64) {
+    if (c == '=')
+      break;
+    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
+    if ((count += 6) >= 8)
+      packed.push_back(static_cast<char>(bits >> (count -= 8) & 255));
+  }
+  std::string out(64 << 20, '\0');
+  uLongf size = out.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
+                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
+            Z_OK);
+  out.resize(size);
+  return out;
+}
+
+/// The page's data, read again.
+class Reader {
+ public:
+  explicit Reader(const std::string& base64) : all_(unpacked(base64)) {
+    std::size_t length = 0;
+    for (int i = 3; i >= 0; --i)
+      length = length << 8 | static_cast<unsigned char>(all_[static_cast<std::size_t>(i)]);
+    document = json::parse(all_.substr(4, length));
+    columns_ = 4 + length;
+  }
+  [[nodiscard]] std::vector<double> column(const json& place) const {
+    std::vector<double> out;
+    std::size_t at = columns_ + place[0].get<std::size_t>();
+    std::int64_t last = 0, slope = 0;
+    while (out.size() < place[1].get<std::size_t>()) {
+      std::uint64_t bits = 0;
+      for (int shift = 0;; shift += 7) {
+        const auto byte = static_cast<unsigned char>(all_.at(at++));
+        bits |= std::uint64_t{byte & 127U} << shift;
+        if (byte < 128)
+          break;
+      }
+      const auto value =
+          static_cast<std::int64_t>(bits >> 1) ^ -static_cast<std::int64_t>(bits & 1);
+      slope = place[3] == 2 ? slope + value : value;
+      last = place[3] == 0 ? value : last + slope;
+      out.push_back(static_cast<double>(last) * place[2].get<double>());
+    }
+    return out;
+  }
+  json document;
+
+ private:
+  std::string all_;
+  std::size_t columns_ = 0;
+};
+
+struct Case {
+  const char* scenario;
+  const char* player;
+  double until;
+};
+
+class PageData : public testing::TestWithParam<Case> {};
+
+TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
+  const debrief::Recorded recorded = test::recorded_flight(GetParam().scenario, GetParam().until);
+  const Reader page(page_data(recorded));
+  const auto who = *recorded.scenario->roster.find(GetParam().player);
+  const json& player = page.document["players"][who.value - 1];
+  EXPECT_EQ(player["name"], GetParam().player);
+  const auto steps = page.column(player["decisions"]["step"]);
+  const auto shapes = page.column(player["decisions"]["shape"]);
+  struct Values {
+    std::vector<double> all;
+    std::size_t next = 0;
+  };
+  std::map<std::pair<int, int>, Values> values;
+  for (const json& one : player["decisions"]["values"])
+    values[{one[0], one[1]}].all = page.column(one[2]);
+  const json& fields = page.document["platforms"][player["kind"].get<std::string>()]["action"];
+
+  debrief::Reflight flight(recorded);
+  debrief::Explainer explainer(*recorded.scenario);
+  std::size_t at = 0, compared = 0;
+  while (flight.step()) {
+    const auto decision = explainer.explain(flight.before(), flight.after(), who, flight.orders());
+    if (!decision)
+      continue;
+    ASSERT_LT(at, steps.size());
+    ASSERT_EQ(static_cast<std::uint64_t>(steps[at]), decision->step);
+    const json& shape = page.document["shapes"][static_cast<std::size_t>(shapes[at])];
+    const json& tree = page.document["trees"][shape["tree"].get<std::size_t>()];
+    ++at;
+    ASSERT_EQ(tree["name"], decision->tree);
+    ASSERT_EQ(shape["leader"].get<int>(),
+              decision->leader == ubf::kNone ? -1 : static_cast<int>(decision->leader));
+    std::map<std::pair<std::size_t, int>, std::size_t> supplier;
+    for (const json& row : shape["supplier"])
+      for (std::size_t f = 0; f + 1 < row.size(); ++f)
+        if (row[f + 1] >= 0)
+          supplier[{row[0].get<std::size_t>(), static_cast<int>(f)}] =
+              row[f + 1].get<std::size_t>();
+    for (std::size_t i = 0; i < decision->nodes.size(); ++i) {
+      const debrief::Answer& answer = decision->nodes[i];
+      ASSERT_EQ(tree["nodes"][i]["path"], answer.path);
+      ASSERT_EQ(shape["vote"][i].get<float>(), answer.vote);
+      const char letter = shape["status"].get<std::string>()[i];
+      ASSERT_EQ(letter, !answer.asked                           ? '-'
+                        : answer.status == ubf::Status::failure ? 'F'
+                        : answer.status == ubf::Status::success ? 'S'
+                                                                : 'R');
+    }
+    for (auto& [key, column] : values) {  // every value in its column, in the same order
+      const auto node = static_cast<std::size_t>(key.first);
+      const auto own = supplier.find({node, key.second});
+      if (own == supplier.end() || own->second != node)
+        continue;
+      const std::string& name = fields[static_cast<std::size_t>(key.second)]["name"];
+      const double value = column.all.at(column.next++);
+      for (const debrief::Value& flown : decision->nodes[node].action)
+        if (flown.name == name && flown.number) {
+          ASSERT_NEAR(value, *flown.number, 1e-3) << name;
+          ++compared;
+        }
+    }
+    for (const debrief::Won& won : decision->action) {
+      const auto field = std::find_if(fields.begin(), fields.end(),
+                                      [&](const json& f) { return f["name"] == won.value.name; });
+      ASSERT_NE(field, fields.end());
+      ASSERT_EQ((supplier.at({0, static_cast<int>(field - fields.begin())})), won.winner);
+    }
+  }
+  EXPECT_EQ(at, steps.size());
+  EXPECT_GT(compared, 1000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Flown, PageData,
+                         testing::Values(Case{"sweep", "eagle1", 660}, Case{"sweep", "bogey1", 660},
+                                         Case{"convoy", "supply1", 200}),
+                         [](const auto& flown) { return std::string(flown.param.player); });
+
+TEST(Page, TakesRunsWhereTheViewerHasAPlaceForThem) {
+  const std::vector<std::string> runs{"QQ==", "Qg=="};
+  EXPECT_EQ(page_with("<p><!--%RUNS%--></p>", runs),
+            "<p><script type=\"application/x-eyrie-run\">QQ==</script>\n"
+            "<script type=\"application/x-eyrie-run\">Qg==</script>\n</p>");
+  EXPECT_EQ(page_with("<p></p>", runs), "");
+}
+
+TEST(PageData, GivesUpWhenItsProgressSaysSo) {
+  const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
+  EXPECT_EQ(page_data(recorded, [](double) { return false; }), "");
+}
+
+}  // namespace
+}  // namespace eyrie::page

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+/// \file  The debrief page and the exports as a user has them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// A minute of the sweep, flown once.
+struct ShortRun {
+  ShortRun() {
+    const Ran ran =
+        run_program(folder, {"fly", "sweep", "--until", "1 min", "--quiet", "--out", "run"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    out = ran.out;
+  }
+  TempFolder folder;
+  std::string out;
+};
+const ShortRun& short_run() {
+  static const ShortRun run;
+  return run;
+}
+Ran ask(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
+  return run_program(short_run().folder, arguments, options);
+}
+std::string file(const std::string& name) {
+  return short_run().folder / name;
+}
+std::string text_of(const std::string& name) {
+  std::ifstream in(file(name), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+std::size_t count(const std::string& text, const std::string& word) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1))
+    ++n;
+  return n;
+}
+
+constexpr const char* kRunTag = "<script type=\"application/x-eyrie-run\">";
+
+TEST(DebriefProgram, FlyWritesThePageBesideTheRun) {
+  EXPECT_NE(short_run().out.find("flight.acmi, debrief.html\n"), std::string::npos);
+  EXPECT_EQ(count(text_of("run/debrief.html"), kRunTag), 1U);
+  const Ran without =
+      ask({"fly", "sweep", "--until", "10 s", "--quiet", "--no-debrief", "--out", "without"});
+  EXPECT_EQ(without.code, 0);
+  EXPECT_FALSE(fs::exists(file("without/debrief.html")));
+}
+
+TEST(DebriefProgram, FliesWithoutTheViewerAndSaysWhatIsMissing) {
+  const Ran ran = ask({"fly", "sweep", "--until", "10 s", "--quiet", "--out", "no-viewer"},
+                      {.viewer = "/nowhere/debrief.html"});
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_NE(ran.err.find("debrief page is not built: it needs npm"), std::string::npos);
+  EXPECT_TRUE(fs::exists(file("no-viewer/run.eyrie")));
+  EXPECT_FALSE(fs::exists(file("no-viewer/debrief.html")));
+  EXPECT_EQ(ask({"debrief", "run"}, {.viewer = "/nowhere/debrief.html"}).code, 1);
+}
+
+TEST(DebriefProgram, MakesTheSamePageAgain) {
+  const std::string flown = text_of("run/debrief.html");
+  const Ran ran = ask({"debrief", "run", "--out", "again.html"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(text_of("again.html"), flown);
+  const Ran taken = ask({"debrief", "run", "--out", "again.html"});
+  EXPECT_EQ(taken.code, 2);
+  EXPECT_NE(taken.err.find("--out 'again.html' exists already"), std::string::npos);
+  EXPECT_EQ(ask({"debrief", "run", "--out", "again.html", "--force"}).code, 0);
+}
+
+TEST(DebriefProgram, PutsTwoRunsOnOnePage) {
+  ASSERT_EQ(
+      ask({"fly", "sweep", "--until", "20 s", "--seed", "2", "--quiet", "--out", "other"}).code, 0);
+  const Ran ran = ask({"debrief", "run", "other", "--out", "two.html"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(count(text_of("two.html"), kRunTag), 2U);
+  EXPECT_EQ(ask({"debrief", "run", "other", "run"}).code, 2);
+}
+
+TEST(DebriefProgram, RefusesWhatIsNoRunOfThisBuildWithWords) {
+  const std::string whole = text_of("run/run.eyrie");
+  std::ofstream(file("cut.eyrie"), std::ios::binary) << whole.substr(0, whole.size() / 2);
+  std::ofstream(file("foreign.eyrie"), std::ios::binary) << "PK\3\4 something else altogether";
+  for (const auto& [name, words] :
+       {std::pair("cut.eyrie", "cut.eyrie: "), std::pair("foreign.eyrie", "foreign.eyrie: "),
+        std::pair("missing.eyrie", "missing.eyrie")})
+    for (const char* command : {"debrief", "explain", "export"}) {
+      std::vector<std::string> words_of{command, name};
+      if (std::string(command) == "explain")
+        words_of.insert(words_of.end(), {"--player", "eagle1"});
+      if (std::string(command) == "export")
+        words_of.insert(words_of.end(), {"--to", "czml"});
+      const Ran ran = ask(words_of);
+      EXPECT_EQ(ran.code, 2) << command << " " << name;
+      EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+      EXPECT_EQ(count(ran.err, "\n"), 1U) << ran.err;
+    }
+  EXPECT_FALSE(fs::exists(file("debrief.html")));
+}
+
+TEST(DebriefProgram, LeavesNothingBehindOnAFullDisk) {
+  const Ran ran = ask({"debrief", "run", "--out", "full.html"}, {.file_size_limit = 4096});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("cannot write"), std::string::npos) << ran.err;
+  for (const auto& entry : fs::directory_iterator(short_run().folder.path()))
+    EXPECT_EQ(entry.path().filename().string().find("full.html"), std::string::npos);
+}
+
+TEST(ExportProgram, WritesCzmlWithPathsAndLabels) {
+  const Ran ran = ask({"export", "run", "--to", "czml"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const json packets = json::parse(text_of("run/run.czml"));
+  EXPECT_EQ(packets[0]["id"], "document");
+  EXPECT_EQ(packets[0]["version"], "1.0");
+  ASSERT_EQ(packets.size(), 7U);  // and six aircraft
+  const json& eagle = packets[1];
+  EXPECT_EQ(eagle["name"], "eagle1");
+  const json& samples = eagle["position"]["cartographicDegrees"];
+  ASSERT_EQ(samples.size() % 4, 0U);
+  EXPECT_EQ(samples.size() / 4, 61U);                   // a point a second
+  EXPECT_NEAR(samples[1].get<double>(), -69.78, 0.01);  // longitude first
+  EXPECT_NEAR(samples[2].get<double>(), 32.987, 0.01);
+  EXPECT_NEAR(samples[3].get<double>(), 7620, 30);  // 25,000 ft
+  EXPECT_EQ(eagle["label"]["text"][0]["string"], "eagle1  navigate 10");
+}
+
+TEST(ExportProgram, WritesGeoJsonByTheRules) {
+  ASSERT_EQ(ask({"export", "run", "--to", "geojson"}).code, 0);
+  const json all = json::parse(text_of("run/run.geojson"));
+  EXPECT_EQ(all["type"], "FeatureCollection");
+  std::size_t aircraft = 0;
+  for (const json& feature : all["features"]) {
+    EXPECT_EQ(feature["type"], "Feature");
+    ASSERT_TRUE(feature.contains("properties"));
+    const json& geometry = feature["geometry"];
+    if (feature["properties"]["kind"] != "aircraft")
+      continue;
+    ++aircraft;
+    ASSERT_EQ(geometry["type"], "MultiLineString");
+    EXPECT_EQ(geometry["coordinates"][0].size(), feature["properties"]["times_s"].size());
+  }
+  EXPECT_EQ(aircraft, 6U);
+}
+
+TEST(ExportProgram, WritesDecisionsAsExplainDoes) {
+  ASSERT_EQ(
+      ask({"export", "run", "--to", "decisions", "--player", "eagle2", "--out", "d.csv"}).code, 0);
+  EXPECT_EQ(text_of("d.csv"), ask({"explain", "run", "--player", "eagle2", "--csv"}).out);
+  ASSERT_EQ(ask({"export", "run", "--to", "decisions"}).code, 0);
+  const std::string all = text_of("run/decisions.csv");
+  EXPECT_EQ(count(all, "time_s,step,player"), 1U);
+  for (const char* who : {",eagle1,", ",eagle4,", ",bogey2,"})
+    EXPECT_NE(all.find(who), std::string::npos);
+  const Ran czml = ask({"export", "run", "--to", "czml", "--player", "eagle1"});
+  EXPECT_EQ(czml.code, 2);
+}
+
+}  // namespace
+}  // namespace eyrie::test

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+/** Opens the runs that stand in the page and shows them. */
+import { render } from 'preact';
+import { run_clock } from './clock.ts';
+import { decode } from './run/decode.ts';
+import type { Run } from './run/run.ts';
+import type { SceneHandle } from './scene/scene.ts';
+import { first_view, Store } from './store.ts';
+import { App } from './ui/app.tsx';
+import { link_pages } from './ui/compare.tsx';
+import { read_link } from './ui/link.ts';
+import { follow_address } from './ui/address.ts';
+import { make_page, type Page } from './ui/page.ts';
+import { leader_colors } from './ui/spans.ts';
+
+const kMostRuns = 2;
+
+/** The words that stand in the page already are on the screen before anything is unpacked. */
+function painted(): Promise<void> {
+  return new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+}
+
+function pages_of(runs: Run[]): Page[] {
+  const duration = Math.max(...runs.map((run) => run.about.duration));
+  const colors = leader_colors(runs);
+  return runs.map((run, i) => {
+    const store = new Store({ ...first_view(0), ...read_link(run, location.hash, duration) });
+    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '', duration, colors);
+  });
+}
+
+function follow_theme({ store }: Page): void {
+  const put = (): void => void (document.documentElement.dataset.theme = store.get().theme);
+  put();
+  store.subscribe((now, before) => now.theme !== before.theme && put());
+}
+
+function ready(pages: Page[], scene: SceneHandle): void {
+  window.eyrie = { run: pages[0]!.run, store: pages[0]!.store, scene, runs: pages.map((page) => page.run) };
+  document.body.dataset.ready = 'true';
+  // from the beginning of the navigation
+  performance.measure('eyrie-open');
+}
+
+async function open(host: HTMLElement): Promise<void> {
+  const scripts = [...document.querySelectorAll('script[type="application/x-eyrie-run"]')];
+  if (!scripts.length) throw new Error('there is no run in this page; ./eyrie debrief RUN writes one with a run');
+  if (scripts.length > kMostRuns) throw new Error(`there are ${scripts.length} runs in this page, and it shows ${kMostRuns} at most`);
+  await painted();
+  const runs = await Promise.all(scripts.map((script) => decode(script.textContent ?? '')));
+  if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
+  const pages = pages_of(runs);
+  const [first, second] = pages as [Page, Page | undefined];
+  if (second) link_pages(first, second);
+  follow_theme(first);
+  run_clock(first.store, first.duration);
+  follow_address(first);
+  document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
+
+  host.replaceChildren();
+  const scenes = new Map<Page, SceneHandle>();
+  const mounted = (page: Page, scene: SceneHandle): void => {
+    scenes.set(page, scene);
+    if (scenes.size === pages.length) ready(pages, scenes.get(first)!);
+  };
+  render(<App pages={pages} onScene={mounted} />, host);
+}
+
+function fail(host: HTMLElement, error: unknown): void {
+  const words = error instanceof Error ? error.message : String(error);
+  render(
+    <div class="failure" role="alert">
+      <h1>This run cannot be opened</h1>
+      <p>{words}</p>
+      <p>Try to write the page again with <code>./eyrie debrief RUN</code>.</p>
+    </div>,
+    host,
+  );
+}
+
+const host = document.getElementById('app')!;
+open(host).catch((error: unknown) => fail(host, error));

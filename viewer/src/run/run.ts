@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+/** A recorded run as the page holds it in memory. SI units and radians throughout, time in seconds. */
+
+export type Side = 'blue' | 'red' | 'none';
+
+/** East and north on the map (m, azimuthal equidistant around the scenario's reference point), and
+ * the altitude above the ellipsoid (m). */
+export interface Place {
+  east: number;
+  north: number;
+  up: number;
+}
+
+/** Samples of a motion, by time. All arrays have one length. */
+export interface Motion {
+  t: Float64Array;
+  east: Float64Array;
+  north: Float64Array;
+  up: Float64Array;
+  /** rad clockwise from north on the map, in [0, 2 pi). */
+  heading: Float64Array;
+  /** rad, positive up. */
+  pitch: Float64Array;
+  /** rad, positive right wing down. */
+  roll: Float64Array;
+}
+
+/** What the strips show, at the times of `motion.t`. */
+export interface Gauges {
+  /** m/s true airspeed. */
+  speed: Float64Array;
+  mach: Float64Array;
+  /** g */
+  load_factor: Float64Array;
+  /** kg, NaN for vehicles. */
+  fuel: Float64Array;
+}
+
+export type PlayerKind = 'aircraft' | 'vehicle';
+
+export interface Player {
+  /** Index into Run.players. */
+  index: number;
+  id: number;
+  name: string;
+  side: Side;
+  kind: PlayerKind;
+  /** "F-15C" */
+  type: string;
+  /** "f15c" */
+  model: string;
+  /** Index into Run.flights. */
+  flight: number;
+  /** In the flight at birth, 1 leads. */
+  rank: number;
+  born: number;
+  /** When it left the run: home, lost, or the end of the run. */
+  gone: number;
+  end: 'home' | 'lost' | '';
+  motion: Motion;
+  gauges: Gauges;
+  decisions: Decisions;
+  sights: Sights;
+  /** Half of the width and of the height of the radar's scan (rad), and its range (m); null: none. */
+  radar: { azimuth: number; elevation: number; range: number } | null;
+}
+
+export interface Missile {
+  id: number;
+  /** "AIM-120" */
+  type: string;
+  side: Side;
+  /** Indices into Run.players; -1: nobody. */
+  shooter: number;
+  target: number;
+  born: number;
+  gone: number;
+  /** When its own seeker went active; NaN: never. */
+  active: number;
+  end: 'kill' | 'miss' | 'trashed' | 'flying';
+  /** "by 12 m", "speed" */
+  detail: string;
+  motion: Motion;
+}
+
+export interface Waypoint extends Place {
+  /** m/s, NaN: unchanged. */
+  speed: number;
+}
+
+export interface Flight {
+  name: string;
+  side: Side;
+  kind: PlayerKind;
+  /** Indices into Run.players, in order of rank. */
+  members: number[];
+  route: Waypoint[];
+  home: Place | null;
+}
+
+export interface StoryLine {
+  t: number;
+  /** "launch", "kill", "defend", "phase", ...: the kind of event. */
+  kind: string;
+  tone: 'plain' | 'blue' | 'red' | 'kill' | 'phase';
+  /** Index into Run.players; -1: nobody. */
+  who: number;
+  name: string;
+  text: string;
+}
+
+/** How a field of an action is blended (docs/ubf.md). */
+export type Blend = 'angle' | 'mean' | 'agreed' | 'strongest';
+
+export interface ActionField {
+  name: string;
+  /** SI: "rad", "m", "m/s", "". */
+  unit: string;
+  blend: Blend;
+  /** number: the value itself; text: an index into Run.texts; id: a track's number, 0 for nobody. */
+  kind: 'number' | 'text' | 'flag' | 'id';
+}
+
+export interface StateField {
+  name: string;
+  unit: string;
+  kind: 'number' | 'flag' | 'choice';
+  choices: string[];
+}
+
+/** What pilots, or drivers, can want and see. */
+export interface Platform {
+  action: ActionField[];
+  state: StateField[];
+}
+
+export interface TreeNode {
+  label: string;
+  /** "winner_takes_all", "pursue" ... */
+  type: string;
+  /** "root/bvr/pursue": what `eyrie whatif --set` calls it. */
+  path: string;
+  kind: 'behavior' | 'arbiter' | 'control' | 'decorator' | 'condition';
+  /** Index of the parent in the tree; -1 for the root. */
+  parent: number;
+  children: number[];
+  depth: number;
+  /** Only those that the page's arbitration reads: vote, vote_scale, top, conflicts, order,
+   * direction, magnitude, unit_vote, interruptible. */
+  params: Record<string, number | string | number[]>;
+  /** It keeps something from decision to decision. */
+  remembers: boolean;
+}
+
+/** Nodes in pre-order: children stand behind their parent. */
+export interface Tree {
+  name: string;
+  kind: PlayerKind;
+  nodes: TreeNode[];
+}
+
+export type Status = 'failure' | 'success' | 'running';
+
+/** What does not change from decision to decision for long: statuses, votes, who supplied what. */
+export interface Shape {
+  /** Index into Run.trees. */
+  tree: number;
+  /** The node whose recommendation led; -1: nobody's. */
+  leader: number;
+  /** Per node; null: not asked. */
+  status: (Status | null)[];
+  /** Per node, as it went up. */
+  vote: number[];
+  /** Per node why it failed; "" if it did not say or did not fail. */
+  why: string[];
+  /** Per node, per field of the action: the node that supplied it (a leaf, or the arbiter that
+   * blended it), or -1: not set. Null for nodes that proposed nothing. */
+  supplier: (Int16Array | null)[];
+}
+
+export interface Decisions {
+  /** By time; `step` is the world's. */
+  t: Float64Array;
+  step: Float64Array;
+  /** Indices into Run.shapes. */
+  shape: Int32Array;
+  /** What `node` proposed itself for `field` at each decision; NaN where it did not. Null: never. */
+  value(node: number, field: number): Float64Array | null;
+}
+
+export interface TrackSeen {
+  /** As the player knows it. */
+  id: number;
+  /** Who it really is: index into Run.players; -1: not one of them. */
+  truth: number;
+  identity: 'unknown' | 'friendly' | 'hostile';
+  is_target: boolean;
+  place: Place;
+  /** s since the last update. */
+  age: number;
+}
+export interface Warning {
+  /** "radar" or "missile". */
+  kind: string;
+  /** rad, true. */
+  bearing: number;
+  /** m; NaN: unknown. */
+  range: number;
+  /** "bogey1", "missile 12": who it really is. */
+  name: string;
+}
+export interface Sight {
+  t: number;
+  /** By field of the platform's state, NaN: no value. */
+  state: Float64Array;
+  tracks: TrackSeen[];
+  warnings: Warning[];
+  /** Middle of the scan: rad clockwise from the heading, and up. */
+  scan: { mode: 'off' | 'search' | 'track'; azimuth: number; elevation: number } | null;
+  /** m, of the missile in hand against the target; null: no target or no missile. */
+  zone: { min: number; no_escape: number; max: number } | null;
+}
+/** What a player perceived, once a second and whenever somebody else in its tree began to lead. */
+export interface Sights {
+  t: Float64Array;
+  at(index: number): Sight;
+  /** A field of the state over all sights. */
+  channel(field: number): Float64Array;
+}
+
+export interface Run {
+  about: {
+    scenario: string;
+    help: string;
+    file: string;
+    seed: string;
+    /** World hash at the end. */
+    hash: string;
+    build: string;
+    steps: number;
+    dt: number;
+    duration: number;
+    outcome: string;
+    /** s between decisions that the page has; larger than the agents' own period if thinned. */
+    decision_period: number;
+    thinned: boolean;
+  };
+  /** deg */
+  origin: { latitude: number; longitude: number };
+  flights: Flight[];
+  players: Player[];
+  missiles: Missile[];
+  trees: Tree[];
+  shapes: Shape[];
+  platforms: Record<PlayerKind, Platform>;
+  texts: string[];
+  story: StoryLine[];
+}
+
+/** The index of the last time that is not after `t`; -1 if all are. */
+export function last_at(times: Float64Array, t: number): number {
+  let low = 0;
+  let high = times.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle]! <= t + 1e-9) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}

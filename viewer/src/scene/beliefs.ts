@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/** What the selected player believes: its tracks against the truth, and its missile's zone against its target. */
+import type { Side, TrackSeen } from '../run/run.ts';
+import { kCrowd } from './callouts.ts';
+import { type Frame, nmi, x_of, y_of, z_of } from './frame.ts';
+import type { Mark } from './notes.ts';
+import type { Palette } from './palette.ts';
+import type { Eyesight } from './sight.ts';
+
+const kMark: Record<TrackSeen['identity'], Mark> = { hostile: 'square', friendly: 'circle', unknown: 'diamond' };
+/** s: older tracks are pale, and say how old they are. */
+const kStale = 4;
+const kHalfArc = Math.PI / 6;
+
+function tint_of(track: TrackSeen, own: Side, palette: Palette): number {
+  if (track.identity === 'unknown' || own === 'none') return palette.side.none;
+  if (track.identity === 'friendly') return palette.side[own];
+  return palette.side[own === 'blue' ? 'red' : 'blue'];
+}
+
+export function draw_tracks({ view, players, lines, palette, eye, notes, sight }: Frame): void {
+  if (!view.layers.tracks || !sight) return;
+  for (const track of sight.now.tracks) {
+    const place = sight.place_of(track);
+    const [x, y, z] = [x_of(place), y_of(place), z_of(place)];
+    const tint = tint_of(track, sight.player.side, palette);
+    const stale = track.age > kStale;
+    const bold = track.is_target;
+    if (track.truth >= 0 && players.shown[track.truth]) {
+      lines.pen(tint, bold ? 1.8 : 1.2);
+      lines.add(x, y, z, players.x[track.truth]!, players.y[track.truth]!, players.z[track.truth]!, stale ? 0.6 : 0.9);
+    }
+    if (!eye.project(x, y, z) || !eye.on_screen(20)) continue;
+    const friend = track.identity === 'friendly';
+    if (friend && players.count > kCrowd) continue;
+    notes.mark(kMark[track.identity], eye.px, eye.py, bold ? 15 : friend ? 11 : 13, tint, bold ? 3 : 1.5, false, stale || friend ? 0.65 : 1);
+    if (stale && !friend) notes.tag(-100 - track.id, eye.px, eye.py, `${track.age.toFixed(0)} s old`, '', tint, null, 15);
+  }
+}
+
+function target_of(sight: Eyesight): TrackSeen | undefined {
+  return sight.now.tracks.find((track) => track.is_target);
+}
+
+/** Arcs around the player towards its target: nearest, no escape and farthest. */
+export function draw_zone({ view, players, lines, palette, eye, notes, sight }: Frame): void {
+  const zone = sight?.now.zone;
+  const target = sight && target_of(sight);
+  if (!view.layers.zones || !sight || !zone || !target) return;
+  const i = sight.player.index;
+  const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
+  const place = sight.place_of(target);
+  const bearing = Math.atan2(x_of(place) - x, z - z_of(place));
+  const arc = (range: number, width: number, dash: number, alpha: number, label: string): void => {
+    const km = range / 1000;
+    if (!(km > 0) || km < 24 * eye.ui * eye.km_per_px(x, y, z)) return;
+    lines.pen(palette.zone, width, dash);
+    const steps = 20;
+    for (let k = 0; k < steps; ++k) {
+      const a = bearing - kHalfArc + (2 * kHalfArc * k) / steps;
+      const b = bearing - kHalfArc + (2 * kHalfArc * (k + 1)) / steps;
+      lines.add(x + km * Math.sin(a), y, z - km * Math.cos(a), x + km * Math.sin(b), y, z - km * Math.cos(b), alpha);
+    }
+    const end = bearing + kHalfArc;
+    if (eye.project(x + km * Math.sin(end), y, z - km * Math.cos(end)) && eye.on_screen())
+      notes.tag(-10 - width, eye.px, eye.py, label, `${nmi(km)} nmi`, palette.zone, null, 60);
+  };
+  arc(zone.max, 1.5, 0, 0.85, 'max');
+  arc(zone.no_escape, 3, 0, 1, 'no escape');
+  arc(zone.min, 1, 0, 0.7, 'min');
+  lines.pen(palette.zone, 1, 8);
+  const far = zone.max / 1000;
+  const near = zone.min / 1000;
+  for (const a of [bearing - kHalfArc, bearing + kHalfArc]) {
+    const [s, c] = [Math.sin(a), Math.cos(a)];
+    lines.add(x + near * s, y, z - near * c, x + far * s, y, z - far * c, 0.55);
+  }
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+/** What was asked of the picture: who is who, how far it is from one to the other, and where another decision led. */
+import type { Player } from '../run/run.ts';
+import { degrees, feet, type Frame, kFoot, kKnot, kNmi, kSideMark, x_of, y_of, z_of } from './frame.ts';
+import { measure } from './geo.ts';
+import { type GhostPoint, ghost_path } from './ghost.ts';
+import { gauge_at } from './motion.ts';
+
+/** With more players than these, only the ones that matter and a few others have labels. */
+export const kCrowd = 40;
+const kOthers = 12;
+const kGhostSpan = 30;
+
+function rest_of(player: Player, frame: Frame): string {
+  const { players, view } = frame;
+  const i = player.index;
+  if (player.kind === 'vehicle') return '';
+  const altitude = players.y[i]! / kFoot;
+  if (i !== view.selected) return `${(altitude / 1000).toFixed(1)}k`;
+  const speed = gauge_at(player.motion, player.gauges.speed, view.time) / kKnot;
+  return `${feet(players.y[i]!)} ft ${Number.isNaN(speed) ? '' : `${speed.toFixed(0)} kt `}${degrees(players.heading[i]!)}°`;
+}
+
+/** Who matters to the selected player: 0 nobody in particular. */
+function priority(frame: Frame, i: number): number {
+  const { run, view, sight } = frame;
+  if (i === view.selected) return 100;
+  if (i === frame.hovered || view.ruler?.includes(i)) return 95;
+  if (sight?.now.tracks.some((track) => track.is_target && track.truth === i)) return 80;
+  if (run.players[i]!.flight === run.players[view.selected]?.flight) return 50;
+  return sight?.now.tracks.some((track) => track.truth === i && track.identity !== 'friendly') ? 30 : 0;
+}
+
+const order: { i: number; off: number }[] = [];
+
+export function draw_names(frame: Frame): void {
+  const { run, view, players, eye, notes, palette } = frame;
+  const crowd = players.count > kCrowd;
+  let others = 0;
+  for (let i = 0; i < players.count; ++i) {
+    if (!players.shown[i] || !eye.project(players.x[i]!, players.y[i]!, players.z[i]!) || !eye.on_screen()) continue;
+    const entry = (order[others++] ??= { i: 0, off: 0 });
+    entry.i = i;
+    entry.off = Math.hypot(eye.px - eye.width / 2, eye.py - eye.height / 2);
+    if (!crowd) notes.reserve(eye.px - 8 * eye.ui, eye.py - 8 * eye.ui, 16 * eye.ui, 16 * eye.ui);
+  }
+  // in a crowd those nearest to the middle of the picture get what room is left
+  const seen = order.slice(0, others);
+  if (crowd) seen.sort((a, b) => a.off - b.off);
+  let left = crowd ? kOthers : Infinity;
+  for (const { i } of seen) {
+    const matters = priority(frame, i);
+    eye.project(players.x[i]!, players.y[i]!, players.z[i]!);
+    const player = run.players[i]!;
+    if (i === view.selected) notes.bracket(eye.px, eye.py, Math.max(18, (0.0085 / eye.km_per_px(players.x[i]!, players.y[i]!, players.z[i]!)) / eye.ui), palette.text);
+    if (!view.layers.labels && matters < 95) continue;
+    if (matters < 50 && --left < 0) continue;
+    notes.tag(i, eye.px, eye.py, player.name, rest_of(player, frame), palette.side[player.side], kSideMark[player.side], matters || 10);
+  }
+}
+
+export function draw_ruler({ run, view, players, lines, palette, eye, notes }: Frame): void {
+  const [a, b] = view.ruler ?? [-1, -1];
+  if (!players.shown[a] || !players.shown[b]) return;
+  const [ax, ay, az, bx, by, bz] = [players.x[a]!, players.y[a]!, players.z[a]!, players.x[b]!, players.y[b]!, players.z[b]!];
+  lines.pen(palette.ruler, 2, 14);
+  lines.add(ax, ay, az, bx, by, bz, 0.95);
+  const place = (x: number, y: number, z: number) => ({ east: x * 1000, north: -z * 1000, up: y * 1000 });
+  const { range, bearing, higher } = measure(run.origin, place(ax, ay, az), place(bx, by, bz));
+  if (!eye.project((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2) || !eye.on_screen(60)) return;
+  const text = `${(range / 1000 / kNmi).toFixed(1)} nmi  ${degrees(bearing)}°  ${higher < 0 ? '-' : '+'}${feet(Math.abs(higher) / 1000)} ft`;
+  notes.tag(-1, eye.px, eye.py, text, '', palette.ruler, null, 97);
+}
+
+/** The last path, as it is the same until another ghost is called. */
+let drawn: { ghost: unknown; run: unknown; path: GhostPoint[] } | null = null;
+
+export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): void {
+  const { ghost } = view;
+  const player = ghost && run.players[ghost.player];
+  if (!ghost || !player) return;
+  if (drawn?.ghost !== ghost || drawn.run !== run) drawn = { ghost, run, path: ghost_path(player, ghost, kGhostSpan) };
+  const { path } = drawn;
+  lines.pen(palette.ghost, 2.2);
+  // a second drawn, a second left out: the dashes tell the speed
+  for (let i = 0; i + 1 < path.length; ++i) {
+    if (Math.floor(path[i]!.t - ghost.t + 1e-6) % 2) continue;
+    const [a, b] = [path[i]!, path[i + 1]!];
+    lines.add(x_of(a), y_of(a), z_of(a), x_of(b), y_of(b), z_of(b), 0.95);
+  }
+  const end = path.at(-1);
+  const now = path.find((point) => point.t >= view.time - 1e-6);
+  if (now && view.time >= ghost.t && eye.project(x_of(now), y_of(now), z_of(now))) notes.mark('diamond', eye.px, eye.py, 6, palette.ghost, 2);
+  if (!end || !eye.project(x_of(end), y_of(end), z_of(end)) || !eye.on_screen(60)) return;
+  notes.mark('triangle', eye.px, eye.py, 7, palette.ghost, 2);
+  notes.reserve(eye.px - 9 * eye.ui, eye.py - 9 * eye.ui, 18 * eye.ui, 18 * eye.ui);
+  notes.tag(-2, eye.px, eye.py, ghost.label || 'what if', `+${kGhostSpan} s`, palette.ghost, null, 96);
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+/** Land, coastlines and graticule around the origin, in km on the map. */
+import { ShapeUtils, Vector2 } from 'three';
+import { feature } from 'topojson-client';
+import type { GeometryCollection, Topology } from 'topojson-specification';
+import land_110m from 'world-atlas/land-110m.json';
+import { kRadian, type Origin, sphere_at, to_map } from './geo.ts';
+
+/** Nothing further from the origin is drawn (km). */
+export const kReach = 1500;
+/** Points beyond this are moved onto this circle (km), so that rings around the antipode stay away from us. */
+const kFar = 6000;
+const kCorners = 64;
+const kGraticule = 5;
+
+type Point = [x: number, y: number];
+type Ring = Point[];
+
+export interface Coast {
+  /** Triangles, x y of each corner: km east, km north. */
+  land: Float32Array;
+  /** Segments, x y of both ends. */
+  shore: Float32Array;
+  /** Segments of the lines of equal latitude and longitude each five degrees. */
+  graticule: Float32Array;
+}
+
+function project(origin: Origin, longitude: number, latitude: number): Point {
+  const [east, north] = to_map(origin, latitude, longitude);
+  return [east / 1000, north / 1000];
+}
+
+/** The ring with far points pulled in, and with steps along the circle where it runs on it. */
+function pull_in(ring: Ring): Ring {
+  const out: Ring = [];
+  for (let i = 0; i < ring.length; ++i) {
+    const [x, y] = ring[i]!;
+    const [nx, ny] = ring[(i + 1) % ring.length]!;
+    const far = Math.hypot(x, y);
+    if (far <= kFar) {
+      out.push([x, y]);
+      continue;
+    }
+    const from = Math.atan2(y, x);
+    let sweep = Math.atan2(ny, nx) - from;
+    if (sweep > Math.PI) sweep -= 2 * Math.PI;
+    if (sweep < -Math.PI) sweep += 2 * Math.PI;
+    const steps = Math.hypot(nx, ny) > kFar ? Math.max(1, Math.ceil(Math.abs(sweep) / 0.4)) : 1;
+    for (let k = 0; k < steps; ++k) {
+      const angle = from + (sweep * k) / steps;
+      out.push([kFar * Math.cos(angle), kFar * Math.sin(angle)]);
+    }
+  }
+  return out;
+}
+
+/** Twice the signed area, counter-clockwise positive. */
+function winding(ring: Ring): number {
+  let sum = 0;
+  ring.forEach(([x, y], i) => {
+    const [nx, ny] = ring[(i + 1) % ring.length]!;
+    sum += x * ny - nx * y;
+  });
+  return sum;
+}
+
+/** What of the ring lies within reach: Sutherland and Hodgman's, edge by edge of a polygon for the circle. */
+function clip(ring: Ring): Ring {
+  let inside = ring;
+  const edge = kReach * Math.cos(Math.PI / kCorners);
+  for (let k = 0; k < kCorners && inside.length; ++k) {
+    const angle = (2 * Math.PI * k) / kCorners;
+    const c = Math.cos(angle);
+    const s = Math.sin(angle);
+    const next: Ring = [];
+    for (let i = 0; i < inside.length; ++i) {
+      const a = inside[i]!;
+      const b = inside[(i + 1) % inside.length]!;
+      const da = a[0] * c + a[1] * s - edge;
+      const db = b[0] * c + b[1] * s - edge;
+      if (da <= 0) next.push(a);
+      if (da <= 0 !== db <= 0) {
+        const u = da / (da - db);
+        next.push([a[0] + (b[0] - a[0]) * u, a[1] + (b[1] - a[1]) * u]);
+      }
+    }
+    inside = next;
+  }
+  return inside;
+}
+
+/** Rings of the globe are closed: their first point is also their last. */
+function fill(rings: number[][][], origin: Origin, out: number[]): void {
+  const clipped: Vector2[][] = [];
+  for (const [k, ring] of rings.entries()) {
+    const flat = pull_in(ring.slice(0, -1).map(([lon, lat]) => project(origin, lon!, lat!)));
+    // outer rings of the atlas run clockwise; one that does not after projection has the antipode
+    // inside, and with it lies far away
+    if (k === 0 && winding(flat) > 0) return;
+    const cut = clip(flat);
+    if (cut.length >= 3) clipped.push(cut.map(([x, y]) => new Vector2(x, y)));
+    else if (k === 0) return;
+  }
+  const [outer, ...holes] = clipped;
+  if (!outer) return;
+  const corners = clipped.flat();
+  for (const triangle of ShapeUtils.triangulateShape(outer, holes))
+    for (const corner of triangle) out.push(corners[corner]!.x, corners[corner]!.y);
+}
+
+/** The part of a segment within reach, appended. */
+function add_segment([ax, ay]: Point, [bx, by]: Point, out: number[]): void {
+  const dx = bx - ax;
+  const dy = by - ay;
+  const a = dx * dx + dy * dy;
+  const b = ax * dx + ay * dy;
+  const root = b * b - a * (ax * ax + ay * ay - kReach * kReach);
+  if (a === 0 || root <= 0) return;
+  const from = Math.max(0, (-b - Math.sqrt(root)) / a);
+  const to = Math.min(1, (-b + Math.sqrt(root)) / a);
+  if (from < to) out.push(ax + dx * from, ay + dy * from, ax + dx * to, ay + dy * to);
+}
+
+/** Where the atlas was cut open there is no shore. */
+function is_seam([lon_a, lat_a]: number[], [lon_b, lat_b]: number[]): boolean {
+  return (Math.abs(lon_a!) > 179.9 && Math.abs(lon_b!) > 179.9) || (lat_a! < -89.9 && lat_b! < -89.9);
+}
+
+function add_shore(ring: number[][], origin: Origin, out: number[]): void {
+  for (let i = 0; i + 1 < ring.length; ++i) {
+    const a = project(origin, ring[i]![0]!, ring[i]![1]!);
+    const b = project(origin, ring[i + 1]![0]!, ring[i + 1]![1]!);
+    if (Math.min(Math.hypot(...a), Math.hypot(...b)) < 3 * kReach && !is_seam(ring[i]!, ring[i + 1]!)) add_segment(a, b, out);
+  }
+}
+
+function graticule_of(origin: Origin): number[] {
+  const out: number[] = [];
+  const far = kReach / ((sphere_at(origin) / 1000) * kRadian) + kGraticule;
+  const south = Math.max(-90, Math.floor(origin.latitude - far));
+  const north = Math.min(90, Math.ceil(origin.latitude + far));
+  for (let lon = -180; lon < 180; lon += kGraticule)
+    for (let lat = south; lat < north; ++lat)
+      if (lat >= -85 && lat < 85) add_segment(project(origin, lon, lat), project(origin, lon, lat + 1), out);
+  for (let lat = Math.ceil(south / kGraticule) * kGraticule; lat <= north; lat += kGraticule)
+    for (let lon = -180; lon < 180; ++lon) add_segment(project(origin, lon, lat), project(origin, lon + 1, lat), out);
+  return out;
+}
+
+export function coast_of(origin: Origin): Coast {
+  const topology = land_110m as unknown as Topology<{ land: GeometryCollection }>;
+  const land: number[] = [];
+  const shore: number[] = [];
+  for (const { geometry } of feature(topology, topology.objects.land).features) {
+    if (geometry.type !== 'MultiPolygon') continue;
+    for (const polygon of geometry.coordinates) {
+      fill(polygon, origin, land);
+      for (const ring of polygon) add_shore(ring, origin, shore);
+    }
+  }
+  return { land: Float32Array.from(land), shore: Float32Array.from(shore), graticule: Float32Array.from(graticule_of(origin)) };
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+/** What every layer draws from and into. Each is a function of this alone, so a picture depends on nothing before it. */
+import type { Place, Run } from '../run/run.ts';
+import type { View } from '../store.ts';
+import type { Eye } from './eye.ts';
+import type { Lines } from './lines.ts';
+import type { Mark, Notes } from './notes.ts';
+import type { Palette } from './palette.ts';
+import type { Poses } from './poses.ts';
+import type { Puffs } from './puffs.ts';
+import type { Eyesight } from './sight.ts';
+
+export interface Frame {
+  run: Run;
+  view: View;
+  players: Poses;
+  missiles: Poses;
+  /** What the selected player believes; null: there is none, or it is not alive. */
+  sight: Eyesight | null;
+  eye: Eye;
+  lines: Lines;
+  puffs: Puffs;
+  notes: Notes;
+  palette: Palette;
+  /** Under the pointer; -1: nobody. */
+  hovered: number;
+}
+
+export const kNmi = 1.852;
+export const kFoot = 0.0003048;
+export const kKnot = 1.852 / 3.6;
+export const kDegree = 180 / Math.PI;
+
+/** Shapes tell the sides apart where colours do not. */
+export const kSideMark: Record<'blue' | 'red' | 'none', Mark> = { blue: 'circle', red: 'square', none: 'diamond' };
+
+/** A place of the run in the scene's units. */
+export const x_of = (place: Place): number => place.east / 1000;
+export const y_of = (place: Place): number => place.up / 1000;
+export const z_of = (place: Place): number => -place.north / 1000;
+
+export function nmi(km: number): string {
+  const value = km / kNmi;
+  return value < 9.95 ? value.toFixed(1) : value.toFixed(0);
+}
+
+/** "087": three digits, as on the radio. */
+export function degrees(angle: number): string {
+  const value = Math.round(angle * kDegree) % 360;
+  return String(value < 0 ? value + 360 : value).padStart(3, '0');
+}
+
+/** "27,400" */
+export function feet(km: number): string {
+  const value = Math.round(km / kFoot / 100) * 100;
+  const thousands = Math.trunc(value / 1000);
+  return Math.abs(value) < 1000 ? String(value) : `${thousands},${String(Math.abs(value % 1000)).padStart(3, '0')}`;
+}

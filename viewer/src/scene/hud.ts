@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+/** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
+import { type Frame, kFoot, kNmi } from './frame.ts';
+import { grid_of } from './ground.ts';
+import { css } from './palette.ts';
+
+const kMargin = 14;
+/** Lines that are looked at along an edge. */
+const kMost = 60;
+/** ft and nmi that a scale may have. */
+const kFeet = [10, 20, 50, 100, 200, 500, 1000, 2000];
+const kMiles = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
+
+function figure(value: number, plus: string, minus: string): string {
+  const size = Math.abs(value);
+  const digits = Number.isInteger(size) ? size.toFixed(0) : size.toFixed(1);
+  return value === 0 ? '0' : `${digits} ${value > 0 ? plus : minus}`;
+}
+
+/**
+ * Figures where the grid's lines meet the line on screen from (ax, ay) to (bx, by): nmi from the origin. Of both families of
+ * lines the one that crosses it more often is named.
+ */
+function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: number, by: number, step: number): void {
+  if (!eye.hit(ax, ay)) return;
+  const [ex, ez] = [eye.ground_x, eye.ground_z];
+  if (!eye.hit(bx, by)) return;
+  const [fx, fz] = [eye.ground_x, eye.ground_z];
+  const eastward = Math.abs(fx - ex) > Math.abs(fz - ez);
+  const [from, to] = eastward ? [ex, fx] : [-ez, -fz];
+  const km = step * kNmi;
+  const first = Math.ceil(Math.min(from, to) / km);
+  const last = Math.floor(Math.max(from, to) / km);
+  const upright = Math.abs(by - ay) > Math.abs(bx - ax);
+  const apart = (upright ? 30 : 62) * eye.ui;
+  let before = NaN;
+  for (let k = first; k <= last && k < first + kMost; ++k) {
+    const share = (k * km - from) / (to - from);
+    if (!eye.project(ex + (fx - ex) * share, 0, ez + (fz - ez) * share) || !eye.on_screen(-10)) continue;
+    const at = upright ? eye.py : eye.px;
+    if (Math.abs(at - before) < apart) continue;
+    before = at;
+    const value = Math.round(k * step * 10) / 10;
+    notes.write(eastward ? figure(value, 'E', 'W') : figure(value, 'N', 'S'), eye.px, eye.py, palette.faint);
+  }
+}
+
+/** True in the middle of the picture. */
+function draw_scale({ eye, notes, palette }: Frame): void {
+  const { ui, stance } = eye;
+  if (!stance) return;
+  const c = notes.context;
+  const small = stance.height < 4;
+  const unit = small ? kFoot : kNmi;
+  const wanted = stance.height / 4 / unit;
+  const size = (small ? kFeet : kMiles).filter((each) => each <= wanted).at(-1) ?? (small ? kFeet : kMiles)[0]!;
+  const length = (size * unit) / eye.km_per_px(stance.x, stance.y, stance.z);
+  const right = eye.width - kMargin * ui;
+  const y = eye.height - (kMargin + 22) * ui;
+  c.beginPath();
+  c.moveTo(right - length, y - 4 * ui);
+  c.lineTo(right - length, y);
+  c.lineTo(right, y);
+  c.lineTo(right, y - 4 * ui);
+  c.strokeStyle = css(palette.text, 0.9);
+  c.lineWidth = 1.4 * ui;
+  c.stroke();
+  notes.write(`${size} ${small ? 'ft' : 'nmi'}`, right - length / 2, y - 11 * ui, palette.text);
+}
+
+function draw_north({ eye, notes, palette }: Frame): void {
+  const { ui, stance } = eye;
+  if (!stance) return;
+  const c = notes.context;
+  const r = 17 * ui;
+  const [x, y] = [eye.width - kMargin * ui - r, kMargin * 1.7 * ui + r];
+  // north as it lies on the ground seen from here
+  const squash = Math.max(0.35, Math.cos(stance.polar));
+  const way = (angle: number, reach: number): [number, number] => [x + r * reach * Math.sin(angle), y - r * reach * Math.cos(angle) * squash];
+  const north = -stance.azimuth;
+  c.beginPath();
+  c.ellipse(x, y, r, r * squash, 0, 0, 2 * Math.PI);
+  c.fillStyle = css(palette.chip, 0.6);
+  c.fill();
+  c.strokeStyle = css(palette.faint, 0.8);
+  c.lineWidth = ui;
+  c.stroke();
+  for (const half of [1, -1]) {
+    c.beginPath();
+    c.moveTo(...way(north, 0.92));
+    c.lineTo(...way(north + half * 2.6, 0.6));
+    c.lineTo(...way(north + Math.PI, 0.25));
+    c.closePath();
+    c.fillStyle = css(half > 0 ? palette.text : palette.faint);
+    c.fill();
+  }
+  const [nx, ny] = way(north, 1.45);
+  notes.figure('N', nx, ny, palette.text);
+  notes.reserve(x - r * 1.6, y - r * 1.6, r * 3.2, r * 3.2);
+}
+
+export function draw_hud(frame: Frame): void {
+  const { eye } = frame;
+  const { step } = grid_of(eye);
+  const low = eye.height - kMargin * eye.ui * 0.8;
+  const left = 24 * eye.ui;
+  draw_scale(frame);
+  draw_edge(frame, left, low, eye.width - 24 * eye.ui, low, step);
+  draw_edge(frame, left, low - 26 * eye.ui, left, 20 * eye.ui, step);
+  draw_north(frame);
+}

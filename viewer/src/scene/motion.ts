@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+/** Where something is between the samples of its motion. */
+import { last_at, type Motion, type Place } from '../run/run.ts';
+
+export interface Pose extends Place {
+  /** rad, as in Motion. */
+  heading: number;
+  pitch: number;
+  roll: number;
+}
+
+/** A thing with a life: a player or a missile. */
+export interface Mover {
+  born: number;
+  gone: number;
+  end: string;
+  motion: Motion;
+}
+
+export function new_pose(): Pose {
+  return { east: 0, north: 0, up: 0, heading: 0, pitch: 0, roll: 0 };
+}
+
+/** The angle from `a` to `b` the short way round, rad in [-pi, pi). */
+export function turn(a: number, b: number): number {
+  const full = 2 * Math.PI;
+  const raw = (b - a + Math.PI) % full;
+  return (raw < 0 ? raw + full : raw) - Math.PI;
+}
+
+/** Whether it is there to be seen. What is only cut off by the end of the run is still seen then. */
+export function is_shown(mover: Mover, t: number): boolean {
+  if (t < mover.born) return false;
+  return t < mover.gone || (t === mover.gone && (mover.end === '' || mover.end === 'flying'));
+}
+
+/** d(values)/dt at sample `i`: the slope of the parabola through it and its neighbours. */
+function slope(t: Float64Array, values: Float64Array, i: number): number {
+  const last = t.length - 1;
+  if (last === 0) return 0;
+  if (i === 0) return (values[1]! - values[0]!) / (t[1]! - t[0]! || 1);
+  const before = t[i]! - t[i - 1]!;
+  const rise = (values[i]! - values[i - 1]!) / (before || 1);
+  if (i === last) return rise;
+  const after = t[i + 1]! - t[i]!;
+  const next = (values[i + 1]! - values[i]!) / (after || 1);
+  return (rise * after + next * before) / (before + after || 1);
+}
+
+/** Cubic Hermite between samples `i` and `i + 1`, at the share `u` of the way. */
+function hermite(t: Float64Array, values: Float64Array, i: number, u: number): number {
+  const span = t[i + 1]! - t[i]!;
+  const v = 1 - u;
+  return values[i]! * (1 + 2 * u) * v * v + values[i + 1]! * (3 - 2 * u) * u * u
+    + span * u * v * (slope(t, values, i) * v - slope(t, values, i + 1) * u);
+}
+
+function angle(values: Float64Array, i: number, u: number): number {
+  const a = values[i]!;
+  return u > 0 ? a + turn(a, values[i + 1]!) * u : a;
+}
+
+/** The sample not after `t` within the motion, and how far `t` is on the way to the next (0 at the ends). */
+const found = { i: 0, u: 0 };
+function find(motion: Motion, t: number): boolean {
+  const times = motion.t;
+  const count = times.length;
+  if (count === 0) return false;
+  const i = last_at(times, t);
+  if (i < 0 || i >= count - 1) {
+    found.i = i < 0 ? 0 : count - 1;
+    found.u = 0;
+  } else {
+    const span = times[i + 1]! - times[i]!;
+    found.i = i;
+    found.u = span > 0 ? Math.min(1, Math.max(0, (t - times[i]!) / span)) : 0;
+  }
+  return true;
+}
+
+function locate(motion: Motion, out: Place): void {
+  const { t } = motion;
+  const { i, u } = found;
+  if (u > 0) {
+    out.east = hermite(t, motion.east, i, u);
+    out.north = hermite(t, motion.north, i, u);
+    out.up = hermite(t, motion.up, i, u);
+  } else {
+    out.east = motion.east[i]!;
+    out.north = motion.north[i]!;
+    out.up = motion.up[i]!;
+  }
+}
+
+/** The place at `t`; before the first and after the last sample, those. False: it has none. */
+export function place_at(motion: Motion, t: number, out: Place): boolean {
+  if (!find(motion, t)) return false;
+  locate(motion, out);
+  return true;
+}
+
+/** As place_at, with the attitude. */
+export function pose_at(motion: Motion, t: number, out: Pose): boolean {
+  if (!find(motion, t)) return false;
+  locate(motion, out);
+  const { i, u } = found;
+  const heading = angle(motion.heading, i, u) % (2 * Math.PI);
+  out.heading = heading < 0 ? heading + 2 * Math.PI : heading;
+  out.pitch = angle(motion.pitch, i, u);
+  out.roll = angle(motion.roll, i, u);
+  return true;
+}
+
+/** m/s upward at `t`. */
+export function climb_at(motion: Motion, t: number): number {
+  if (!find(motion, t)) return 0;
+  const { i, u } = found;
+  const here = slope(motion.t, motion.up, i);
+  return u > 0 ? here + (slope(motion.t, motion.up, i + 1) - here) * u : here;
+}
+
+/** A gauge at `t`, linear between the samples. */
+export function gauge_at(motion: Motion, gauge: Float64Array, t: number): number {
+  if (!find(motion, t) || gauge.length === 0) return NaN;
+  const { i, u } = found;
+  return u > 0 ? gauge[i]! + (gauge[i + 1]! - gauge[i]!) * u : gauge[i]!;
+}

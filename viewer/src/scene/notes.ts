@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+/** A flat canvas over the scene for all that is writing or a mark: labels that keep out of each other's way. */
+import type { Eye } from './eye.ts';
+import { css, type Palette } from './palette.ts';
+
+export type Mark = 'circle' | 'square' | 'diamond' | 'triangle' | 'cross';
+
+interface Tag {
+  key: number;
+  px: number;
+  py: number;
+  /** Written in full strength, then the rest in a fainter one. */
+  text: string;
+  rest: string;
+  tint: number;
+  mark: Mark | null;
+  priority: number;
+}
+
+const kFont = 11.5;
+const kFamily = 'ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace';
+/** Where a label is tried: directions, then distances (px). */
+const kWays: readonly (readonly [number, number])[] = [[1, -0.6], [1, 0.6], [-1, -0.6], [-1, 0.6], [0, -1], [0, 1]];
+const kRings = [13, 30, 52] as const;
+
+export class Notes {
+  readonly canvas: HTMLCanvasElement;
+  readonly context: CanvasRenderingContext2D;
+  palette: Palette;
+  ui = 1;
+  private readonly tags: Tag[] = [];
+  private used = 0;
+  /** x y width height of what is taken already. */
+  private readonly taken: number[] = [];
+  private readonly slots = new Map<number, number>();
+  private letter = 7;
+  private width = 1;
+  private height = 1;
+  private ratio = 1;
+
+  /** `slow`: drawn by the processor, and better so without the detour over what only stands in for a graphics card. */
+  constructor(palette: Palette, slow: boolean) {
+    this.palette = palette;
+    this.canvas = document.createElement('canvas');
+    const context = this.canvas.getContext('2d', { willReadFrequently: slow });
+    if (!context) throw new Error('no 2-D canvas');
+    this.context = context;
+  }
+
+  resize(eye: Eye, ratio: number): void {
+    this.width = eye.width;
+    this.height = eye.height;
+    this.ratio = ratio;
+    this.ui = eye.ui;
+    this.canvas.width = Math.round(eye.width * ratio);
+    this.canvas.height = Math.round(eye.height * ratio);
+    this.font();
+    this.letter = this.context.measureText('0000000000').width / 10;
+  }
+
+  private font(): void {
+    this.context.font = `${kFont * this.ui}px ${kFamily}`;
+    this.context.textBaseline = 'middle';
+  }
+
+  begin(): void {
+    const c = this.context;
+    c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    c.clearRect(0, 0, this.width, this.height);
+    this.font();
+    this.used = 0;
+    this.taken.length = 0;
+  }
+
+  /** Outlined, or filled, `radius` and `width` in px of a small screen. */
+  mark(kind: Mark, px: number, py: number, radius: number, tint: number, width = 1.5, filled = false, alpha = 1): void {
+    const c = this.context;
+    const r = radius * this.ui;
+    c.beginPath();
+    if (kind === 'circle') {
+      c.arc(px, py, r, 0, 2 * Math.PI);
+    } else if (kind === 'square') {
+      c.rect(px - r * 0.9, py - r * 0.9, r * 1.8, r * 1.8);
+    } else if (kind === 'cross') {
+      c.moveTo(px - r, py - r);
+      c.lineTo(px + r, py + r);
+      c.moveTo(px + r, py - r);
+      c.lineTo(px - r, py + r);
+    } else {
+      c.moveTo(px, py - r * 1.2);
+      c.lineTo(px + r * (kind === 'diamond' ? 1.2 : 1.1), py + (kind === 'diamond' ? 0 : r * 0.8));
+      if (kind === 'diamond') c.lineTo(px, py + r * 1.2);
+      c.lineTo(px - r * (kind === 'diamond' ? 1.2 : 1.1), py + (kind === 'diamond' ? 0 : r * 0.8));
+      c.closePath();
+    }
+    if (filled) {
+      c.fillStyle = css(tint, alpha);
+      c.fill();
+    } else {
+      c.strokeStyle = css(tint, alpha);
+      c.lineWidth = width * this.ui;
+      c.stroke();
+    }
+  }
+
+  /** Four corners around a place. */
+  bracket(px: number, py: number, radius: number, tint: number): void {
+    const c = this.context;
+    const r = radius * this.ui;
+    const arm = r * 0.45;
+    c.beginPath();
+    for (let k = 0; k < 4; ++k) {
+      const sx = k & 1 ? 1 : -1;
+      const sy = k & 2 ? 1 : -1;
+      c.moveTo(px + sx * r, py + sy * (r - arm));
+      c.lineTo(px + sx * r, py + sy * r);
+      c.lineTo(px + sx * (r - arm), py + sy * r);
+    }
+    c.strokeStyle = css(tint);
+    c.lineWidth = 1.6 * this.ui;
+    c.stroke();
+  }
+
+  /** Bare writing on a faint ground, kept clear of by labels. */
+  write(text: string, px: number, py: number, tint: number, align: 'left' | 'center' | 'right' = 'center', alpha = 1): void {
+    const c = this.context;
+    const width = (text.length * this.letter) + 6 * this.ui;
+    const height = 15 * this.ui;
+    const left = align === 'left' ? px : align === 'right' ? px - width : px - width / 2;
+    c.fillStyle = css(this.palette.chip, 0.62);
+    c.fillRect(left, py - height / 2, width, height);
+    c.fillStyle = css(tint, alpha);
+    c.textAlign = 'left';
+    c.fillText(text, left + 3 * this.ui, py + 0.5);
+    this.reserve(left, py - height / 2, width, height);
+  }
+
+  /** A figure in the middle of a mark. */
+  figure(text: string, px: number, py: number, tint: number): void {
+    const c = this.context;
+    c.textAlign = 'center';
+    c.fillStyle = css(tint);
+    c.fillText(text, px, py + 0.5);
+  }
+
+  reserve(x: number, y: number, width: number, height: number): void {
+    this.taken.push(x, y, width, height);
+  }
+
+  /** A label beside a place, where there is room; the same `key` stays on its side if it can. Above 90 always shown. */
+  tag(key: number, px: number, py: number, text: string, rest: string, tint: number, mark: Mark | null, priority: number): void {
+    const tag = (this.tags[this.used] ??= { key: 0, px: 0, py: 0, text: '', rest: '', tint: 0, mark: null, priority: 0 });
+    ++this.used;
+    tag.key = key;
+    tag.px = px;
+    tag.py = py;
+    tag.text = text;
+    tag.rest = rest;
+    tag.tint = tint;
+    tag.mark = mark;
+    tag.priority = priority;
+  }
+
+  private is_free(x: number, y: number, width: number, height: number): boolean {
+    const { taken } = this;
+    if (x < 2 || y < 2 || x + width > this.width - 2 || y + height > this.height - 2) return false;
+    for (let i = 0; i < taken.length; i += 4)
+      if (x < taken[i]! + taken[i + 2]! && x + width > taken[i]! && y < taken[i + 1]! + taken[i + 3]! && y + height > taken[i + 1]!) return false;
+    return true;
+  }
+
+  private readonly spot = { x: 0, y: 0 };
+  private aim(tag: Tag, slot: number, width: number, height: number): void {
+    const [wx, wy] = kWays[slot % kWays.length]!;
+    const far = kRings[Math.floor(slot / kWays.length)]! * this.ui;
+    this.spot.x = tag.px + wx * far + (wx > 0 ? 0 : wx < 0 ? -width : -width / 2);
+    this.spot.y = tag.py + wy * far - height / 2 + (wx === 0 ? (wy * height) / 2 : 0);
+  }
+
+  private place(tag: Tag, width: number, height: number): number {
+    const before = this.slots.get(tag.key);
+    const count = kWays.length * (tag.priority > 20 ? kRings.length : 1);
+    for (let k = -1; k < count; ++k) {
+      const slot = k < 0 ? before : k;
+      if (slot === undefined) continue;
+      this.aim(tag, slot, width, height);
+      if (this.is_free(this.spot.x, this.spot.y, width, height)) return slot;
+    }
+    if (tag.priority < 90) return -1;
+    this.aim(tag, 0, width, height);
+    return 0;
+  }
+
+  /** Labels, the important ones first. */
+  end(): void {
+    const shown = this.tags.slice(0, this.used).sort((a, b) => b.priority - a.priority || a.key - b.key);
+    const { ui } = this;
+    const height = 16 * ui;
+    for (const tag of shown) {
+      const lead = (tag.mark ? 15 : 5) * ui;
+      const width = lead + (tag.text.length + (tag.rest ? tag.rest.length + 1 : 0)) * this.letter + 5 * ui;
+      const slot = this.place(tag, width, height);
+      if (slot < 0) continue;
+      this.slots.set(tag.key, slot);
+      this.draw(tag, slot, width, height, lead);
+      this.reserve(this.spot.x, this.spot.y, width, height);
+    }
+  }
+
+  private draw(tag: Tag, slot: number, width: number, height: number, lead: number): void {
+    const c = this.context;
+    const { spot, palette, ui } = this;
+    const middle = spot.y + height / 2;
+    if (slot >= kWays.length) {
+      c.beginPath();
+      c.moveTo(tag.px, tag.py);
+      c.lineTo(Math.min(spot.x + width, Math.max(spot.x, tag.px)), Math.min(spot.y + height, Math.max(spot.y, tag.py)));
+      c.strokeStyle = css(tag.tint, 0.5);
+      c.lineWidth = ui;
+      c.stroke();
+    }
+    c.beginPath();
+    c.roundRect(spot.x, spot.y, width, height, tag.mark === 'circle' ? height / 2 : 2 * ui);
+    c.fillStyle = css(palette.chip, 0.8);
+    c.fill();
+    if (tag.priority >= 90) {
+      c.strokeStyle = css(tag.tint);
+      c.lineWidth = ui;
+      c.stroke();
+    }
+    if (tag.mark) this.mark(tag.mark, spot.x + 8.5 * ui, middle, 3.6, tag.tint, 1.5, tag.mark !== 'cross');
+    c.textAlign = 'left';
+    c.fillStyle = css(palette.text);
+    c.fillText(tag.text, spot.x + lead, middle + 0.5);
+    if (tag.rest) {
+      c.fillStyle = css(palette.faint);
+      c.fillText(tag.rest, spot.x + lead + (tag.text.length + 1) * this.letter, middle + 0.5);
+    }
+  }
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+/** The store's camera and the user's hand, turned into what the rig should do. */
+import type { View } from '../store.ts';
+import type { Eye } from './eye.ts';
+import type { Poses } from './poses.ts';
+import { fit, kFlatFov, kFov, kPace, Rig } from './rig.ts';
+
+/** rad from straight down, in 'whole' and when 'top' is left. */
+const kTilt = 0.95;
+/** km of the scene in the picture when one aircraft is followed, and at least when all are seen. */
+const kChase = 0.15;
+const kLeast = 16;
+/** rad: a drag over the height of the picture. */
+const kSwing = 3;
+
+export class Pilot {
+  readonly rig: Rig;
+  private camera: View['camera'] | null = null;
+  private followed = -1;
+  /** Where the chasing camera looks, from the heading. */
+  private beside = 0;
+
+  constructor(still: boolean) {
+    this.rig = new Rig({ x: 0, y: 6, z: 0, height: 150, azimuth: 0, polar: kTilt, fov: kFov }, still);
+  }
+
+  /** A camera was chosen. */
+  private change(camera: View['camera'], players: Poses, eye: Eye): void {
+    const { goal } = this.rig;
+    const before = this.camera;
+    this.camera = camera;
+    this.rig.pace = kPace.change;
+    goal.fov = camera === 'top' ? kFlatFov : kFov;
+    if (camera !== 'follow') {
+      this.rig.rebase(0, 0, 0);
+      this.followed = -1;
+    }
+    if (camera === 'top') {
+      goal.polar = 0;
+      goal.azimuth = 0;
+      if (before === 'follow') goal.height = Math.max(goal.height, 60);
+      if (before === 'whole') this.fit(players, eye);
+    } else if (camera === 'free') {
+      if (before === 'top') goal.polar = kTilt;
+    } else if (camera === 'whole') {
+      goal.polar = kTilt;
+      goal.azimuth = 0;
+    } else {
+      goal.polar = 1.25;
+      goal.height = kChase;
+      this.beside = 0;
+    }
+  }
+
+  private fit(players: Poses, eye: Eye): void {
+    fit(this.rig.goal, players, eye.width / Math.max(1, eye.height), kLeast);
+  }
+
+  private follow(players: Poses, i: number): void {
+    const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
+    const { rig } = this;
+    if (this.followed !== i) {
+      rig.rebase(x, y, z);
+      this.followed = i;
+      rig.pace = kPace.change;
+    } else {
+      rig.carry(x, y, z);
+    }
+    rig.goal.x = rig.goal.y = rig.goal.z = 0;
+    const azimuth = players.heading[i]! + this.beside;
+    // a turning aircraft swings the camera after it, not at once
+    if (Math.abs(Math.sin((azimuth - rig.goal.azimuth) / 2)) > 1e-4 && rig.pace === kPace.hand) rig.pace = kPace.chase;
+    rig.goal.azimuth = azimuth;
+  }
+
+  /** Sets the goal for this picture. */
+  aim(view: View, players: Poses, eye: Eye): void {
+    const first = this.camera === null;
+    if (this.camera !== view.camera) this.change(view.camera, players, eye);
+    if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected);
+    if (view.camera === 'whole') this.fit(players, eye);
+    if (!first) return;
+    if (view.camera !== 'follow') this.fit(players, eye);
+    this.rig.arrive();
+  }
+
+  /** True: from 'whole' this made a free camera. */
+  drag(dx: number, dy: number, view: View, eye: Eye): boolean {
+    if (view.camera === 'top') {
+      this.rig.pan(-dx / eye.height, dy / eye.height);
+      return false;
+    }
+    const freed = this.free(view);
+    const swing = (-dx * kSwing) / eye.height;
+    if (view.camera === 'follow') this.beside += swing;
+    this.rig.orbit(swing, (-dy * kSwing) / eye.height);
+    return freed;
+  }
+
+  push(dx: number, dy: number, view: View, eye: Eye): boolean {
+    if (view.camera === 'follow') return this.drag(dx, dy, view, eye);
+    const freed = this.free(view);
+    this.rig.pan(-dx / eye.height, dy / eye.height);
+    return freed;
+  }
+
+  zoom(factor: number, px: number, py: number, view: View, eye: Eye): boolean {
+    const freed = this.free(view);
+    const { rig } = this;
+    const level = eye.stance?.y ?? 0;
+    const farthest = (eye.stance?.height ?? 0) * (view.camera === 'top' ? 1000 : 4);
+    if (view.camera !== 'follow' && eye.hit(px, py, level, farthest)) rig.zoom(factor, eye.ground_x, eye.ground_z);
+    else rig.zoom(factor);
+    return freed;
+  }
+
+  /** Whoever touches 'whole' wants to look around from there. */
+  private free(view: View): boolean {
+    if (view.camera !== 'whole') return false;
+    this.camera = 'free';
+    return true;
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/** Soft discs that face the eye: fire, smoke and flashes, all in one draw call. */
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Points, ShaderMaterial } from 'three';
+import type { Screen } from './lines.ts';
+
+const kVertex = /* glsl */ `
+  attribute vec2 size;
+  attribute vec4 tint;
+  uniform vec2 pixels;
+  uniform float ratio;
+  varying vec4 shade;
+  void main() {
+    vec4 at = viewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * at;
+    float km = projectionMatrix[1][1] * pixels.y * 0.5 / max(1e-3, -at.z);
+    gl_PointSize = min(512.0, max(size.y * ratio, size.x * km) * 2.0);
+    shade = tint;
+  }`;
+
+const kFragment = /* glsl */ `
+  varying vec4 shade;
+  void main() {
+    float out_from_middle = length(gl_PointCoord * 2.0 - 1.0);
+    if (out_from_middle > 1.0) discard;
+    gl_FragColor = vec4(shade.rgb, shade.a * smoothstep(1.0, 0.35, out_from_middle));
+  }`;
+
+const kFloats = 5;
+
+/** As many as fit; what is beyond is left out. */
+export class Puffs {
+  readonly mesh: Points<BufferGeometry, ShaderMaterial>;
+  private count = 0;
+  private readonly floats: InterleavedBuffer;
+  private readonly tints: BufferAttribute;
+
+  constructor(screen: Screen, order: number, private readonly capacity = 1024) {
+    const geometry = new BufferGeometry();
+    this.floats = new InterleavedBuffer(new Float32Array(capacity * kFloats), kFloats).setUsage(DynamicDrawUsage);
+    this.tints = new BufferAttribute(new Uint8Array(capacity * 4), 4, true).setUsage(DynamicDrawUsage);
+    geometry.setAttribute('position', new InterleavedBufferAttribute(this.floats, 3, 0));
+    geometry.setAttribute('size', new InterleavedBufferAttribute(this.floats, 2, 3));
+    geometry.setAttribute('tint', this.tints);
+    const material = new ShaderMaterial({
+      vertexShader: kVertex, fragmentShader: kFragment, uniforms: { pixels: screen.pixels, ratio: screen.ratio },
+      transparent: true, depthWrite: false,
+    });
+    this.mesh = new Points(geometry, material);
+    this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = order;
+  }
+
+  begin(): void {
+    this.count = 0;
+  }
+
+  /** `radius` in scene units, but at least `least` CSS px. */
+  add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
+    if (this.count === this.capacity) return;
+    const f = this.floats.array as Float32Array;
+    const b = this.tints.array as Uint8Array;
+    let i = this.count * kFloats;
+    f[i++] = x;
+    f[i++] = y;
+    f[i++] = z;
+    f[i++] = radius;
+    f[i] = least;
+    i = this.count * 4;
+    b[i] = tint >> 16;
+    b[i + 1] = (tint >> 8) & 255;
+    b[i + 2] = tint & 255;
+    b[i + 3] = alpha * 255;
+    ++this.count;
+  }
+
+  end(): void {
+    this.floats.needsUpdate = true;
+    this.tints.needsUpdate = true;
+    this.mesh.geometry.setDrawRange(0, this.count);
+    this.mesh.visible = this.count > 0;
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+  }
+}

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: MIT
+/** The air picture: mounts into a host, follows the store, draws when something changed. */
+import { DirectionalLight, HemisphereLight, Group, Scene, Vector2, WebGLRenderer } from 'three';
+import type { Run } from '../run/run.ts';
+import type { Store, View } from '../store.ts';
+import { draw_tracks, draw_zone } from './beliefs.ts';
+import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
+import { Eye } from './eye.ts';
+import { Fleet } from './fleet.ts';
+import type { Frame } from './frame.ts';
+import { type Hand, listen } from './gestures.ts';
+import { Ground } from './ground.ts';
+import { draw_hud } from './hud.ts';
+import { Lines, type Screen } from './lines.ts';
+import { Meter } from './meter.ts';
+import { Notes } from './notes.ts';
+import { css, palette_of } from './palette.ts';
+import { Pilot } from './pilot.ts';
+import { Poses } from './poses.ts';
+import { Puffs } from './puffs.ts';
+import { RadarVolume } from './radar.ts';
+import { draw_routes } from './routes.ts';
+import { kRest, Sharpness } from './sharpness.ts';
+import { SightReader } from './sight.ts';
+import { told } from './told.ts';
+import { draw_drop_lines, draw_trails } from './trails.ts';
+import { draw_losses, draw_missiles } from './weapons.ts';
+
+export interface SceneHandle {
+  resize(): void;
+  dispose(): void;
+  /** Since the last call: pictures drawn, and ms from one to the next while they follow each other. */
+  frames(): { count: number; worst_ms: number; mean_ms: number };
+}
+
+const kSharpest = 2;
+/** px around an aircraft that still mean it. */
+const kGrasp = 22;
+const kToldEvery = 1000;
+
+function canvas_of(host: HTMLElement, canvas: HTMLCanvasElement): void {
+  canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;display:block';
+  host.append(canvas);
+}
+
+class AirPicture {
+  private readonly screen: Screen = { pixels: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
+  private readonly scene = new Scene();
+  private readonly fleets: Fleet[];
+  private readonly ground: Ground;
+  private readonly radar = new RadarVolume(4);
+  private readonly lines: Lines;
+  private readonly puffs: Puffs;
+  private readonly reader = new SightReader();
+  private readonly pilot: Pilot;
+  private readonly renderer: WebGLRenderer;
+  private readonly frame: Frame;
+  readonly meter = new Meter();
+  private readonly sharpness = new Sharpness();
+  private theme: View['theme'] | null = null;
+  private asked = 0;
+  private drawn_at = 0;
+  private told_at = -Infinity;
+  private teller = 0;
+  private rester = 0;
+  private readonly stops: (() => void)[] = [];
+
+  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store,
+    canvas: HTMLCanvasElement, context: WebGL2RenderingContext, slow: boolean) {
+    this.renderer = new WebGLRenderer({ canvas, context, alpha: false });
+    const { screen } = this;
+    const palette = palette_of(store.get().theme);
+    const group = new Group();
+    // three draws what is opaque first: the ground, then the models
+    group.renderOrder = 2;
+    this.lines = new Lines(screen, 5, 4096);
+    this.puffs = new Puffs(screen, 6);
+    this.ground = new Ground(run.origin, screen, new Vector2());
+    this.fleets = [Fleet.of_players(group, run.players), Fleet.of_missiles(group, run.missiles)];
+    const sun = new DirectionalLight(0xffffff, 1.9);
+    sun.position.set(-0.6, 1, 0.5);
+    this.scene.add(new HemisphereLight(0xffffff, 0x56606b, 1.6), sun, group, this.ground.group, this.radar.mesh, this.lines.mesh, this.puffs.mesh);
+    this.pilot = new Pilot(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
+    this.frame = {
+      run, view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye: new Eye(),
+      lines: this.lines, puffs: this.puffs, notes: new Notes(palette, slow), palette, hovered: -1,
+    };
+    canvas_of(host, canvas);
+    canvas_of(host, this.frame.notes.canvas);
+    this.frame.notes.canvas.style.touchAction = 'none';
+    this.watch();
+    this.resize();
+  }
+
+  private watch(): void {
+    const observer = new ResizeObserver(() => this.resize());
+    observer.observe(this.host);
+    this.stops.push(
+      () => observer.disconnect(), this.store.subscribe((now) => this.follow(now)), listen(this.frame.notes.canvas, this.hand()));
+    const restored = (): void => this.wake();
+    this.renderer.domElement.addEventListener('webglcontextrestored', restored);
+    this.stops.push(() => this.renderer.domElement.removeEventListener('webglcontextrestored', restored));
+  }
+
+  private follow(view: View): void {
+    this.frame.view = view;
+    this.wake();
+  }
+
+  private wake(): void {
+    if (this.asked) return;
+    this.meter.ask(performance.now());
+    this.asked = requestAnimationFrame((now) => {
+      this.asked = 0;
+      this.draw(now);
+    });
+  }
+
+  resize(): void {
+    const { host, frame } = this;
+    const width = Math.max(1, host.clientWidth);
+    const height = Math.max(1, host.clientHeight);
+    const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1);
+    frame.eye.resize(width, height);
+    frame.notes.resize(frame.eye, ratio);
+    this.sharpen();
+    // a resized canvas is empty until it is drawn, so not in the next frame but now
+    this.draw(performance.now());
+  }
+
+  /** The writing keeps all its pixels. */
+  private sharpen(): void {
+    const { renderer, screen, frame, sharpness } = this;
+    const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1) * sharpness.scale;
+    renderer.setPixelRatio(ratio);
+    renderer.setSize(frame.eye.width, frame.eye.height, false);
+    screen.pixels.value.set(frame.eye.width * ratio, frame.eye.height * ratio);
+    screen.ratio.value = ratio * frame.eye.ui;
+  }
+
+  private rest(): void {
+    if (this.asked || !this.sharpness.rest()) return;
+    this.sharpen();
+    this.draw(performance.now());
+  }
+
+  private paint(): void {
+    const { frame, host } = this;
+    this.theme = frame.view.theme;
+    frame.palette = palette_of(frame.view.theme);
+    frame.notes.palette = frame.palette;
+    for (const fleet of this.fleets) fleet.paint(frame.palette);
+    this.ground.paint(frame.palette);
+    host.style.backgroundColor = css(frame.palette.sky);
+  }
+
+  private draw(now: number): void {
+    const { frame, pilot, renderer } = this;
+    const { view, players, missiles, eye } = frame;
+    if (this.theme !== view.theme) this.paint();
+    players.update(view.time);
+    missiles.update(view.time);
+    pilot.aim(view, players, eye);
+    const moving = pilot.rig.step(Math.min(0.1, Math.max(0.001, (now - this.drawn_at) / 1000)));
+    this.drawn_at = now;
+    eye.look(pilot.rig.stance());
+    const selected = this.run.players[view.selected];
+    frame.sight = selected && players.shown[view.selected] ? this.reader.read(selected, view.time) : null;
+
+    renderer.setClearColor(this.ground.update(eye, frame.palette, view.layers.coast));
+    for (const fleet of this.fleets) fleet.update(fleet === this.fleets[0] ? players : missiles, eye);
+    this.fill();
+    renderer.render(this.scene, eye.camera);
+    const interval = this.meter.drawn(now, performance.now());
+    if (this.sharpness.judge(interval, frame.notes.canvas.width * frame.notes.canvas.height)) this.sharpen();
+    this.tell(now);
+    clearTimeout(this.rester);
+    this.rester = window.setTimeout(() => this.rest(), kRest);
+    if (moving) this.wake();
+  }
+
+  /** Lines, puffs and marks of all layers. */
+  private fill(): void {
+    const { frame } = this;
+    const { lines, puffs, notes } = frame;
+    lines.begin();
+    puffs.begin();
+    notes.begin();
+    draw_hud(frame);
+    draw_trails(frame);
+    draw_drop_lines(frame);
+    this.radar.update(frame);
+    draw_routes(frame);
+    draw_missiles(frame);
+    draw_losses(frame);
+    draw_zone(frame);
+    draw_tracks(frame);
+    draw_ruler(frame);
+    draw_ghost(frame);
+    draw_names(frame);
+    lines.end();
+    puffs.end();
+    notes.end();
+  }
+
+  /** Not more often than can be read, but the last word is always said. */
+  private tell(now: number): void {
+    clearTimeout(this.teller);
+    const say = (): void => {
+      this.told_at = performance.now();
+      const { view, players, missiles } = this.frame;
+      const text = told(this.run, view, players, missiles);
+      if (this.host.getAttribute('aria-label') !== text) this.host.setAttribute('aria-label', text);
+    };
+    if (now - this.told_at > kToldEvery) say();
+    else this.teller = window.setTimeout(say, kToldEvery);
+  }
+
+  /** Who is at a pixel; -1: nobody. */
+  private pick(px: number, py: number): number {
+    const { players, eye } = this.frame;
+    let best = -1;
+    let nearest = kGrasp * eye.ui;
+    for (let i = 0; i < players.count; ++i) {
+      if (!players.shown[i] || !eye.project(players.x[i]!, players.y[i]!, players.z[i]!)) continue;
+      const off = Math.hypot(eye.px - px, eye.py - py);
+      if (off < nearest) {
+        nearest = off;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  private hand(): Hand {
+    const { frame, pilot, store } = this;
+    const freed = (was_whole: boolean): void => {
+      if (was_whole) store.set({ camera: 'free' });
+      else this.wake();
+    };
+    return {
+      drag: (dx, dy) => freed(pilot.drag(dx, dy, frame.view, frame.eye)),
+      push: (dx, dy) => freed(pilot.push(dx, dy, frame.view, frame.eye)),
+      zoom: (factor, px, py) => freed(pilot.zoom(factor, px, py, frame.view, frame.eye)),
+      click: (px, py, shift) => {
+        const who = this.pick(px, py);
+        if (who < 0) return;
+        if (!shift) store.set({ selected: who });
+        else store.set({ ruler: who === frame.view.selected ? null : [frame.view.selected, who] });
+      },
+      hover: (px, py) => {
+        const who = px === null ? -1 : this.pick(px, py);
+        if (who === frame.hovered) return;
+        frame.hovered = who;
+        frame.notes.canvas.style.cursor = who < 0 ? '' : 'pointer';
+        this.wake();
+      },
+    };
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.asked);
+    clearTimeout(this.teller);
+    clearTimeout(this.rester);
+    for (const stop of this.stops) stop();
+    for (const part of [...this.fleets, this.ground, this.radar, this.lines, this.puffs, this.renderer]) part.dispose();
+    this.renderer.forceContextLoss();
+    this.renderer.domElement.remove();
+    this.frame.notes.canvas.remove();
+    this.host.removeAttribute('role');
+    this.host.removeAttribute('aria-label');
+  }
+}
+
+/** Whether there is no graphics card, and the processor stands in for it. */
+function is_slow(): boolean {
+  const probe = document.createElement('canvas').getContext('webgl2');
+  const named = probe?.getExtension('WEBGL_debug_renderer_info');
+  const name: unknown = probe && named && probe.getParameter(named.UNMASKED_RENDERER_WEBGL);
+  probe?.getExtension('WEBGL_lose_context')?.loseContext();
+  return typeof name === 'string' && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+/** Instead of the picture, where the browser cannot draw it. */
+function mount_apology(host: HTMLElement, store: Store): SceneHandle {
+  const text = 'The air picture needs WebGL 2, which this browser does not offer or has switched off. Everything else on this page works.';
+  const box = document.createElement('p');
+  box.textContent = text;
+  box.style.cssText = 'position:absolute;inset:0;margin:0;padding:2rem;display:flex;align-items:center;justify-content:center;text-align:center';
+  host.setAttribute('role', 'img');
+  host.setAttribute('aria-label', text);
+  host.append(box);
+  const paint = (): void => {
+    const palette = palette_of(store.get().theme);
+    box.style.color = css(palette.text);
+    box.style.backgroundColor = css(palette.sea);
+  };
+  paint();
+  const stop = store.subscribe(paint);
+  return {
+    resize: () => undefined,
+    frames: () => ({ count: 0, worst_ms: 0, mean_ms: 0 }),
+    dispose: () => {
+      stop();
+      box.remove();
+    },
+  };
+}
+
+/** Fills `host`, whose size it follows. */
+export function mount_scene(host: HTMLElement, run: Run, store: Store): SceneHandle {
+  if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
+  host.style.overflow = 'hidden';
+  const canvas = document.createElement('canvas');
+  const slow = is_slow();
+  // lines are smooth by themselves; to smooth the rest as well is too much for a renderer in software
+  const context = canvas.getContext('webgl2', { antialias: !slow, alpha: false, powerPreference: 'high-performance' });
+  if (!context) return mount_apology(host, store);
+  host.setAttribute('role', 'img');
+  const picture = new AirPicture(host, run, store, canvas, context, slow);
+  return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read() };
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+/** The picture in words, for those who do not see it. */
+import type { Run } from '../run/run.ts';
+import type { View } from '../store.ts';
+import { degrees, feet } from './frame.ts';
+import type { Poses } from './poses.ts';
+
+const kCamera: Record<View['camera'], string> = {
+  free: 'seen from a free camera', follow: 'seen from behind the selected player', top: 'seen from above', whole: 'seen as a whole',
+};
+
+export function clock(t: number): string {
+  const whole = Math.floor(t + 1e-6);
+  return `${String(Math.floor(whole / 60)).padStart(2, '0')}:${String(whole % 60).padStart(2, '0')}`;
+}
+
+export function told(run: Run, view: View, players: Poses, missiles: Poses): string {
+  const alive = { blue: 0, red: 0, none: 0 };
+  for (const player of run.players) alive[player.side] += players.shown[player.index]!;
+  let flying = 0;
+  for (let i = 0; i < missiles.count; ++i) flying += missiles.shown[i]!;
+  const sides = (['blue', 'red', 'none'] as const).filter((side) => run.players.some((p) => p.side === side))
+    .map((side) => `${alive[side]} ${side === 'none' ? 'neutral' : side}`);
+  const words = [`Air picture at ${clock(view.time)}, ${kCamera[view.camera]}: ${sides.join(', ')}, ${flying} missiles in flight.`];
+  const chosen = run.players[view.selected];
+  if (chosen) {
+    const i = chosen.index;
+    const there = `${chosen.name}, a ${chosen.type}, heading ${degrees(players.heading[i]!)} degrees at ${feet(players.y[i]!)} feet.`;
+    words.push(players.shown[i] ? `Selected: ${there}` : `Selected: ${chosen.name}, not in the air picture.`);
+  }
+  return words.join(' ');
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/** Where everybody came from, and how high they are: trails, drop lines and the selected player's staff of altitudes. */
+import { type Frame, kFoot, kSideMark } from './frame.ts';
+import { place_at } from './motion.ts';
+
+/** s */
+const kTrail = 60;
+const kTallest = 50;
+const at = { east: 0, north: 0, up: 0 };
+
+/** The way over the last minute, each leg paler with its age. Legs end at whole multiples of their duration. */
+export function draw_trails({ run, view, players, lines, palette }: Frame): void {
+  if (!view.layers.trails) return;
+  const leg = players.count <= 24 ? 1 : players.count <= 80 ? 2 : 5;
+  for (const player of run.players) {
+    const last = Math.min(view.time, player.gone);
+    const first = Math.max(player.born, view.time - kTrail);
+    if (last <= first) continue;
+    lines.pen(palette.side[player.side], player.index === view.selected ? 2.6 : 1.8);
+    let x = NaN;
+    let y = 0;
+    let z = 0;
+    let pale = 0;
+    for (let t = first; ;) {
+      if (!place_at(player.motion, t, at)) break;
+      const alpha = 0.8 * (1 - (view.time - t) / kTrail);
+      if (!Number.isNaN(x)) lines.add(x, y, z, at.east / 1000, at.up / 1000, -at.north / 1000, pale, alpha);
+      x = at.east / 1000;
+      y = at.up / 1000;
+      z = -at.north / 1000;
+      pale = alpha;
+      if (t >= last) break;
+      t = Math.min(last, (Math.floor(t / leg + 1e-6) + 1) * leg);
+    }
+    if (players.shown[player.index]) lines.add(x, y, z, players.x[player.index]!, players.y[player.index]!, players.z[player.index]!, pale);
+  }
+}
+
+export function draw_drop_lines(frame: Frame): void {
+  const { run, view, players, lines, palette, eye } = frame;
+  if (!view.layers.drop_lines) return;
+  for (let i = 0; i < players.count; ++i) {
+    const y = players.y[i]!;
+    if (!players.shown[i] || y < 0.05) continue;
+    const x = players.x[i]!;
+    const z = players.z[i]!;
+    const chosen = i === view.selected;
+    const arm = 4 * eye.ui * eye.km_per_px(x, 0, z);
+    lines.pen(palette.side[run.players[i]!.side], chosen ? 1.5 : 1);
+    lines.add(x, y, z, x, 0, z, chosen ? 0.9 : 0.5);
+    lines.add(x - arm, 0, z, x + arm, 0, z, 0.9);
+    lines.add(x, 0, z - arm, x, 0, z + arm, 0.9);
+    if (chosen) draw_staff(frame, x, y, z);
+  }
+}
+
+/** Ticks each five thousand feet on the line under the selected player, with figures as far as there is room. */
+function draw_staff({ lines, palette, eye, notes, view, run }: Frame, x: number, y: number, z: number): void {
+  const { stance } = eye;
+  if (!stance) return;
+  const km_per_px = eye.km_per_px(x, y / 2, z);
+  const step = 5000 * kFoot;
+  const tall = (Math.sin(stance.polar) * step) / km_per_px;
+  if (tall < 3) return;
+  const figures = [1, 2, 4].find((every) => every * tall > 15 * eye.ui);
+  const [rx, rz] = [Math.cos(stance.azimuth), Math.sin(stance.azimuth)];
+  const top = Math.min(kTallest, Math.max(10, Math.ceil(y / (2 * step)) * 10));
+  lines.pen(palette.faint, 1);
+  lines.add(x, y, z, x, top * 1000 * kFoot, z, 0.5);
+  for (let k = 0; k * 5 <= top; ++k) {
+    const arm = (k % 2 ? 3 : 6) * eye.ui * km_per_px;
+    lines.add(x, k * step, z, x - rx * arm, k * step, z - rz * arm, 0.95);
+    if (figures === undefined || k % figures || !eye.project(x, k * step, z) || !eye.on_screen()) continue;
+    notes.write(k === 0 ? '0 ft' : `${k * 5}k`, eye.px - 8 * eye.ui, eye.py, palette.faint, 'right');
+  }
+  const side = run.players[view.selected]!.side;
+  if (eye.project(x, 0, z)) notes.mark(kSideMark[side], eye.px, eye.py, 3, palette.side[side], 1.3);
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+/** What buttons and keys do. */
+import { last_at } from '../run/run.ts';
+import type { Camera } from '../store.ts';
+import { neighbor } from './marks.ts';
+import { shown_range, type Page } from './page.ts';
+import { leader_spans } from './spans.ts';
+
+export const kRates = [0.5, 1, 2, 4, 8, 16, 32, 64];
+/** s: the shortest stretch that the strips show. */
+const kShortest = 2;
+
+export function jump({ store, duration }: Page, time: number): void {
+  const t = Math.min(Math.max(time, 0), duration);
+  const zoom = store.get().zoom;
+  // what is jumped to must be in sight
+  if (zoom && (t < zoom[0] || t > zoom[1])) {
+    const half = (zoom[1] - zoom[0]) / 2;
+    const middle = Math.min(Math.max(t, half), duration - half);
+    store.set({ time: t, zoom: [middle - half, middle + half] });
+  } else {
+    store.set({ time: t });
+  }
+}
+
+export function toggle_play({ store, duration }: Page): void {
+  const { playing, time } = store.get();
+  store.set(playing ? { playing: false } : { playing: true, time: time >= duration - 0.01 ? 0 : time });
+}
+
+export function change_rate({ store }: Page, direction: 1 | -1): void {
+  const at = kRates.indexOf(store.get().rate) + direction;
+  if (kRates[at] !== undefined) store.set({ rate: kRates[at] });
+}
+
+/** To the next or the previous decision of the selected player. */
+export function step_decision(page: Page, direction: 1 | -1): void {
+  const { time, selected } = page.store.get();
+  const { t } = page.run.players[selected]!.decisions;
+  const now = last_at(t, time);
+  // between two decisions the one before is where it was
+  const next = direction < 0 && now >= 0 && time - t[now]! > 1e-6 ? now : now + direction;
+  page.store.set({ playing: false });
+  if (t[next] !== undefined) jump(page, t[next]!);
+}
+
+export function step_mark(page: Page, direction: 1 | -1): void {
+  const t = neighbor(page.marks.map((mark) => mark.t), page.store.get().time, direction);
+  if (t !== null) jump(page, t);
+}
+
+/** To where somebody else begins to lead in the tree of the selected player. */
+export function step_leader(page: Page, direction: 1 | -1): void {
+  const { time, selected } = page.store.get();
+  const t = neighbor(leader_spans(page.run, page.run.players[selected]!).map((span) => span.from), time, direction);
+  if (t !== null) jump(page, t);
+}
+
+export function select(page: Page, player: number): void {
+  if (page.run.players[player]) page.store.set({ selected: player, ghost: null });
+}
+
+/** Range and bearing between the selected player and `player`; once more takes them away. */
+export function measure({ store }: Page, player: number): void {
+  const { selected, ruler } = store.get();
+  store.set({ ruler: player === selected || (ruler?.[0] === selected && ruler[1] === player) ? null : [selected, player] });
+}
+
+const kCameras: Camera[] = ['whole', 'follow', 'top', 'free'];
+export function next_camera({ store }: Page): void {
+  store.set({ camera: kCameras[(kCameras.indexOf(store.get().camera) + 1) % kCameras.length]! });
+}
+
+export function toggle_theme({ store }: Page): void {
+  store.set({ theme: store.get().theme === 'dark' ? 'light' : 'dark' });
+}
+
+/** Makes the strips show `factor` times as much, with `around` (s) staying in its place. */
+export function zoom_by(page: Page, factor: number, around: number): void {
+  const [from, to] = shown_range(page);
+  const width = Math.max((to - from) * factor, kShortest);
+  if (width >= page.duration) return page.store.set({ zoom: null });
+  const part = (around - from) / (to - from);
+  zoom_to(page, around - part * width, around + (1 - part) * width);
+}
+
+/** The strips show [from, to], moved into the run. */
+export function zoom_to({ store, duration }: Page, from: number, to: number): void {
+  const width = Math.max(to - from, kShortest);
+  if (width >= duration) return store.set({ zoom: null });
+  const begin = Math.min(Math.max(from, 0), duration - width);
+  store.set({ zoom: [begin, begin + width] });
+}
+
+export function pan_by(page: Page, seconds: number): void {
+  const [from, to] = shown_range(page);
+  if (page.store.get().zoom) zoom_to(page, from + seconds, to + seconds);
+}
+
+/** Half a minute around the present, or the whole run again. */
+export function toggle_zoom(page: Page): void {
+  const { zoom, time } = page.store.get();
+  if (zoom) page.store.set({ zoom: null });
+  else zoom_to(page, time - 15, time + 15);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/** The page: players and story at the left, the air picture, the decision at the right, and time below. */
+import { useEffect, useState } from 'preact/hooks';
+import type { SceneHandle } from '../scene/scene.ts';
+import { rem_size } from './canvas.ts';
+import { Cell } from './cell.ts';
+import { CompareRows } from './compare.tsx';
+import { Header } from './header.tsx';
+import { Inspector } from './inspector.tsx';
+import { Help, use_keys } from './keys.tsx';
+import { EveryoneRow, LeaderRow, Legend, WhatIfRow } from './leaders.tsx';
+import { PageContext, use_page, type Page } from './page.ts';
+import { Players } from './players.tsx';
+import { Splitter, type Limits } from './splitter.tsx';
+import { Stack } from './stack.tsx';
+import { Stage } from './stage.tsx';
+import { Story } from './story.tsx';
+import { Strips } from './strips.tsx';
+import { Events, Overview } from './timeline.tsx';
+import { Transport } from './transport.tsx';
+import { use_view } from './use.ts';
+
+type Panel = 'left' | 'right' | 'bottom';
+type Sizes = Record<Panel, number>;
+
+const kLimits: Record<Panel, Limits> = { left: { least: 12, most: 40 }, right: { least: 22, most: 80 }, bottom: { least: 8, most: 60 } };
+/** Lanes for everybody fit below the timeline up to this many players. */
+const kMostLanes = 12;
+
+/** rem: what leaves most of the screen to the air picture. */
+function first_sizes(): Sizes {
+  const rem = rem_size();
+  const [wide, high] = [innerWidth / rem, innerHeight / rem];
+  const within = (value: number, least: number, most: number): number => Math.round(Math.min(Math.max(value, least), most));
+  return { left: within(wide * 0.17, 18, 28), right: within(wide * 0.315, 32, 50), bottom: within(high * 0.36, 19, 36) };
+}
+
+function Bottom({ pages }: { pages: Page[] }) {
+  const page = use_page();
+  const { run } = page;
+  const player = run.players[use_view(page.store, (v) => v.selected)]!;
+  const [everyone, set_everyone] = useState(run.players.length <= kMostLanes && innerHeight / rem_size() > 70);
+  return (
+    <section class="bottom" aria-label="Timeline and strips">
+      <Transport>
+        <button type="button" class="tool words" aria-pressed={everyone} title="Who led in everybody's tree"
+          onClick={() => set_everyone(!everyone)}>
+          everybody
+        </button>
+      </Transport>
+      <Stack>
+        <Overview />
+        <Events />
+        {pages.length > 1 ? <CompareRows pages={pages} player={player} /> : <LeaderRow player={player} />}
+        <WhatIfRow player={player} />
+        <Legend player={player} />
+        {everyone && <EveryoneRow />}
+        <Strips />
+      </Stack>
+    </section>
+  );
+}
+
+const kPanels: { panel: Panel; label: string }[] = [
+  { panel: 'left', label: 'Players and story' }, { panel: 'bottom', label: 'Timeline and strips' }, { panel: 'right', label: 'Decision' },
+];
+
+/** Where the panels are and how large. */
+function use_layout() {
+  const [sizes, set_sizes] = useState(first_sizes);
+  const [touched, touch] = useState(false);
+  const [hidden, set_hidden] = useState<readonly Panel[]>([]);
+  useEffect(() => {
+    if (touched) return;
+    const fit = (): void => set_sizes(first_sizes());
+    addEventListener('resize', fit);
+    return () => removeEventListener('resize', fit);
+  }, [touched]);
+  const shown = (panel: Panel): boolean => !hidden.includes(panel);
+  return {
+    shown,
+    flip: (panel: Panel): void => set_hidden(shown(panel) ? [...hidden, panel] : hidden.filter((p) => p !== panel)),
+    splitter: (panel: Panel, label: string, grows: 'left' | 'right' | 'up') => shown(panel) && (
+      <Splitter label={label} size={sizes[panel]} limits={kLimits[panel]} grows={grows} onHide={() => set_hidden([...hidden, panel])}
+        onChange={(size) => { touch(true); set_sizes({ ...sizes, [panel]: size }); }} />
+    ),
+    style: Object.fromEntries((['left', 'right', 'bottom'] as const).map((p) => [`--${p}`, `${shown(p) ? sizes[p] : 0}rem`])),
+  };
+}
+
+export function App({ pages, onScene }: { pages: Page[]; onScene: (page: Page, scene: SceneHandle) => void }) {
+  const [active, activate] = useState(pages[0]!);
+  const [help] = useState(() => new Cell(false));
+  const layout = use_layout();
+  use_keys(active, help);
+  return (
+    <PageContext.Provider value={active}>
+      <div class="page" style={layout.style}>
+        <Header pages={pages} active={active} help={help} onSwitch={activate}
+          panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
+        {layout.shown('left') && <aside class="left"><Players /><Story key={active.letter} /></aside>}
+        <main class="stages">
+          {pages.map((page) => (
+            <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
+          ))}
+        </main>
+        {layout.shown('right') && <aside class="right"><Inspector key={active.letter} /></aside>}
+        {layout.shown('bottom') && <Bottom pages={pages} />}
+        {layout.splitter('left', 'Width of players and story', 'right')}
+        {layout.splitter('right', 'Width of the decision', 'left')}
+        {layout.splitter('bottom', 'Height of the strips', 'up')}
+      </div>
+      <Help open={help} />
+    </PageContext.Provider>
+  );
+}

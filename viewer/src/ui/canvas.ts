@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+/** Canvases that fit their box, are sharp on every screen and follow the theme. */
+import type { RefObject } from 'preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { use_page } from './page.ts';
+import { use_size, use_view } from './use.ts';
+
+export interface Sheet {
+  pen: CanvasRenderingContext2D;
+  /** CSS pixels. */
+  width: number;
+  height: number;
+  /** CSS pixels of one rem. */
+  rem: number;
+  /** A custom property of the style sheet, such as "ink". */
+  color(name: string): string;
+}
+
+export function rem_size(): number {
+  return parseFloat(getComputedStyle(document.documentElement).fontSize);
+}
+
+interface Drawn {
+  box: RefObject<HTMLDivElement | null>;
+  canvas: RefObject<HTMLCanvasElement | null>;
+}
+
+/** Draws again if the box, the theme or one of `inputs` changes. The canvas fills the element `box`. */
+export function use_canvas(draw: (sheet: Sheet) => void, inputs: readonly unknown[]): Drawn {
+  const box = useRef<HTMLDivElement>(null);
+  const canvas = useRef<HTMLCanvasElement>(null);
+  const [width, height] = use_size(box);
+  const theme = use_view(use_page().store, (v) => v.theme);
+  useLayoutEffect(() => {
+    const pen = canvas.current?.getContext('2d');
+    if (!pen || !width || !height) return;
+    const scale = devicePixelRatio;
+    const sheet = pen.canvas;
+    sheet.width = Math.round(width * scale);
+    sheet.height = Math.round(height * scale);
+    pen.setTransform(scale, 0, 0, scale, 0, 0);
+    const style = getComputedStyle(document.documentElement);
+    draw({ pen, width, height, rem: parseFloat(style.fontSize), color: (name) => style.getPropertyValue(`--${name}`).trim() });
+  }, [width, height, theme, ...inputs]);
+  return { box, canvas };
+}
+
+/** "a long na…": as much of `text` as fits. */
+export function fitted(pen: CanvasRenderingContext2D, text: string, room: number): string {
+  if (pen.measureText(text).width <= room) return text;
+  let end = text.length - 1;
+  while (end > 1 && pen.measureText(`${text.slice(0, end)}…`).width > room) --end;
+  return end > 1 ? `${text.slice(0, end)}…` : '';
+}

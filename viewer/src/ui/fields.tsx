@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+/** What was decided, field by field: who won, why, and what the others wanted. */
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { contest, type Rival, type Won } from '../decide/contest.ts';
+import { value_text } from '../decide/text.ts';
+import type { Player, Run, Tree } from '../run/run.ts';
+import type { Ghost } from '../store.ts';
+import { number_text } from './format.ts';
+import { Chip } from './leaders.tsx';
+import { use_page } from './page.ts';
+
+/** Where `node` would have led; null: it says nothing of where to fly. */
+export function ghost_of(run: Run, player: Player, index: number, node: number): Ghost | null {
+  const { action } = run.platforms[player.kind];
+  const value = (name: string): number | null => {
+    const v = player.decisions.value(node, action.findIndex((field) => field.name === name))?.[index] ?? NaN;
+    return Number.isNaN(v) ? null : v;
+  };
+  const [heading, altitude, speed] = [value('heading'), value('altitude'), value('speed')];
+  if (heading === null && altitude === null && speed === null) return null;
+  const tree = run.trees[run.shapes[player.decisions.shape[index]!]!.tree]!;
+  return { player: player.index, t: player.decisions.t[index]!, heading, altitude, speed, label: tree.nodes[node]!.label };
+}
+
+/** -1: at nobody. */
+type Point = (node: number) => void;
+
+function RivalButton({ rival, text, label, onPoint }: { rival: Rival; text: string; label: string; onPoint: Point }) {
+  const words = `${label} wanted ${text} with ${number_text(rival.vote)} votes; shows where it would have led`;
+  const at = (): void => onPoint(rival.node);
+  const away = (): void => onPoint(-1);
+  return (
+    <button type="button" class="rival" aria-label={words} data-node={rival.node}
+      onPointerEnter={at} onPointerLeave={away} onFocus={at} onBlur={away} onClick={at}>
+      <Chip label={label} />{label} <b>{text}</b> <span class="votes">{number_text(rival.vote)}</span>
+    </button>
+  );
+}
+
+function FieldRow({ won, tree, text, onPoint }: { won: Won; tree: Tree; text: (value: number) => string; onPoint: Point }) {
+  const page = use_page();
+  const winner = tree.nodes[won.winner];
+  const field = page.run.platforms[tree.kind].action[won.field]!;
+  const value = text(won.value);
+  return (
+    <tbody data-field={field.name} data-winner={winner?.path ?? ''} data-value={value} data-si={won.value} data-rivals={won.rivals.length}
+      onPointerEnter={() => page.pointed.set(won.winner)} onPointerLeave={() => page.pointed.set(-1)}>
+      <tr>
+        <th scope="row">{field.name}</th>
+        <td class={value.length > 16 ? 'value long' : 'value'}>{value}</td>
+        <td>
+          <span class="winner"><Chip label={winner?.label ?? 'nobody'} />{winner?.label ?? 'nobody'}</span>{' '}
+          <span class="reason">{won.reason}</span>
+        </td>
+      </tr>
+      {won.rivals.length > 0 && (
+        <tr>
+          <td />
+          <td class="rivals" colSpan={2}>
+            {won.rivals.map((rival) => (
+              <RivalButton key={rival.node} rival={rival} text={text(rival.value)} label={tree.nodes[rival.node]!.label}
+                onPoint={onPoint} />
+            ))}
+          </td>
+        </tr>
+      )}
+    </tbody>
+  );
+}
+
+export function Fields({ player, index, tree }: { player: Player; index: number; tree: Tree }) {
+  const page = use_page();
+  const { fields } = useMemo(() => contest(page.run, player.index, index), [page, player, index]);
+  const [pointed, point] = useState(-1);
+  const asks = pointed >= 0 && fields.some(({ rivals }) => rivals.some(({ node }) => node === pointed));
+  useEffect(() => {
+    if (!asks) return;
+    page.store.set({ ghost: ghost_of(page.run, player, index, pointed) });
+    page.pointed.set(pointed);
+    return () => {
+      page.store.set({ ghost: null });
+      page.pointed.set(-1);
+    };
+  }, [page, player, index, pointed, asks]);
+  if (!fields.length) return <p class="dim">Nobody asked for anything; the last order stands.</p>;
+  return (
+    <table class="fields">
+      <colgroup><col class="field-name" /><col class="field-value" /><col /></colgroup>
+      <thead class="unseen"><tr><th>field</th><th>value</th><th>who won, and why</th></tr></thead>
+      {fields.map((won) => (
+          <FieldRow key={won.field} won={won} tree={tree} onPoint={point}
+            text={(value) => value_text(page.run, player.kind, page.run.platforms[player.kind].action[won.field]!, value)} />
+      ))}
+    </table>
+  );
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/** Which run this is, and what concerns the whole page. */
+import { useState } from 'preact/hooks';
+import { toggle_theme } from './actions.ts';
+import type { Cell } from './cell.ts';
+import { clock_text, count_text, number_text } from './format.ts';
+import { IconButton } from './icon.tsx';
+import type { Page } from './page.ts';
+import { use_view } from './use.ts';
+import { copy_text } from './what_if.tsx';
+
+function About({ page: { run, letter } }: { page: Page }) {
+  const { about } = run;
+  const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
+  const facts: [string, string][] = [
+    ['file', about.file], ['seed', about.seed], ['duration', clock_text(about.duration)],
+    ['steps', `${count_text(about.steps)} of ${number_text(about.dt, 4)} s`],
+    ['decisions', `${count_text(decisions)}, one each ${number_text(about.decision_period, 3)} s${about.thinned ? ', thinned' : ''}`],
+    ['hash', about.hash], ['program', about.build],
+  ];
+  return (
+    <details class="menu about">
+      <summary aria-label={`About run ${letter || about.scenario}`}>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{about.outcome}</span>
+      </summary>
+      <div class="menu-body">
+        <p>{about.help}</p>
+        <dl>{facts.map(([name, value]) => <div key={name}><dt>{name}</dt><dd>{value}</dd></div>)}</dl>
+      </div>
+    </details>
+  );
+}
+
+function ShareLink() {
+  const [said, say] = useState('');
+  const share = async (): Promise<void> => {
+    say((await copy_text(location.href, null)) ? 'link copied' : 'the address bar has the link');
+    setTimeout(() => say(''), 1800);
+  };
+  return (
+    <>
+      <span class="dim small" role="status">{said}</span>
+      <IconButton icon="link" label="Copy a link to this moment" onClick={() => void share()} />
+    </>
+  );
+}
+
+function Logo() {
+  return (
+    <svg class="logo" viewBox="0 0 24 16" aria-hidden="true">
+      <path d="M1 3C6 3 9 5 12 10C15 5 18 3 23 3C18.5 5 16.5 8 14.5 12L12 14.5L9.5 12C7.5 8 5.5 5 1 3Z" />
+    </svg>
+  );
+}
+
+export interface PanelSwitch {
+  panel: 'left' | 'bottom' | 'right';
+  label: string;
+  shown: boolean;
+  flip: () => void;
+}
+
+export function Header({ pages, active, help, panels, onSwitch }: {
+  pages: Page[]; active: Page; help: Cell<boolean>; panels: PanelSwitch[]; onSwitch: (page: Page) => void;
+}) {
+  const theme = use_view(active.store, (v) => v.theme);
+  return (
+    <header class="top">
+      <h1><Logo />Eyrie</h1>
+      {pages.map((page) => <About key={page.letter} page={page} />)}
+      <span class="spring" />
+      {pages.length > 1 && (
+        <div class="segments" role="group" aria-label="Whose panels are shown">
+          {pages.map((page) => (
+            <button type="button" key={page.letter} aria-pressed={page === active} aria-label={`Panels of run ${page.letter}`}
+              onClick={() => onSwitch(page)}>{page.letter}</button>
+          ))}
+        </div>
+      )}
+      {panels.map(({ panel, label, shown, flip }) => (
+        <IconButton key={panel} icon={panel} label={shown ? `Hide: ${label}` : `Show: ${label}`} pressed={shown} onClick={flip} />
+      ))}
+      <ShareLink />
+      <IconButton icon={theme === 'dark' ? 'sun' : 'moon'} label={theme === 'dark' ? 'Light' : 'Dark'} keys="t"
+        onClick={() => toggle_theme(active)} />
+      <IconButton icon="help" label="Keyboard and pointer" keys="?" onClick={() => help.set(true)} />
+    </header>
+  );
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+/** The decision of the selected player at the time of the page: tree, action, what it saw, and what if. */
+import type { ComponentChildren } from 'preact';
+import { useEffect } from 'preact/hooks';
+import { why_not } from '../decide/contest.ts';
+import type { Player, Run } from '../run/run.ts';
+import { jump, step_decision, step_leader } from './actions.ts';
+import { Fields } from './fields.tsx';
+import { clock_text, number_text } from './format.ts';
+import { IconButton } from './icon.tsx';
+import { Chip } from './leaders.tsx';
+import { NodeDetails } from './node_details.tsx';
+import { use_page } from './page.ts';
+import { Seen } from './seen.tsx';
+import { label_of, leader_spans, path_of, type Span } from './spans.ts';
+import { TreeView } from './tree_view.tsx';
+import { use_cell, use_decision } from './use.ts';
+import { WhatIf } from './what_if.tsx';
+
+function Section({ title, note, children }: { title: string; note?: string; children: ComponentChildren }) {
+  return (
+    <details class="section" open>
+      <summary><h2>{title}</h2>{note && <span class="dim small">{note}</span>}</summary>
+      {children}
+    </details>
+  );
+}
+
+/** "from follow_lead: ingress was left for bvr" */
+function change_words(run: Run, player: Player, spans: Span[], at: number): string {
+  const [before, now] = [spans[at - 1], spans[at]!];
+  if (!before) return 'the first decision';
+  const shape = run.shapes[player.decisions.shape[now.first]!]!;
+  const words = before.tree === now.tree ? why_not(run, run.trees[now.tree]!, shape, before.node) : 'another tree';
+  return `after ${before.label}: ${words}`;
+}
+
+function Header({ player, index }: { player: Player; index: number }) {
+  const page = use_page();
+  const { run } = page;
+  const shape = run.shapes[player.decisions.shape[index]!];
+  const spans = leader_spans(run, player);
+  const at = spans.findIndex((span) => index < span.end);
+  const span = spans[at];
+  const leader = shape ? label_of(run, shape.tree, shape.leader) : 'nobody';
+  return (
+    <header class="inspector-head">
+      <div class="who-line">
+        <h2 class={player.side}>{player.name}</h2><span class="dim">{player.type}</span>
+        <span class="spring" />
+        <IconButton icon="back_to" label="Back to where another behavior began to lead" keys="{" onClick={() => step_leader(page, -1)} />
+        <IconButton icon="back" label="Previous decision" keys="←" onClick={() => step_decision(page, -1)} />
+        <IconButton icon="on" label="Next decision" keys="→" onClick={() => step_decision(page, 1)} />
+        <IconButton icon="on_to" label="On to where another behavior begins to lead" keys="}" onClick={() => step_leader(page, 1)} />
+      </div>
+      {shape && span
+        ? <>
+            <p class="lead-line"><Chip label={leader} /><b>{leader}</b> leads with {number_text(shape.vote[0]!)}</p>
+            <p class="dim small">
+              {clock_text(player.decisions.t[index]!)}, step {player.decisions.step[index]}, tree {run.trees[shape.tree]!.name};
+              since <button type="button" class="link" onClick={() => jump(page, span.from)}>{clock_text(span.from)}</button>,{' '}
+              {change_words(run, player, spans, at)}
+            </p>
+          </>
+        : <p class="dim">No decision yet.</p>}
+    </header>
+  );
+}
+
+export function Inspector() {
+  const page = use_page();
+  const { run } = page;
+  const { player, index } = use_decision();
+  const shape = run.shapes[player.decisions.shape[index]!];
+  const tree = shape && run.trees[shape.tree]!;
+  const node = use_cell(page.node);
+  const t = player.decisions.t[index] ?? 0;
+  useEffect(() => page.node.set(-1), [page, shape?.tree]);
+
+  return (
+    <section class="inspector" aria-label="Decision" data-player={player.name} data-step={player.decisions.step[index] ?? ''}
+      data-leader={shape ? path_of(run, shape.tree, shape.leader) : ''} data-vote={shape?.vote[0] ?? ''}>
+      <Header player={player} index={index} />
+      {shape && tree && (
+        <div class="inspector-body">
+          <Section title="Tree" note={tree.name}>
+            <TreeView tree={tree} shape={shape} />
+            {node >= 0 && tree.nodes[node] && <NodeDetails player={player} index={index} tree={tree} shape={shape} node={node} />}
+            <WhatIf player={player} />
+          </Section>
+          <Section title="Action" note="point at a loser to see it in the air picture">
+            <Fields player={player} index={index} tree={tree} />
+          </Section>
+          <Section title="Saw" note="in brackets the truth"><Seen player={player} time={t} /></Section>
+        </div>
+      )}
+    </section>
+  );
+}

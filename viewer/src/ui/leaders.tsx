@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+/** Who was in charge in a player's tree over time, as flown and as it would have been. */
+import { useEffect, useMemo } from 'preact/hooks';
+import type { Player } from '../run/run.ts';
+import { select } from './actions.ts';
+import { fitted, use_canvas, type Sheet } from './canvas.ts';
+import { clock_text } from './format.ts';
+import { use_page, type Page } from './page.ts';
+import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
+import { Row } from './stack.tsx';
+import { use_cell, use_view } from './use.ts';
+import { use_answer } from './what_if_answer.ts';
+
+/** CSS pixels: a single decision can be seen in a run of half an hour. */
+const kNarrowest = 1.5;
+
+export interface Lane {
+  top: number;
+  height: number;
+  words: boolean;
+}
+
+export function draw_spans(page: Page, { pen, width, rem }: Sheet, spans: Span[], range: [number, number], lane: Lane): void {
+  const [from, to] = range;
+  const { top, height, words } = lane;
+  pen.font = `${0.85 * rem}px system-ui, sans-serif`;
+  pen.textBaseline = 'middle';
+  const x_of = (t: number): number => ((t - from) / (to - from)) * width;
+  const short: Span[] = [];
+  for (const span of spans) {
+    if (span.to < from || span.from > to) continue;
+    const x = Math.max(x_of(span.from), 0);
+    const room = Math.min(x_of(span.to), width) - x;
+    if (room < 3) {
+      short.push(span);
+      continue;
+    }
+    pen.fillStyle = fill_of(page.colors, span.label);
+    pen.fillRect(x, top, room - 0.5, height);
+    if (!words || room < 1.6 * rem) continue;
+    pen.fillStyle = '#10161c';
+    pen.fillText(fitted(pen, span.label, room - 0.6 * rem), x + 0.3 * rem, top + height / 2 + 0.5);
+  }
+  // on top, or they would drown between the long ones
+  for (const span of short) {
+    pen.fillStyle = fill_of(page.colors, span.label);
+    pen.fillRect(Math.min(x_of(span.from), width - kNarrowest), top, Math.max(x_of(span.to) - x_of(span.from), kNarrowest), height);
+  }
+}
+
+function use_range(page: Page): [number, number] {
+  const zoom = use_view(page.store, (v) => v.zoom);
+  return useMemo(() => zoom ?? [0, page.duration], [zoom, page]);
+}
+
+/** A line through a strip with a notch above it. */
+function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, to]: [number, number]): void {
+  const x = ((t - from) / (to - from)) * width;
+  const notch = 0.4 * rem;
+  pen.fillStyle = color('ink');
+  pen.fillRect(x - 1, 0, 2, height);
+  pen.beginPath();
+  pen.moveTo(x - notch, 0);
+  pen.lineTo(x + notch, 0);
+  pen.lineTo(x, notch);
+  pen.fill();
+}
+
+/** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */
+function SpanStrip({ spans, marked, cut, label }: { spans: Span[]; marked?: [number, number][]; cut?: number | undefined; label: string }) {
+  const page = use_page();
+  const range = use_range(page);
+  const { box, canvas } = use_canvas((sheet) => {
+    const bar = marked ? Math.round(0.28 * sheet.rem) : 0;
+    draw_spans(page, sheet, spans, range, { top: bar, height: sheet.height - bar, words: true });
+    sheet.pen.fillStyle = sheet.color('accent');
+    for (const [a, b] of marked ?? []) {
+      const x = ((a - range[0]) / (range[1] - range[0])) * sheet.width;
+      const end = ((b - range[0]) / (range[1] - range[0])) * sheet.width;
+      if (end >= 0 && x <= sheet.width) sheet.pen.fillRect(x, 0, Math.max(end - x, 2), bar - 1);
+    }
+    if (cut !== undefined) draw_cut(sheet, cut, range);
+  }, [spans, marked, cut, range]);
+  return <div class="fill" ref={box}><canvas ref={canvas} role="img" aria-label={label} /></div>;
+}
+
+/** Says under the pointer whose span it is. */
+function use_tip(row: string, name: string, spans: Span[] | null): void {
+  const { tips } = use_page();
+  useEffect(() => {
+    tips.set(row, (t) => {
+      const span = spans?.find((one) => one.from <= t && t < one.to);
+      return span ? `${name}: ${span.label}, ${clock_text(span.from)} to ${clock_text(span.to)}` : '';
+    });
+    return () => void tips.delete(row);
+  }, [tips, row, name, spans]);
+}
+
+/** `cut` is where it parts from another run. */
+export function LeaderRow({ player, label, cut }: { player: Player; label?: string; cut?: number | undefined }) {
+  const page = use_page();
+  const spans = leader_spans(page.run, player);
+  const row = `leader ${label ?? player.name}`;
+  use_tip(row, label ?? player.name, spans);
+  return (
+    <Row row={row} label={label ?? player.name} class="leader">
+      <SpanStrip spans={spans} cut={cut} label={`Which behavior led ${player.name}`} />
+    </Row>
+  );
+}
+
+/** Who would have led, below who did; nothing if nothing is asked. */
+export function WhatIfRow({ player }: { player: Player }) {
+  const page = use_page();
+  const changes = use_cell(page.changes);
+  const answer = use_answer();
+  const spans = useMemo(() => answer && spans_of(page.run, player, (i) => answer.leader[i]!), [page, player, answer]);
+  use_tip('what if', 'would be', spans);
+  if (!changes.length || !answer || !spans) return null;
+  return (
+    <Row row="what if" label={<span class="accent">what if</span>} class="leader what-if-row">
+      <SpanStrip spans={spans} marked={answer.spans} label={`Which behavior would have led ${player.name}`} />
+    </Row>
+  );
+}
+
+/** What the colours mean, for one player. */
+export function Legend({ player }: { player: Player }) {
+  const page = use_page();
+  const answer = use_answer();
+  const labels = useMemo(() => {
+    const led = leader_spans(page.run, player).map((span) => span.label);
+    const shape = player.decisions.shape;
+    const would = answer ? Array.from(answer.leader, (node, i) => label_of(page.run, page.run.shapes[shape[i]!]!.tree, node)) : [];
+    return [...new Set([...led, ...would])];
+  }, [page, player, answer]);
+  return (
+    <div class="row legend-row">
+      <div class="row-label" />
+      <ul class="row-plot legend" aria-label="Colours of behaviors">
+        {labels.map((label) => <li key={label}><Chip label={label} />{label}</li>)}
+      </ul>
+    </div>
+  );
+}
+
+export function Chip({ label }: { label: string }) {
+  return <i class="chip" style={{ background: fill_of(use_page().colors, label) }} aria-hidden="true" />;
+}
+
+/** A thin lane for every player, to see who did what at the same time. */
+export function EveryoneRow() {
+  const page = use_page();
+  const range = use_range(page);
+  const selected = use_view(page.store, (v) => v.selected);
+  const { players } = page.run;
+  const { box, canvas } = use_canvas((sheet) => {
+    const lane = sheet.height / players.length;
+    players.forEach((player, i) =>
+      draw_spans(page, sheet, leader_spans(page.run, player), range, { top: i * lane, height: lane - 1.5, words: false }));
+  }, [range]);
+  return (
+    <div class="row everyone" data-row="everyone" style={{ height: `${players.length * 0.95}rem` }}>
+      <div class="row-label">
+        {players.map((player) => (
+          <button type="button" key={player.name} class={`lane-name ${player.side}`} aria-pressed={player.index === selected}
+            aria-label={`Select ${player.name}`} onClick={() => select(page, player.index)}>{player.name}</button>
+        ))}
+      </div>
+      <div class="row-plot">
+        <div class="fill" ref={box}><canvas ref={canvas} role="img" aria-label="Which behavior led every player" /></div>
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360. */
+import type { Run } from '../run/run.ts';
+import type { Camera, View } from '../store.ts';
+
+const kCameras: readonly Camera[] = ['free', 'follow', 'top', 'whole'];
+type Told = Pick<View, 'time' | 'selected' | 'camera' | 'zoom' | 'ruler'>;
+
+const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
+
+export function link_text(run: Run, view: Told): string {
+  const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
+  const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
+  if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
+  if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
+  return `#${parts.join('&')}`;
+}
+
+function seconds(text: string | null, duration: number): number | null {
+  const value = text ? Number(text) : NaN;
+  return Number.isFinite(value) ? Math.min(Math.max(value, 0), duration) : null;
+}
+
+/** What of a link makes sense in this run; the rest is left out. */
+export function read_link(run: Run, fragment: string, duration = run.about.duration): Partial<Told> {
+  const said = new URLSearchParams(fragment.replace(/^#/, ''));
+  const player = (name: string | undefined): number => run.players.findIndex((p) => p.name === name);
+  const told: Partial<Told> = {};
+
+  const time = seconds(said.get('t'), duration);
+  if (time !== null) told.time = time;
+  const selected = player(said.get('p') ?? undefined);
+  if (selected >= 0) told.selected = selected;
+  const camera = kCameras.find((c) => c === said.get('c'));
+  if (camera) told.camera = camera;
+  const [from, to] = (said.get('z') ?? '').split('-').map((text) => seconds(text, duration));
+  if (typeof from === 'number' && typeof to === 'number' && from < to) told.zoom = [from, to];
+  const [a, b] = (said.get('r') ?? '').split(',').map(player);
+  if (a !== undefined && b !== undefined && a >= 0 && b >= 0 && a !== b) told.ruler = [a, b];
+  return told;
+}

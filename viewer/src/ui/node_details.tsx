@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+/** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
+import { answer_words } from '../decide/contest.ts';
+import { value_text } from '../decide/text.ts';
+import { arbiters_for, type ArbiterChoice, type ParamChoice } from '../decide/what_if.ts';
+import type { Player, Run, Shape, Tree } from '../run/run.ts';
+import { use_page } from './page.ts';
+import { use_cell } from './use.ts';
+import { ask, change_of } from './what_if_answer.ts';
+
+interface Looked {
+  player: Player;
+  index: number;
+  tree: Tree;
+  shape: Shape;
+  node: number;
+}
+
+/** What it sent up: its own values, and whose the others were. */
+function Proposed({ player, index, tree, shape, node }: Looked) {
+  const { run } = use_page();
+  const { action } = run.platforms[player.kind];
+  const rows = Array.from(shape.supplier[node] ?? [], (supplier, field) => ({ supplier, field })).filter(({ supplier }) => supplier >= 0);
+  if (!rows.length) return null;
+  return (
+    <dl class="state proposed">
+      {rows.map(({ supplier, field }) => (
+        <div key={field}>
+          <dt>{action[field]!.name}</dt>
+          <dd>{value_text(run, player.kind, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
+            {supplier !== node && <span class="dim"> {tree.nodes[supplier]!.label}</span>}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function params_text(params: Tree['nodes'][number]['params']): string {
+  return Object.entries(params).map(([name, value]) => `${name} ${Array.isArray(value) ? value.join(' ') : value}`).join(', ');
+}
+
+interface SliderProps {
+  name: string;
+  min: number;
+  max: number;
+  value: number;
+  onChange: (value: number) => void;
+}
+
+function Slider({ name, min, max, value, onChange }: SliderProps) {
+  const put = (text: string): void => {
+    const number = Number(text);
+    if (text !== '' && Number.isFinite(number)) onChange(Math.min(Math.max(number, min), max));
+  };
+  return (
+    <label class="slider"><span>{name}</span>
+      <input type="range" min={min} max={max} step="1" value={value} aria-label={name}
+        onInput={(event) => put(event.currentTarget.value)} />
+      <input type="number" min={min} max={max} step="any" value={value} aria-label={`${name} in numbers`}
+        onInput={(event) => put(event.currentTarget.value)} />
+    </label>
+  );
+}
+
+function Param({ param, value, onChange }: { param: ParamChoice; value: string | number; onChange: (value: string | number) => void }) {
+  const { name, values } = param;
+  if (!Array.isArray(values)) return <Slider name={name} min={values.min} max={values.max} value={Number(value)} onChange={onChange} />;
+  return (
+    <label class="choice"><span>{name}</span>
+      <select aria-label={name} value={String(value)} onChange={(event) => onChange(values[event.currentTarget.selectedIndex]!)}>
+        {values.map((one) => <option key={one} value={String(one)}>{one}</option>)}
+      </select>
+    </label>
+  );
+}
+
+function AskArbiter({ choices, tree, node, label }: { choices: ArbiterChoice[]; tree: number; node: number; label: string }) {
+  const page = use_page();
+  const change = change_of(use_cell(page.changes), tree, node);
+  const flown = choices[0]!;
+  const now = choices.find(({ type }) => type === change?.type) ?? flown;
+  const put = (type: string): void => ask(page, tree, node, { type: type === flown.type ? undefined : type, params: undefined });
+  return (
+    <>
+      <label class="choice"><span>arbiter</span>
+        <select aria-label={`Arbiter of ${label}`} value={now.type} onChange={(event) => put(event.currentTarget.value)}>
+          {choices.map(({ type }) => <option key={type} value={type}>{type}{type === flown.type ? ' (as flown)' : ''}</option>)}
+        </select>
+      </label>
+      {now.params.map((param) => (
+        <Param key={param.name} param={param} value={change?.params?.[param.name] ?? param.value}
+          onChange={(value) => ask(page, tree, node, { params: { ...change?.params, [param.name]: value } })} />
+      ))}
+    </>
+  );
+}
+
+/** The vote of a leaf that votes, now or in another decision; null: it never does. */
+function vote_of(run: Run, { shape, tree, node }: Looked): number | null {
+  const { params, children } = tree.nodes[node]!;
+  if (typeof params.vote === 'number') return params.vote;
+  if (children.length > 0) return null;
+  return shape.vote[node] || run.shapes.find((other) => other.tree === shape.tree && other.vote[node]! > 0)?.vote[node] || null;
+}
+
+export function NodeDetails(looked: Looked) {
+  const page = use_page();
+  const changes = use_cell(page.changes);
+  const { tree, shape, node } = looked;
+  const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
+  const choices = arbiters_for(page.run, tree, node);
+  const vote = vote_of(page.run, looked);
+  const change = change_of(changes, shape.tree, node);
+  return (
+    <section class="details" aria-label={`Node ${label}`} data-node={path}>
+      <header>
+        <h3>{label}</h3><code>{path}</code>
+        <button type="button" class="quiet" aria-label="Close the node" onClick={() => page.node.set(-1)}>✕</button>
+      </header>
+      <p class="answer">{answer_words(shape, node)}</p>
+      <p class="dim small">{kind} {type}{params_text(params) && `, ${params_text(params)}`}{remembers ? ', remembers' : ''}</p>
+      <Proposed {...looked} />
+      {(choices.length > 0 || vote !== null) && (
+        <fieldset class="asks">
+          <legend>what if</legend>
+          {choices.length > 0 && <AskArbiter key={node} choices={choices} tree={shape.tree} node={node} label={label} />}
+          {vote !== null && (
+            <Slider name={`vote of ${label}`} min={0} max={100} value={change?.vote ?? vote}
+              onChange={(value) => ask(page, shape.tree, node, { vote: value === vote ? undefined : value })} />
+          )}
+          {change && <button type="button" onClick={() => page.changes.set(changes.filter((c) => c !== change))}>as flown</button>}
+        </fieldset>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/** One run on the page with what its panels share. */
+import { createContext } from 'preact';
+import { useContext } from 'preact/hooks';
+import type { Change } from '../decide/what_if.ts';
+import type { Run } from '../run/run.ts';
+import type { Store } from '../store.ts';
+import { Cell } from './cell.ts';
+import { marks_of, type Mark } from './marks.ts';
+import type { QuantityKey } from './series.ts';
+
+/** What the strips show. */
+export interface StripChoice {
+  quantities: QuantityKey[];
+  /** Indices of players besides the selected one. */
+  players: number[];
+}
+
+export interface Hover {
+  /** s */
+  t: number;
+  /** As in data-row. */
+  row: string;
+}
+
+export interface Page {
+  run: Run;
+  store: Store;
+  /** "" for the only run, otherwise "A" or "B". */
+  letter: string;
+  /** s, of the longer one of the runs. */
+  duration: number;
+  /** By label of who leads in a tree: the same colour wherever it is drawn. */
+  colors: Map<string, string>;
+  /** In order of time. */
+  marks: Mark[];
+  /** What is asked of the trees instead of what was flown. */
+  changes: Cell<Change[]>;
+  /** The node of the tree that is looked into; -1: none. */
+  node: Cell<number>;
+  /** The node of the tree that something else on the page speaks of now; -1: none. */
+  pointed: Cell<number>;
+  /** What of the strips is under the pointer. */
+  hover: Cell<Hover | null>;
+  /** By row, what to say of a time in it. */
+  tips: Map<string, (t: number) => string>;
+  strips: Cell<StripChoice>;
+}
+
+export function make_page(run: Run, store: Store, letter: string, duration: number, colors: Map<string, string>): Page {
+  return {
+    run, store, letter, duration, colors, marks: marks_of(run),
+    changes: new Cell<Change[]>([]),
+    node: new Cell(-1),
+    pointed: new Cell(-1),
+    hover: new Cell<Hover | null>(null),
+    tips: new Map(),
+    strips: new Cell<StripChoice>({ quantities: ['altitude', 'range'], players: [] }),
+  };
+}
+
+export const PageContext = createContext<Page | null>(null);
+
+export function use_page(): Page {
+  const page = useContext(PageContext);
+  if (!page) throw new Error('a panel stands outside of a page');
+  return page;
+}
+
+/** s: what the strips show now. */
+export function shown_range(page: Page): [number, number] {
+  return page.store.get().zoom ?? [0, page.duration];
+}

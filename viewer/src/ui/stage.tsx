@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+/** The air picture with its camera and layers. */
+import { useEffect, useRef } from 'preact/hooks';
+import { mount_scene, type SceneHandle } from '../scene/scene.ts';
+import { kLayers, type Camera, type Layer } from '../store.ts';
+import { use_page } from './page.ts';
+import { use_view } from './use.ts';
+
+const kCameras: { camera: Camera; label: string; help: string }[] = [
+  { camera: 'whole', label: 'whole', help: 'Everybody in the picture' },
+  { camera: 'follow', label: 'follow', help: 'Follow the selected player (f)' },
+  { camera: 'top', label: 'top', help: 'From above, north up' },
+  { camera: 'free', label: 'free', help: 'Stay where the camera is' },
+];
+const kLayerWords: Record<Layer, string> = {
+  trails: 'trails', drop_lines: 'heights', radar: 'radar', tracks: 'tracks it has', zones: 'missile zones', routes: 'routes',
+  labels: 'names', coast: 'coast',
+};
+
+function Tools() {
+  const { store } = use_page();
+  const camera = use_view(store, (v) => v.camera);
+  const layers = use_view(store, (v) => v.layers);
+  const ruler = use_view(store, (v) => v.ruler);
+  return (
+    <div class="stage-tools">
+      <div class="segments" role="group" aria-label="Camera">
+        {kCameras.map((one) => (
+          <button type="button" key={one.camera} aria-pressed={camera === one.camera} title={one.help} aria-label={`Camera: ${one.help}`}
+            onClick={() => store.set({ camera: one.camera })}>{one.label}</button>
+        ))}
+      </div>
+      <details class="menu">
+        <summary aria-label="Layers of the air picture">layers</summary>
+        <div class="menu-body">
+          {kLayers.map((layer) => (
+            <label key={layer}><input type="checkbox" checked={layers[layer]} aria-label={`Layer ${kLayerWords[layer]}`}
+              onChange={() => store.set({ layers: { ...layers, [layer]: !layers[layer] } })} />{kLayerWords[layer]}</label>
+          ))}
+        </div>
+      </details>
+      {ruler && <button type="button" aria-label="Take the ruler away" onClick={() => store.set({ ruler: null })}>ruler ✕</button>}
+    </div>
+  );
+}
+
+export function Stage({ onMount }: { onMount: (scene: SceneHandle) => void }) {
+  const { run, store, letter } = use_page();
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    const scene = mount_scene(host.current!, run, store);
+    onMount(scene);
+    return () => scene.dispose();
+  }, [run, store]);
+  return (
+    <section class="stage" aria-label={letter ? `Air picture of run ${letter}` : 'Air picture'} data-run={letter}>
+      <div class="scene" ref={host} />
+      {letter && <b class="stage-letter">{letter}</b>}
+      <Tools />
+    </section>
+  );
+}

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+/** Quantities over time, several players over each other, on the axis of the timeline. */
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import uPlot from 'uplot';
+import type { Player } from '../run/run.ts';
+import { rem_size } from './canvas.ts';
+import { count_text } from './format.ts';
+import { use_page, type Page } from './page.ts';
+import { kQuantities, resample, series_of, type Quantity } from './series.ts';
+import { ticks_of } from './timeline.tsx';
+import { use_cell, use_paced, use_size, use_view } from './use.ts';
+
+/** Samples a pixel: finer shows no more. */
+const kFine = 1.5;
+/** Lines of a side are told apart by their dashes; the selected one is solid and thick. */
+const kDashes = [[1, 2], [6, 3], [8, 3, 2, 3], [3, 3], [12, 4], [2, 5]];
+
+interface Line {
+  player: Player;
+  selected: boolean;
+}
+
+function color(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+function side_color(player: Player): string {
+  return color(player.side === 'none' ? 'ink' : player.side);
+}
+
+function data_of(page: Page, quantity: Quantity, lines: Line[], [from, to]: [number, number], width: number): uPlot.AlignedData {
+  const count = Math.max(Math.round(width * kFine), 2);
+  const grid = Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
+  return [grid, ...lines.map(({ player }) => {
+    const series = series_of(page.run, player, quantity);
+    return series ? resample(series, grid, quantity.steps, player.gone) : grid.map(() => null);
+  })];
+}
+
+function is_empty(data: uPlot.AlignedData): boolean {
+  return data.slice(1).every((values) => (values as (number | null)[]).every((v) => v === null));
+}
+
+/** Room above and below; an axis also where there is nothing to see. */
+function y_range(_: uPlot, least: number | null, most: number | null): [number, number] {
+  if (least === null || most === null) return [0, 1];
+  const room = Math.max((most - least) * 0.08, Math.abs(most) * 0.004, 1e-3);
+  return [least - room, most + room];
+}
+
+function options_of(quantity: Quantity, lines: Line[], width: number, height: number, gutter: number, edge: number): uPlot.Options {
+  const rem = rem_size();
+  const font = `${0.8 * rem}px system-ui, sans-serif`;
+  const grid = { stroke: color('grid'), width: 1 };
+  return {
+    width, height, padding: [1.2 * rem, edge, 0.35 * rem, 0], legend: { show: false },
+    cursor: { x: false, y: false, drag: { x: false, y: false, setScale: false }, points: { size: 0.5 * rem } },
+    scales: { x: { time: false, range: (u) => [u.data[0]![0]!, u.data[0]!.at(-1)!] }, y: { range: y_range } },
+    axes: [
+      {
+        size: 0, values: () => [], grid, ticks: { show: false },
+        splits: (u, _, from, to) => ticks_of(from, to, u.width - gutter - edge, rem).ticks,
+      },
+      {
+        size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: 1.7 * rem,
+        values: (u, splits) => splits.map((v) => (is_empty(u.data) ? '' : count_text(Number(v.toFixed(quantity.digits + 1))))),
+      },
+    ],
+    series: [{}, ...lines.map(({ player, selected }, i): uPlot.Series => ({
+      label: player.name, stroke: side_color(player), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
+      ...(selected ? {} : { dash: kDashes[(i - 1) % kDashes.length]! }),
+      ...(quantity.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
+    }))],
+  };
+}
+
+function Strip({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
+  const page = use_page();
+  const host = useRef<HTMLDivElement>(null);
+  const plot = useRef<uPlot | null>(null);
+  const [width, height] = use_size(host);
+  const zoom = use_view(page.store, (v) => v.zoom);
+  const theme = use_view(page.store, (v) => v.theme);
+  const [from, to] = zoom ?? [0, page.duration];
+  useEffect(() => {
+    if (!width || !height) return;
+    const style = getComputedStyle(host.current!);
+    const gutter = parseFloat(style.getPropertyValue('--gutter')) * rem_size();
+    const edge = parseFloat(style.getPropertyValue('--edge')) * rem_size();
+    const options = options_of(quantity, lines, width, height, gutter, edge);
+    const made = new uPlot(options, data_of(page, quantity, lines, [from, to], width), host.current!);
+    plot.current = made;
+    const stop = page.hover.subscribe((hover) => {
+      const left = hover ? made.valToPos(hover.t, 'x') : -10;
+      made.setCursor({ left, top: hover ? 1 : -10 }, false);
+    });
+    return () => {
+      stop();
+      made.destroy();
+      plot.current = null;
+    };
+  }, [page, quantity, lines, width, height, theme]);
+  useEffect(() => {
+    plot.current?.setData(data_of(page, quantity, lines, [from, to], width));
+  }, [from, to]);
+  return (
+    <div class="row strip" data-row={quantity.key}>
+      <div class="strip-host" ref={host} role="img" aria-label={`${quantity.label} over time`} />
+      <Readout quantity={quantity} lines={lines} />
+    </div>
+  );
+}
+
+/** The values under the pointer, or now. */
+function Readout({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
+  const page = use_page();
+  const hover = use_cell(page.hover);
+  const now = use_paced(page.store, (v) => v.time);
+  const t = hover ? hover.t : now;
+  const value = (player: Player): string => {
+    const series = series_of(page.run, player, quantity);
+    const v = series && resample(series, [t], quantity.steps, player.gone)[0];
+    return typeof v === 'number' ? count_text(Number(v.toFixed(quantity.digits))) : '–';
+  };
+  return (
+    <div class="readout">
+      <b>{quantity.label}</b>{quantity.unit && <span class="dim"> {quantity.unit}</span>}
+      {lines.map(({ player, selected }) => (
+        <span key={player.name} class={`${player.side} ${selected ? 'strong' : ''}`}>{player.name} <output>{value(player)}</output></span>
+      ))}
+    </div>
+  );
+}
+
+export function Strips() {
+  const page = use_page();
+  const { quantities, players } = use_cell(page.strips);
+  const selected = use_view(page.store, (v) => v.selected);
+  const lines = useMemo(() => [selected, ...players.filter((p) => p !== selected)].map((p): Line =>
+    ({ player: page.run.players[p]!, selected: p === selected })), [page, selected, players]);
+  return <>{kQuantities.filter((q) => quantities.includes(q.key)).map((q) => <Strip key={q.key} quantity={q} lines={lines} />)}</>;
+}
+
+/** Which strips there are, and of whom. */
+export function StripMenu() {
+  const page = use_page();
+  const choice = use_cell(page.strips);
+  const [open, set_open] = useState(false);
+  const flip = <T,>(list: T[], one: T): T[] => (list.includes(one) ? list.filter((x) => x !== one) : [...list, one]);
+  return (
+    <details class="menu up" open={open} onToggle={(event) => set_open(event.currentTarget.open)}>
+      <summary aria-label="Which strips are shown">strips</summary>
+      <div class="menu-body two">
+        <fieldset>
+          <legend>quantities</legend>
+          {kQuantities.map(({ key, label }) => (
+            <label key={key}><input type="checkbox" checked={choice.quantities.includes(key)} aria-label={`Strip of ${label}`}
+              onChange={() => page.strips.set({ ...choice, quantities: flip(choice.quantities, key) })} />{label}</label>
+          ))}
+        </fieldset>
+        <fieldset class="long">
+          <legend>besides the selected player</legend>
+          {page.run.players.map(({ name, index, side }) => (
+            <label key={name} class={side}><input type="checkbox" checked={choice.players.includes(index)} aria-label={`Overlay ${name}`}
+              onChange={() => page.strips.set({ ...choice, players: flip(choice.players, index) })} />{name}</label>
+          ))}
+        </fieldset>
+      </div>
+    </details>
+  );
+}

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+/** The events of the run on its axis of time, and the whole run in small with what the strips show of it. */
+import { useMemo, useRef } from 'preact/hooks';
+import { pan_by, zoom_to } from './actions.ts';
+import { use_canvas, type Sheet } from './canvas.ts';
+import { tick_text } from './format.ts';
+import { kGlyphs, type Mark, type MarkKind } from './marks.ts';
+import { use_page, type Page } from './page.ts';
+import { Row } from './stack.tsx';
+import { use_paced, use_view } from './use.ts';
+
+const kTicks = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600];
+
+/** Times (s) for labels, far enough apart to be read, and the step between them. */
+export function ticks_of(from: number, to: number, pixels: number, rem: number): { step: number; ticks: number[] } {
+  const step = kTicks.find((one) => (one / (to - from)) * pixels >= 5.5 * rem) ?? kTicks.at(-1)!;
+  const first = Math.ceil(from / step);
+  const count = Math.max(Math.floor(to / step + 1e-9) - first + 1, 0);
+  return { step, ticks: Array.from({ length: count }, (_, i) => (first + i) * step) };
+}
+
+const kPaths = new Map<MarkKind, Path2D>();
+function path_of(kind: MarkKind): Path2D {
+  let path = kPaths.get(kind);
+  if (!path) kPaths.set(kind, (path = new Path2D(kGlyphs[kind].path)));
+  return path;
+}
+
+export function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number, size: number): void {
+  pen.save();
+  pen.translate(x, y);
+  pen.scale(size / 5, size / 5);
+  pen.lineWidth = kind === 'kill' ? 2.4 : 1.6;
+  if (kGlyphs[kind].open) pen.stroke(path_of(kind));
+  else pen.fill(path_of(kind));
+  pen.restore();
+}
+
+function draw_ticks({ pen, width, height, rem, color }: Sheet, from: number, to: number): void {
+  const { step, ticks } = ticks_of(from, to, width, rem);
+  pen.font = `${0.82 * rem}px system-ui, sans-serif`;
+  pen.textBaseline = 'top';
+  for (const t of ticks) {
+    const x = Math.round(((t - from) / (to - from)) * width) + 0.5;
+    pen.fillStyle = color('line');
+    pen.fillRect(x, 0, 1, height);
+    pen.fillStyle = color('dim');
+    if (x < width - 3 * rem) pen.fillText(tick_text(t, step), x + 0.3 * rem, 0.15 * rem);
+  }
+}
+
+/** Blue above red, phases and leads of flights on the lane of their side. */
+function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], from: number, to: number): void {
+  const top = 1.35 * rem;
+  const lane = (height - top) / 2;
+  // what matters most is drawn last
+  const rank: MarkKind[] = ['contact', 'home', 'defend', 'phase', 'lead', 'launch', 'kill'];
+  const sorted = [...marks].sort((a, b) => rank.indexOf(a.kind) - rank.indexOf(b.kind));
+  for (const { t, kind, side } of sorted) {
+    const exact = ((t - from) / (to - from)) * width;
+    if (exact < -10 || exact > width + 10) continue;
+    // whole also at the ends of the run
+    const x = Math.min(Math.max(exact, 0.4 * rem), width - 0.4 * rem);
+    const y = side === 'red' ? top + 1.5 * lane : side === 'blue' ? top + 0.5 * lane : top + lane;
+    const ink = side === 'none' ? color('ink') : color(side);
+    pen.fillStyle = pen.strokeStyle = ink;
+    if (kind === 'phase' || kind === 'kill') {
+      pen.globalAlpha = 0.35;
+      pen.fillRect(Math.round(exact), top, 1, height - top);
+      pen.globalAlpha = 1;
+    }
+    draw_glyph(pen, kind, x, y, Math.min(0.42 * lane, 0.5 * rem));
+  }
+}
+
+export function Events() {
+  const page = use_page();
+  const zoom = use_view(page.store, (v) => v.zoom);
+  const [from, to] = zoom ?? [0, page.duration];
+  const { marks } = page;
+  const { box, canvas } = use_canvas((sheet) => {
+    draw_ticks(sheet, from, to);
+    draw_marks(sheet, marks, from, to);
+  }, [marks, from, to]);
+  return (
+    <Row row="events" label="events" class="events" scrub>
+      <div class="fill" ref={box}><canvas ref={canvas} aria-label="Events of the run; the story lists them in words" role="img" /></div>
+    </Row>
+  );
+}
+
+/** The whole run in one line; the window can be moved. */
+export function Overview() {
+  const page = use_page();
+  const zoom = use_view(page.store, (v) => v.zoom);
+  const time = use_paced(page.store, (v) => v.time);
+  const marks = useMemo(() => page.marks.filter((m) => m.kind !== 'contact'), [page]);
+  const { box, canvas } = use_canvas(({ pen, width, height, color }) => {
+    for (const { t, kind, side } of marks) {
+      pen.fillStyle = color(side === 'none' ? 'dim' : side);
+      const tall = kind === 'kill' ? height : height * 0.5;
+      pen.fillRect(Math.round((t / page.duration) * width), (height - tall) / 2, kind === 'kill' ? 2 : 1, tall);
+    }
+  }, [marks]);
+  const moving = useRef<number | null>(null);
+  const percent = (t: number): string => `${((t / page.duration) * 100).toFixed(3)}%`;
+  return (
+    <div class="overview" title="The whole run; drag the window to move it">
+      <div class="row-label" />
+      <div class="overview-plot" ref={box}
+        onPointerDown={(event) => {
+          moving.current = event.clientX;
+          event.currentTarget.setPointerCapture(event.pointerId);
+          go_there(page, event);
+        }}
+        onPointerMove={(event) => {
+          if (moving.current === null) return;
+          const seconds = ((event.clientX - moving.current) / event.currentTarget.clientWidth) * page.duration;
+          moving.current = event.clientX;
+          if (page.store.get().zoom) pan_by(page, seconds);
+          else go_there(page, event);
+        }}
+        onPointerUp={() => (moving.current = null)} onPointerCancel={() => (moving.current = null)}>
+        <canvas ref={canvas} aria-hidden="true" />
+        <div class="overview-passed" style={{ width: percent(time) }} />
+        {zoom && <div class="overview-window" style={{ left: percent(zoom[0]), width: percent(zoom[1] - zoom[0]) }} />}
+      </div>
+    </div>
+  );
+}
+
+/** Without a zoom the time goes where the pointer is, otherwise the window. */
+function go_there(page: Page, event: { clientX: number; currentTarget: HTMLElement }): void {
+  const { left, width } = event.currentTarget.getBoundingClientRect();
+  const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * page.duration;
+  const { zoom } = page.store.get();
+  if (!zoom) return page.store.set({ time: t });
+  const half = (zoom[1] - zoom[0]) / 2;
+  if (t < zoom[0] || t > zoom[1]) zoom_to(page, t - half, t + half);
+}

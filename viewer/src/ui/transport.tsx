@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+/** Play, pause, speed and steps, and the time. */
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by } from './actions.ts';
+import { clock_text } from './format.ts';
+import { Glyph, Icon, IconButton } from './icon.tsx';
+import { kMarkWords, type MarkKind } from './marks.ts';
+import { use_page } from './page.ts';
+import { StripMenu } from './strips.tsx';
+import { use_view } from './use.ts';
+
+/** Follows every frame without a redraw of anything else. */
+function Time() {
+  const { store, duration } = use_page();
+  const text = useRef<HTMLOutputElement>(null);
+  useEffect(() => {
+    const write = (): void => {
+      text.current!.textContent = clock_text(store.get().time);
+    };
+    write();
+    return store.subscribe((now, before) => {
+      if (now.time !== before.time) write();
+    });
+  }, [store]);
+  return (
+    <span class="time">
+      <output ref={text} aria-label="Time" aria-live="off" /><span class="dim"> / {clock_text(duration)}</span>
+    </span>
+  );
+}
+
+export function Transport({ children }: { children?: ComponentChildren }) {
+  const page = use_page();
+  const { store } = page;
+  const playing = use_view(store, (v) => v.playing);
+  const rate = use_view(store, (v) => v.rate);
+  const zoomed = use_view(store, (v) => v.zoom !== null);
+  return (
+    <div class="transport" role="toolbar" aria-label="Time">
+      <IconButton icon="back_to" label="Previous event" keys="[" onClick={() => step_mark(page, -1)} />
+      <IconButton icon="back" label="Previous decision" keys="←" onClick={() => step_decision(page, -1)} />
+      <button type="button" class="tool play" aria-label={playing ? 'Pause' : 'Play'} title="Play or pause (space)"
+        onClick={() => toggle_play(page)}>
+        <Icon name={playing ? 'pause' : 'play'} />
+      </button>
+      <IconButton icon="on" label="Next decision" keys="→" onClick={() => step_decision(page, 1)} />
+      <IconButton icon="on_to" label="Next event" keys="]" onClick={() => step_mark(page, 1)} />
+      <select aria-label="Speed" title="Speed (− +)" value={rate}
+        onChange={(event) => store.set({ rate: Number(event.currentTarget.value) })}>
+        {kRates.map((r) => <option key={r} value={r}>{r}×</option>)}
+      </select>
+      <Time />
+      <MarkLegend />
+      <span class="spring" />
+      {children}
+      <IconButton icon="closer" label="Zoom in around now" onClick={() => zoom_by(page, 0.5, store.get().time)} />
+      <button type="button" class="tool words" aria-label={zoomed ? 'Show the whole run' : 'Show half a minute around now'} title="(z)"
+        onClick={() => toggle_zoom(page)}>{zoomed ? 'whole run' : '30 s'}</button>
+      <StripMenu />
+    </div>
+  );
+}
+
+function MarkLegend() {
+  const page = use_page();
+  const kinds: MarkKind[] = ['contact', 'launch', 'defend', 'kill', 'phase', 'lead', 'home'];
+  return (
+    <details class="menu up glyphs">
+      <summary aria-label="What the glyphs mean">glyphs</summary>
+      <div class="menu-body">
+        {kinds.map((kind) => (
+          <button type="button" key={kind} onClick={() => first_of(kind)}>
+            <Glyph kind={kind} />{kMarkWords[kind]}
+          </button>
+        ))}
+      </div>
+    </details>
+  );
+  /** To the next event of the kind, or the first one after the last. */
+  function first_of(kind: MarkKind): void {
+    const times = page.marks.filter((m) => m.kind === kind).map((m) => m.t);
+    const next = times.find((t) => t > page.store.get().time + 0.01) ?? times[0];
+    if (next !== undefined) jump(page, next);
+  }
+}

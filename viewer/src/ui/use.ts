@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+/** Hooks by which panels follow the store and redraw only if what they show has changed. */
+import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import type { RefObject } from 'preact';
+import { subscribe_paced } from '../clock.ts';
+import { last_at, type Player } from '../run/run.ts';
+import type { Store, View } from '../store.ts';
+import type { Cell } from './cell.ts';
+import { use_page } from './page.ts';
+
+type Subscribe = (store: Store, listener: () => void) => () => void;
+const at_once: Subscribe = (store, listener) => store.subscribe(listener);
+
+function use_picked<T>(store: Store, pick: (view: View) => T, subscribe: Subscribe): T {
+  const picked = pick(store.get());
+  const latest = useRef({ pick, picked });
+  latest.current = { pick, picked };
+  const [, redraw] = useReducer((n: number) => n + 1, 0);
+  useEffect(() => {
+    const check = (): void => {
+      if (!Object.is(latest.current.pick(store.get()), latest.current.picked)) redraw(undefined);
+    };
+    check();
+    return subscribe(store, check);
+  }, [store, subscribe]);
+  return picked;
+}
+
+/** What `pick` takes out of the view; it must give the same object for the same state of affairs. */
+export function use_view<T>(store: Store, pick: (view: View) => T): T {
+  return use_picked(store, pick, at_once);
+}
+/** The same at the pace of panels, for what changes with time. */
+export function use_paced<T>(store: Store, pick: (view: View) => T): T {
+  return use_picked(store, pick, subscribe_paced);
+}
+
+export function use_cell<T>(cell: Cell<T>): T {
+  const [value, set] = useState(cell.get());
+  useEffect(() => {
+    set(() => cell.get());
+    return cell.subscribe((now) => set(() => now));
+  }, [cell]);
+  return value;
+}
+
+/** The selected player and his last decision at or before the time; -1: none yet. */
+export function use_decision(): { player: Player; index: number } {
+  const { run, store } = use_page();
+  const player = run.players[use_view(store, (v) => v.selected)]!;
+  const index = use_paced(store, (v) => last_at(run.players[v.selected]!.decisions.t, v.time));
+  return { player, index };
+}
+
+/** CSS pixels; [0, 0] until it is laid out. */
+export function use_size(ref: RefObject<HTMLElement | null>): [number, number] {
+  const [size, set] = useState<[number, number]>([0, 0]);
+  useEffect(() => {
+    const watcher = new ResizeObserver(([entry]) => {
+      const { width, height } = entry!.contentRect;
+      set((old) => (old[0] === width && old[1] === height ? old : [width, height]));
+    });
+    watcher.observe(ref.current!);
+    return () => watcher.disconnect();
+  }, []);
+  return size;
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+/** What the page shows of itself to tests. */
+import type { Run } from '../run/run.ts';
+import type { SceneHandle } from '../scene/scene.ts';
+import type { Store } from '../store.ts';
+
+declare global {
+  interface Window {
+    eyrie?: {
+      /** The first run, its store and its air picture. */
+      run: Run;
+      store: Store;
+      scene: SceneHandle;
+      runs: Run[];
+    };
+  }
+}

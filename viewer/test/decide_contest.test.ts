@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+/** Who won a field and against whom, in the words of the terminal: src/debrief/decision_test.cpp. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { answer_words, contest, parting, path_of_leader, reason, why_not } from '../src/decide/contest.ts';
+import { find, leaf, node, run_of, type Said } from './decide_run.ts';
+
+const kTree = node('root', 'sequencer', [
+  node('ingress', 'winner_takes_all', [leaf('ground'), leaf('navigate')]),
+  node('bvr', 'per_field', [node('survive', 'winner_takes_all', [leaf('avoid'), leaf('break')]), leaf('release'), leaf('pursue'), leaf('follow')]),
+  leaf('hostile_track'),
+]);
+const kIngress: Record<string, Said> = { ground: { status: 'failure' }, navigate: { vote: 10, heading: 1 }, root: { vote: 10, heading: 1 } };
+const kBvr: Record<string, Said> = {
+  avoid: { status: 'failure' }, break: { vote: 20, heading: 3 }, release: { vote: 60, target: 2 },
+  pursue: { vote: 40, heading: 1.5, speed: 250 }, follow: { vote: 20, heading: 0.5, speed: 200 }, hostile_track: { status: 'success' },
+};
+
+/** The page does not arbitrate a sequencer: it is told whose answer it handed on. */
+function made(decisions: Record<string, Said>[]) {
+  return run_of(kTree, decisions.map((d) => ({ ...d, root: {} })), (all, tree) => {
+    const active = tree.nodes[0]!.children.find((c) => all[c]!.status !== null)!;
+    all[0] = { ...all[active]!, supplier: all[active]!.supplier, action: all[active]!.action };
+  });
+}
+
+test('each field has a winner, its reason, and rivals by the votes where they met', () => {
+  const run = made([kBvr]);
+  const { leader, fields } = contest(run, 0, 0);
+  assert.equal(leader, find(run, 'release'));
+  assert.deepEqual(fields.map((f) => [f.field, f.winner, f.value]), [
+    [0, find(run, 'pursue'), 1.5], [2, find(run, 'pursue'), 250], [4, find(run, 'release'), 2],
+  ]);
+  const [heading, , target] = fields;
+  assert.deepEqual(heading!.rivals.map((r) => [r.node, r.value, r.vote, r.against]), [
+    [find(run, 'break'), 3, 20, 40], [find(run, 'follow'), 0.5, 20, 40],
+  ]);
+  assert.equal(heading!.reason, 'voted 40 against 20');
+  assert.equal(target!.reason, 'nobody else asked for it');
+});
+
+test('a blend is won by the arbiter that made it', () => {
+  const run = run_of(node('mix', 'fusion', [leaf('pursue'), leaf('follow'), leaf('navigate')]),
+    [{ pursue: { vote: 40, speed: 250 }, follow: { vote: 20, speed: 200 }, navigate: { vote: 10, heading: 1 } }]);
+  const [heading, speed] = contest(run, 0, 0).fields;
+  assert.deepEqual([heading!.winner, heading!.blended], [find(run, 'navigate'), false]);
+  assert.deepEqual([speed!.winner, speed!.blended, speed!.reason], [0, true, 'blended of 2']);
+  assert.ok(Math.abs(speed!.value - 700 / 3) < 1e-9);
+});
+
+test('reasons have words for ties and for places', () => {
+  const won = (vote: number, against: number) => reason({ blended: false, rivals: [{ node: 1, value: 0, vote, against }] });
+  assert.equal(won(40, 40), 'voted 40 as the other did, and comes first');
+  assert.equal(won(60, 40), '40 against 60, by its place in the tree');
+});
+
+test('two nodes part below the lowest node that has both', () => {
+  const run = made([kBvr]);
+  const [tree] = run.trees;
+  const at = (a: string, b: string) => parting(tree!, find(run, a), find(run, b)).map((n) => tree!.nodes[n]!.label);
+  assert.deepEqual(at('break', 'pursue'), ['survive', 'pursue']);
+  assert.deepEqual(at('navigate', 'break'), ['ingress', 'bvr']);
+  assert.deepEqual(at('bvr', 'break'), ['bvr', 'survive']);
+});
+
+test('a decision that failed has no fields', () => {
+  const run = run_of(node('mix', 'per_field', [leaf('pursue')]), [{ pursue: { status: 'failure' } }]);
+  assert.deepEqual(contest(run, 0, 0), { leader: -1, fields: [] });
+  assert.deepEqual(path_of_leader(run, run.shapes[0]!), new Set());
+});
+
+test('answers and changes of leader are told in words', () => {
+  const run = made([kIngress, kBvr]);
+  const [tree] = run.trees;
+  const [then, now] = run.shapes;
+  now!.why[find(run, 'avoid')] = 'the ground is far';
+  assert.equal(answer_words(then!, find(run, 'navigate')), 'running, votes 10');
+  assert.equal(answer_words(then!, find(run, 'pursue')), 'not asked');
+  assert.equal(answer_words(then!, find(run, 'ground')), 'failed');
+  assert.equal(answer_words(now!, find(run, 'avoid')), 'failed: the ground is far');
+  assert.equal(answer_words(now!, find(run, 'hostile_track')), 'success');
+  const told = (before: string) => why_not(run, tree!, now!, find(run, before));
+  assert.equal(told('navigate'), 'ingress was left for bvr: hostile_track holds');
+  assert.equal(told('avoid'), 'avoid failed: the ground is far');
+  assert.equal(told('follow'), 'follow voted 20 against 60');
+  assert.equal(told('break'), 'break voted 20 against 60');
+  assert.equal(why_not(run, tree!, now!, -1), 'nobody led');
+  assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
+});

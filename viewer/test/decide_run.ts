@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+/** A small run with one player, whose tree and answers a test writes down. */
+import { decider_of, kDone } from '../src/decide/arbitrate.ts';
+import { make_proposal, type Proposal } from '../src/decide/proposal.ts';
+import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
+
+export const kFields: ActionField[] = [
+  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number' },
+  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number' },
+  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number' },
+  { name: 'mode', unit: '', blend: 'agreed', kind: 'text' },
+  { name: 'target', unit: '', blend: 'strongest', kind: 'id' },
+  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag' },
+];
+export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | 'trigger';
+/** What a leaf says; by default it is running. */
+export type Said = { status?: Status; vote?: number } & { [K in FieldName]?: number };
+
+export interface NodeSpec {
+  label: string;
+  type: string;
+  params: TreeNode['params'];
+  remembers: boolean;
+  children: NodeSpec[];
+}
+type Options = { params?: TreeNode['params']; remembers?: boolean };
+
+/** A composite, labelled "bvr" of the type "per_field". */
+export function node(label: string, type: string, children: NodeSpec[], { params = {}, remembers = false }: Options = {}): NodeSpec {
+  return { label, type, params, remembers, children };
+}
+export function leaf(label: string, { params = {}, remembers = false }: Options = {}): NodeSpec {
+  return { label, type: label, params, remembers, children: [] };
+}
+
+export function tree_of(root: NodeSpec): Tree {
+  const nodes: TreeNode[] = [];
+  const add = ({ label, type, params, remembers, children }: NodeSpec, parent: number, depth: number, path: string): number => {
+    const kind = children.length ? 'arbiter' : 'behavior';
+    const index = nodes.push({ label, type, params, remembers, kind, parent, depth, path, children: [] }) - 1;
+    nodes[index]!.children = children.map((child) => add(child, index, depth + 1, `${path}/${child.label}`));
+    return index;
+  };
+  add(root, -1, 0, 'root');
+  return { name: 'test', kind: 'aircraft', nodes };
+}
+
+export function proposal(said: Said, node_index: number): Proposal {
+  const out = make_proposal(kFields.length);
+  out.status = said.status ?? 'running';
+  if (out.status === 'failure') return out;
+  out.vote = Math.fround(said.vote ?? 0);
+  kFields.forEach(({ name }, f) => {
+    const value = said[name as FieldName];
+    if (value === undefined) return;
+    out.action[f] = value;
+    out.supplier[f] = node_index;
+  });
+  if (out.vote > 0 || out.supplier.some((s) => s >= 0)) out.leader = node_index;
+  return out;
+}
+
+/** All answers of a tree: those of leaves by label, and of other nodes that the page does not arbitrate. Who is not
+ * named was not asked. */
+export function answers(tree: Tree, said: Record<string, Said>): Proposal[] {
+  const all: Proposal[] = [];
+  for (let i = tree.nodes.length - 1; i >= 0; --i) {
+    const { label, type, params, children } = tree.nodes[i]!;
+    const own = said[label];
+    all[i] = own ? proposal(own, i) : make_proposal(kFields.length);
+    const decide = children.length && !own ? decider_of(type, params, kFields, i) : null;
+    const kids = children.map((child) => all[child]!);
+    if (!decide || kids[0]!.status === null) continue;
+    if (decide(kids, all[i]!) !== kDone) throw new Error(`${label} asks a child that says nothing`);
+  }
+  return all;
+}
+
+function shape_of(all: Proposal[]): Shape {
+  return {
+    tree: 0,
+    leader: all[0]!.leader,
+    status: all.map((p) => p.status),
+    vote: all.map((p) => p.vote),
+    why: all.map(() => ''),
+    supplier: all.map((p) => (p.supplier.some((s) => s >= 0) ? Int16Array.from(p.supplier) : null)),
+  };
+}
+
+/** A run with a decision every 0.1 s. `more` is what a test knows better of each shape. What is said by the same
+ * object has one shape. */
+export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: (all: Proposal[], tree: Tree) => void = () => {}): Run {
+  const tree = tree_of(root);
+  const kinds = [...new Set(decisions)];
+  const all = kinds.map((said) => answers(tree, said));
+  all.forEach((one) => more(one, tree));
+  const shape = Int32Array.from(decisions, (said) => kinds.indexOf(said));
+  const columns = new Map<string, Float64Array>();
+  const column = (n: number, f: number) => Float64Array.from(shape, (s) => (all[s]![n]!.supplier[f] === n ? all[s]![n]!.action[f]! : NaN));
+  const value = (n: number, f: number): Float64Array => {
+    const key = `${n}/${f}`;
+    if (!columns.has(key)) columns.set(key, column(n, f));
+    return columns.get(key)!;
+  };
+  const t = Float64Array.from(decisions, (_, i) => i / 10);
+  const player = { index: 0, name: 'eagle2', kind: 'aircraft', decisions: { t, step: t.map((time) => Math.round(time * 50)), shape, value } };
+  const platform = { action: kFields, state: [] };
+  return {
+    players: [player as unknown as Player], trees: [tree], shapes: all.map(shape_of), platforms: { aircraft: platform, vehicle: platform },
+    texts: ['hold', 'follow', 'lead'],
+  } as unknown as Run;
+}
+
+/** The index of the node with that label. */
+export function find(run: Run, label: string): number {
+  return run.trees[0]!.nodes.findIndex((n) => n.label === label);
+}

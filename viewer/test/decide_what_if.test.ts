@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+/** What would have been decided with other votes, arbiters and parameters. */
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import { arbiters_for, command_of, what_if, type Change, type WhatIfResult } from '../src/decide/what_if.ts';
+import type { Run } from '../src/run/run.ts';
+import { find, leaf, node, run_of, type NodeSpec, type Said } from './decide_run.ts';
+
+const kPursue: Said = { vote: 40, heading: 1.5, speed: 250, target: 3 };
+const kFollow: Said = { vote: 20, heading: 0.5, speed: 200, mode: 1 };
+const kSaid: Record<string, Said>[] = [
+  { avoid: { status: 'failure' }, pursue: { status: 'failure' }, follow: kFollow },
+  { avoid: { status: 'failure' }, pursue: kPursue, follow: kFollow },
+  { avoid: { vote: 100, altitude: 3000 }, pursue: kPursue, follow: kFollow },
+  { avoid: { status: 'failure' }, pursue: kPursue, follow: kFollow },
+];
+
+function fight(type: string): NodeSpec {
+  return node('fight', type, [node('survive', 'winner_takes_all', [leaf('avoid')]), leaf('pursue'), leaf('follow')]);
+}
+function asked(run: Run, label: string, change: Omit<Change, 'tree' | 'node'>): WhatIfResult {
+  return what_if(run, 0, [{ tree: 0, node: find(run, label), ...change }]);
+}
+
+describe('an arbiter in place of another', () => {
+  const run = run_of(fight('winner_takes_all'), kSaid);
+  test('changes the decisions in which it chooses otherwise', () => {
+    const result = asked(run, 'fight', { type: 'per_field' });
+    assert.deepEqual([result.decisions, result.different, result.unknown, result.caution], [4, 3, 0, '']);
+    assert.deepEqual(result.spans, [[0.1, run.players[0]!.decisions.t[3]]]);
+    const { index, flown, other, fields } = result.first!;
+    assert.deepEqual([index, flown, other], [1, 'pursue', 'pursue']);
+    assert.deepEqual(fields, [{ name: 'mode', flown: '-', other: 'follow', difference: null }]);
+    assert.deepEqual([...result.leader], [run.shapes[0]!.leader, ...[1, 2, 3].map((i) => run.shapes[i]!.leader)]);
+  });
+  test('blends values decision by decision and says by how much', () => {
+    const result = asked(run, 'fight', { type: 'fusion' });
+    assert.equal(result.different, 3);
+    const speed = result.first!.fields.find((f) => f.name === 'speed')!;
+    assert.deepEqual([result.first!.flown, result.first!.other], ['pursue', 'fight']);
+    assert.deepEqual([speed.flown, speed.other], ['486 kt', '454 kt']);
+    assert.ok(Math.abs(speed.difference! + 50 / 3) < 1e-9);
+    assert.ok(result.first!.fields.find((f) => f.name === 'heading')!.difference! < 0);
+  });
+  test('is no change if it says the same', () => {
+    assert.equal(asked(run, 'fight', { type: 'winner_takes_all' }).different, 0);
+    assert.equal(asked(run, 'survive', { type: 'fusion' }).different, 0);
+    assert.equal(asked(run, 'fight', { type: 'fusion', params: { top: 1 } }).different, 0);
+  });
+  test('that lacks a parameter leaves decisions unknown', () => {
+    const result = asked(run, 'fight', { type: 'paper_fusion' });
+    assert.deepEqual([result.unknown, result.different], [4, 0]);
+    assert.equal(result.why_unknown, 'paper_fusion needs parameters that it was not given');
+    assert.deepEqual([...result.leader], [-2, -2, -2, -2]);
+  });
+});
+
+test('the blend of what was flown is made again, so that rounding is no difference', () => {
+  const run = run_of(fight('fusion'), kSaid);
+  const { value } = run.players[0]!.decisions;
+  run.players[0]!.decisions.value = (n, f) => value(n, f)?.map((x) => Math.round(x * 1e4) / 1e4) ?? null;
+  assert.equal(asked(run, 'avoid', { vote: 100 }).different, 0);
+  assert.equal(asked(run, 'avoid', { vote: 1 }).different, 0);
+  assert.equal(asked(run, 'follow', { vote: 40 }).different, 3);
+});
+
+describe('another vote of a leaf', () => {
+  const run = run_of(fight('winner_takes_all'), kSaid);
+  test('wins or loses', () => {
+    const result = asked(run, 'follow', { vote: 41 });
+    assert.deepEqual([result.different, result.first?.index, result.first?.other], [2, 1, 'follow']);
+    assert.deepEqual(result.spans.map(([from]) => from), [0.1, run.players[0]!.decisions.t[3]]);
+  });
+  test('leaves ties to the earlier child', () => assert.equal(asked(run, 'follow', { vote: 40 }).different, 0));
+  test('of 0 abstains', () => assert.equal(asked(run, 'follow', { vote: 0 }).different, 1));
+  test('does not touch votes that are not by that parameter', () => {
+    const given = node('fight', 'winner_takes_all', [leaf('break', { params: { vote: 70 } }), leaf('pursue')]);
+    const near = run_of(given, [{ break: { vote: 80, heading: 1 }, pursue: kPursue }, { break: { vote: 70, heading: 1 }, pursue: kPursue }]);
+    const result = asked(near, 'break', { vote: 5 });
+    assert.deepEqual([result.different, result.first?.index], [1, 1]);
+  });
+  test('changes nothing in another tree', () => {
+    const other: Run = { ...run, shapes: run.shapes.map((s, i) => (i < 3 ? s : { ...s, tree: 1 })), trees: [run.trees[0]!, run.trees[0]!] };
+    assert.equal(asked(other, 'follow', { vote: 41 }).different, 1);
+  });
+});
+
+describe('nodes above', () => {
+  const kHolds: Said = { status: 'success' };
+  test('sequencers hand on whatever the tree in charge says', () => {
+    const spec = node('root', 'sequencer', [fight('winner_takes_all'), leaf('rest'), leaf('condition')], { remembers: true });
+    const run = run_of(spec, kSaid.map((said) => ({ ...said, condition: { status: 'failure' }, root: {} })), (all) => { all[0] = all[1]!; });
+    assert.equal(asked(run, 'fight', { type: 'per_field' }).different, 3);
+    const silent = asked(run, 'follow', { vote: 0 });
+    assert.deepEqual([silent.different, silent.unknown, silent.first?.other, silent.caution], [1, 0, 'nobody', '']);
+  });
+  test('a selector that would ask who was not asked is unknown', () => {
+    const spec = node('root', 'selector', [fight('winner_takes_all'), leaf('home', { remembers: true })]);
+    const run = run_of(spec, kSaid);
+    const result = asked(run, 'follow', { vote: 0 });
+    assert.deepEqual([result.unknown, result.different], [1, 0]);
+    assert.equal(result.why_unknown, 'home was not asked in flight, and root would have asked it');
+    assert.match(result.caution, /^From 00:00\.0 on root would have asked or halted others/);
+    assert.equal(asked(run, 'pursue', { vote: 5 }).caution, '');
+  });
+  test('a decorator that only hands on does so, one that chooses by votes does not', () => {
+    const limited = (type: string) => run_of(node('root', type, [fight('winner_takes_all')]), kSaid.map((s) => ({ ...s, root: {} })), (all) => {
+      all[0] = all[1]!;
+    });
+    assert.equal(asked(limited('timeout'), 'fight', { type: 'per_field' }).different, 3);
+    const committed = asked(limited('commitment'), 'fight', { type: 'per_field' });
+    assert.deepEqual([committed.different, committed.unknown], [0, 3]);
+    assert.equal(committed.why_unknown, 'what root (commitment) makes of it depends on more than this page has');
+  });
+  test('a parallel that counts otherwise and halts is told', () => {
+    const spec = node('root', 'parallel', [fight('winner_takes_all'), leaf('shoot', { remembers: true })], { params: { success_count: 1 } });
+    const said = { avoid: { status: 'failure' }, pursue: { ...kPursue, ...kHolds }, follow: kFollow, shoot: { vote: 5 } } as const;
+    const result = asked(run_of(spec, [said]), 'follow', { vote: 50 });
+    assert.equal(result.different, 1);
+    assert.match(result.caution, /root would have asked or halted others/);
+  });
+});
+
+describe('what can be chosen', () => {
+  const run = run_of(node('fight', 'fusion', [leaf('pursue'), leaf('follow')], { params: { top: 2, conflicts: 'drop' } }), [{ pursue: kPursue, follow: kFollow }]);
+  const change = (more: Omit<Change, 'tree' | 'node'>): Change => ({ tree: 0, node: 0, ...more });
+  test('begins with what is there', () => {
+    const [own, ...others] = arbiters_for(run, run.trees[0]!, 0);
+    assert.deepEqual(own, { type: 'fusion', params: [
+      { name: 'top', values: ['all', 1, 2], value: 2 }, { name: 'conflicts', values: ['blend', 'drop'], value: 'drop' },
+    ] });
+    assert.deepEqual(others.map((o) => o.type), ['winner_takes_all', 'per_field', 'paper_fusion', 'motor_schema', 'priority']);
+    assert.deepEqual(arbiters_for(run, run.trees[0]!, 1), []);
+  });
+  test('is a command for the terminal', () => {
+    const pursue = { tree: 0, node: 1, vote: 70 };
+    assert.equal(command_of(run, 0, [change({ type: 'per_field' }), pursue]),
+      "eyrie whatif RUN --player eagle2 --set 'root=per_field' --set 'root/pursue.vote=70'");
+    assert.equal(command_of(run, 0, [change({ type: 'fusion', params: { top: 'all', conflicts: 'blend' } })]),
+      "eyrie whatif RUN --player eagle2 --set 'root.top=null' --set 'root.conflicts=blend'");
+    assert.equal(command_of(run, 0, [change({ type: 'paper_fusion', params: { high_vote: 50 } })]),
+      "eyrie whatif RUN --player eagle2 --set 'root=paper_fusion' --set 'root.high_vote=50'");
+    const two: Run = { ...run, trees: [...run.trees, { ...run.trees[0]!, name: 'home' }] };
+    assert.match(command_of(two, 0, [{ ...pursue, tree: 1 }]), /--set 'home:root\/pursue.vote=70'$/);
+  });
+});
+
+test('a whole flight is arbitrated anew at once', () => {
+  const many = Array.from({ length: 16000 }, (_, i) => kSaid[i % kSaid.length]!);
+  const run = run_of(fight('winner_takes_all'), many);
+  asked(run, 'fight', { type: 'fusion' });
+  const began = performance.now();
+  assert.equal(asked(run, 'fight', { type: 'fusion' }).different, 12000);
+  assert.ok(performance.now() - began < 2000); // measured: some 30 ms
+});

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+/** A link says what the page showed, and a broken one does no harm. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { link_text, read_link } from '../src/ui/link.ts';
+import { kPursues, told_run } from './ui_run.ts';
+
+const kRun = told_run(Array.from({ length: 100 }, () => kPursues));
+
+test('what a link says is what is read from it', () => {
+  const view = { time: 3.42, selected: 1, camera: 'follow', zoom: [2, 8.5], ruler: [1, 0] } as const;
+  const text = link_text(kRun, { ...view, zoom: [...view.zoom], ruler: [...view.ruler] });
+  assert.equal(text, '#t=3.42&p=bogey1&c=follow&z=2-8.5&r=bogey1,eagle2');
+  assert.deepEqual(read_link(kRun, text), view);
+});
+
+test('names with unusual letters survive', () => {
+  const run = { ...kRun, players: [{ ...kRun.players[0]!, name: 'Ä & B,#1' }] };
+  const view = { time: 0, selected: 0, camera: 'top', zoom: null, ruler: null } as const;
+  assert.equal(read_link(run, link_text(run, view)).selected, 0);
+});
+
+test('times are kept within the run', () => {
+  assert.equal(read_link(kRun, '#t=1e9').time, 10);
+  assert.equal(read_link(kRun, '#t=-5').time, 0);
+});
+
+test('nonsense is left out', () => {
+  for (const text of ['', '#', '#t=soon&p=nobody&c=upside_down&z=8-2&r=eagle2,eagle2', '#z=1', '#t=', '#r=eagle2', '#%%%'])
+    assert.deepEqual(read_link(kRun, text), {}, text);
+});

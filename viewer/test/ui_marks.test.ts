@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+/** Which events stand on the timeline, which is meant by a click, and where the keys go. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { kGlyphs, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
+import { filtered } from '../src/ui/story.tsx';
+import { kPursues, told_run } from './ui_run.ts';
+
+const kRun = told_run([kPursues]);
+const kMarks = marks_of(kRun);
+
+test('events that matter have a mark on the lane of their side', () => {
+  assert.deepEqual(kMarks.map((m) => [m.line, m.kind, m.side]), [
+    [0, 'contact', 'blue'], [1, 'launch', 'blue'], [3, 'defend', 'red'], [4, 'kill', 'blue'],
+  ]);
+});
+
+test('every kind of mark looks different', () => {
+  const paths = Object.values(kGlyphs).map((glyph) => glyph.path);
+  assert.equal(new Set(paths).size, paths.length);
+});
+
+test('a click means the nearest event, of near ones the one that matters more', () => {
+  assert.equal(pick_mark(kMarks, 0.12, 0.05)?.kind, 'contact');
+  assert.equal(pick_mark(kMarks, 0.345, 0.2)?.kind, 'kill');
+  assert.equal(pick_mark(kMarks, 0.9, 0.2), null);
+});
+
+test('keys go to the next time in either direction, and nowhere at the end', () => {
+  assert.equal(neighbor([3, 1, 2], 1, 1), 2);
+  assert.equal(neighbor([3, 1, 2], 3, -1), 2);
+  assert.equal(neighbor([3, 1, 2], 3, 1), null);
+  assert.equal(neighbor([3, 1, 2], 1.995, 1), 3);
+});
+
+test('the story is filtered by who did it or to whom, by kind and by words', () => {
+  assert.deepEqual(filtered(kRun, { who: -1, kind: '', text: '' }), [0, 1, 2, 3, 4]);
+  assert.deepEqual(filtered(kRun, { who: 1, kind: '', text: '' }), [1, 2, 3, 4]);
+  assert.deepEqual(filtered(kRun, { who: -1, kind: 'kill', text: '' }), [4]);
+  assert.deepEqual(filtered(kRun, { who: 0, kind: '', text: ' FOX ' }), [1]);
+});

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+/** What strips and trees draw. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { resample } from '../src/ui/series.ts';
+import { fill_of, leader_colors, leader_spans, spans_of } from '../src/ui/spans.ts';
+import { layout_tree } from '../src/ui/tree_layout.ts';
+import { ask } from '../src/ui/what_if_answer.ts';
+import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
+
+const kRun = told_run([kPursues, kPursues, kBreaks, kPursues]);
+const [kEagle] = kRun.players;
+
+test('spans are whoever led in a row, to where the player left', () => {
+  assert.deepEqual(leader_spans(kRun, kEagle!).map((s) => [s.label, s.first, s.end, s.from, s.to]), [
+    ['pursue', 0, 2, 0, 0.2], ['break', 2, 3, 0.2, 0.3], ['pursue', 3, 4, 0.3, 0.4],
+  ]);
+  assert.deepEqual(spans_of(kRun, kEagle!, (i) => (i < 2 ? -2 : -1)).map((s) => s.label), ['unknown', 'nobody']);
+});
+
+test('who led longest has the first colour, and everybody another one', () => {
+  const colors = leader_colors([kRun]);
+  assert.deepEqual([...colors.keys()], ['pursue', 'break']);
+  assert.notEqual(colors.get('pursue'), colors.get('break'));
+  const more = fill_of(colors, 'navigate');
+  assert.ok(more !== colors.get('pursue') && more !== colors.get('break'));
+  assert.equal(fill_of(colors, 'nobody'), fill_of(colors, 'unknown'));
+});
+
+test('series are read between their samples, and not beyond them', () => {
+  const series = { t: Float64Array.of(1, 2, 3, 20), v: Float64Array.of(10, 20, NaN, 40) };
+  assert.deepEqual(resample(series, [0, 1, 1.5, 2, 2.5, 3.5, 20, 21], false, 20.5), [null, 10, 15, 20, 20, null, 40, null]);
+  assert.deepEqual(resample(series, [1.9, 2.1, 19], true, 20), [10, 20, null]);
+});
+
+test('of a tree what is not open is counted, and rows do not overlap', () => {
+  const tree = kRun.trees[0]!;
+  const open = layout_tree(tree, () => true, () => 100);
+  assert.equal(open.placed.length, 4);
+  const rows = open.placed.filter((p) => p.node > 0).map((p) => p.y);
+  assert.ok(rows.every((y, i) => i === 0 || y - rows[i - 1]! >= 17));
+  const closed = layout_tree(tree, () => false, () => 100);
+  assert.deepEqual(closed.placed.map((p) => [p.node, p.hidden, p.link]), [[0, 3, '']]);
+});
+
+test('questions add up node by node, and what is as flown is asked no more', () => {
+  const page = page_of(kRun);
+  ask(page, 0, 1, { vote: 30 });
+  ask(page, 0, 0, { type: 'fusion' });
+  ask(page, 0, 0, { params: { top: 2 } });
+  assert.deepEqual(page.changes.get(), [{ tree: 0, node: 1, vote: 30 }, { tree: 0, node: 0, type: 'fusion', params: { top: 2 } }]);
+  ask(page, 0, 0, { type: undefined, params: undefined });
+  ask(page, 0, 1, { vote: undefined });
+  assert.deepEqual(page.changes.get(), []);
+});

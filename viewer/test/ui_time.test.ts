@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+/** Moving in time: steps, jumps, zoom, and the clock. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { run_clock, subscribe_paced } from '../src/clock.ts';
+import { jump, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to } from '../src/ui/actions.ts';
+import { link_pages } from '../src/ui/compare.tsx';
+import { clock_text, tick_text } from '../src/ui/format.ts';
+import { ticks_of } from '../src/ui/timeline.tsx';
+import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
+
+const kDecisions = Array.from({ length: 1000 }, (_, i) => (i >= 300 && i < 320 ? kBreaks : kPursues));
+const kRun = told_run(kDecisions);
+const near = (a: number, b: number): void => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
+
+test('a step goes from decision to decision, and back to the one that was passed', () => {
+  const page = page_of(kRun, { time: 5.05, playing: true });
+  step_decision(page, 1);
+  near(page.store.get().time, 5.1);
+  assert.equal(page.store.get().playing, false);
+  step_decision(page, -1);
+  near(page.store.get().time, 5);
+  jump(page, 5.05);
+  step_decision(page, -1);
+  near(page.store.get().time, 5);
+});
+
+test('at the ends a step stays', () => {
+  const page = page_of(kRun, { time: 0 });
+  step_decision(page, -1);
+  assert.equal(page.store.get().time, 0);
+});
+
+test('the next change of who leads', () => {
+  const page = page_of(kRun, { time: 10 });
+  step_leader(page, 1);
+  near(page.store.get().time, 30);
+  step_leader(page, 1);
+  near(page.store.get().time, 32);
+  step_leader(page, -1);
+  near(page.store.get().time, 30);
+});
+
+test('what is jumped to comes into sight and stays in the run', () => {
+  const page = page_of(kRun, { zoom: [10, 20] });
+  jump(page, 15);
+  assert.deepEqual(page.store.get().zoom, [10, 20]);
+  jump(page, 50);
+  assert.deepEqual(page.store.get().zoom, [45, 55]);
+  jump(page, 1e6);
+  assert.deepEqual([page.store.get().time, page.store.get().zoom], [100, [90, 100]]);
+});
+
+test('zoom keeps the time under the pointer, ends at the run and at two seconds', () => {
+  const page = page_of(kRun);
+  zoom_by(page, 0.5, 20);
+  assert.deepEqual(page.store.get().zoom, [10, 60]);
+  pan_by(page, -50);
+  assert.deepEqual(page.store.get().zoom, [0, 50]);
+  for (let i = 0; i < 20; ++i) zoom_by(page, 0.5, 10);
+  const [from, to] = page.store.get().zoom!;
+  near(to - from, 2);
+  zoom_by(page, 1000, 10);
+  assert.equal(page.store.get().zoom, null);
+  zoom_to(page, 99, 120);
+  assert.deepEqual(page.store.get().zoom, [79, 100]);
+  toggle_zoom(page);
+  assert.equal(page.store.get().zoom, null);
+});
+
+test('a second measurement of the same player takes the ruler away', () => {
+  const page = page_of(kRun);
+  measure(page, 1);
+  assert.deepEqual(page.store.get().ruler, [0, 1]);
+  measure(page, 1);
+  assert.equal(page.store.get().ruler, null);
+});
+
+test('playing from the end begins at the beginning', () => {
+  const page = page_of(kRun, { time: 100 });
+  toggle_play(page);
+  assert.deepEqual([page.store.get().playing, page.store.get().time], [true, 0]);
+});
+
+test('the clock moves the time by what has passed times the rate, and stops at the end', () => {
+  const frames: FrameRequestCallback[] = [];
+  const begun = performance.now();
+  Object.assign(globalThis, { requestAnimationFrame: (f: FrameRequestCallback) => frames.push(f), cancelAnimationFrame: () => undefined });
+  const { store } = page_of(kRun, { rate: 4 });
+  const stop = run_clock(store, 0.6);
+  store.set({ playing: true });
+  frames.pop()!(begun + 100);
+  const first = store.get().time;
+  assert.ok(first > 0.3 && first <= 0.4 + 1e-9, String(first));
+  frames.pop()!(begun + 200);
+  assert.deepEqual([store.get().time, store.get().playing, frames.length], [0.6, false, 0]);
+  stop();
+});
+
+test('panels are told at once of all but the time, and of the time at a pace', async () => {
+  const { store } = page_of(kRun, { playing: true });
+  let told = 0;
+  const stop = subscribe_paced(store, () => ++told);
+  for (let i = 1; i <= 20; ++i) store.set({ time: i / 100 });
+  assert.equal(told, 1);
+  store.set({ selected: 1 });
+  assert.equal(told, 2);
+  store.set({ time: 0.5 });
+  await new Promise((done) => setTimeout(done, 150));
+  assert.equal(told, 3);
+  stop();
+});
+
+test('two runs show the same time, and players of the same name', () => {
+  const other = { ...kRun, players: [{ ...kRun.players[1]!, index: 0 }, { ...kRun.players[0]!, index: 1 }] };
+  const [a, b] = [page_of(kRun), page_of(other)];
+  link_pages(a, b);
+  a.store.set({ time: 7, selected: 1, ruler: [1, 0] });
+  assert.deepEqual([b.store.get().time, b.store.get().selected, b.store.get().ruler], [7, 0, [0, 1]]);
+  b.store.set({ time: 8, zoom: [1, 9] });
+  assert.deepEqual([a.store.get().time, a.store.get().zoom, a.store.get().selected], [8, [1, 9], 1]);
+});
+
+test('times are written as the terminal writes them', () => {
+  assert.equal(clock_text(348.18), '05:48.2');
+  assert.equal(clock_text(59.96), '01:00.0');
+  assert.equal(tick_text(348, 2), '5:48');
+  assert.equal(tick_text(0.5, 0.5), '0:00.5');
+});
+
+test('labels of an axis have room', () => {
+  const { step, ticks } = ticks_of(10, 70, 600, 12);
+  assert.equal(step, 10);
+  assert.deepEqual(ticks, [10, 20, 30, 40, 50, 60, 70]);
+});
