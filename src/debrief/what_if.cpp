@@ -27,11 +27,24 @@ Changed changed(const Field& field, const std::optional<T>& flown, const std::op
   return change;
 }
 
+/// Whether two arbiters mean the same: the last bits of a sum are not another decision.
+template <class Field, class T>
+bool same(const Field&, const std::optional<T>& a, const std::optional<T>& b) {
+  if constexpr (Field::is_real) {
+    constexpr double kRounding = 1e-11;
+    if (a && b) {
+      const double x = static_cast<double>(*a), y = static_cast<double>(*b);
+      return std::fabs(x - y) <= kRounding * std::max({1.0, std::fabs(x), std::fabs(y)});
+    }
+  }
+  return a == b;
+}
+
 template <class Action>
 std::vector<Changed> changes(const Action& flown, const Action& other) {
   std::vector<Changed> all;
   ubf::for_each_field<Action>([&](const auto& f, auto) {
-    if (flown.*f.member != other.*f.member)
+    if (!same(f, flown.*f.member, other.*f.member))
       all.push_back(changed(f, flown.*f.member, other.*f.member));
   });
   return all;

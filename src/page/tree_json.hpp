@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Trees as the page draws them and arbitrates by them.
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "core/enum_names.hpp"
@@ -11,6 +13,7 @@
 #include "ubf/arbiter/paper_fusion.hpp"
 #include "ubf/arbiter/priority.hpp"
 #include "ubf/composite.hpp"
+#include "ubf/control/parallel.hpp"
 #include "ubf/tree.hpp"
 
 namespace eyrie::page {
@@ -19,6 +22,8 @@ namespace eyrie::page {
 template <class State, class Action>
 [[nodiscard]] Json arbiter_params(const ubf::Behavior<State, Action>& node) {
   Json params = Json::object();
+  if (node.vote_given())
+    params["vote"] = *node.vote_given();
   if (const auto* voting = dynamic_cast<const ubf::Voting<State, Action>*>(&node)) {
     if (voting->vote)
       params["vote"] = *voting->vote;
@@ -37,6 +42,11 @@ template <class State, class Action>
     params["magnitude"] = ubf::field_names<Action>()[schema->magnitude.index().value_or(0)];
     params["unit_vote"] = schema->unit_vote;
   }
+  if (const auto* parallel = dynamic_cast<const ubf::Parallel<State, Action>*>(&node)) {
+    if (parallel->success_count)
+      params["success_count"] = *parallel->success_count;
+    params["failure_count"] = parallel->failure_count;
+  }
   if (const auto* priority = dynamic_cast<const ubf::Priority<State, Action>*>(&node)) {
     Json list = Json::array();
     for (const bool may : priority->interruptible)
@@ -52,9 +62,20 @@ template <class State, class Action>
     return "condition";
   if (node.children().empty())
     return "behavior";
-  if (dynamic_cast<const ubf::Voting<State, Action>*>(&node))
-    return "arbiter";
-  return node.children().size() == 1 ? "decorator" : "control";
+  constexpr std::array<std::string_view, 11> kControl{"sequence",
+                                                      "selector",
+                                                      "sequence_with_memory",
+                                                      "selector_with_memory",
+                                                      "parallel",
+                                                      "parallel_all",
+                                                      "random_selector",
+                                                      "if_then_else",
+                                                      "while",
+                                                      "switch",
+                                                      "sequencer"};
+  if (std::find(kControl.begin(), kControl.end(), node.type()) != kControl.end())
+    return "control";
+  return dynamic_cast<const ubf::Voting<State, Action>*>(&node) ? "arbiter" : "decorator";
 }
 
 /// `platform` is "aircraft" or "vehicle".
@@ -72,7 +93,7 @@ template <class State, class Action>
                      {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
                      {"depth", answer.depth},
                      {"params", arbiter_params(node)},
-                     {"remembers", node.memory_bytes() > 0}});
+                     {"remembers", node.remembers()}});
   }
   return {{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}};
 }

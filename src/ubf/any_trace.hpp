@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What a Tick carries of a trace, without the type of its actions.
 #include <cstddef>
+#include <typeinfo>
 #include <vector>
 
 #include "ubf/transition.hpp"
@@ -16,12 +17,12 @@ class AnyTrace {
   void because(NodeIndex node, const char* why) { reasons_[node] = why; }
 
  protected:
-  AnyTrace(const void* action, std::size_t nodes) : action_(action), reasons_(nodes, nullptr) {}
+  AnyTrace(const std::type_info& action, std::size_t nodes)
+      : action_(&action), reasons_(nodes, nullptr) {}
   ~AnyTrace() = default;
 
-  template <class Action>
-  static constexpr char kTag = 0;
-  const void* action_;
+  /// Compared by what it names and not by its place: a plug-in has one of its own.
+  const std::type_info* action_;
   std::vector<const char*> reasons_;
 };
 

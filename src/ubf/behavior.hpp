@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -199,6 +200,11 @@ class Behavior {
   void set_label(std::string label) { label_ = std::move(label); }
   void set_type(std::string_view type) { type_ = type; }
 
+  /// The value of the parameter `vote` of a behavior that was read from a file, for debriefs;
+  /// nothing if it has none, and for what was made without a file.
+  [[nodiscard]] std::optional<float> vote_given() const noexcept { return vote_given_; }
+  void set_vote_given(float vote) { vote_given_ = vote; }
+
  protected:
   /// `failure`, and why for whoever traces the tick: a literal, said at no cost to others.
   [[nodiscard]] Status fails(const Tick<State>& t, const char* why) const {
@@ -221,6 +227,7 @@ class Behavior {
   NodeIndex index_ = 0, end_index_ = 1;
   bool stands_ = false;
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
+  std::optional<float> vote_given_;
   std::string_view type_ = "behavior";
   std::string label_;
 };

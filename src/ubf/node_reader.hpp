@@ -132,6 +132,7 @@ class NodeReader {
       node->read_words(*spec.body, *this);
     if (diagnostics_.count() != before)
       return nullptr;
+    note_vote(*node);
     if (const std::string problem = node->problem(); !problem.empty()) {
       error(spec.where, problem);
       return nullptr;
@@ -140,6 +141,17 @@ class NodeReader {
   }
 
  private:
+  /// Of a behavior: its parameter `vote`, if it has a plain one.
+  template <class B>
+  static void note_vote(B& node) {
+    const auto note = [&](const auto& param) {
+      if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(param)>::member_type,
+                                   float>)
+        if (param.name == "vote")
+          node.set_vote_given(node.*param.member);
+    };
+    std::apply([&](const auto&... param) { (note(param), ...); }, B::params());
+  }
   [[nodiscard]] bool within_limits(const Location& where) {
     if (depth_ >= kMaxDepth) {
       error(where, fmt::format("nodes are nested more than {} deep", kMaxDepth));

@@ -30,11 +30,11 @@ class Trace final : public AnyTrace {
     std::array<NodeIndex, kFields<Action>> supplier = none();
   };
 
-  explicit Trace(std::size_t nodes) : AnyTrace(&kTag<Action>, nodes), rows_(nodes) {}
+  explicit Trace(std::size_t nodes) : AnyTrace(typeid(Action), nodes), rows_(nodes) {}
 
   [[nodiscard]] static Trace& of(AnyTrace& trace) {
     auto& mine = static_cast<Trace&>(trace);
-    EYRIE_DEMAND(mine.action_ == &kTag<Action>, "a trace of another action type");
+    EYRIE_DEMAND(*mine.action_ == typeid(Action), "a trace of another action type");
     return mine;
   }
 

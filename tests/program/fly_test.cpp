@@ -60,9 +60,11 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
   EXPECT_TRUE(has(ran.out, R"(\nblue is home, \d of 4; losses: blue \d, red \d\n)"));
   EXPECT_TRUE(has(ran.out, R"(\nworld hash 0x[0-9a-f]{16} after \d+ steps\n)"));
   EXPECT_TRUE(has(ran.out, R"(\n\d+ s flown in \d+\.\d+ s, \d+ x real time\n)"));
-  EXPECT_TRUE(ran.out.ends_with("written to runs/sweep-13: run.eyrie, events.csv, flight.acmi\n"));
-  EXPECT_EQ(folder.everything(), (Names{"runs", "runs/sweep-13", "runs/sweep-13/events.csv",
-                                        "runs/sweep-13/flight.acmi", "runs/sweep-13/run.eyrie"}));
+  EXPECT_TRUE(ran.out.ends_with(
+      "written to runs/sweep-13: run.eyrie, events.csv, flight.acmi, debrief.html\n"));
+  EXPECT_EQ(folder.everything(), (Names{"runs", "runs/sweep-13", "runs/sweep-13/debrief.html",
+                                        "runs/sweep-13/events.csv", "runs/sweep-13/flight.acmi",
+                                        "runs/sweep-13/run.eyrie"}));
 }
 
 TEST(FlyQuiet, TellsOnlyHowItEnded) {

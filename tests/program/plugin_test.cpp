@@ -49,6 +49,11 @@ TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
   ASSERT_EQ(run.plugins.size(), 1u);
   EXPECT_EQ(run.plugins[0].path,
             std::filesystem::canonical(folder / "dir/lib/libgood.so").string());
+  // an arbiter of a plug-in is traced as any other
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/debrief.html"));
+  const Ran why = run_program(folder, {"explain", "run", "--player", "eagle1", "--at", "1"});
+  EXPECT_EQ(why.code, 0) << why.err;
+  EXPECT_NE(why.out.find("> last_word"), std::string::npos) << why.out;
 }
 
 TEST_F(PluggedProgram, TakesPluginsFromTheCommandLine) {

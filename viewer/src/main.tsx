@@ -5,7 +5,8 @@ import { run_clock } from './clock.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
 import type { SceneHandle } from './scene/scene.ts';
-import { first_view, Store } from './store.ts';
+import { first_view, Store, type View } from './store.ts';
+import { keep_in_sight } from './ui/actions.ts';
 import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
 import { read_link } from './ui/link.ts';
@@ -29,10 +30,18 @@ function pages_of(runs: Run[]): Page[] {
   });
 }
 
-function follow_theme({ store }: Page): void {
-  const put = (): void => void (document.documentElement.dataset.theme = store.get().theme);
-  put();
-  store.subscribe((now, before) => now.theme !== before.theme && put());
+function put_theme({ theme }: Pick<View, 'theme'>): void {
+  document.documentElement.dataset.theme = theme;
+}
+
+/** What went wrong while unpacking is of no use to anybody, except that it did. */
+async function unpacked(script: Element): Promise<Run> {
+  try {
+    return await decode(script.textContent ?? '');
+  } catch (error) {
+    if (error instanceof Error && error.constructor === Error) throw error;
+    throw new Error('the data of the run is damaged or incomplete', { cause: error });
+  }
 }
 
 function ready(pages: Page[], scene: SceneHandle): void {
@@ -43,17 +52,19 @@ function ready(pages: Page[], scene: SceneHandle): void {
 }
 
 async function open(host: HTMLElement): Promise<void> {
+  put_theme(first_view(0));
   const scripts = [...document.querySelectorAll('script[type="application/x-eyrie-run"]')];
   if (!scripts.length) throw new Error('there is no run in this page; ./eyrie debrief RUN writes one with a run');
   if (scripts.length > kMostRuns) throw new Error(`there are ${scripts.length} runs in this page, and it shows ${kMostRuns} at most`);
   await painted();
-  const runs = await Promise.all(scripts.map((script) => decode(script.textContent ?? '')));
+  const runs = await Promise.all(scripts.map(unpacked));
   if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
   const pages = pages_of(runs);
   const [first, second] = pages as [Page, Page | undefined];
   if (second) link_pages(first, second);
-  follow_theme(first);
+  first.store.subscribe((now, before) => now.theme !== before.theme && put_theme(now));
   run_clock(first.store, first.duration);
+  keep_in_sight(first);
   follow_address(first);
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
 
@@ -67,6 +78,7 @@ async function open(host: HTMLElement): Promise<void> {
 }
 
 function fail(host: HTMLElement, error: unknown): void {
+  host.replaceChildren();
   const words = error instanceof Error ? error.message : String(error);
   render(
     <div class="failure" role="alert">

@@ -14,6 +14,10 @@ export interface Ghost {
   label: string;
 }
 
+/** Where a camera that nothing moves stands: the place it looks at (km east, up, south of the origin), km of the scene in the picture
+ * there, and rad from north and from straight down. */
+export type Pose = readonly [x: number, y: number, z: number, height: number, azimuth: number, polar: number];
+
 export interface View {
   /** s */
   time: number;
@@ -23,6 +27,8 @@ export interface View {
   /** Index into Run.players. */
   selected: number;
   camera: Camera;
+  /** Of the cameras free and top, told when they rest; null: nobody has moved them. */
+  pose: Pose | null;
   /** Players (indices) between which range and bearing are shown. */
   ruler: [number, number] | null;
   ghost: Ghost | null;
@@ -66,6 +72,7 @@ export function first_view(selected: number): View {
     rate: 8,
     selected,
     camera: 'whole',
+    pose: null,
     ruler: null,
     ghost: null,
     layers: { trails: true, drop_lines: true, radar: true, tracks: true, zones: true, routes: true, labels: true, coast: true },

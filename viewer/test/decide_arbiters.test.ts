@@ -49,7 +49,8 @@ describe('every arbiter', () => {
       assert_nothing(decide(type, [{ status: 'failure', vote: 40, heading: 1 }, { vote: 0, heading: 1, speed: 200 }], params));
     });
     test(`${name} hands on a voice that is alone`, () => {
-      const out = decide(type, [{ status: 'failure' }, { status: 'success', vote: 40, heading: 1.25, altitude: 6000, speed: 200, target: 3 }], params);
+      const voice = { status: 'success', vote: 40, heading: 1.25, altitude: 6000, speed: 200, target: 3 } as const;
+      const out = decide(type, [{ status: 'failure' }, voice], params);
       assert.equal(out.status, 'success');
       assert.equal(out.vote, 40);
       is_near(value(out, 'heading'), 1.25);
@@ -78,7 +79,9 @@ test('winner_takes_all takes the highest vote whole, the earlier of equals', () 
 });
 
 test('per_field takes each field from the highest vote that set it', () => {
-  const out = decide('per_field', [{ vote: 40, heading: 1, speed: 200 }, { status: 'success', vote: 60, target: 4 }, { vote: 40, heading: 2, altitude: 5000 }]);
+  const out = decide('per_field', [
+    { vote: 40, heading: 1, speed: 200 }, { status: 'success', vote: 60, target: 4 }, { vote: 40, heading: 2, altitude: 5000 },
+  ]);
   assert.equal(value(out, 'heading'), 1);
   assert.deepEqual([supplier(out, 'heading'), supplier(out, 'target'), supplier(out, 'altitude')], [0, 1, 2]);
   assert.deepEqual([out.status, out.vote, out.leader], ['success', 60, 1]);
@@ -86,18 +89,23 @@ test('per_field takes each field from the highest vote that set it', () => {
 
 describe('fusion', () => {
   test('takes weighted means and knows the circle', () => {
-    const out = decide('fusion', [{ vote: 30, heading: rad(350), altitude: 1000 }, { vote: 30, heading: rad(10), altitude: 3000 }, { vote: 60, altitude: 4000 }]);
+    const out = decide('fusion', [
+      { vote: 30, heading: rad(350), altitude: 1000 }, { vote: 30, heading: rad(10), altitude: 3000 }, { vote: 60, altitude: 4000 },
+    ]);
     is_near(Math.cos(value(out, 'heading')), 1);
     is_near(value(out, 'altitude'), 3000);
     assert.equal(out.leader, kNode);
     assert.equal(supplier(out, 'heading'), kNode);
   });
   test('gives opposite headings to the strongest, the earlier of equals', () => {
-    is_near(degrees(value(decide('fusion', [{ vote: 30, heading: rad(90) }, { vote: 30, heading: rad(270) }]), 'heading')), 90);
-    is_near(degrees(value(decide('fusion', [{ vote: 20, heading: rad(90) }, { vote: 40, heading: rad(270) }, { vote: 20, heading: rad(90) }]), 'heading')), 270);
+    const [east, west] = [rad(90), rad(270)];
+    is_near(value(decide('fusion', [{ vote: 30, heading: east }, { vote: 30, heading: west }]), 'heading'), east);
+    const three = decide('fusion', [{ vote: 20, heading: east }, { vote: 40, heading: west }, { vote: 20, heading: east }]);
+    is_near(value(three, 'heading'), west);
   });
   test('keeps equal headings to the bit', () => {
-    assert.equal(value(decide('fusion', [{ vote: 30, heading: 1.1 }, { vote: 7, heading: 1.1 }]), 'heading'), 1.1);
+    for (let heading = 0.1; heading < 6.2; heading += 0.1)
+      assert.equal(value(decide('fusion', [{ vote: 30, heading }, { vote: 7, heading }]), 'heading'), heading);
   });
   test('gives orders to the strongest and drops disputed modes', () => {
     const out = decide('fusion', [{ vote: 30, target: 1, mode: 0 }, { vote: 40, target: 2, mode: 1 }]);
@@ -115,7 +123,8 @@ describe('fusion', () => {
     assert.deepEqual([value(one, 'altitude'), supplier(one, 'altitude'), one.leader], [1000, 0, kNode]);
   });
   test('drops with conflicts: drop whatever two differ on', () => {
-    const out = decide('fusion', [{ vote: 20, altitude: 1000, speed: 200 }, { vote: 30, altitude: 1000, speed: 210 }], { conflicts: 'drop' });
+    const said = [{ vote: 20, altitude: 1000, speed: 200 }, { vote: 30, altitude: 1000, speed: 210 }];
+    const out = decide('fusion', said, { conflicts: 'drop' });
     assert.deepEqual([value(out, 'altitude'), value(out, 'speed')], [1000, NaN]);
   });
 });
@@ -123,7 +132,8 @@ describe('fusion', () => {
 describe('paper_fusion', () => {
   const high = { high_vote: 50 };
   test('averages plainly, headings as numbers', () => {
-    const out = decide('paper_fusion', [{ vote: 10, heading: rad(350), altitude: 1000 }, { vote: 60, heading: rad(10), altitude: 2000 }], high);
+    const said = [{ vote: 10, heading: rad(350), altitude: 1000 }, { vote: 60, heading: rad(10), altitude: 2000 }];
+    const out = decide('paper_fusion', said, high);
     is_near(degrees(value(out, 'heading')), 180);
     is_near(value(out, 'altitude'), 1500);
   });
@@ -165,14 +175,16 @@ describe('control nodes', () => {
   test('selector takes the first that does not fail and does not need the rest', () => {
     const out = decide('selector', [fail, { heading: 1 }, null]);
     assert.deepEqual([out.status, out.vote, value(out, 'heading'), out.leader], ['running', 0, 1, 1]);
-    assert.equal(decider_of('selector', {}, kFields, kNode)!([proposal(fail, 0), make_proposal(kFields.length)], make_proposal(kFields.length)), 1);
+    const unasked = make_proposal(kFields.length);
+    assert.equal(decider_of('selector', {}, kFields, kNode)!([proposal(fail, 0), unasked], make_proposal(kFields.length)), 1);
     assert_nothing(decide('selector', [fail, fail]));
   });
   test('sequence sends up the last proposal that was made', () => {
     const out = decide('sequence', [{ ...hold, vote: 5, heading: 1 }, hold, { vote: 7, speed: 200 }, null]);
     assert.deepEqual([out.status, out.vote, value(out, 'heading'), value(out, 'speed')], ['running', 7, NaN, 200]);
     assert_nothing(decide('sequence', [{ ...hold, vote: 5, heading: 1 }, fail, null]));
-    assert.equal(decide('sequence', [{ ...hold, vote: 5, heading: 1 }, hold]).status, 'success');
+    const done = decide('sequence', [{ ...hold, vote: 5, heading: 1 }, hold]);
+    assert.deepEqual([done.status, done.vote, value(done, 'heading'), done.leader], ['success', 5, 1, 0]);
   });
   test('parallel merges all that did not fail and counts', () => {
     const said = [{ ...hold, vote: 5, heading: 1 }, { vote: 0, heading: 2, speed: 200 }, fail];
@@ -180,6 +192,7 @@ describe('control nodes', () => {
     const out = decide('parallel', said, { success_count: 1 });
     assert.deepEqual([out.status, out.vote, value(out, 'heading'), value(out, 'speed'), out.leader], ['success', 5, 1, 200, 0]);
     assert.equal(decide('parallel', said, { failure_count: 2 }).status, 'running');
+    assert.equal(decide('parallel', [hold, { ...hold, heading: 2 }, { ...hold, heading: 3 }]).leader, 1);
   });
   test('guard and while look at their condition', () => {
     assert.equal(value(decide('guard', [hold, { heading: 1 }]), 'heading'), 1);

@@ -7,12 +7,14 @@ import { find, leaf, node, run_of, type Said } from './decide_run.ts';
 
 const kTree = node('root', 'sequencer', [
   node('ingress', 'winner_takes_all', [leaf('ground'), leaf('navigate')]),
-  node('bvr', 'per_field', [node('survive', 'winner_takes_all', [leaf('avoid'), leaf('break')]), leaf('release'), leaf('pursue'), leaf('follow')]),
+  node('bvr', 'per_field', [
+    node('survive', 'winner_takes_all', [leaf('avoid'), leaf('break')]), leaf('release'), leaf('pursue'), leaf('follow'),
+  ]),
   leaf('hostile_track'),
 ]);
-const kIngress: Record<string, Said> = { ground: { status: 'failure' }, navigate: { vote: 10, heading: 1 }, root: { vote: 10, heading: 1 } };
+const kIngress: Record<string, Said> = { ground: { status: 'failure' }, navigate: { vote: 10, heading: 1 } };
 const kBvr: Record<string, Said> = {
-  avoid: { status: 'failure' }, break: { vote: 20, heading: 3 }, release: { vote: 60, target: 2 },
+  avoid: { status: 'failure' }, break: { vote: 15, heading: 3 }, release: { vote: 60, target: 2 },
   pursue: { vote: 40, heading: 1.5, speed: 250 }, follow: { vote: 20, heading: 0.5, speed: 200 }, hostile_track: { status: 'success' },
 };
 
@@ -33,7 +35,7 @@ test('each field has a winner, its reason, and rivals by the votes where they me
   ]);
   const [heading, , target] = fields;
   assert.deepEqual(heading!.rivals.map((r) => [r.node, r.value, r.vote, r.against]), [
-    [find(run, 'break'), 3, 20, 40], [find(run, 'follow'), 0.5, 20, 40],
+    [find(run, 'follow'), 0.5, 20, 40], [find(run, 'break'), 3, 15, 40],
   ]);
   assert.equal(heading!.reason, 'voted 40 against 20');
   assert.equal(target!.reason, 'nobody else asked for it');
@@ -83,7 +85,7 @@ test('answers and changes of leader are told in words', () => {
   assert.equal(told('navigate'), 'ingress was left for bvr: hostile_track holds');
   assert.equal(told('avoid'), 'avoid failed: the ground is far');
   assert.equal(told('follow'), 'follow voted 20 against 60');
-  assert.equal(told('break'), 'break voted 20 against 60');
+  assert.equal(told('break'), 'break voted 15 against 60');
   assert.equal(why_not(run, tree!, now!, -1), 'nobody led');
   assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
 });

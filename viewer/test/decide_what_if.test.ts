@@ -47,10 +47,15 @@ describe('an arbiter in place of another', () => {
     assert.equal(asked(run, 'survive', { type: 'fusion' }).different, 0);
     assert.equal(asked(run, 'fight', { type: 'fusion', params: { top: 1 } }).different, 0);
   });
-  test('that lacks a parameter leaves decisions unknown', () => {
+  test('has what parameters it needs', () => {
     const result = asked(run, 'fight', { type: 'paper_fusion' });
+    assert.deepEqual([result.unknown, result.different], [0, 3]);
+    assert.deepEqual(result.first!.fields.map((f) => f.name), ['heading', 'speed', 'mode', 'target']);
+  });
+  test('with parameters that it cannot have leaves decisions unknown', () => {
+    const result = asked(run, 'fight', { type: 'motor_schema', params: { direction: 'altitude' } });
     assert.deepEqual([result.unknown, result.different], [4, 0]);
-    assert.equal(result.why_unknown, 'paper_fusion needs parameters that it was not given');
+    assert.equal(result.why_unknown, 'motor_schema needs parameters that it was not given');
     assert.deepEqual([...result.leader], [-2, -2, -2, -2]);
   });
 });
@@ -75,13 +80,23 @@ describe('another vote of a leaf', () => {
   test('of 0 abstains', () => assert.equal(asked(run, 'follow', { vote: 0 }).different, 1));
   test('does not touch votes that are not by that parameter', () => {
     const given = node('fight', 'winner_takes_all', [leaf('break', { params: { vote: 70 } }), leaf('pursue')]);
-    const near = run_of(given, [{ break: { vote: 80, heading: 1 }, pursue: kPursue }, { break: { vote: 70, heading: 1 }, pursue: kPursue }]);
+    const at = (vote: number) => ({ break: { vote, heading: 1 }, pursue: kPursue });
+    const near = run_of(given, [at(80), at(70)]);
     const result = asked(near, 'break', { vote: 5 });
     assert.deepEqual([result.different, result.first?.index], [1, 1]);
   });
+  test('is unknown where a leaf has more than one and the page does not know which', () => {
+    const at = (vote: number) => ({ scatter: { vote, heading: 1 }, pursue: kPursue });
+    const run = run_of(node('fight', 'winner_takes_all', [leaf('scatter'), leaf('pursue')]), [at(80), at(70), at(0)]);
+    const result = asked(run, 'scatter', { vote: 5 });
+    assert.deepEqual([result.unknown, result.different, result.why_unknown],
+      [2, 0, 'scatter has more than one vote, and which of them this was is not in the page']);
+  });
   test('changes nothing in another tree', () => {
     const other: Run = { ...run, shapes: run.shapes.map((s, i) => (i < 3 ? s : { ...s, tree: 1 })), trees: [run.trees[0]!, run.trees[0]!] };
-    assert.equal(asked(other, 'follow', { vote: 41 }).different, 1);
+    const result = asked(other, 'follow', { vote: 41 });
+    assert.equal(result.different, 1);
+    assert.equal(result.leader[3], find(run, 'pursue'));
   });
 });
 
@@ -89,7 +104,8 @@ describe('nodes above', () => {
   const kHolds: Said = { status: 'success' };
   test('sequencers hand on whatever the tree in charge says', () => {
     const spec = node('root', 'sequencer', [fight('winner_takes_all'), leaf('rest'), leaf('condition')], { remembers: true });
-    const run = run_of(spec, kSaid.map((said) => ({ ...said, condition: { status: 'failure' }, root: {} })), (all) => { all[0] = all[1]!; });
+    const said = kSaid.map((one): Record<string, Said> => ({ ...one, condition: { status: 'failure' }, root: {} }));
+    const run = run_of(spec, said, (all) => { all[0] = all[1]!; });
     assert.equal(asked(run, 'fight', { type: 'per_field' }).different, 3);
     const silent = asked(run, 'follow', { vote: 0 });
     assert.deepEqual([silent.different, silent.unknown, silent.first?.other, silent.caution], [1, 0, 'nobody', '']);
@@ -103,17 +119,33 @@ describe('nodes above', () => {
     assert.match(result.caution, /^From 00:00\.0 on root would have asked or halted others/);
     assert.equal(asked(run, 'pursue', { vote: 5 }).caution, '');
   });
+  test('a selector that would stop earlier is known, but it would halt what was asked', () => {
+    const spec = node('root', 'selector', [fight('winner_takes_all'), leaf('home', { remembers: true })]);
+    const silent: Said = { ...kFollow, vote: 0 };
+    const said = { avoid: { status: 'failure' }, pursue: { status: 'failure' }, follow: silent, home: { vote: 5, speed: 100 } } as const;
+    const run = run_of(spec, [said]);
+    run.trees[0]!.nodes[find(run, 'follow')]!.params = { vote: 0 };
+    const result = asked(run, 'follow', { vote: 20 });
+    assert.deepEqual([result.different, result.unknown, result.first?.other], [1, 0, 'follow']);
+    assert.match(result.caution, /root would have asked or halted others/);
+  });
+  test('a loop that answered something of its own is unknown', () => {
+    const said = kSaid.map((one): Record<string, Said> => ({ ...one, pursue: { ...kPursue, ...kHolds }, root: {} }));
+    const run = run_of(node('root', 'repeat', [fight('winner_takes_all')]), said, (all) => { all[0] = { ...all[1]!, status: 'running' }; });
+    assert.equal(asked(run, 'fight', { type: 'per_field' }).unknown, 3);
+  });
   test('a decorator that only hands on does so, one that chooses by votes does not', () => {
-    const limited = (type: string) => run_of(node('root', type, [fight('winner_takes_all')]), kSaid.map((s) => ({ ...s, root: {} })), (all) => {
-      all[0] = all[1]!;
-    });
+    const said = kSaid.map((one) => ({ ...one, root: {} }));
+    const limited = (type: string) =>
+      run_of(node('root', type, [fight('winner_takes_all')]), said, (all) => { all[0] = all[1]!; });
     assert.equal(asked(limited('timeout'), 'fight', { type: 'per_field' }).different, 3);
     const committed = asked(limited('commitment'), 'fight', { type: 'per_field' });
     assert.deepEqual([committed.different, committed.unknown], [0, 3]);
     assert.equal(committed.why_unknown, 'what root (commitment) makes of it depends on more than this page has');
   });
   test('a parallel that counts otherwise and halts is told', () => {
-    const spec = node('root', 'parallel', [fight('winner_takes_all'), leaf('shoot', { remembers: true })], { params: { success_count: 1 } });
+    const kids = [fight('winner_takes_all'), leaf('shoot', { remembers: true })];
+    const spec = node('root', 'parallel', kids, { params: { success_count: 1 } });
     const said = { avoid: { status: 'failure' }, pursue: { ...kPursue, ...kHolds }, follow: kFollow, shoot: { vote: 5 } } as const;
     const result = asked(run_of(spec, [said]), 'follow', { vote: 50 });
     assert.equal(result.different, 1);
@@ -122,7 +154,8 @@ describe('nodes above', () => {
 });
 
 describe('what can be chosen', () => {
-  const run = run_of(node('fight', 'fusion', [leaf('pursue'), leaf('follow')], { params: { top: 2, conflicts: 'drop' } }), [{ pursue: kPursue, follow: kFollow }]);
+  const spec = node('fight', 'fusion', [leaf('pursue'), leaf('follow')], { params: { top: 2, conflicts: 'drop' } });
+  const run = run_of(spec, [{ pursue: kPursue, follow: kFollow }]);
   const change = (more: Omit<Change, 'tree' | 'node'>): Change => ({ tree: 0, node: 0, ...more });
   test('begins with what is there', () => {
     const [own, ...others] = arbiters_for(run, run.trees[0]!, 0);
@@ -138,7 +171,7 @@ describe('what can be chosen', () => {
       "eyrie whatif RUN --player eagle2 --set 'root=per_field' --set 'root/pursue.vote=70'");
     assert.equal(command_of(run, 0, [change({ type: 'fusion', params: { top: 'all', conflicts: 'blend' } })]),
       "eyrie whatif RUN --player eagle2 --set 'root.top=null' --set 'root.conflicts=blend'");
-    assert.equal(command_of(run, 0, [change({ type: 'paper_fusion', params: { high_vote: 50 } })]),
+    assert.equal(command_of(run, 0, [change({ type: 'paper_fusion' })]),
       "eyrie whatif RUN --player eagle2 --set 'root=paper_fusion' --set 'root.high_vote=50'");
     const two: Run = { ...run, trees: [...run.trees, { ...run.trees[0]!, name: 'home' }] };
     assert.match(command_of(two, 0, [{ ...pursue, tree: 1 }]), /--set 'home:root\/pursue.vote=70'$/);

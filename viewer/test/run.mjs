@@ -21,7 +21,7 @@ try {
     target: 'node18', jsx: 'automatic', jsxImportSource: 'preact', sourcemap: 'inline', logLevel: 'warning', external: ['playwright-core'],
   });
   const files = names.map((f) => join(out, basename(f).replace(/\.ts$/, '.mjs')));
-  const { status } = spawnSync(process.execPath, ['--enable-source-maps', '--test', ...files], { stdio: 'inherit', env: { ...process.env, EYRIE_VIEWER: dirname(here) } });
+  const { status } = spawnSync(process.execPath, ['--enable-source-maps', '--test', ...files], { stdio: 'inherit', env: { ...process.env, EYRIE_VIEWER_FOLDER: dirname(here) } });
   process.exitCode = status ?? 1;
 } finally {
   rmSync(out, { recursive: true, force: true });

@@ -8,15 +8,26 @@ import { kPursues, told_run } from './ui_run.ts';
 const kRun = told_run(Array.from({ length: 100 }, () => kPursues));
 
 test('what a link says is what is read from it', () => {
-  const view = { time: 3.42, selected: 1, camera: 'follow', zoom: [2, 8.5], ruler: [1, 0] } as const;
+  const view = { time: 3.42, selected: 1, camera: 'follow', pose: null, zoom: [2, 8.5], ruler: [1, 0] } as const;
   const text = link_text(kRun, { ...view, zoom: [...view.zoom], ruler: [...view.ruler] });
   assert.equal(text, '#t=3.42&p=bogey1&c=follow&z=2-8.5&r=bogey1,eagle2');
-  assert.deepEqual(read_link(kRun, text), view);
+  const { pose, ...told } = view;
+  assert.equal(pose, null);
+  assert.deepEqual(read_link(kRun, text), told);
+});
+
+test('a free camera stands where the link says', () => {
+  const view = { time: 1, selected: 0, camera: 'free', pose: [1.5, 6, -20.25, 80, 0.5, 0.9], zoom: null, ruler: null } as const;
+  const text = link_text(kRun, view);
+  assert.equal(text, '#t=1&p=eagle2&c=free&e=1.5,6,-20.25,80,0.5,0.9');
+  assert.deepEqual(read_link(kRun, text).pose, view.pose);
+  assert.ok(!link_text(kRun, { ...view, camera: 'follow' }).includes('e='), 'the other cameras find their own place');
+  assert.equal(read_link(kRun, '#c=free&e=1,2,3').pose, undefined);
 });
 
 test('names with unusual letters survive', () => {
   const run = { ...kRun, players: [{ ...kRun.players[0]!, name: 'Ä & B,#1' }] };
-  const view = { time: 0, selected: 0, camera: 'top', zoom: null, ruler: null } as const;
+  const view = { time: 0, selected: 0, camera: 'top', pose: null, zoom: null, ruler: null } as const;
   assert.equal(read_link(run, link_text(run, view)).selected, 0);
 });
 

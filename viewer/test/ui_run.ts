@@ -6,14 +6,17 @@ import { make_page, type Page } from '../src/ui/page.ts';
 import { leaf, node, run_of, type Said } from './decide_run.ts';
 
 export const kTree = node('root', 'winner_takes_all', [leaf('break'), leaf('pursue'), leaf('navigate')]);
-export const kPursues: Record<string, Said> = { break: { status: 'failure' }, pursue: { vote: 40, heading: 1 }, navigate: { vote: 10, heading: 2 } };
+export const kPursues: Record<string, Said> = {
+  break: { status: 'failure' }, pursue: { vote: 40, heading: 1 }, navigate: { vote: 10, heading: 2 },
+};
 export const kBreaks: Record<string, Said> = { ...kPursues, break: { vote: 70, heading: 3 } };
 
 function line(t: number, kind: string, who: number, text: string): StoryLine {
   return { t, kind, tone: who === 1 ? 'red' : 'blue', who, name: ['eagle2', 'bogey1'][who]!, text };
 }
 export const kStory = [
-  line(0.1, 'contact', 0, 'contact, 40 nmi'), line(0.2, 'launch', 0, 'fox 3 on bogey1'), line(0.25, 'seeker_active', 0, 'pitbull on bogey1'),
+  line(0.1, 'contact', 0, 'contact, 40 nmi'), line(0.2, 'launch', 0, 'fox 3 on bogey1'),
+  line(0.25, 'seeker_active', 0, 'pitbull on bogey1'),
   line(0.3, 'defend', 1, 'defending: breaks, nose low'), line(0.4, 'kill', 0, 'splash bogey1 (AIM-120)'),
 ];
 
@@ -23,7 +26,8 @@ export function told_run(decisions: Record<string, Said>[], story: StoryLine[] =
   const none = new Float64Array(0);
   const gone = decisions.length / 10;
   const one = { ...run.players[0]!, side: 'blue', born: 0, gone, end: 'home', sights: { t: none } } as Player;
-  const two = { ...one, index: 1, name: 'bogey1', side: 'red', decisions: { t: none, step: none, shape: new Int32Array(0), value: () => null } } as Player;
+  const silent = { t: none, step: none, shape: new Int32Array(0), value: () => null };
+  const two: Player = { ...one, index: 1, name: 'bogey1', side: 'red', decisions: silent };
   return { ...run, players: [one, two], story, about: { duration: gone } } as unknown as Run;
 }
 

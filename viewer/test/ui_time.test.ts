@@ -3,7 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { run_clock, subscribe_paced } from '../src/clock.ts';
-import { jump, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to } from '../src/ui/actions.ts';
+import {
+  jump, keep_in_sight, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to,
+} from '../src/ui/actions.ts';
 import { link_pages } from '../src/ui/compare.tsx';
 import { clock_text, tick_text } from '../src/ui/format.ts';
 import { ticks_of } from '../src/ui/timeline.tsx';
@@ -66,6 +68,20 @@ test('zoom keeps the time under the pointer, ends at the run and at two seconds'
   assert.deepEqual(page.store.get().zoom, [79, 100]);
   toggle_zoom(page);
   assert.equal(page.store.get().zoom, null);
+});
+
+test('while it plays, the strips go along', () => {
+  const page = page_of(kRun, { zoom: [10, 20], time: 19, playing: true });
+  const stop = keep_in_sight(page);
+  page.store.set({ time: 20 });
+  assert.deepEqual(page.store.get().zoom, [10, 20]);
+  page.store.set({ time: 20.5 });
+  assert.deepEqual(page.store.get().zoom, [20, 30]);
+  page.store.set({ time: 99.9 });
+  assert.deepEqual(page.store.get().zoom, [90, 100]);
+  page.store.set({ playing: false, zoom: [0, 5] });
+  assert.deepEqual(page.store.get().zoom, [0, 5]);
+  stop();
 });
 
 test('a second measurement of the same player takes the ruler away', () => {

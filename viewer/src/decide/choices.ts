@@ -60,6 +60,15 @@ export function arbiters_for(run: Run, tree: Tree, node: number): ArbiterChoice[
   });
 }
 
+/** Arbiters that need them have all parameters, those that were not given as arbiters_for says. */
+export function complete(run: Run, change: Change): Change {
+  const { nodes, kind } = run.trees[change.tree]!;
+  const { type, node } = change;
+  if ((type !== 'paper_fusion' && type !== 'motor_schema') || type === nodes[node]!.type) return change;
+  const params = params_of(type, nodes[node]!, run.platforms[kind].action) ?? [];
+  return { ...change, params: { ...Object.fromEntries(params.map(({ name, value }) => [name, value])), ...change.params } };
+}
+
 /** A word of a shell's command line. */
 function quoted(text: string): string {
   return `'${text.replaceAll("'", "'\\''")}'`;
@@ -74,7 +83,8 @@ function first_tree(run: Run, player: number): number {
 /** The same question for the terminal; RUN stands for the folder of the run. */
 export function command_of(run: Run, player: number, changes: readonly Change[]): string {
   const own_tree = first_tree(run, player);
-  const sets = changes.flatMap(({ tree, node, type, vote, params }) => {
+  const sets = changes.flatMap((change) => {
+    const { tree, node, type, vote, params } = complete(run, change);
     const { name, nodes } = run.trees[tree]!;
     const { type: was, params: own } = nodes[node]!;
     const path = `${tree === own_tree ? '' : `${name}:`}${nodes[node]!.path}`;

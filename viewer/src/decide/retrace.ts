@@ -64,7 +64,9 @@ export class Retrace {
   private readonly fixed: { node: number; answer: Proposal }[] = [];
   private loader: Loader | null = null;
 
-  constructor(private readonly tree: Tree, private readonly fields: readonly ActionField[], changes: readonly Change[]) {
+  /** `unclear` are leaves of which it is not known which of their votes a parameter would change. */
+  constructor(private readonly tree: Tree, private readonly fields: readonly ActionField[], changes: readonly Change[],
+    private readonly unclear: ReadonlySet<number> = new Set()) {
     const changed = new Set(changes.map((c) => c.node));
     const way = new Set<number>([0]);
     for (let node of changed) for (; node > 0; node = tree.nodes[node]!.parent) way.add(node);
@@ -105,7 +107,8 @@ export class Retrace {
     const fields = this.fields.length;
     const answers = children.map((child) => this.steps.find((s) => s.node === child) ?? this.fixed_answer(child));
     const other = changes.reduce(applied, { type, params });
-    const by = (what: { type: string; params: Params }) => (children.length ? decider_of(what.type, what.params, this.fields, node) : null);
+    const by = (how: { type: string; params: Params }) =>
+      children.length ? decider_of(how.type, how.params, this.fields, node) : null;
     return {
       node, ...other, is_changed: changes.length > 0,
       flown_by: by({ type, params }), would_by: by(other),
@@ -121,14 +124,11 @@ export class Retrace {
   }
 
   private take(step: Step): string {
-    const { node, recorded, flown, would } = step;
+    const { recorded, flown, would } = step;
     copy(recorded, flown);
     copy(recorded, would);
     if (recorded.status === null) return '';
-    if (step.flown_children.length === 0) {
-      if (step.is_changed) vote_anew(would, step.params, this.tree.nodes[node]!.params);
-      return '';
-    }
+    if (step.flown_children.length === 0) return this.vote_anew(step);
     const repeats = this.repeat(step);
     const changes = step.is_changed || step.flown_children.some((child, i) => !same(child, step.would_children[i]!));
     if (!changes) {
@@ -140,12 +140,23 @@ export class Retrace {
     return problem;
   }
 
+  /** A leaf with another vote. One that voted something else than its parameter said had its own reasons. */
+  private vote_anew({ node, params: { vote }, is_changed, would }: Step): string {
+    const { label, params } = this.tree.nodes[node]!;
+    if (!is_changed || typeof vote !== 'number' || is_empty(would)) return '';
+    if (this.unclear.has(node) && would.vote > 0) return `${label} has more than one vote, and which of them this was is not in the page`;
+    const follows = typeof params['vote'] === 'number' ? would.vote === Math.fround(params['vote']) : would.vote > 0;
+    if (!follows) return '';
+    would.vote = Math.fround(vote);
+    record(would, node);
+    return '';
+  }
+
   /** Makes again what was flown, so that both sides carry the same rounding; false if that is not what was recorded. */
   private repeat({ node, flown_by, flown_children, recorded, flown }: Step): boolean {
     if (!flown_by) return false;
     const done = flown_by(flown_children, flown) === kDone;
-    const alike = done && flown.status === recorded.status && flown.vote === recorded.vote && same_suppliers(flown.supplier, recorded.supplier);
-    if (alike && (node > 0 || flown.leader === recorded.leader)) return true;
+    if (done && is_as_recorded(flown, recorded) && (node > 0 || flown.leader === recorded.leader)) return true;
     copy(recorded, flown);
     return false;
   }
@@ -184,22 +195,19 @@ export class Retrace {
   }
 }
 
+/** But for leaders, which are recorded of the root alone, and values, which are rounded. */
+function is_as_recorded(made: Proposal, recorded: Proposal): boolean {
+  return made.status === recorded.status && made.vote === recorded.vote && same_suppliers(made.supplier, recorded.supplier);
+}
+
 function applied(before: { type: string; params: Params }, change: Change): { type: string; params: Params } {
   const { vote, vote_scale } = before.params;
   const replaced = change.type !== undefined && change.type !== before.type;
-  const kept: Params = replaced ? { ...(vote !== undefined && { vote }), ...(vote_scale !== undefined && { vote_scale }) } : { ...before.params };
+  const votes: Params = { ...(vote !== undefined && { vote }), ...(vote_scale !== undefined && { vote_scale }) };
+  const kept = replaced ? votes : before.params;
   const params: Params = { ...kept, ...change.params, ...(change.vote !== undefined && { vote: change.vote }) };
   if (params['top'] === kAll) delete params['top'];
   return { type: change.type ?? before.type, params };
-}
-
-/** A leaf with another vote. One that voted something else than its parameter said had its own reasons. */
-function vote_anew(would: Proposal, { vote }: Params, { vote: given }: Params): void {
-  const follows = typeof given === 'number' ? would.vote === Math.fround(given) : would.vote > 0;
-  if (typeof vote !== 'number' || !follows || is_empty(would)) return;
-  const { leader } = would;
-  would.vote = Math.fround(vote);
-  record(would, leader);
 }
 
 /** The one child that answers otherwise was the one whose answer went up, and what the node remembers does not
@@ -218,7 +226,7 @@ function hand_on({ node, type, params, flown_children, would_children, recorded,
     record(would, node);
   };
   send(was);
-  if (would.status !== recorded.status || would.vote !== recorded.vote || !same_suppliers(would.supplier, recorded.supplier)) return false;
+  if (!is_as_recorded(would, recorded)) return false;
   send(is);
   return true;
 }

@@ -2,6 +2,7 @@
 /** What a player would have decided with other votes, arbiters or parameters: src/debrief/what_if.cpp. */
 import type { ActionField, Decisions, Player, Run, Tree } from '../run/run.ts';
 import { angle_between } from './angle.ts';
+import { complete } from './choices.ts';
 import { same_action, same_value } from './proposal.ts';
 import { Retrace, type Change } from './retrace.ts';
 import { value_text } from './text.ts';
@@ -53,9 +54,10 @@ class Anew {
   private readonly verdicts = new Map<number, Verdict>();
   private begun = -1;
 
-  constructor(private readonly run: Run, private readonly decisions: Decisions, private readonly tree: number, fields: readonly ActionField[],
-    private readonly changes: readonly Change[]) {
-    this.retrace = new Retrace(run.trees[tree]!, fields, changes);
+  constructor(private readonly run: Run, private readonly decisions: Decisions, private readonly tree: number,
+    fields: readonly ActionField[], private readonly changes: readonly Change[]) {
+    const unclear = changes.map((c) => c.node).filter((node) => has_unclear_vote(run, tree, node));
+    this.retrace = new Retrace(run.trees[tree]!, fields, changes, new Set(unclear));
   }
 
   /** Whether decision `i` would have been another one; its problem, doubt and leader are in `verdict`. */
@@ -107,6 +109,18 @@ class Anew {
   }
 }
 
+/** Behaviors with a parameter besides `vote` that is a vote too. */
+const kSeveralVotes: ReadonlySet<string> = new Set(['break_turn']);
+
+/** Whether it cannot be told which of a leaf's votes were those of its parameter. */
+function has_unclear_vote({ trees, shapes }: Run, tree: number, node: number): boolean {
+  const { type, params } = trees[tree]!.nodes[node]!;
+  if (typeof params['vote'] === 'number') return false;
+  const given = new Set(shapes.filter((s) => s.tree === tree).map((s) => s.vote[node]!));
+  given.delete(0);
+  return kSeveralVotes.has(type) || given.size > 1;
+}
+
 function label(tree: Tree, node: number): string {
   return node < 0 ? 'nobody' : tree.nodes[node]!.label;
 }
@@ -136,7 +150,8 @@ function most_frequent(counts: Map<string, number>): string {
   return best;
 }
 
-export function what_if(run: Run, player: number, changes: readonly Change[]): WhatIfResult {
+export function what_if(run: Run, player: number, asked: readonly Change[]): WhatIfResult {
+  const changes = asked.map((change) => complete(run, change));
   const who = run.players[player]!;
   const { decisions } = who;
   const { t, shape } = decisions;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What the selected player believes: its tracks against the truth, and its missile's zone against its target. */
 import type { Side, TrackSeen } from '../run/run.ts';
-import { kCrowd } from './callouts.ts';
-import { type Frame, nmi, x_of, y_of, z_of } from './frame.ts';
+import { type Frame, kCrowd, nmi, x_of, y_of, z_of } from './frame.ts';
 import type { Mark } from './notes.ts';
 import type { Palette } from './palette.ts';
 import type { Eyesight } from './sight.ts';
@@ -33,8 +32,10 @@ export function draw_tracks({ view, players, lines, palette, eye, notes, sight }
     if (!eye.project(x, y, z) || !eye.on_screen(20)) continue;
     const friend = track.identity === 'friendly';
     if (friend && players.count > kCrowd) continue;
-    notes.mark(kMark[track.identity], eye.px, eye.py, bold ? 15 : friend ? 11 : 13, tint, bold ? 3 : 1.5, false, stale || friend ? 0.65 : 1);
-    if (stale && !friend) notes.tag(-100 - track.id, eye.px, eye.py, `${track.age.toFixed(0)} s old`, '', tint, null, 15);
+    const radius = bold ? 15 : friend ? 11 : 13;
+    notes.mark(kMark[track.identity], eye.px, eye.py, radius, tint, bold ? 3 : 1.5, false, stale || friend ? 0.65 : 1);
+    if (stale && !friend && view.layers.labels)
+      notes.tag(-100 - track.id, eye.px, eye.py, `${track.age.toFixed(0)} s old`, '', tint, null, 15);
   }
 }
 
@@ -55,7 +56,7 @@ export function draw_zone({ view, players, lines, palette, eye, notes, sight }: 
     const km = range / 1000;
     if (!(km > 0) || km < 24 * eye.ui * eye.km_per_px(x, y, z)) return;
     lines.pen(palette.zone, width, dash);
-    const steps = 20;
+    const steps = 48;
     for (let k = 0; k < steps; ++k) {
       const a = bearing - kHalfArc + (2 * kHalfArc * k) / steps;
       const b = bearing - kHalfArc + (2 * kHalfArc * (k + 1)) / steps;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 /** What was asked of the picture: who is who, how far it is from one to the other, and where another decision led. */
-import type { Player } from '../run/run.ts';
-import { degrees, feet, type Frame, kFoot, kKnot, kNmi, kSideMark, x_of, y_of, z_of } from './frame.ts';
-import { measure } from './geo.ts';
+import type { Player, Run } from '../run/run.ts';
+import type { Ghost } from '../store.ts';
+import { degrees, feet, type Frame, kCrowd, kFoot, kKnot, kNmi, kSideMark, x_of, y_of, z_of } from './frame.ts';
+import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
-import { gauge_at } from './motion.ts';
+import { gauge_at, place_at } from './motion.ts';
+import { true_heading } from './told.ts';
 
-/** With more players than these, only the ones that matter and a few others have labels. */
-export const kCrowd = 40;
+/** Of those in a crowd who do not matter to the selected player, so many have labels. */
 const kOthers = 12;
 const kGhostSpan = 30;
+/** km: the bracket around the selected is never smaller than half of an aircraft. */
+const kHalfSpan = 0.0085;
 
 function rest_of(player: Player, frame: Frame): string {
   const { players, view } = frame;
@@ -18,7 +21,8 @@ function rest_of(player: Player, frame: Frame): string {
   const altitude = players.y[i]! / kFoot;
   if (i !== view.selected) return `${(altitude / 1000).toFixed(1)}k`;
   const speed = gauge_at(player.motion, player.gauges.speed, view.time) / kKnot;
-  return `${feet(players.y[i]!)} ft ${Number.isNaN(speed) ? '' : `${speed.toFixed(0)} kt `}${degrees(players.heading[i]!)}°`;
+  const heading = `${degrees(true_heading(frame.run, players, i))}°`;
+  return `${feet(players.y[i]!)} ft ${Number.isNaN(speed) ? '' : `${speed.toFixed(0)} kt `}${heading}`;
 }
 
 /** Who matters to the selected player: 0 nobody in particular. */
@@ -52,8 +56,8 @@ export function draw_names(frame: Frame): void {
     const matters = priority(frame, i);
     eye.project(players.x[i]!, players.y[i]!, players.z[i]!);
     const player = run.players[i]!;
-    if (i === view.selected) notes.bracket(eye.px, eye.py, Math.max(18, (0.0085 / eye.km_per_px(players.x[i]!, players.y[i]!, players.z[i]!)) / eye.ui), palette.text);
-    if (!view.layers.labels && matters < 95) continue;
+    if (i === view.selected) notes.bracket(eye.px, eye.py, Math.max(18, kHalfSpan / eye.km_per_px_at() / eye.ui), palette.text);
+    if (!view.layers.labels && i !== frame.hovered) continue;
     if (matters < 50 && --left < 0) continue;
     notes.tag(i, eye.px, eye.py, player.name, rest_of(player, frame), palette.side[player.side], kSideMark[player.side], matters || 10);
   }
@@ -68,19 +72,30 @@ export function draw_ruler({ run, view, players, lines, palette, eye, notes }: F
   const place = (x: number, y: number, z: number) => ({ east: x * 1000, north: -z * 1000, up: y * 1000 });
   const { range, bearing, higher } = measure(run.origin, place(ax, ay, az), place(bx, by, bz));
   if (!eye.project((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2) || !eye.on_screen(60)) return;
-  const text = `${(range / 1000 / kNmi).toFixed(1)} nmi  ${degrees(bearing)}°  ${higher < 0 ? '-' : '+'}${feet(Math.abs(higher) / 1000)} ft`;
+  const climb = `${higher < 0 ? '-' : '+'}${feet(Math.abs(higher) / 1000)} ft`;
+  const text = `${(range / 1000 / kNmi).toFixed(1)} nmi  ${degrees(bearing)}°  ${climb}`;
   notes.tag(-1, eye.px, eye.py, text, '', palette.ruler, null, 97);
 }
 
 /** The last path, as it is the same until another ghost is called. */
-let drawn: { ghost: unknown; run: unknown; path: GhostPoint[] } | null = null;
+const paths = new WeakMap<Run, { ghost: Ghost; path: GhostPoint[] }>();
+
+function path_of(run: Run, player: Player, ghost: Ghost): GhostPoint[] {
+  const last = paths.get(run);
+  if (last?.ghost === ghost) return last.path;
+  const start = { east: 0, north: 0, up: 0 };
+  place_at(player.motion, ghost.t, start);
+  const heading = ghost.heading === null ? null : ghost.heading - convergence(run.origin, start);
+  const path = ghost_path(player, { ...ghost, heading }, kGhostSpan);
+  paths.set(run, { ghost, path });
+  return path;
+}
 
 export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): void {
   const { ghost } = view;
   const player = ghost && run.players[ghost.player];
   if (!ghost || !player) return;
-  if (drawn?.ghost !== ghost || drawn.run !== run) drawn = { ghost, run, path: ghost_path(player, ghost, kGhostSpan) };
-  const { path } = drawn;
+  const path = path_of(run, player, ghost);
   lines.pen(palette.ghost, 2.2);
   // a second drawn, a second left out: the dashes tell the speed
   for (let i = 0; i + 1 < path.length; ++i) {
@@ -90,7 +105,8 @@ export function draw_ghost({ run, view, lines, palette, eye, notes }: Frame): vo
   }
   const end = path.at(-1);
   const now = path.find((point) => point.t >= view.time - 1e-6);
-  if (now && view.time >= ghost.t && eye.project(x_of(now), y_of(now), z_of(now))) notes.mark('diamond', eye.px, eye.py, 6, palette.ghost, 2);
+  if (now && view.time >= ghost.t && eye.project(x_of(now), y_of(now), z_of(now)))
+    notes.mark('diamond', eye.px, eye.py, 6, palette.ghost, 2);
   if (!end || !eye.project(x_of(end), y_of(end), z_of(end)) || !eye.on_screen(60)) return;
   notes.mark('triangle', eye.px, eye.py, 7, palette.ghost, 2);
   notes.reserve(eye.px - 9 * eye.ui, eye.py - 9 * eye.ui, 18 * eye.ui, 18 * eye.ui);

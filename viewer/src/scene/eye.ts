@@ -29,10 +29,6 @@ export class Eye {
     this.camera.matrixAutoUpdate = false;
   }
 
-  get eye_height(): number {
-    return this.at[1]!;
-  }
-
   resize(width: number, height: number): void {
     this.width = width;
     this.height = height;
@@ -80,13 +76,18 @@ export class Eye {
     return this.px > -margin && this.px < this.width + margin && this.py > -margin && this.py < this.height + margin;
   }
 
+  /** At the last projected point. */
+  km_per_px_at(): number {
+    return this.depth / this.focal;
+  }
+
   km_per_px(x: number, y: number, z: number): number {
     const { back: b, at } = this;
     const depth = (at[0]! - x) * b[0]! + (at[1]! - y) * b[1]! + (at[2]! - z) * b[2]!;
     return Math.max(1e-3, depth) / this.focal;
   }
 
-  /** Where the line of sight through a pixel meets the plane at this height; false: not, or too far away. */
+  /** Where the line of sight through a pixel meets the plane at this height; false: nowhere, or further than so many km. */
   hit(px: number, py: number, height = 0, farthest = Infinity): boolean {
     const { right: r, up: u, back: b, at } = this;
     const sx = (px - this.width / 2) / this.focal;

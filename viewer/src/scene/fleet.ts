@@ -2,8 +2,8 @@
 /** Everybody's model, one instanced mesh for each shape; never smaller on screen than can be read. */
 import { Color, DoubleSide, DynamicDrawUsage, type Group, InstancedMesh, MeshLambertMaterial, type Side as Faces } from 'three';
 import type { Missile, Player, Side } from '../run/run.ts';
-import { kCrowd } from './callouts.ts';
 import type { Eye } from './eye.ts';
+import { kCrowd } from './frame.ts';
 import type { Palette } from './palette.ts';
 import type { Poses } from './poses.ts';
 import { kShapes, shape_of, type ShapeName } from './shapes.ts';

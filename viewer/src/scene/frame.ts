@@ -26,6 +26,9 @@ export interface Frame {
   hovered: number;
 }
 
+/** More players than these are a crowd: smaller, and only those who matter are named. */
+export const kCrowd = 40;
+
 export const kNmi = 1.852;
 export const kFoot = 0.0003048;
 export const kKnot = 1.852 / 3.6;

@@ -65,3 +65,9 @@ export function measure(origin: Origin, a: Place, b: Place): Measure {
   const level = Math.atan2(Math.hypot(x, y), z) * (sphere_at(origin) + (a.up + b.up) / 2);
   return { range: Math.hypot(level, higher), bearing: bearing < 0 ? bearing + 2 * Math.PI : bearing, higher };
 }
+
+/** rad that the true bearing of the map's north is at a place: headings on the map and this make true headings. */
+export function convergence(origin: Origin, { east, north }: Pick<Place, 'east' | 'north'>): number {
+  const { bearing } = measure(origin, { east, north, up: 0 }, { east, north: north + 100, up: 0 });
+  return bearing > Math.PI ? bearing - 2 * Math.PI : bearing;
+}

@@ -33,7 +33,10 @@ function toward(value: number, goal: number, up: number, down: number): number {
   return value < goal ? Math.min(goal, value + up) : Math.max(goal, value - down);
 }
 
-/** From the player's place at ghost.t, a point each `step` s for `span` s. What the ghost leaves open (null) is as flown. */
+/**
+ * From the player's place at ghost.t, a point each `step` s for `span` s. What the ghost leaves open (null) is as flown.
+ * Its heading counts from the map's north here.
+ */
 export function ghost_path(player: Pick<Player, 'motion' | 'gauges' | 'kind'>, ghost: Ghost, span = 30, step = 0.5): GhostPoint[] {
   const { motion, gauges } = player;
   const flown = new_pose();

@@ -6,7 +6,7 @@ import type { Eye } from './eye.ts';
 import { kNmi } from './frame.ts';
 import type { Origin } from './geo.ts';
 import { Lines, type Screen } from './lines.ts';
-import type { Palette } from './palette.ts';
+import { type Palette, shares } from './palette.ts';
 
 /** Lines of the grid on each side of the middle, and of the pieces in which each fades. */
 const kHalf = 14;
@@ -37,8 +37,10 @@ export function grid_of(eye: Eye): Grid {
   return seen;
 }
 
+type Flat = Mesh<BufferGeometry, ShaderMaterial>;
+
 /** Drawn before all else. Flat at y = 0, in one colour, that goes over into the sky's far from the middle. */
-function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, sky: { value: Color }): Mesh<BufferGeometry, ShaderMaterial> {
+function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, sky: { value: Color }): Flat {
   const geometry = new BufferGeometry();
   const places = new Float32Array((corners.length / 2) * 3);
   for (let i = 0; i < corners.length / 2; ++i) places.set([corners[2 * i]!, 0, -corners[2 * i + 1]!], 3 * i);
@@ -46,7 +48,10 @@ function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, 
   const material = new ShaderMaterial({
     vertexShader: 'varying vec2 at; void main() { at = position.xz; gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0); }',
     fragmentShader: `uniform vec3 tint; uniform vec3 sky; uniform vec2 middle; varying vec2 at;
-      void main() { gl_FragColor = vec4(mix(tint, sky, smoothstep(${kClear}, 0.95, max(length(at), distance(at, middle)) / ${kReach}.0)), 1.0); }`,
+      void main() {
+        float far = max(length(at), distance(at, middle)) / ${kReach}.0;
+        gl_FragColor = vec4(mix(tint, sky, smoothstep(${kClear}, 0.95, far)), 1.0);
+      }`,
     uniforms: { tint: { value: new Color() }, sky, middle }, depthWrite: false, side: DoubleSide,
   });
   const mesh = new Mesh(geometry, material);
@@ -58,9 +63,11 @@ function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, 
 /** Whether all of the picture is ground in its own colour: the sea then needs no drawing. */
 function is_near(eye: Eye, x: number, z: number): boolean {
   for (const px of [0, eye.width])
-    for (const py of [0, eye.height])
-      if (!eye.hit(px, py) || Math.max(Math.hypot(eye.ground_x - x, eye.ground_z - z), Math.hypot(eye.ground_x, eye.ground_z)) > kClear * kReach)
-        return false;
+    for (const py of [0, eye.height]) {
+      if (!eye.hit(px, py)) return false;
+      const { ground_x, ground_z } = eye;
+      if (Math.max(Math.hypot(ground_x - x, ground_z - z), Math.hypot(ground_x, ground_z)) > kClear * kReach) return false;
+    }
   return true;
 }
 
@@ -76,8 +83,8 @@ export class Ground {
   private readonly coast: Coast;
   private readonly sky = { value: new Color() };
   private readonly middle: { value: Vector2 };
-  private readonly sea: Mesh<BufferGeometry, ShaderMaterial>;
-  private readonly land: Mesh<BufferGeometry, ShaderMaterial>;
+  private readonly sea: Flat;
+  private readonly land: Flat;
   private readonly shores: Lines;
   private readonly grid: Lines;
   private drawn = '';
@@ -93,11 +100,9 @@ export class Ground {
   }
 
   paint(palette: Palette): void {
-    // the shaders write what the screen shows, without conversion
-    const set = (color: Color, tint: number): Color => color.setRGB((tint >> 16) / 255, ((tint >> 8) & 255) / 255, (tint & 255) / 255);
-    set(this.sky.value, palette.sky);
-    set(this.sea.material.uniforms.tint!.value as Color, palette.sea);
-    set(this.land.material.uniforms.tint!.value as Color, palette.land);
+    this.sky.value.setRGB(...shares(palette.sky));
+    (this.sea.material.uniforms.tint!.value as Color).setRGB(...shares(palette.sea));
+    (this.land.material.uniforms.tint!.value as Color).setRGB(...shares(palette.land));
     const { shores, coast } = this;
     const put = (flat_lines: Float32Array, alpha: number): void => {
       for (let i = 0; i < flat_lines.length; i += 4)

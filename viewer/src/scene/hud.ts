@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
 import { type Frame, kFoot, kNmi } from './frame.ts';
-import { grid_of } from './ground.ts';
+import { type Grid, grid_of } from './ground.ts';
 import { css } from './palette.ts';
 
 const kMargin = 14;
 /** Lines that are looked at along an edge. */
 const kMost = 60;
+/** Cells of the grid away from its middle that figures are still given for. */
+const kFar = 45;
 /** ft and nmi that a scale may have. */
 const kFeet = [10, 20, 50, 100, 200, 500, 1000, 2000];
 const kMiles = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
@@ -21,14 +23,18 @@ function figure(value: number, plus: string, minus: string): string {
  * Figures where the grid's lines meet the line on screen from (ax, ay) to (bx, by): nmi from the origin. Of both families of
  * lines the one that crosses it more often is named.
  */
-function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: number, by: number, step: number): void {
+function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: number, by: number, { step, x, z }: Grid): void {
+  const km = step * kNmi;
   if (!eye.hit(ax, ay)) return;
   const [ex, ez] = [eye.ground_x, eye.ground_z];
-  if (!eye.hit(bx, by)) return;
+  // the other end may be in the sky, or so far away that nobody asks
+  let end = 1;
+  const is_far = (): boolean => Math.hypot(eye.ground_x - x, eye.ground_z - z) > kFar * km;
+  while (end > 0 && (!eye.hit(ax + (bx - ax) * end, ay + (by - ay) * end) || is_far())) end -= 0.05;
+  if (end <= 0) return;
   const [fx, fz] = [eye.ground_x, eye.ground_z];
   const eastward = Math.abs(fx - ex) > Math.abs(fz - ez);
   const [from, to] = eastward ? [ex, fx] : [-ez, -fz];
-  const km = step * kNmi;
   const first = Math.ceil(Math.min(from, to) / km);
   const last = Math.floor(Math.max(from, to) / km);
   const upright = Math.abs(by - ay) > Math.abs(bx - ax);
@@ -76,7 +82,8 @@ function draw_north({ eye, notes, palette }: Frame): void {
   const [x, y] = [eye.width - kMargin * ui - r, kMargin * 1.7 * ui + r];
   // north as it lies on the ground seen from here
   const squash = Math.max(0.35, Math.cos(stance.polar));
-  const way = (angle: number, reach: number): [number, number] => [x + r * reach * Math.sin(angle), y - r * reach * Math.cos(angle) * squash];
+  const way = (angle: number, reach: number): [number, number] =>
+    [x + r * reach * Math.sin(angle), y - r * reach * Math.cos(angle) * squash];
   const north = -stance.azimuth;
   c.beginPath();
   c.ellipse(x, y, r, r * squash, 0, 0, 2 * Math.PI);
@@ -101,11 +108,11 @@ function draw_north({ eye, notes, palette }: Frame): void {
 
 export function draw_hud(frame: Frame): void {
   const { eye } = frame;
-  const { step } = grid_of(eye);
+  const grid = grid_of(eye);
   const low = eye.height - kMargin * eye.ui * 0.8;
   const left = 24 * eye.ui;
   draw_scale(frame);
-  draw_edge(frame, left, low, eye.width - 24 * eye.ui, low, step);
-  draw_edge(frame, left, low - 26 * eye.ui, left, 20 * eye.ui, step);
+  draw_edge(frame, left, low, eye.width - 24 * eye.ui, low, grid);
+  draw_edge(frame, left, low - 26 * eye.ui, left, 48 * eye.ui, grid);
   draw_north(frame);
 }

@@ -4,8 +4,8 @@
  * renderers in software take each instance for a draw call of its own.
  */
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial, type Vector2,
-  Vector3,
+  BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh,
+  ShaderMaterial, type Vector2, Vector3,
 } from 'three';
 
 const kVertex = /* glsl */ `
@@ -51,6 +51,8 @@ const kVertex = /* glsl */ `
     float half_width = pen.x * ratio * 0.5;
     float spread = half_width + 1.0;
     vec2 shift = vec2(-way.y, way.x) * side * spread;
+    // no gaps where legs of an opaque line meet
+    if (min(from_tint.a, to_tint.a) > 0.99) shift += way * (end - 0.5);
     vec3 at = mix(na, nb, end);
     gl_Position = vec4(at.xy + shift * 2.0 / pixels, at.z, 1.0);
     tint = mix(from_tint, to_tint, end);

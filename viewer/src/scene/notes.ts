@@ -165,7 +165,8 @@ export class Notes {
     const { taken } = this;
     if (x < 2 || y < 2 || x + width > this.width - 2 || y + height > this.height - 2) return false;
     for (let i = 0; i < taken.length; i += 4)
-      if (x < taken[i]! + taken[i + 2]! && x + width > taken[i]! && y < taken[i + 1]! + taken[i + 3]! && y + height > taken[i + 1]!) return false;
+      if (x < taken[i]! + taken[i + 2]! && x + width > taken[i]! && y < taken[i + 1]! + taken[i + 3]! && y + height > taken[i + 1]!)
+        return false;
     return true;
   }
 

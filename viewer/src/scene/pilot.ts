@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The store's camera and the user's hand, turned into what the rig should do. */
-import type { View } from '../store.ts';
+import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
 import type { Poses } from './poses.ts';
 import { fit, kFlatFov, kFov, kPace, Rig } from './rig.ts';
@@ -13,12 +13,16 @@ const kLeast = 16;
 /** rad: a drag over the height of the picture. */
 const kSwing = 3;
 
+const still = (camera: View['camera']): boolean => camera === 'free' || camera === 'top';
+
 export class Pilot {
   readonly rig: Rig;
   private camera: View['camera'] | null = null;
   private followed = -1;
   /** Where the chasing camera looks, from the heading. */
   private beside = 0;
+  /** As the view has it. */
+  private pose: Pose | null = null;
 
   constructor(still: boolean) {
     this.rig = new Rig({ x: 0, y: 6, z: 0, height: 150, azimuth: 0, polar: kTilt, fov: kFov }, still);
@@ -79,9 +83,24 @@ export class Pilot {
     if (this.camera !== view.camera) this.change(view.camera, players, eye);
     if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected);
     if (view.camera === 'whole') this.fit(players, eye);
-    if (!first) return;
-    if (view.camera !== 'follow') this.fit(players, eye);
-    this.rig.arrive();
+    if (first && view.camera !== 'follow') this.fit(players, eye);
+    this.placed(view);
+    if (first) this.rig.arrive();
+  }
+
+  /** A link or another page says where the camera stands. */
+  private placed(view: View): void {
+    if (view.pose === this.pose) return;
+    this.pose = view.pose;
+    if (view.pose && still(view.camera)) this.rig.place(view.pose);
+  }
+
+  /** Where the camera has come to rest, if that is to be told; null: nothing new. */
+  rested(view: View): Pose | null {
+    if (!still(view.camera)) return null;
+    const pose = this.rig.pose().map((value) => Number(value.toPrecision(6))) as unknown as Pose;
+    if (this.pose?.every((value, i) => value === pose[i])) return null;
+    return (this.pose = pose);
   }
 
   /** True: from 'whole' this made a free camera. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Soft discs that face the eye: fire, smoke and flashes, all in one draw call. */
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Points, ShaderMaterial } from 'three';
+import {
+  BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Points, ShaderMaterial,
+} from 'three';
 import type { Screen } from './lines.ts';
 
 const kVertex = /* glsl */ `

@@ -3,6 +3,7 @@
 import { BackSide, BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, Vector4 } from 'three';
 import type { Frame } from './frame.ts';
 import type { Lines } from './lines.ts';
+import { shares } from './palette.ts';
 
 const kColumns = 36;
 const kRows = 4;
@@ -37,7 +38,8 @@ export class RadarVolume {
     const material = new ShaderMaterial({
       vertexShader: `attribute float nearness; varying float shade; void main() { shade = nearness;
         gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0); }`,
-      fragmentShader: 'uniform vec4 tint; varying float shade; void main() { gl_FragColor = vec4(tint.rgb, tint.a * (0.3 + 0.7 * shade)); }',
+      fragmentShader: `uniform vec4 tint; varying float shade;
+        void main() { gl_FragColor = vec4(tint.rgb, tint.a * (0.3 + 0.7 * shade)); }`,
       uniforms: { tint: { value: new Vector4() } }, transparent: true, depthWrite: false, side: BackSide,
     });
     const nearness = new Float32Array(1 + this.fan.length / 3);
@@ -72,7 +74,7 @@ export class RadarVolume {
     }
     this.corners.needsUpdate = true;
     const tint = this.mesh.material.uniforms.tint!.value as Vector4;
-    tint.set((palette.radar >> 16) / 255, ((palette.radar >> 8) & 255) / 255, (palette.radar & 255) / 255, palette.veil * (track ? 1.9 : 1));
+    tint.set(...shares(palette.radar), palette.veil * (track ? 1.9 : 1));
     this.mesh.visible = true;
     lines.pen(palette.radar, track ? 1.6 : 1);
     this.outline(lines, track ? 0.8 : 0.45);

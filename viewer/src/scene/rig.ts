@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Where the camera stands, and how it gets from where it is to where it should be. No DOM, no three. */
+import type { Pose } from '../store.ts';
 import { turn } from './motion.ts';
 
 /** Looks at (x, y, z) km; `height` km of the scene fit into the picture there. */
@@ -163,6 +164,23 @@ export class Rig {
     }
     if (!moving || this.still) this.arrive();
     return moving && !this.still;
+  }
+
+  /** Where it will rest. */
+  pose(): Pose {
+    const { goal, anchor } = this;
+    return [goal.x + anchor.x, goal.y + anchor.y, goal.z + anchor.z, goal.height, goal.azimuth, goal.polar];
+  }
+
+  place([x, y, z, height, azimuth, polar]: Pose): void {
+    const { goal, anchor } = this;
+    goal.x = x - anchor.x;
+    goal.y = y - anchor.y;
+    goal.z = z - anchor.z;
+    goal.height = Math.min(kLargest, Math.max(kSmallest, height));
+    goal.azimuth = azimuth;
+    goal.polar = Math.min(kLowest, Math.max(0, polar));
+    this.pace = kPace.change;
   }
 
   /** At once where it should be. */

@@ -25,6 +25,7 @@ import { SightReader } from './sight.ts';
 import { told } from './told.ts';
 import { draw_drop_lines, draw_trails } from './trails.ts';
 import { draw_losses, draw_missiles } from './weapons.ts';
+import { is_slow, mount_apology } from './webgl.ts';
 
 export interface SceneHandle {
   resize(): void;
@@ -33,6 +34,8 @@ export interface SceneHandle {
   frames(): { count: number; worst_ms: number; mean_ms: number };
 }
 
+/** What of the view is seen here. */
+const kSeen = ['time', 'selected', 'camera', 'pose', 'ruler', 'ghost', 'layers', 'theme'] as const;
 const kSharpest = 2;
 /** px around an aircraft that still mean it. */
 const kGrasp = 22;
@@ -68,6 +71,8 @@ class AirPicture {
   constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store,
     canvas: HTMLCanvasElement, context: WebGL2RenderingContext, slow: boolean) {
     this.renderer = new WebGLRenderer({ canvas, context, alpha: false });
+    // to ask for errors is to wait for the compiler
+    this.renderer.debug.checkShaderErrors = false;
     const { screen } = this;
     const palette = palette_of(store.get().theme);
     const group = new Group();
@@ -79,7 +84,8 @@ class AirPicture {
     this.fleets = [Fleet.of_players(group, run.players), Fleet.of_missiles(group, run.missiles)];
     const sun = new DirectionalLight(0xffffff, 1.9);
     sun.position.set(-0.6, 1, 0.5);
-    this.scene.add(new HemisphereLight(0xffffff, 0x56606b, 1.6), sun, group, this.ground.group, this.radar.mesh, this.lines.mesh, this.puffs.mesh);
+    this.scene.add(new HemisphereLight(0xffffff, 0x56606b, 1.6), sun);
+    this.scene.add(group, this.ground.group, this.radar.mesh, this.lines.mesh, this.puffs.mesh);
     this.pilot = new Pilot(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
       run, view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye: new Eye(),
@@ -88,6 +94,8 @@ class AirPicture {
     canvas_of(host, canvas);
     canvas_of(host, this.frame.notes.canvas);
     this.frame.notes.canvas.style.touchAction = 'none';
+    // fire and smoke too, so that the first explosion does not have to wait
+    this.renderer.compile(this.scene, this.frame.eye.camera);
     this.watch();
     this.resize();
   }
@@ -96,15 +104,16 @@ class AirPicture {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.host);
     this.stops.push(
-      () => observer.disconnect(), this.store.subscribe((now) => this.follow(now)), listen(this.frame.notes.canvas, this.hand()));
+      () => observer.disconnect(), this.store.subscribe((now, before) => this.follow(now, before)),
+      listen(this.frame.notes.canvas, this.hand()));
     const restored = (): void => this.wake();
     this.renderer.domElement.addEventListener('webglcontextrestored', restored);
     this.stops.push(() => this.renderer.domElement.removeEventListener('webglcontextrestored', restored));
   }
 
-  private follow(view: View): void {
-    this.frame.view = view;
-    this.wake();
+  private follow(now: View, before: View): void {
+    this.frame.view = now;
+    if (kSeen.some((key) => now[key] !== before[key])) this.wake();
   }
 
   private wake(): void {
@@ -177,6 +186,12 @@ class AirPicture {
     clearTimeout(this.rester);
     this.rester = window.setTimeout(() => this.rest(), kRest);
     if (moving) this.wake();
+    else this.tell_pose();
+  }
+
+  private tell_pose(): void {
+    const pose = this.pilot.rested(this.frame.view);
+    if (pose) this.store.set({ pose });
   }
 
   /** Lines, puffs and marks of all layers. */
@@ -232,6 +247,12 @@ class AirPicture {
     return best;
   }
 
+  /** The ruler to somebody; none if it was that already. */
+  private measured(who: number): View['ruler'] {
+    const { selected, ruler } = this.frame.view;
+    return who === selected || (ruler?.[0] === selected && ruler[1] === who) ? null : [selected, who];
+  }
+
   private hand(): Hand {
     const { frame, pilot, store } = this;
     const freed = (was_whole: boolean): void => {
@@ -246,7 +267,7 @@ class AirPicture {
         const who = this.pick(px, py);
         if (who < 0) return;
         if (!shift) store.set({ selected: who });
-        else store.set({ ruler: who === frame.view.selected ? null : [frame.view.selected, who] });
+        else store.set({ ruler: this.measured(who) });
       },
       hover: (px, py) => {
         const who = px === null ? -1 : this.pick(px, py);
@@ -270,41 +291,6 @@ class AirPicture {
     this.host.removeAttribute('role');
     this.host.removeAttribute('aria-label');
   }
-}
-
-/** Whether there is no graphics card, and the processor stands in for it. */
-function is_slow(): boolean {
-  const probe = document.createElement('canvas').getContext('webgl2');
-  const named = probe?.getExtension('WEBGL_debug_renderer_info');
-  const name: unknown = probe && named && probe.getParameter(named.UNMASKED_RENDERER_WEBGL);
-  probe?.getExtension('WEBGL_lose_context')?.loseContext();
-  return typeof name === 'string' && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-}
-
-/** Instead of the picture, where the browser cannot draw it. */
-function mount_apology(host: HTMLElement, store: Store): SceneHandle {
-  const text = 'The air picture needs WebGL 2, which this browser does not offer or has switched off. Everything else on this page works.';
-  const box = document.createElement('p');
-  box.textContent = text;
-  box.style.cssText = 'position:absolute;inset:0;margin:0;padding:2rem;display:flex;align-items:center;justify-content:center;text-align:center';
-  host.setAttribute('role', 'img');
-  host.setAttribute('aria-label', text);
-  host.append(box);
-  const paint = (): void => {
-    const palette = palette_of(store.get().theme);
-    box.style.color = css(palette.text);
-    box.style.backgroundColor = css(palette.sea);
-  };
-  paint();
-  const stop = store.subscribe(paint);
-  return {
-    resize: () => undefined,
-    frames: () => ({ count: 0, worst_ms: 0, mean_ms: 0 }),
-    dispose: () => {
-      stop();
-      box.remove();
-    },
-  };
 }
 
 /** Fills `host`, whose size it follows. */

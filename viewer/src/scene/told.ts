@@ -3,6 +3,7 @@
 import type { Run } from '../run/run.ts';
 import type { View } from '../store.ts';
 import { degrees, feet } from './frame.ts';
+import { convergence } from './geo.ts';
 import type { Poses } from './poses.ts';
 
 const kCamera: Record<View['camera'], string> = {
@@ -12,6 +13,11 @@ const kCamera: Record<View['camera'], string> = {
 export function clock(t: number): string {
   const whole = Math.floor(t + 1e-6);
   return `${String(Math.floor(whole / 60)).padStart(2, '0')}:${String(whole % 60).padStart(2, '0')}`;
+}
+
+/** rad: of a player who is there now. */
+export function true_heading(run: Run, players: Poses, i: number): number {
+  return players.heading[i]! + convergence(run.origin, { east: players.x[i]! * 1000, north: -players.z[i]! * 1000 });
 }
 
 export function told(run: Run, view: View, players: Poses, missiles: Poses): string {
@@ -25,7 +31,8 @@ export function told(run: Run, view: View, players: Poses, missiles: Poses): str
   const chosen = run.players[view.selected];
   if (chosen) {
     const i = chosen.index;
-    const there = `${chosen.name}, a ${chosen.type}, heading ${degrees(players.heading[i]!)} degrees at ${feet(players.y[i]!)} feet.`;
+    const heading = degrees(true_heading(run, players, i));
+    const there = `${chosen.name}, ${chosen.type}, heading ${heading} degrees at ${feet(players.y[i]!)} feet.`;
     words.push(players.shown[i] ? `Selected: ${there}` : `Selected: ${chosen.name}, not in the air picture.`);
   }
   return words.join(' ');

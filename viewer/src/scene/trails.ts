@@ -11,7 +11,7 @@ const at = { east: 0, north: 0, up: 0 };
 /** The way over the last minute, each leg paler with its age. Legs end at whole multiples of their duration. */
 export function draw_trails({ run, view, players, lines, palette }: Frame): void {
   if (!view.layers.trails) return;
-  const leg = players.count <= 24 ? 1 : players.count <= 80 ? 2 : 5;
+  const leg = players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5;
   for (const player of run.players) {
     const last = Math.min(view.time, player.gone);
     const first = Math.max(player.born, view.time - kTrail);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Missiles in flight and what becomes of them, and of whom they hit. */
 import type { Missile, Player } from '../run/run.ts';
-import { type Frame, kSideMark } from './frame.ts';
+import { type Frame, kCrowd, kSideMark } from './frame.ts';
 import { place_at } from './motion.ts';
 
 /** s: how long smoke, fire and its smoke hang there. */
@@ -74,7 +74,8 @@ export function draw_missiles(frame: Frame): void {
     if (view.time < missile.born) continue;
     if (view.layers.trails && view.time < missile.gone + kSmoke) draw_smoke(frame, missile);
     if (missiles.shown[i]) draw_missile(frame, missile, i, flying <= kFew);
-    else if (missile.end !== 'flying') draw_burst(frame, missiles.x[i]!, missiles.y[i]!, missiles.z[i]!, view.time - missile.gone, missile.end === 'kill');
+    else if (missile.end !== 'flying')
+      draw_burst(frame, missiles.x[i]!, missiles.y[i]!, missiles.z[i]!, view.time - missile.gone, missile.end === 'kill');
   }
 }
 
@@ -94,6 +95,6 @@ export function draw_losses(frame: Frame): void {
 
 function label_loss({ view, notes, palette, eye, players }: Frame, player: Player): void {
   const chosen = player.index === view.selected;
-  if (players.count > 40 && !chosen) return;
+  if (players.count > kCrowd && !chosen) return;
   notes.tag(20000 + player.index, eye.px, eye.py, player.name, 'lost', palette.side[player.side], kSideMark[player.side], chosen ? 95 : 18);
 }

@@ -97,6 +97,16 @@ export function pan_by(page: Page, seconds: number): void {
   if (page.store.get().zoom) zoom_to(page, from + seconds, to + seconds);
 }
 
+/** While it plays, what the strips show goes along. Returns how to stop it. */
+export function keep_in_sight(page: Page): () => void {
+  return page.store.subscribe(({ playing, time, zoom }) => {
+    if (!playing || !zoom || (time >= zoom[0] && time <= zoom[1])) return;
+    const width = zoom[1] - zoom[0];
+    const begin = Math.min(time - 0.05 * width, page.duration - width);
+    if (begin !== zoom[0]) zoom_to(page, begin, begin + width);
+  });
+}
+
 /** Half a minute around the present, or the whole run again. */
 export function toggle_zoom(page: Page): void {
   const { zoom, time } = page.store.get();

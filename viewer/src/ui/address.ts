@@ -14,7 +14,7 @@ export function follow_address({ run, store, duration }: Page): void {
     const text = link_text(run, store.get());
     if (text !== location.hash) history.replaceState(history.state, '', text);
   };
-  const keys: (keyof View)[] = ['time', 'selected', 'camera', 'zoom', 'ruler'];
+  const keys: (keyof View)[] = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'];
   store.subscribe((now, before) => {
     if (keys.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
   });

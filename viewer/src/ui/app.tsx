@@ -9,6 +9,7 @@ import { Header } from './header.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys } from './keys.tsx';
 import { EveryoneRow, LeaderRow, Legend, WhatIfRow } from './leaders.tsx';
+import { mind_manners } from './manners.ts';
 import { PageContext, use_page, type Page } from './page.ts';
 import { Players } from './players.tsx';
 import { Splitter, type Limits } from './splitter.tsx';
@@ -93,6 +94,7 @@ export function App({ pages, onScene }: { pages: Page[]; onScene: (page: Page, s
   const [help] = useState(() => new Cell(false));
   const layout = use_layout();
   use_keys(active, help);
+  useEffect(mind_manners, []);
   return (
     <PageContext.Provider value={active}>
       <div class="page" style={layout.style}>

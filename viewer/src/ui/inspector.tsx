@@ -11,10 +11,11 @@ import { IconButton } from './icon.tsx';
 import { Chip } from './leaders.tsx';
 import { NodeDetails } from './node_details.tsx';
 import { use_page } from './page.ts';
+import { fate_at, fate_words } from './players.tsx';
 import { Seen } from './seen.tsx';
 import { label_of, leader_spans, path_of, type Span } from './spans.ts';
 import { TreeView } from './tree_view.tsx';
-import { use_cell, use_decision } from './use.ts';
+import { use_cell, use_decision, use_paced } from './use.ts';
 import { WhatIf } from './what_if.tsx';
 
 function Section({ title, note, children }: { title: string; note?: string; children: ComponentChildren }) {
@@ -42,11 +43,13 @@ function Header({ player, index }: { player: Player; index: number }) {
   const spans = leader_spans(run, player);
   const at = spans.findIndex((span) => index < span.end);
   const span = spans[at];
+  const fate = use_paced(page.store, ({ time }) => fate_at(player, time));
   const leader = shape ? label_of(run, shape.tree, shape.leader) : 'nobody';
   return (
     <header class="inspector-head">
       <div class="who-line">
         <h2 class={player.side}>{player.name}</h2><span class="dim">{player.type}</span>
+        {fate !== 'alive' && <b class="badge">{fate_words(fate, player.gone)}</b>}
         <span class="spring" />
         <IconButton icon="back_to" label="Back to where another behavior began to lead" keys="{" onClick={() => step_leader(page, -1)} />
         <IconButton icon="back" label="Previous decision" keys="←" onClick={() => step_decision(page, -1)} />
@@ -86,7 +89,7 @@ export function Inspector() {
           <Section title="Tree" note={tree.name}>
             <TreeView tree={tree} shape={shape} />
             {node >= 0 && tree.nodes[node] && <NodeDetails player={player} index={index} tree={tree} shape={shape} node={node} />}
-            <WhatIf player={player} />
+            <WhatIf player={player} tree={shape.tree} />
           </Section>
           <Section title="Action" note="point at a loser to see it in the air picture">
             <Fields player={player} index={index} tree={tree} />

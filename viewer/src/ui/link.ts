@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360. */
+/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. */
 import type { Run } from '../run/run.ts';
-import type { Camera, View } from '../store.ts';
+import type { Camera, Pose, View } from '../store.ts';
 
 const kCameras: readonly Camera[] = ['free', 'follow', 'top', 'whole'];
-type Told = Pick<View, 'time' | 'selected' | 'camera' | 'zoom' | 'ruler'>;
+type Told = Pick<View, 'time' | 'selected' | 'camera' | 'pose' | 'zoom' | 'ruler'>;
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
 export function link_text(run: Run, view: Told): string {
   const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
   const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
+  if (view.pose && (view.camera === 'free' || view.camera === 'top')) parts.push(`e=${view.pose.map((v) => short(v, 4)).join(',')}`);
   if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
   if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
   return `#${parts.join('&')}`;
@@ -33,6 +34,8 @@ export function read_link(run: Run, fragment: string, duration = run.about.durat
   if (selected >= 0) told.selected = selected;
   const camera = kCameras.find((c) => c === said.get('c'));
   if (camera) told.camera = camera;
+  const pose = (said.get('e') ?? '').split(',').map(Number);
+  if (pose.length === 6 && pose.every(Number.isFinite)) told.pose = pose as unknown as Pose;
   const [from, to] = (said.get('z') ?? '').split('-').map((text) => seconds(text, duration));
   if (typeof from === 'number' && typeof to === 'number' && from < to) told.zoom = [from, to];
   const [a, b] = (said.get('r') ?? '').split(',').map(player);

@@ -79,7 +79,12 @@ function AskArbiter({ choices, tree, node, label }: { choices: ArbiterChoice[]; 
   const change = change_of(use_cell(page.changes), tree, node);
   const flown = choices[0]!;
   const now = choices.find(({ type }) => type === change?.type) ?? flown;
-  const put = (type: string): void => ask(page, tree, node, { type: type === flown.type ? undefined : type, params: undefined });
+  const put = (type: string): void => {
+    const chosen = choices.find((choice) => choice.type === type)!;
+    // some arbiters are none without their parameters
+    const params = Object.fromEntries(chosen.params.map(({ name, value }) => [name, value]));
+    ask(page, tree, node, chosen === flown ? { type: undefined, params: undefined } : { type, params });
+  };
   return (
     <>
       <label class="choice"><span>arbiter</span>

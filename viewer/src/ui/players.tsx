@@ -26,7 +26,7 @@ export function SideMark({ side }: { side: Side }) {
   return <i class={`side-mark ${side}`} role="img" aria-label={side === 'none' ? 'no side' : side} />;
 }
 
-function fate_words(fate: Fate, gone: number): string {
+export function fate_words(fate: Fate, gone: number): string {
   return fate === 'not yet' ? fate : `${fate === 'lost' ? '✕ lost' : '⌂ home'} ${clock_text(gone)}`;
 }
 

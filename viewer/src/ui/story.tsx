@@ -6,6 +6,7 @@ import { jump, select } from './actions.ts';
 import { clock_text } from './format.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
+import { memo_by } from './memo.ts';
 import { use_page } from './page.ts';
 import { use_paced } from './use.ts';
 
@@ -75,6 +76,9 @@ function Told({ line, is_now, passed }: { line: number; is_now: boolean; passed:
   );
 }
 
+/** Drawn anew only when it passes: a big fight has thousands of lines. */
+const Line = memo_by(Told);
+
 export function Story() {
   const page = use_page();
   const { run, store } = page;
@@ -93,7 +97,7 @@ export function Story() {
     <section class="story" aria-label="Story">
       <Filters filter={filter} onChange={set_filter} />
       <ol ref={list} onPointerEnter={() => (still.current = true)} onPointerLeave={() => (still.current = false)}>
-        {lines.map((line, i) => <Told key={line} line={line} is_now={i === at} passed={i <= at} />)}
+        {lines.map((line, i) => <Line key={line} line={line} is_now={i === at} passed={i <= at} />)}
       </ol>
       {!lines.length && <p class="dim small">Nothing of that kind happened.</p>}
     </section>

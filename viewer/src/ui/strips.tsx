@@ -40,11 +40,13 @@ function is_empty(data: uPlot.AlignedData): boolean {
   return data.slice(1).every((values) => (values as (number | null)[]).every((v) => v === null));
 }
 
-/** Room above and below; an axis also where there is nothing to see. */
-function y_range(_: uPlot, least: number | null, most: number | null): [number, number] {
-  if (least === null || most === null) return [0, 1];
-  const room = Math.max((most - least) * 0.08, Math.abs(most) * 0.004, 1e-3);
-  return [least - room, most + room];
+/** Room above and below; an axis also where there is nothing to see, and no noise made large. */
+function y_range({ digits }: Quantity): uPlot.Range.Function {
+  return (_, least: number | null, most: number | null) => {
+    if (least === null || most === null) return [0, 1];
+    const room = Math.max((most - least) * 0.08, 5 * 10 ** -digits);
+    return [least - room, most + room];
+  };
 }
 
 function options_of(quantity: Quantity, lines: Line[], width: number, height: number, gutter: number, edge: number): uPlot.Options {
@@ -54,7 +56,7 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
   return {
     width, height, padding: [1.2 * rem, edge, 0.35 * rem, 0], legend: { show: false },
     cursor: { x: false, y: false, drag: { x: false, y: false, setScale: false }, points: { size: 0.5 * rem } },
-    scales: { x: { time: false, range: (u) => [u.data[0]![0]!, u.data[0]!.at(-1)!] }, y: { range: y_range } },
+    scales: { x: { time: false, range: (u) => [u.data[0]![0]!, u.data[0]!.at(-1)!] }, y: { range: y_range(quantity) } },
     axes: [
       {
         size: 0, values: () => [], grid, ticks: { show: false },
@@ -62,7 +64,7 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
       },
       {
         size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: 1.7 * rem,
-        values: (u, splits) => splits.map((v) => (is_empty(u.data) ? '' : count_text(Number(v.toFixed(quantity.digits + 1))))),
+        values: (u, splits) => splits.map((v) => (is_empty(u.data) ? '' : count_text(Number(v.toFixed(quantity.digits + 1)) || 0))),
       },
     ],
     series: [{}, ...lines.map(({ player, selected }, i): uPlot.Series => ({

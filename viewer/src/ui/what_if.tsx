@@ -36,7 +36,7 @@ function Command({ command }: { command: string }) {
   );
 }
 
-function Asked({ change }: { change: Change }) {
+function Asked({ change, here }: { change: Change; here: boolean }) {
   const page = use_page();
   const undo = (): void => page.changes.set(page.changes.get().filter((other) => other !== change));
   const { label, type } = page.run.trees[change.tree]!.nodes[change.node]!;
@@ -47,7 +47,7 @@ function Asked({ change }: { change: Change }) {
   ];
   return (
     <li>
-      <button type="button" class="link" onClick={() => page.node.set(change.node)}>{label}</button> {words.join(', ')}
+      {here ? <button type="button" class="link" onClick={() => page.node.set(change.node)}>{label}</button> : label} {words.join(', ')}
       <button type="button" class="quiet" aria-label={`${label} as flown`} onClick={undo}>✕</button>
     </li>
   );
@@ -74,7 +74,13 @@ function First({ first }: { first: NonNullable<WhatIfResult['first']> }) {
   );
 }
 
-function Answered({ player, answer }: { player: Player; answer: WhatIfResult }) {
+interface Props {
+  player: Player;
+  /** Index of the tree that is shown. */
+  tree: number;
+}
+
+function Answered({ player, tree, answer }: Props & { answer: WhatIfResult }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
@@ -84,7 +90,9 @@ function Answered({ player, answer }: { player: Player; answer: WhatIfResult }) 
         <h3>What if</h3>
         <button type="button" onClick={() => page.changes.set([])}>reset</button>
       </header>
-      <ul class="asked-list">{changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} />)}</ul>
+      <ul class="asked-list">
+        {changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} here={change.tree === tree} />)}
+      </ul>
       <p class="verdict">
         <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
       </p>
@@ -98,7 +106,7 @@ function Answered({ player, answer }: { player: Player; answer: WhatIfResult }) 
   );
 }
 
-export function WhatIf({ player }: { player: Player }) {
+export function WhatIf({ player, tree }: Props) {
   const answer = use_answer();
   const first = answer?.first;
   return (
@@ -107,7 +115,7 @@ export function WhatIf({ player }: { player: Player }) {
       data-first-step={first ? player.decisions.step[first.index] : ''} data-first-flown={first?.flown ?? ''}
       data-first-other={first?.other ?? ''}>
       {answer
-        ? <Answered player={player} answer={answer} />
+        ? <Answered player={player} tree={tree} answer={answer} />
         : <p class="dim small">Choose a node of the tree to give it another arbiter or another vote, and see who would have led.</p>}
     </section>
   );

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+/** The page as a person uses it, in a real browser, against what the program says of the same run. */
+import assert from 'node:assert/strict';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import type { Browser, Page } from 'playwright-core';
+import {
+  ask_command, explain, kNoPage, kNoProgram, kPageFile, launch, open_file, open_page, shoot, two_runs, type DecisionJson,
+  type Opened,
+} from './page_kit.ts';
+
+/** ms: what is wanted, and more than which is a fault on any machine. */
+const [kWanted, kSlowest] = [2000, 5000];
+
+let browser: Browser;
+let opened: Opened;
+let page: Page;
+
+before(async () => {
+  if (kNoPage) return;
+  browser = await launch();
+  opened = await open_page(browser);
+  page = opened.page;
+});
+after(async () => browser?.close());
+
+/** s */
+function time_now(): Promise<number> {
+  return page.evaluate(() => window.eyrie!.store.get().time);
+}
+async function go_to(time: number): Promise<void> {
+  await page.evaluate((t) => window.eyrie!.store.set({ time: t, playing: false }), time);
+  await settled();
+}
+/** Until what the store says is on the screen. */
+async function settled(): Promise<void> {
+  await page.waitForFunction(() => {
+    const { run, store } = window.eyrie!;
+    const { time, selected } = store.get();
+    const player = run.players[selected]!;
+    const shown = document.querySelector<HTMLElement>('[data-player][data-step]')!.dataset;
+    const { t, step } = player.decisions;
+    let index = -1;
+    while (index + 1 < t.length && t[index + 1]! <= time + 1e-9) ++index;
+    return shown['player'] === player.name && shown['step'] === String(index < 0 ? '' : step[index]);
+  });
+}
+async function select(name: string): Promise<void> {
+  await page.click(`button[data-player="${name}"]`);
+  await settled();
+}
+function inspector(): Promise<Record<string, string | undefined>> {
+  return page.$eval('[data-player][data-step]', (element) => ({ ...(element as HTMLElement).dataset }));
+}
+/** s: when somebody was killed. */
+function kills(): Promise<number[]> {
+  return page.evaluate(() => window.eyrie!.run.story.filter((line) => line.tone === 'kill').map((line) => line.t));
+}
+/** Times (s) of decisions of a player, about `count`, spread over the run, and where somebody else began to lead. */
+function times_of(name: string, count: number): Promise<number[]> {
+  return page.evaluate(([who, few]) => {
+    const { run } = window.eyrie!;
+    const { t, shape } = run.players.find((p) => p.name === who)!.decisions;
+    const wanted = new Set(Array.from({ length: few }, (_, i) => Math.floor(((i + 0.5) * t.length) / few)));
+    for (let i = 1; i < t.length && wanted.size < 2 * few; ++i)
+      if (run.shapes[shape[i]!]!.leader !== run.shapes[shape[i - 1]!]!.leader) wanted.add(i);
+    return [...wanted].sort((a, b) => a - b).map((i) => t[i]!);
+  }, [name, count] as const);
+}
+
+test('opens from disk without a network, at once', { skip: kNoPage }, async (t) => {
+  const measured = [opened.opened_in];
+  while (Math.min(...measured) > kWanted && measured.length < 3) {
+    const again = await open_page(browser);
+    measured.push(again.opened_in);
+    await again.page.context().close();
+  }
+  const inside = await page.evaluate(() => performance.getEntriesByName('eyrie-open')[0]?.duration ?? NaN);
+  const told = measured.map((ms) => `${ms.toFixed(0)} ms`).join(', ');
+  t.diagnostic(`ready after ${told} (the first ${inside.toFixed(0)} ms by the page's own clock); wanted: ${kWanted} ms`);
+  assert.ok(Math.min(...measured) < kSlowest, told);
+  assert.match(await page.title(), /Eyrie debrief/);
+  assert.ok(readFileSync(kPageFile).length < 3e6, 'the file is larger than 3 MB');
+  await shoot(page, 'whole-light-1280');
+});
+
+test('plays and pauses', { skip: kNoPage }, async () => {
+  await go_to(100);
+  await page.click('button[aria-label="Play"]');
+  await page.waitForFunction(() => window.eyrie!.store.get().time > 101);
+  await page.click('button[aria-label="Pause"]');
+  const stopped = await time_now();
+  await page.waitForTimeout(150);
+  assert.equal(await time_now(), stopped);
+});
+
+test('scrubs along the events to a kill', { skip: kNoPage }, async () => {
+  const [kill] = await kills();
+  assert.ok(kill !== undefined, 'nobody was killed in this run');
+  const row = (await page.locator('[data-row=events]').boundingBox())!;
+  const plot = (await page.locator('.stack-plot').boundingBox())!;
+  const axis = await page.$eval('.stack-plot', (e) => ({ ...(e as HTMLElement).dataset }));
+  const [from, to] = [Number(axis['from']), Number(axis['to'])];
+  const x = (t: number) => plot.x + ((t - from) / (to - from)) * plot.width;
+  const y = row.y + row.height / 2;
+  await page.mouse.move(x(kill) - 60, y);
+  await page.mouse.down();
+  for (const step of [-30, -10, -3, 0]) await page.mouse.move(x(kill) + step, y);
+  await page.mouse.up();
+  await settled();
+  const pixel = (to - from) / plot.width;
+  assert.ok(Math.abs((await time_now()) - kill) <= 2 * pixel, `at ${await time_now()} s, not ${kill} s`);
+  await shoot(page, 'kill');
+});
+
+/** Every node that is drawn, every field with its winner, reason and rivals. */
+async function shown_decision() {
+  const nodes = await page.$$eval('[data-path]', (all) => all.map((e) => ({ ...(e as HTMLElement).dataset })));
+  const fields = await page.$$eval('[data-field]', (all) => all.map((e) => ({
+    name: (e as HTMLElement).dataset['field'], winner: (e as HTMLElement).dataset['winner'], text: (e as HTMLElement).dataset['value'],
+    rivals: Number((e as HTMLElement).dataset['rivals']), reason: e.querySelector('.reason')?.textContent,
+  })));
+  return { nodes: new Map(nodes.map((n) => [n['path']!, n])), fields };
+}
+
+async function compare_with(decision: DecisionJson): Promise<void> {
+  const where = `${decision.time_s} s`;
+  const head = await inspector();
+  assert.equal(head['step'], String(decision.step), where);
+  assert.equal(head['leader'] || null, decision.leader, where);
+  assert.equal(Math.fround(Number(head['vote'])), Math.fround(decision.vote), where);
+  const { nodes, fields } = await shown_decision();
+  for (const { path, asked, status, vote } of decision.nodes) {
+    const node = nodes.get(path);
+    if (!node) {
+      assert.ok(!asked, `${where}: ${path} was asked and is not drawn`);
+      continue;
+    }
+    assert.deepEqual([node['asked'], node['status']], [String(asked), asked ? status : 'none'], `${where}: ${path}`);
+    if (asked) assert.equal(Math.fround(Number(node['vote'])), Math.fround(vote!), `${where}: ${path}`);
+  }
+  assert.deepEqual(fields, decision.action.map(({ name, winner, text, rivals, reason }) =>
+    ({ name, winner, text, rivals: rivals.length, reason })), where);
+}
+
+describe('a decision is what the program explains', { skip: kNoProgram }, () => {
+  for (const name of ['eagle2', 'eagle1', 'bogey1']) {
+    test(`of ${name}`, async () => {
+      await select(name);
+      for (const time of await times_of(name, 4)) {
+        await go_to(time);
+        await compare_with(await explain(name, time));
+      }
+      await shoot(page, `decision-${name}`);
+    });
+  }
+});
+
+describe('what if', { skip: kNoPage }, () => {
+  /** Looks at a node of the phase beyond visual range, where eagle2 pursues. */
+  async function look_at(path: string): Promise<void> {
+    await go_to(600);
+    if (!(await page.$(`[data-node="${path}"]`))) await page.click(`[data-path="${path}"]`);
+  }
+  /** The attributes of the answer, and the command for the terminal that it shows. */
+  async function answer() {
+    await page.waitForFunction(() => Boolean(document.querySelector<HTMLElement>('[data-decisions]')?.dataset['decisions']));
+    const told = await page.$eval('[data-decisions]', (e) => ({ ...(e as HTMLElement).dataset }));
+    return { told, command: (await page.textContent('.command code'))! };
+  }
+  async function compare(): Promise<void> {
+    const { told, command } = await answer();
+    const { decisions, different, first } = await ask_command(command);
+    assert.deepEqual(
+      [told['decisions'], told['different'], told['firstStep'], told['firstFlown'], told['firstOther']],
+      [String(decisions), String(different), String(first?.step ?? ''), first?.leader.flown ?? '', first?.leader.other ?? ''], command);
+    const shown = await page.$$eval('.changed tr', (rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent!)));
+    assert.deepEqual(shown.map(([name, flown, , other]) => ({ name, flown, other })),
+      (first?.fields ?? []).map(({ name, flown, other }) => ({ name, flown, other })), command);
+  }
+  before(async () => page && select('eagle2'));
+  after(async () => page?.evaluate(() => document.querySelector<HTMLElement>('.what-if header button')?.click()));
+
+  test('another arbiter answers as the program does', { skip: kNoProgram }, async () => {
+    await look_at('root/bvr');
+    for (const type of ['winner_takes_all', 'fusion', 'motor_schema', 'paper_fusion', 'priority']) {
+      await page.selectOption('select[aria-label="Arbiter of bvr"]', type);
+      await compare();
+    }
+    await page.selectOption('select[aria-label="Arbiter of bvr"]', 'fusion');
+    await page.selectOption('select[aria-label="top"]', '2');
+    await compare();
+    await shoot(page, 'what-if');
+  });
+  test('another vote answers as the program does', { skip: kNoProgram }, async () => {
+    await page.click('.what-if header button');
+    await look_at('root/bvr/follow_lead');
+    await page.fill('input[aria-label="vote of follow_lead in numbers"]', '45');
+    await compare();
+  });
+  test('is as flown again after a reset', async () => {
+    await page.click('.what-if header button');
+    assert.equal((await page.$eval('[data-decisions]', (e) => (e as HTMLElement).dataset['decisions'])), '');
+  });
+});
+
+describe('the keyboard', { skip: kNoPage }, () => {
+  // a button that was clicked would keep the space bar
+  before(async () => page?.evaluate(() => (document.activeElement as HTMLElement | null)?.blur()));
+  const index_now = () => page.evaluate(() => {
+    const { run, store } = window.eyrie!;
+    const shown = document.querySelector<HTMLElement>('[data-player][data-step]')!.dataset['step'];
+    return run.players[store.get().selected]!.decisions.step.indexOf(Number(shown));
+  });
+  test('steps from decision to decision', async () => {
+    await page.keyboard.press('2');
+    await go_to(600);
+    const began = await index_now();
+    for (const [key, index] of [['ArrowRight', 1], ['ArrowRight', 2], ['ArrowLeft', 1]] as const) {
+      await page.keyboard.press(key);
+      await settled();
+      assert.equal(await index_now(), began + index, key);
+    }
+  });
+  test('steps to where somebody else leads, and to events', async () => {
+    await go_to(600);
+    const was = (await inspector())['leader'];
+    await page.keyboard.press('}');
+    await settled();
+    assert.notEqual((await inspector())['leader'], was);
+    const before_event = await time_now();
+    await page.keyboard.press(']');
+    assert.ok((await time_now()) > before_event);
+  });
+  test('selects players, plays, and changes theme and camera', async () => {
+    await page.keyboard.press('1');
+    await settled();
+    assert.equal((await inspector())['player'], await page.evaluate(() => window.eyrie!.run.players[0]!.name));
+    await page.keyboard.press(' ');
+    assert.equal(await page.evaluate(() => window.eyrie!.store.get().playing), true);
+    await page.keyboard.press(' ');
+    const { theme, camera } = await page.evaluate(() => window.eyrie!.store.get());
+    await page.keyboard.press('t');
+    await page.keyboard.press('c');
+    const now = await page.evaluate(() => window.eyrie!.store.get());
+    assert.notEqual(now.theme, theme);
+    assert.notEqual(now.camera, camera);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset['theme']), now.theme);
+    await page.keyboard.press('t');
+  });
+});
+
+test('the address leads back to the same moment', { skip: kNoPage }, async () => {
+  await select('eagle2');
+  await go_to(587.3);
+  await page.waitForFunction(() => location.hash.includes('t=587.3') && location.hash.includes('p=eagle2'));
+  const fragment = await page.evaluate(() => location.hash);
+  const again = await open_page(browser, { fragment, theme: 'dark', width: 3840, height: 2160 });
+  const { time, selected } = await again.page.evaluate(() => window.eyrie!.store.get());
+  assert.deepEqual([time, selected], [587.3, await page.evaluate(() => window.eyrie!.store.get().selected)]);
+  await shoot(again.page, 'moment-dark-3840');
+  assert.deepEqual(again.complaints, []);
+  await again.page.context().close();
+});
+
+describe('two runs on one page', { skip: kNoProgram }, () => {
+  let folder: string;
+  before(() => (folder = mkdtempSync(join(tmpdir(), 'eyrie-two-'))));
+  after(() => rmSync(folder, { recursive: true, force: true }));
+
+  test('part where the program says, at one clock', async () => {
+    const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=0.3']);
+    const who = /^(\w+): (\w+) leads, and (\w+) in the other/.exec(parting.text);
+    assert.ok(who, parting.text);
+    const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });
+    await two.page.waitForSelector('body[data-ready=true]', { state: 'attached' });
+    assert.equal(await two.page.evaluate(() => window.eyrie!.runs.length), 2);
+    assert.equal(await two.page.locator('.stage canvas').count() >= 2, true);
+    const told = await two.page.$eval('[data-divergence-step]', (e) => ({ step: (e as HTMLElement).dataset['divergenceStep'], text: e.textContent! }));
+    assert.equal(told.step, String(parting.step));
+    assert.ok(told.text.includes(who[2]!) && told.text.includes(who[3]!), told.text);
+    await two.page.locator('[data-divergence-step] button').first().click();
+    assert.ok(Math.abs((await two.page.evaluate(() => window.eyrie!.store.get().time)) - parting.time_s) < 0.2);
+    await shoot(two.page, 'two-runs');
+    assert.deepEqual(two.complaints, []);
+    await two.page.context().close();
+  });
+});
+
+describe('a page that cannot show its run says so in words', { skip: kNoPage }, () => {
+  let folder: string;
+  before(() => (folder = mkdtempSync(join(tmpdir(), 'eyrie-page-'))));
+  after(() => rmSync(folder, { recursive: true, force: true }));
+  const kRun = /(<script type="application\/x-eyrie-run">)([^<]*)(<\/script>)/;
+
+  async function words_of(change: (data: string) => string): Promise<string> {
+    const file = join(folder, 'page.html');
+    writeFileSync(file, readFileSync(kPageFile, 'utf8').replace(kRun, (_, a: string, data: string, b: string) => a + change(data) + b));
+    const broken = await open_file(browser, file);
+    await broken.page.waitForSelector('[role=alert]');
+    const words = await broken.page.innerText('[role=alert]');
+    assert.ok(!broken.complaints.some((c) => c.startsWith('network')), broken.complaints.join('\n'));
+    await shoot(broken.page, 'broken');
+    await broken.page.context().close();
+    return words;
+  }
+  const kCases: [string, (data: string) => string][] = [
+    ['cut off', (data) => data.slice(0, data.length / 2)],
+    ['with other bytes', (data) => `${data.slice(0, 1000)}${'A'.repeat(1000)}${data.slice(2000)}`],
+    ['that is no base64', () => '*** no run ***'],
+    ['empty', () => ''],
+  ];
+  for (const [name, change] of kCases)
+    test(name, async () => {
+      const words = await words_of(change);
+      assert.match(words, /\w+ \w+ \w+/);
+      assert.doesNotMatch(words, /undefined|\[object/);
+    });
+});
+
+test('nothing was complained of and nothing asked for elsewhere', { skip: kNoPage }, () => assert.deepEqual(opened.complaints, []));
