@@ -11,7 +11,7 @@
 namespace eyrie::record {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 /// ISO 8601; a run begins at noon.
 std::string date(double seconds) {
@@ -24,14 +24,14 @@ std::string interval(double from, double to) {
   return date(from) + "/" + date(to);
 }
 
-Json color(model::Side side) {  // told apart by the colour-blind: Okabe and Ito, 2008
-  return {{"rgba", side == model::Side::blue  ? Json{86, 180, 233, 255}
-                   : side == model::Side::red ? Json{213, 94, 0, 255}
-                                              : Json{200, 200, 200, 255}}};
+ordered_json color(model::Side side) {  // told apart by the colour-blind: Okabe and Ito, 2008
+  return {{"rgba", side == model::Side::blue  ? ordered_json{86, 180, 233, 255}
+                   : side == model::Side::red ? ordered_json{213, 94, 0, 255}
+                                              : ordered_json{200, 200, 200, 255}}};
 }
 
-Json position(const Path& path) {
-  Json samples = Json::array();
+ordered_json position(const Path& path) {
+  ordered_json samples = ordered_json::array();
   for (const Path::Point& p : path.points) {
     samples.push_back(std::round(p.time * 100) / 100);
     samples.push_back(std::round(degrees(p.place.longitude) * 1e7) / 1e7);  // 1 cm
@@ -45,8 +45,8 @@ Json position(const Path& path) {
 }
 
 /// Name, who leads and its vote, over time.
-Json label(const Path& path, double end) {
-  Json texts = Json::array();
+ordered_json label(const Path& path, double end) {
+  ordered_json texts = ordered_json::array();
   for (std::size_t i = 0; i < path.led.size(); ++i) {
     const double to = i + 1 < path.led.size() ? path.led[i + 1].time : end;
     if (to > path.led[i].time)
@@ -54,17 +54,17 @@ Json label(const Path& path, double end) {
                        {"string", fmt::format("{}  {} {:g}", path.name, path.led[i].behavior,
                                               path.led[i].vote)}});
   }
-  return {{"text", texts.empty() ? Json(path.name) : texts},
+  return {{"text", texts.empty() ? ordered_json(path.name) : texts},
           {"font", "12px sans-serif"},
           {"fillColor", color(path.side)},
           {"horizontalOrigin", "LEFT"},
           {"pixelOffset", {{"cartesian2", {10, 0}}}}};
 }
 
-Json packet(std::uint32_t id, const Path& path) {
+ordered_json packet(std::uint32_t id, const Path& path) {
   const double from = path.points.front().time, to = path.points.back().time;
   const bool missile = path.kind == Path::Kind::missile;
-  Json j{{"id", fmt::format("player-{}", id)}, {"name", path.name}};
+  ordered_json j{{"id", fmt::format("player-{}", id)}, {"name", path.name}};
   j["availability"] = interval(from, to);
   j["description"] = fmt::format("{}, {}{}{}", path.type, scenario::side_name(path.side),
                                  path.target.empty() ? "" : ", at " + path.target,
@@ -85,7 +85,7 @@ Json packet(std::uint32_t id, const Path& path) {
 
 std::string czml(const Paths& paths) {
   const auto& spec = paths.scenario().spec;
-  Json all = Json::array();
+  ordered_json all = ordered_json::array();
   all.push_back({{"id", "document"},
                  {"name", spec.name},
                  {"version", "1.0"},

@@ -9,31 +9,31 @@
 namespace eyrie::record {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
-Json coordinates(const Geodetic& place) {
+ordered_json coordinates(const Geodetic& place) {
   const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
   return {rounded(degrees(wrap_pi(place.longitude)), 1e7), rounded(degrees(place.latitude), 1e7),
           rounded(place.altitude, 10)};
 }
 
-Json feature(Json geometry, Json properties) {
+ordered_json feature(ordered_json geometry, ordered_json properties) {
   return {{"type", "Feature"},
           {"geometry", std::move(geometry)},
           {"properties", std::move(properties)}};
 }
 
 /// Lines, cut where they cross the 180th meridian: at the last point before and the first behind.
-Json lines(const std::vector<Path::Point>& points) {
-  Json all = Json::array();
-  Json line = Json::array();
+ordered_json lines(const std::vector<Path::Point>& points) {
+  ordered_json all = ordered_json::array();
+  ordered_json line = ordered_json::array();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool crosses = i > 0 && std::fabs(wrap_pi(points[i].place.longitude) -
                                             wrap_pi(points[i - 1].place.longitude)) > kPi;
     if (crosses && line.size() > 1)
       all.push_back(line);
     if (crosses)
-      line = Json::array();
+      line = ordered_json::array();
     line.push_back(coordinates(points[i].place));
   }
   if (line.size() > 1)
@@ -41,17 +41,17 @@ Json lines(const std::vector<Path::Point>& points) {
   return all;
 }
 
-Json path_feature(const Path& path) {
+ordered_json path_feature(const Path& path) {
   constexpr const char* kKinds[] = {"aircraft", "vehicle", "missile"};
-  Json times = Json::array(), led = Json::array();
+  ordered_json times = ordered_json::array(), led = ordered_json::array();
   for (const Path::Point& p : path.points)
     times.push_back(std::round(p.time * 100) / 100);
   for (const Path::Led& l : path.led)
     led.push_back({{"from_s", l.time}, {"behavior", l.behavior}, {"vote", l.vote}});
-  Json properties{{"name", path.name},
-                  {"kind", kKinds[static_cast<std::size_t>(path.kind)]},
-                  {"type", path.type},
-                  {"side", scenario::side_name(path.side)}};
+  ordered_json properties{{"name", path.name},
+                          {"kind", kKinds[static_cast<std::size_t>(path.kind)]},
+                          {"type", path.type},
+                          {"side", scenario::side_name(path.side)}};
   if (!path.target.empty())
     properties["target"] = path.target;
   if (!path.end.empty())
@@ -64,8 +64,8 @@ Json path_feature(const Path& path) {
 }
 
 /// The route of a flight with its home.
-void add_plan(const model::Library& library, const model::Flight& flight, Json& features) {
-  const Json about{{"flight", flight.name}, {"side", scenario::side_name(flight.side)}};
+void add_plan(const model::Library& library, const model::Flight& flight, ordered_json& features) {
+  const ordered_json about{{"flight", flight.name}, {"side", scenario::side_name(flight.side)}};
   if (!flight.routes.empty() && flight.routes[0].waypoints.size() > 1) {
     std::vector<Path::Point> points;
     for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
@@ -73,13 +73,13 @@ void add_plan(const model::Library& library, const model::Flight& flight, Json& 
       place.altitude = waypoint.altitude;
       points.push_back({0, place});
     }
-    Json properties = about;
+    ordered_json properties = about;
     properties["kind"] = "route";
     features.push_back(feature({{"type", "MultiLineString"}, {"coordinates", lines(points)}},
                                std::move(properties)));
   }
   if (flight.home) {
-    Json properties = about;
+    ordered_json properties = about;
     properties["kind"] = "home";
     features.push_back(
         feature({{"type", "Point"},
@@ -91,7 +91,7 @@ void add_plan(const model::Library& library, const model::Flight& flight, Json& 
 }  // namespace
 
 std::string geojson(const Paths& paths) {
-  Json features = Json::array();
+  ordered_json features = ordered_json::array();
   for (const model::Flight& flight : paths.scenario().library->flights)
     add_plan(*paths.scenario().library, flight, features);
   for (const auto& [id, path] : paths.all()) {
@@ -103,7 +103,8 @@ std::string geojson(const Paths& paths) {
           feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},
                   {{"name", path.name}, {"kind", "loss"}, {"time_s", path.points.back().time}}));
   }
-  return Json{{"type", "FeatureCollection"}, {"features", std::move(features)}}.dump() + "\n";
+  return ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}.dump() +
+         "\n";
 }
 
 }  // namespace eyrie::record
