@@ -3,7 +3,7 @@
 import type { Store, View } from './store.ts';
 
 /** ms between two redraws of a panel while the run plays; air picture and cursors follow every frame. */
-const kPace = 66;
+const kPace = 100;
 /** ms; a page that was in the background goes on from where it was. */
 const kLongestFrame = 250;
 

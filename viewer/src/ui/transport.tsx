@@ -9,8 +9,9 @@ import { kMarkWords, type MarkKind } from './marks.ts';
 import { use_page } from './page.ts';
 import { StripMenu } from './strips.tsx';
 import { use_view } from './use.ts';
+import { subscribe_paced } from '../clock.ts';
 
-/** Follows every frame without a redraw of anything else. */
+/** Written at the pace of panels: nobody reads faster, and each time the line is laid out anew. */
 function Time() {
   const { store, duration } = use_page();
   const text = useRef<HTMLOutputElement>(null);
@@ -19,9 +20,7 @@ function Time() {
       text.current!.textContent = clock_text(store.get().time);
     };
     write();
-    return store.subscribe((now, before) => {
-      if (now.time !== before.time) write();
-    });
+    return subscribe_paced(store, write);
   }, [store]);
   return (
     <span class="time">
