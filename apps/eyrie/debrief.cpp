@@ -11,9 +11,9 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"
+#include "output.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
-#include "record/sink.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -68,17 +68,9 @@ bool write_page(const std::string& file, const std::string& text) {
                viewer_file());
     return false;
   }
-  const std::string part = fmt::format("{}.part-{}", file, ::getpid());
-  record::Sink sink(part);
-  sink.write(text);
-  if (!sink.close()) {
-    fmt::print(stderr, "eyrie: {}\n", sink.error());
-    std::error_code ignored;
-    fs::remove(part, ignored);
-    return false;
-  }
-  fs::rename(part, file);
-  return true;
+  OutputFile out(file);
+  out.sink().write(text);
+  return out.commit();
 }
 
 constexpr const char* kNoViewer =
@@ -112,15 +104,11 @@ int debrief_page(const DebriefOptions& options) {
       return 2;
     runs.push_back(std::move(*opened));
   }
-  std::string file = options.out;
-  if (file.empty()) {
-    const fs::path folder = fs::path(runs.front().file).parent_path();
-    file = (folder / (runs.size() > 1 ? "debrief-two.html" : "debrief.html")).string();
-  } else if (fs::exists(file) && !options.force) {
-    fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
-               file);
+  const fs::path folder = fs::path(runs.front().file).parent_path();
+  const auto file = free_or_complain(
+      options.out, folder / (runs.size() > 1 ? "debrief-two.html" : "debrief.html"), options.force);
+  if (!file)
     return 2;
-  }
   listen_for_interrupts();
   std::vector<std::string> data;
   for (const debrief::Recorded& run : runs) {
@@ -130,9 +118,9 @@ int debrief_page(const DebriefOptions& options) {
       return 130;
     }
   }
-  if (!write_page(file, page::page_with(*shell, data)))
+  if (!write_page(*file, page::page_with(*shell, data)))
     return 1;
-  fmt::print("written to {}, {:.1f} MB\n", file, static_cast<double>(fs::file_size(file)) / 1e6);
+  fmt::print("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
   return 0;
 }
 

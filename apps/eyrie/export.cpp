@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  export: a recorded run for other tools.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -9,9 +8,9 @@
 #include "debrief/explainer.hpp"
 #include "debrief/report.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "record/czml.hpp"
 #include "record/geojson.hpp"
-#include "record/sink.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -69,36 +68,26 @@ int export_run(const ExportOptions& options) {
       return 2;
     }
   }
-  std::string file = options.out;
-  if (file.empty()) {
-    constexpr const char* kNames[] = {"run.czml", "run.geojson", "decisions.csv"};
-    file = (fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)])
-               .string();
-  } else if (fs::exists(file) && !options.force) {
-    fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
-               file);
+  constexpr const char* kNames[] = {"run.czml", "run.geojson", "decisions.csv"};
+  const auto file = free_or_complain(
+      options.out,
+      fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)],
+      options.force);
+  if (!file)
     return 2;
-  }
   listen_for_interrupts();
-  const std::string part = fmt::format("{}.part-{}", file, ::getpid());
-  record::Sink sink(part);
+  OutputFile out(*file);
   if (options.format == ExportFormat::decisions)
-    write_decisions(*recorded, who, sink);
+    write_decisions(*recorded, who, out.sink());
   else
-    write_paths(*recorded, options.format, sink);
-  std::error_code failed;
+    write_paths(*recorded, options.format, out.sink());
   if (interrupted()) {
     fmt::print(stderr, "eyrie: interrupted, nothing was written\n");
-    fs::remove(part, failed);
     return 130;
   }
-  if (!sink.close()) {
-    fmt::print(stderr, "eyrie: {}\n", sink.error());
-    fs::remove(part, failed);
+  if (!out.commit())
     return 1;
-  }
-  fs::rename(part, file);
-  fmt::print("written to {}, {:.1f} MB\n", file, static_cast<double>(fs::file_size(file)) / 1e6);
+  fmt::print("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
   return 0;
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace eyrie::app {
 namespace fs = std::filesystem;
@@ -48,6 +50,37 @@ void OutputFolder::commit() {
   if (failed)
     throw std::runtime_error(fmt::format("cannot make '{}': {}", path_, failed.message()));
   done_ = true;
+}
+
+OutputFile::OutputFile(std::string path)
+    : path_(std::move(path)), part_(fmt::format("{}.part-{}", path_, ::getpid())), sink_(part_) {}
+
+OutputFile::~OutputFile() {
+  std::error_code ignored;
+  fs::remove(part_, ignored);  // nothing is there after commit()
+}
+
+bool OutputFile::commit() {
+  std::error_code failed;
+  if (!sink_.close()) {
+    fmt::print(stderr, "eyrie: {}\n", sink_.error());
+    return false;
+  }
+  fs::rename(part_, path_, failed);
+  if (failed)
+    fmt::print(stderr, "eyrie: cannot make '{}': {}\n", path_, failed.message());
+  return !failed;
+}
+
+std::optional<std::string> free_or_complain(const std::string& wanted, const std::string& otherwise,
+                                            bool force) {
+  if (wanted.empty())
+    return otherwise;
+  if (force || !fs::exists(wanted))
+    return wanted;
+  fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
+             wanted);
+  return std::nullopt;
 }
 
 }  // namespace eyrie::app

@@ -3,6 +3,7 @@
 /// \file  The folder of one run: written beside its final place and moved there when it is
 /// complete.
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "record/acmi.hpp"
@@ -33,5 +34,28 @@ class OutputFolder {
   std::string path_, staging_;
   bool force_ = false, done_ = false;
 };
+
+/// A file that does not exist, or is as it was, until commit(): what is left of a failed one is
+/// removed.
+class OutputFile {
+ public:
+  explicit OutputFile(std::string path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  [[nodiscard]] record::Sink& sink() { return sink_; }
+  /// Closes it and moves it to its place; false after saying why not.
+  [[nodiscard]] bool commit();
+
+ private:
+  std::string path_, part_;
+  record::Sink sink_;
+};
+
+/// `wanted`, or `otherwise` if it is empty; nothing after saying that `wanted` is there already and
+/// may not be replaced.
+[[nodiscard]] std::optional<std::string> free_or_complain(const std::string& wanted,
+                                                          const std::string& otherwise, bool force);
 
 }  // namespace eyrie::app

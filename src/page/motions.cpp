@@ -85,69 +85,47 @@ void Motions::begin(const sim::World& world, double dt) {
   look(world, true, true);
 }
 
-void Motions::leave(PlayerId who, const char* end) {
-  if (!scenario_.roster.find(who))
-    return;
-  Player& player = players_[who.value - 1];
-  if (player.gone >= 0)
-    return;
-  player.gone = time_;
-  player.end = end;
-  sample(player, time_, player.last, player.last_fuel);
+void Motions::launched(const sim::Event& e, const sim::World& world) {
+  const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
+  Missile& missile = missiles_[e.who.value];
+  missile.type = record::store_label(scenario_, e.values[1]);
+  missile.side = shooter ? shooter->side : model::Side::none;
+  missile.shooter = PlayerId{e.detail};
+  missile.target = e.whom;
+  missile.born = time_;
+  if (const auto row = world.row(scenario_.missiles.table, e.who))
+    missile.last = world.rows(scenario_.missiles.kinematics)[*row];
 }
 
-void Motions::end_missile(const sim::Event& e, const char* end, std::string detail) {
-  const auto at = missiles_.find(e.who.value);
-  if (at == missiles_.end() || at->second.gone >= 0)
-    return;
-  Missile& missile = at->second;
-  missile.gone = time_;
-  missile.end = end;
-  missile.detail = std::move(detail);
-  missile.motion.add(time_, scenario_.library->reference, missile.last);
+void Motions::left(const record::Fate& fate, const sim::Event& e) {
+  if (scenario_.roster.find(fate.who)) {
+    Player& player = players_[fate.who.value - 1];
+    if (player.gone >= 0)
+      return;
+    player.gone = time_;
+    player.end = fate.end;
+    sample(player, time_, player.last, player.last_fuel);
+  } else if (const auto at = missiles_.find(fate.who.value);
+             fate.end != "lost" && at != missiles_.end() && at->second.gone < 0) {
+    Missile& missile = at->second;
+    missile.gone = time_;
+    missile.end = fate.end;
+    missile.detail =
+        record::kind_of(e) == EventKind::detonation
+            ? fmt::format("by {:.0f} m", e.values[0])
+            : std::string(enum_name(static_cast<model::MissileEnd>(static_cast<int>(e.values[0]))));
+    missile.motion.add(time_, scenario_.library->reference, missile.last);
+  }
 }
 
 void Motions::happened(const sim::Event& e, const sim::World& world) {
-  switch (record::kind_of(e)) {
-    case EventKind::launch: {
-      const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
-      Missile& missile = missiles_[e.who.value];
-      missile.id = e.who.value;
-      missile.type = record::store_label(scenario_, e.values[1]);
-      missile.side = shooter ? shooter->side : model::Side::none;
-      missile.shooter = PlayerId{e.detail};
-      missile.target = e.whom;
-      missile.born = time_;
-      if (const auto row = world.row(scenario_.missiles.table, e.who))
-        missile.last = world.rows(scenario_.missiles.kinematics)[*row];
-      break;
-    }
-    case EventKind::seeker_active:
-      if (const auto at = missiles_.find(e.who.value); at != missiles_.end())
-        at->second.active = time_;
-      break;
-    case EventKind::detonation:
-      end_missile(e, e.values[2] < e.values[1] ? "kill" : "miss",
-                  fmt::format("by {:.0f} m", e.values[0]));
-      break;
-    case EventKind::timeout:
-      end_missile(
-          e, "trashed",
-          std::string(enum_name(static_cast<model::MissileEnd>(static_cast<int>(e.values[0])))));
-      break;
-    case EventKind::kill:
-      leave(e.whom, "lost");
-      break;
-    case EventKind::crash:
-    case EventKind::loss:
-      leave(e.who, "lost");
-      break;
-    case EventKind::home:
-      leave(e.who, "home");
-      break;
-    default:
-      break;
-  }
+  if (record::kind_of(e) == EventKind::launch)
+    launched(e, world);
+  if (record::kind_of(e) == EventKind::seeker_active)
+    if (const auto at = missiles_.find(e.who.value); at != missiles_.end())
+      at->second.active = time_;
+  if (const auto fate = record::fate_of(e))
+    left(*fate, e);
 }
 
 void Motions::observe(const sim::World& world, const sim::StepInfo& info,

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "page/json.hpp"
 #include "page/sights.hpp"
+#include "record/fate.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
@@ -44,7 +46,7 @@ class Motions final : public sim::Observer {
  private:
   struct Player {
     double gone = -1;
-    const char* end = "";
+    std::string_view end;
     Motion motion;
     Column speed{0.1}, mach{1e-3}, load_factor{0.01}, fuel{1};
     model::Kinematics last;  ///< as last seen, in case it is not there at the next look
@@ -53,12 +55,11 @@ class Motions final : public sim::Observer {
     double born_time = 0;
   };
   struct Missile {
-    std::uint32_t id = 0;
     std::string type;
     model::Side side = model::Side::none;
     PlayerId shooter, target;
     double born = 0, gone = -1, active = ubf::kNoValue;
-    const char* end = "flying";
+    std::string_view end = "flying";
     std::string detail;
     Motion motion;
     model::Kinematics last;
@@ -67,8 +68,8 @@ class Motions final : public sim::Observer {
   void look(const sim::World& world, bool players, bool missiles);
   void sample(Player& player, double time, const model::Kinematics& k, double fuel);
   void happened(const sim::Event& event, const sim::World& world);
-  void leave(PlayerId who, const char* end);
-  void end_missile(const sim::Event& event, const char* end, std::string detail);
+  void launched(const sim::Event& event, const sim::World& world);
+  void left(const record::Fate& fate, const sim::Event& event);
 
   const scenario::Scenario& scenario_;
   double period_, time_ = 0, dt_ = 0.02;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "record/names.hpp"
+#include "record/fate.hpp"
 
 namespace eyrie::record {
 using model::EventKind;
@@ -74,45 +74,22 @@ void Paths::begin(const sim::World& world, double dt) {
   look(world, true, true);
 }
 
-void Paths::end(PlayerId id, const char* how) {
-  const auto at = all_.find(id.value);
+void Paths::happened(const sim::Event& e) {
+  if (kind_of(e) == EventKind::launch) {
+    const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
+    Path& path = all_[e.who.value];
+    path.kind = Path::Kind::missile;
+    path.type = store_label(scenario_, e.values[1]);
+    path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
+    path.side = shooter ? shooter->side : model::Side::none;
+    path.target = scenario_.roster.name(e.whom);
+  }
+  const auto fate = fate_of(e);
+  const auto at = fate ? all_.find(fate->who.value) : all_.end();
   if (at == all_.end() || !at->second.end.empty())
     return;
-  at->second.end = how;
-  keep(id.value);
-}
-
-void Paths::happened(const sim::Event& e) {
-  switch (kind_of(e)) {
-    case EventKind::launch: {
-      const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
-      Path& path = all_[e.who.value];
-      path.kind = Path::Kind::missile;
-      path.type = store_label(scenario_, e.values[1]);
-      path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
-      path.side = shooter ? shooter->side : model::Side::none;
-      path.target = scenario_.roster.name(e.whom);
-      break;
-    }
-    case EventKind::detonation:
-      end(e.who, e.values[2] < e.values[1] ? "kill" : "miss");
-      break;
-    case EventKind::timeout:
-      end(e.who, "trashed");
-      break;
-    case EventKind::kill:
-      end(e.whom, "lost");
-      break;
-    case EventKind::crash:
-    case EventKind::loss:
-      end(e.who, "lost");
-      break;
-    case EventKind::home:
-      end(e.who, "home");
-      break;
-    default:
-      break;
-  }
+  at->second.end = fate->end;
+  keep(fate->who.value);
 }
 
 void Paths::observe(const sim::World& world, const sim::StepInfo& info,

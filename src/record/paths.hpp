@@ -32,7 +32,7 @@ struct Path {
   std::string target;  ///< of a missile
   std::vector<Point> points;
   std::vector<Led> led;
-  std::string end = "";  ///< "home", "lost", "kill", "miss", "trashed"; "" until the end of the run
+  std::string end;  ///< "home", "lost", "kill", "miss", "trashed"; "" until the end of the run
 };
 
 /// Watches a run: players every second, missiles five times a second, both also when they appear
@@ -62,7 +62,6 @@ class Paths final : public sim::Observer {
   void see(PlayerId id, const Vec3& position, bool keep);
   void keep(std::uint32_t id);
   void happened(const sim::Event& event);
-  void end(PlayerId id, const char* how);
   template <class Agent, class Trees>
   void lead(PlayerId id, const Agent& agent, const Trees& trees);
 
