@@ -33,11 +33,9 @@ class ShapeBook {
       append(trace.why(node));
       append(row.supplier);
     }
-    const auto [at, is_new] = numbers_.try_emplace(key_, static_cast<std::int64_t>(count_));
-    if (is_new) {
-      ++count_;
+    const auto [at, is_new] = numbers_.try_emplace(key_, static_cast<std::int64_t>(json_.size()));
+    if (is_new)
       json_.push_back(shape(tree, blank, leader, trace));
-    }
     return at->second;
   }
   [[nodiscard]] const Json& json() const { return json_; }
@@ -87,7 +85,6 @@ class ShapeBook {
   TextBook& texts_;
   std::string key_;
   std::unordered_map<std::string, std::int64_t> numbers_;
-  std::size_t count_ = 0;
   Json json_ = Json::array();
 };
 
