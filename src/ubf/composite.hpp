@@ -42,13 +42,23 @@ class Composite : public Behavior<State, Action> {
   Status ask(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
     if (out.leader != kNone)  // somebody was asked into it; a fresh one is empty
       out.clear();
-    const Status status = child.tick(t, out);
-    EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
-    if (out.leader == kNone)
-      out.leader = child.index_;
+    const Status status = ask_unwatched(child, t, out);
+    name_leader(child, out);
     if (t.trace) [[unlikely]]
       record(*t.trace, child.index_, status, out);
     return status;
+  }
+  /// What is left of ask() when `out` is known to be empty and nobody to watch; who leads is still
+  /// to be named.
+  Status ask_unwatched(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
+    const Status status = child.tick(t, out);
+    EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
+    return status;
+  }
+  /// What came from a leaf is led by it.
+  static void name_leader(const Node& child, Proposal<Action>& out) {
+    if (out.leader == kNone)
+      out.leader = child.index_;
   }
   /// Asks a child whose proposal replaces what is in `out`, unless it fails or proposes nothing, as
   /// a condition does.
