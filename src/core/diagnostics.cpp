@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <mutex>
 #include <numeric>
 #include <optional>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -116,7 +120,18 @@ std::string printable(std::string_view text, std::size_t longest) {
   return result;
 }
 
+/// The one copy of a name.
+const std::string* kept(std::string_view name) {
+  static std::mutex mutex;
+  static auto& names = *new std::set<std::string, std::less<>>;  // outlives whoever names a file
+  const std::lock_guard lock(mutex);
+  const auto known = names.find(name);
+  return known != names.end() ? &*known : &*names.emplace(name).first;
+}
+
 }  // namespace
+
+FileName::FileName(std::string_view name) : name_(name.empty() ? nullptr : kept(name)) {}
 
 std::string Location::text() const {
   if (line <= 0)
@@ -133,7 +148,7 @@ std::string Diagnostic::text() const {
 }
 
 void Diagnostics::error(Location where, std::string message) {
-  found_.push_back({std::move(where), std::move(message)});
+  found_.push_back({where, std::move(message)});
 }
 
 void Diagnostics::merge(const Diagnostics& other) {
@@ -184,7 +199,7 @@ ConfigError::ConfigError(Diagnostics diagnostics)
 ConfigError::ConfigError(Location where, std::string message)
     : ConfigError([&] {
         Diagnostics one;
-        one.error(std::move(where), std::move(message));
+        one.error(where, std::move(message));
         return one;
       }()) {}
 

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Mistakes in files: where they are, what they say, and the nearest right name.
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -12,14 +11,14 @@
 
 namespace eyrie {
 
-/// The name of a text file. The many places in one file share it.
+/// The name of a text file. Each name is kept once, for as long as the program runs, so that the
+/// many places in a file cost no more than their line and column.
 class FileName {
  public:
   FileName() = default;
-  FileName(std::string name)  // so that a place is written {"file", line, column}
-      : name_(name.empty() ? nullptr : std::make_shared<const std::string>(std::move(name))) {}
-  FileName(std::string_view name) : FileName(std::string(name)) {}
-  FileName(const char* name) : FileName(std::string(name)) {}
+  FileName(std::string_view name);  // so that a place is written {"file", line, column}
+  FileName(const std::string& name) : FileName(std::string_view(name)) {}
+  FileName(const char* name) : FileName(std::string_view(name)) {}
 
   [[nodiscard]] std::string_view text() const { return name_ ? *name_ : std::string_view(); }
   friend bool operator==(const FileName& a, const FileName& b) {
@@ -27,7 +26,7 @@ class FileName {
   }
 
  private:
-  std::shared_ptr<const std::string> name_;
+  const std::string* name_ = nullptr;
 };
 
 /// A place in a text file. Lines and columns count from 1; 0 means unknown.

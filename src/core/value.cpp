@@ -7,32 +7,32 @@ namespace eyrie {
 
 Value Value::null(Location where) {
   Value value;
-  value.where = std::move(where);
+  value.where = where;
   return value;
 }
 
 Value Value::scalar(std::string text, Location where) {
-  Value value = null(std::move(where));
+  Value value = null(where);
   value.kind = Kind::scalar;
   value.text = std::move(text);
   return value;
 }
 
 Value Value::quoted_scalar(std::string text, Location where) {
-  Value value = scalar(std::move(text), std::move(where));
+  Value value = scalar(std::move(text), where);
   value.quoted = true;
   return value;
 }
 
 Value Value::list(std::vector<Value> items, Location where) {
-  Value value = null(std::move(where));
+  Value value = null(where);
   value.kind = Kind::list;
   value.items = std::move(items);
   return value;
 }
 
 Value Value::map(std::vector<Entry> entries, Location where) {
-  Value value = null(std::move(where));
+  Value value = null(where);
   value.kind = Kind::map;
   value.entries = std::move(entries);
   return value;
@@ -65,11 +65,11 @@ std::string Value::shown() const {
 
 Value::Entry entry(std::string key, Value value) {
   Location where = value.where;
-  return {std::move(key), std::move(where), std::move(value)};
+  return {std::move(key), where, std::move(value)};
 }
 
 Value::Entry entry(std::string key, std::string text, Location where) {
-  return entry(std::move(key), Value::scalar(std::move(text), std::move(where)));
+  return entry(std::move(key), Value::scalar(std::move(text), where));
 }
 
 }  // namespace eyrie

@@ -29,7 +29,7 @@ std::string text_of(const yaml_char_t* text) {
 /// are made where they stay: a list or map does not grow while something inside it is open.
 class Builder {
  public:
-  Builder(const FileName& file, const YamlLimits& limits) : file_(file), limits_(limits) {}
+  Builder(FileName file, const YamlLimits& limits) : file_(file), limits_(limits) {}
 
   Value take() { return std::move(root_); }
   [[nodiscard]] bool has_document() const { return documents_ > 0; }
@@ -90,13 +90,13 @@ class Builder {
   [[nodiscard]] bool wants_key() const {
     return !open_.empty() && open_.back().value->is_map() && !open_.back().has_key;
   }
-  void key(std::string text, bool quoted, Location where) {
+  void key(std::string text, bool quoted, const Location& where) {
     if (text == "<<" && !quoted)
       throw Refused{where, "merge keys ('<<') are not supported; use include or base"};
     Open& map = open_.back();
     map.has_key = true;
     map.key = std::move(text);
-    map.key_where = std::move(where);
+    map.key_where = where;
   }
   [[noreturn]] static void refuse_key(const Location& where, const Value& shown) {
     throw Refused{where, "a key must be a plain word, not " + shown.shown()};
@@ -255,7 +255,7 @@ class Parser {
 };
 
 /// The line and column of a byte offset.
-Location place_of(std::string_view text, std::size_t offset, const FileName& file) {
+Location place_of(std::string_view text, std::size_t offset, FileName file) {
   const std::string_view before = text.substr(0, offset);
   const auto line = std::count(before.begin(), before.end(), '\n');
   const auto start = before.rfind('\n');
