@@ -37,8 +37,7 @@ export async function launch(): Promise<Browser> {
   const { chromium } = require('playwright-core') as typeof import('playwright-core');
   return chromium.launch({
     executablePath: env['EYRIE_CHROMIUM'] ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--disable-dev-shm-usage'],
+    args: ['--no-sandbox', '--disable-dev-shm-usage'],
   });
 }
 
@@ -65,6 +64,8 @@ export interface Look {
   height?: number;
   theme?: 'light' | 'dark';
   fragment?: string;
+  /** Instead of what suits the machine, which has no graphics card. */
+  draw?: 'webgl' | 'canvas';
 }
 
 async function shut_off(context: BrowserContext, complaints: string[]): Promise<void> {
@@ -78,7 +79,7 @@ async function shut_off(context: BrowserContext, complaints: string[]): Promise<
 
 /** Opens a file without waiting for the run in it. */
 export async function open_file(browser: Browser, file: string, look: Look = {}): Promise<Opened> {
-  const { width = 1280, height = 720, theme = 'light', fragment = '' } = look;
+  const { width = 1280, height = 720, theme = 'light', fragment = '', draw } = look;
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme });
   const complaints: string[] = [];
   await shut_off(context, complaints);
@@ -86,7 +87,7 @@ export async function open_file(browser: Browser, file: string, look: Look = {})
   page.setDefaultTimeout(kPatience);
   listen(page, complaints);
   const began = performance.now();
-  await page.goto(pathToFileURL(file).href + fragment, { waitUntil: 'commit' });
+  await page.goto(pathToFileURL(file).href + (draw ? `?draw=${draw}` : '') + fragment, { waitUntil: 'commit' });
   return { page, complaints, opened_in: performance.now() - began };
 }
 

@@ -1,40 +1,51 @@
 // SPDX-License-Identifier: MIT
-/** What the browser can draw with, and what is shown if it cannot. */
-import type { Store } from '../store.ts';
-import { css, palette_of } from './palette.ts';
-import type { SceneHandle } from './scene.ts';
+/** What the picture is drawn with: a graphics card if there is one, else a flat canvas. */
+import type { Run } from '../run/run.ts';
+import type { Eye } from './eye.ts';
+import { FlatPainter } from './flat/painter.ts';
+import { GlPainter } from './gl/painter.ts';
+import type { Painter } from './painter.ts';
 
-/** Whether there is no graphics card, and the processor stands in for it. */
-export function is_slow(): boolean {
-  const probe = document.createElement('canvas').getContext('webgl2');
-  const named = probe?.getExtension('WEBGL_debug_renderer_info');
-  const name: unknown = probe && named && probe.getParameter(named.UNMASKED_RENDERER_WEBGL);
-  probe?.getExtension('WEBGL_lose_context')?.loseContext();
+/** Whether the processor stands in for a graphics card. */
+function is_stand_in(context: WebGL2RenderingContext): boolean {
+  const named = context.getExtension('WEBGL_debug_renderer_info');
+  const name: unknown = named && context.getParameter(named.UNMASKED_RENDERER_WEBGL);
   return typeof name === 'string' && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
 
-/** Instead of the picture, where the browser cannot draw it. */
-export function mount_apology(host: HTMLElement, store: Store): SceneHandle {
-  const text = 'The air picture needs WebGL 2, which this browser does not offer or has switched off. Everything else on this page works.';
-  const box = document.createElement('p');
-  box.textContent = text;
-  box.style.cssText = 'position:absolute;inset:0;margin:0;padding:2rem;display:grid;place-items:center;text-align:center';
-  host.setAttribute('role', 'img');
-  host.setAttribute('aria-label', text);
-  host.append(box);
-  const paint = (): void => {
-    const palette = palette_of(store.get().theme);
-    box.style.color = css(palette.text);
-    box.style.backgroundColor = css(palette.sea);
-  };
-  paint();
-  const stop = store.subscribe(paint);
-  return {
-    resize: () => undefined,
-    frames: () => ({ count: 0, worst_ms: 0, mean_ms: 0 }),
-    dispose: () => {
-      stop();
-      box.remove();
-    },
-  };
+/** What the address asks for: "?draw=webgl" or "?draw=canvas" after the name of the file; null: what suits the machine. */
+function wish(): 'webgl' | 'canvas' | null {
+  const asked = new URLSearchParams(location.search).get('draw');
+  return asked === 'webgl' || asked === 'canvas' ? asked : null;
+}
+
+function new_canvas(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;display:block';
+  return canvas;
+}
+
+export interface Easel {
+  canvas: HTMLCanvasElement;
+  painter: Painter;
+  /** There is no graphics card. */
+  flat: boolean;
+}
+
+function with_card(run: Run, eye: Eye): Easel | null {
+  const canvas = new_canvas();
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'high-performance' });
+  if (!context) return null;
+  if (wish() === 'webgl' || !is_stand_in(context)) return { canvas, painter: new GlPainter(canvas, context, run, eye), flat: false };
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return null;
+}
+
+export function set_up(run: Run, eye: Eye): Easel {
+  const easel = wish() === 'canvas' ? null : with_card(run, eye);
+  if (easel) return easel;
+  const canvas = new_canvas();
+  const context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
+  if (!context) throw new Error('this browser offers neither WebGL 2 nor a 2-D canvas');
+  return { canvas, painter: new FlatPainter(canvas, context, run), flat: true };
 }

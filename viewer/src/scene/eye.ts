@@ -3,6 +3,11 @@
 import { PerspectiveCamera } from 'three';
 import type { Stance } from './rig.ts';
 
+/** km: nothing nearer is seen. */
+const kNear = 0.002;
+/** px around the picture where lines still go on. */
+const kAround = 40;
+
 export class Eye {
   readonly camera = new PerspectiveCamera();
   /** CSS px */
@@ -14,6 +19,9 @@ export class Eye {
   px = 0;
   py = 0;
   depth = 0;
+  /** Of the last segment(): its other end, CSS px. */
+  qx = 0;
+  qy = 0;
   /** The last hit of the ground. */
   ground_x = 0;
   ground_z = 0;
@@ -71,6 +79,54 @@ export class Eye {
     return true;
   }
 
+  /** What is seen of a segment, from (px, py) to (qx, qy), and some px around the picture; false: nothing. */
+  segment(ax: number, ay: number, az: number, bx: number, by: number, bz: number): boolean {
+    const { right: r, up: u, back: b, at } = this;
+    let [dx, dy, dz] = [ax - at[0]!, ay - at[1]!, az - at[2]!];
+    let far_a = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
+    let right_a = dx * r[0]! + dz * r[2]!;
+    let up_a = dx * u[0]! + dy * u[1]! + dz * u[2]!;
+    dx = bx - at[0]!;
+    dy = by - at[1]!;
+    dz = bz - at[2]!;
+    let far_b = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
+    let right_b = dx * r[0]! + dz * r[2]!;
+    let up_b = dx * u[0]! + dy * u[1]! + dz * u[2]!;
+    if (far_a < kNear && far_b < kNear) return false;
+    if (far_a < kNear || far_b < kNear) {
+      const share = (kNear - far_a) / (far_b - far_a);
+      const [right, up] = [right_a + (right_b - right_a) * share, up_a + (up_b - up_a) * share];
+      if (far_a < kNear) [far_a, right_a, up_a] = [kNear, right, up];
+      else [far_b, right_b, up_b] = [kNear, right, up];
+    }
+    this.px = this.width / 2 + (right_a * this.focal) / far_a;
+    this.py = this.height / 2 - (up_a * this.focal) / far_a;
+    this.qx = this.width / 2 + (right_b * this.focal) / far_b;
+    this.qy = this.height / 2 - (up_b * this.focal) / far_b;
+    return this.cut();
+  }
+
+  /** Cuts the last segment to the picture: Liang and Barsky's. */
+  private cut(): boolean {
+    const { px, py, width, height } = this;
+    const [dx, dy] = [this.qx - px, this.qy - py];
+    let from = 0;
+    let to = 1;
+    for (let side = 0; side < 4; ++side) {
+      const way = side === 0 ? -dx : side === 1 ? dx : side === 2 ? -dy : dy;
+      const room = kAround + (side === 0 ? px : side === 1 ? width - px : side === 2 ? py : height - py);
+      if (way === 0 && room < 0) return false;
+      if (way < 0) from = Math.max(from, room / way);
+      else if (way > 0) to = Math.min(to, room / way);
+    }
+    if (from > to) return false;
+    this.px = px + dx * from;
+    this.py = py + dy * from;
+    this.qx = px + dx * to;
+    this.qy = py + dy * to;
+    return true;
+  }
+
   /** Whether the last projected point is on screen, or within `margin` px of it. */
   on_screen(margin = 0): boolean {
     return this.px > -margin && this.px < this.width + margin && this.py > -margin && this.py < this.height + margin;
@@ -81,10 +137,14 @@ export class Eye {
     return this.depth / this.focal;
   }
 
-  km_per_px(x: number, y: number, z: number): number {
+  /** km in front of the eye; negative: behind it. */
+  depth_of(x: number, y: number, z: number): number {
     const { back: b, at } = this;
-    const depth = (at[0]! - x) * b[0]! + (at[1]! - y) * b[1]! + (at[2]! - z) * b[2]!;
-    return Math.max(1e-3, depth) / this.focal;
+    return (at[0]! - x) * b[0]! + (at[1]! - y) * b[1]! + (at[2]! - z) * b[2]!;
+  }
+
+  km_per_px(x: number, y: number, z: number): number {
+    return Math.max(1e-3, this.depth_of(x, y, z)) / this.focal;
   }
 
   /** Where the line of sight through a pixel meets the plane at this height; false: nowhere, or further than so many km. */

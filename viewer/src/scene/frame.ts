@@ -3,11 +3,10 @@
 import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
 import type { Eye } from './eye.ts';
-import type { Lines } from './lines.ts';
 import type { Mark, Notes } from './notes.ts';
+import type { Discs, Pens } from './painter.ts';
 import type { Palette } from './palette.ts';
 import type { Poses } from './poses.ts';
-import type { Puffs } from './puffs.ts';
 import type { Eyesight } from './sight.ts';
 
 export interface Frame {
@@ -18,8 +17,8 @@ export interface Frame {
   /** What the selected player believes; null: there is none, or it is not alive. */
   sight: Eyesight | null;
   eye: Eye;
-  lines: Lines;
-  puffs: Puffs;
+  lines: Pens;
+  puffs: Discs;
   notes: Notes;
   palette: Palette;
   /** Under the pointer; -1: nobody. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
 import { type Frame, kFoot, kNmi } from './frame.ts';
-import { type Grid, grid_of } from './ground.ts';
+import { type Grid, grid_of } from './grid.ts';
 import { css } from './palette.ts';
 
 const kMargin = 14;

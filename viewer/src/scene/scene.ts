@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: MIT
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
-import { DirectionalLight, HemisphereLight, Group, Scene, Vector2, WebGLRenderer } from 'three';
 import type { Run } from '../run/run.ts';
 import type { Store, View } from '../store.ts';
 import { draw_tracks, draw_zone } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
+import { type Easel, set_up } from './choose.ts';
 import { Eye } from './eye.ts';
-import { Fleet } from './fleet.ts';
 import type { Frame } from './frame.ts';
 import { type Hand, listen } from './gestures.ts';
-import { Ground } from './ground.ts';
 import { draw_hud } from './hud.ts';
-import { Lines, type Screen } from './lines.ts';
 import { Meter } from './meter.ts';
 import { Notes } from './notes.ts';
 import { css, palette_of } from './palette.ts';
 import { Pilot } from './pilot.ts';
 import { Poses } from './poses.ts';
-import { Puffs } from './puffs.ts';
-import { RadarVolume } from './radar.ts';
+import { draw_radar, type Volume } from './radar.ts';
 import { draw_routes } from './routes.ts';
 import { kRest, Sharpness } from './sharpness.ts';
 import { SightReader } from './sight.ts';
 import { told } from './told.ts';
 import { draw_drop_lines, draw_trails } from './trails.ts';
 import { draw_losses, draw_missiles } from './weapons.ts';
-import { is_slow, mount_apology } from './webgl.ts';
 
 export interface SceneHandle {
   resize(): void;
@@ -41,22 +36,10 @@ const kSharpest = 2;
 const kGrasp = 22;
 const kToldEvery = 1000;
 
-function canvas_of(host: HTMLElement, canvas: HTMLCanvasElement): void {
-  canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;display:block';
-  host.append(canvas);
-}
-
 class AirPicture {
-  private readonly screen: Screen = { pixels: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
-  private readonly scene = new Scene();
-  private readonly fleets: Fleet[];
-  private readonly ground: Ground;
-  private readonly radar = new RadarVolume(4);
-  private readonly lines: Lines;
-  private readonly puffs: Puffs;
   private readonly reader = new SightReader();
   private readonly pilot: Pilot;
-  private readonly renderer: WebGLRenderer;
+  private readonly easel: Easel;
   private readonly frame: Frame;
   readonly meter = new Meter();
   private readonly sharpness = new Sharpness();
@@ -68,34 +51,20 @@ class AirPicture {
   private rester = 0;
   private readonly stops: (() => void)[] = [];
 
-  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store,
-    canvas: HTMLCanvasElement, context: WebGL2RenderingContext, slow: boolean) {
-    this.renderer = new WebGLRenderer({ canvas, context, alpha: false });
-    // to ask for errors is to wait for the compiler
-    this.renderer.debug.checkShaderErrors = false;
-    const { screen } = this;
+  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store) {
     const palette = palette_of(store.get().theme);
-    const group = new Group();
-    // three draws what is opaque first: the ground, then the models
-    group.renderOrder = 2;
-    this.lines = new Lines(screen, 5, 4096);
-    this.puffs = new Puffs(screen, 6);
-    this.ground = new Ground(run.origin, screen, new Vector2());
-    this.fleets = [Fleet.of_players(group, run.players), Fleet.of_missiles(group, run.missiles)];
-    const sun = new DirectionalLight(0xffffff, 1.9);
-    sun.position.set(-0.6, 1, 0.5);
-    this.scene.add(new HemisphereLight(0xffffff, 0x56606b, 1.6), sun);
-    this.scene.add(group, this.ground.group, this.radar.mesh, this.lines.mesh, this.puffs.mesh);
+    const eye = new Eye();
+    this.easel = set_up(run, eye);
+    const { painter, flat } = this.easel;
     this.pilot = new Pilot(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
-      run, view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye: new Eye(),
-      lines: this.lines, puffs: this.puffs, notes: new Notes(palette, slow), palette, hovered: -1,
+      run, view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
+      lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, flat), palette, hovered: -1,
     };
-    canvas_of(host, canvas);
-    canvas_of(host, this.frame.notes.canvas);
-    this.frame.notes.canvas.style.touchAction = 'none';
-    // fire and smoke too, so that the first explosion does not have to wait
-    this.renderer.compile(this.scene, this.frame.eye.camera);
+    const over = this.frame.notes.canvas;
+    over.style.cssText = this.easel.canvas.style.cssText;
+    over.style.touchAction = 'none';
+    host.append(this.easel.canvas, over);
     this.watch();
     this.resize();
   }
@@ -107,8 +76,9 @@ class AirPicture {
       () => observer.disconnect(), this.store.subscribe((now, before) => this.follow(now, before)),
       listen(this.frame.notes.canvas, this.hand()));
     const restored = (): void => this.wake();
-    this.renderer.domElement.addEventListener('webglcontextrestored', restored);
-    this.stops.push(() => this.renderer.domElement.removeEventListener('webglcontextrestored', restored));
+    const { canvas } = this.easel;
+    canvas.addEventListener('webglcontextrestored', restored);
+    this.stops.push(() => canvas.removeEventListener('webglcontextrestored', restored));
   }
 
   private follow(now: View, before: View): void {
@@ -139,12 +109,8 @@ class AirPicture {
 
   /** The writing keeps all its pixels. */
   private sharpen(): void {
-    const { renderer, screen, frame, sharpness } = this;
-    const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1) * sharpness.scale;
-    renderer.setPixelRatio(ratio);
-    renderer.setSize(frame.eye.width, frame.eye.height, false);
-    screen.pixels.value.set(frame.eye.width * ratio, frame.eye.height * ratio);
-    screen.ratio.value = ratio * frame.eye.ui;
+    const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1) * this.sharpness.scale;
+    this.easel.painter.resize(this.frame.eye.width, this.frame.eye.height, ratio);
   }
 
   private rest(): void {
@@ -158,13 +124,12 @@ class AirPicture {
     this.theme = frame.view.theme;
     frame.palette = palette_of(frame.view.theme);
     frame.notes.palette = frame.palette;
-    for (const fleet of this.fleets) fleet.paint(frame.palette);
-    this.ground.paint(frame.palette);
+    this.easel.painter.paint(frame.palette);
     host.style.backgroundColor = css(frame.palette.sky);
   }
 
   private draw(now: number): void {
-    const { frame, pilot, renderer } = this;
+    const { frame, pilot } = this;
     const { view, players, missiles, eye } = frame;
     if (this.theme !== view.theme) this.paint();
     players.update(view.time);
@@ -176,10 +141,7 @@ class AirPicture {
     const selected = this.run.players[view.selected];
     frame.sight = selected && players.shown[view.selected] ? this.reader.read(selected, view.time) : null;
 
-    renderer.setClearColor(this.ground.update(eye, frame.palette, view.layers.coast));
-    for (const fleet of this.fleets) fleet.update(fleet === this.fleets[0] ? players : missiles, eye);
-    this.fill();
-    renderer.render(this.scene, eye.camera);
+    this.easel.painter.draw(frame, this.fill());
     const interval = this.meter.drawn(now, performance.now());
     if (this.sharpness.judge(interval, frame.notes.canvas.width * frame.notes.canvas.height)) this.sharpen();
     this.tell(now);
@@ -194,17 +156,15 @@ class AirPicture {
     if (pose) this.store.set({ pose });
   }
 
-  /** Lines, puffs and marks of all layers. */
-  private fill(): void {
+  /** Lines, puffs and marks of all layers; what is left is what the radar sweeps. */
+  private fill(): Volume | null {
     const { frame } = this;
-    const { lines, puffs, notes } = frame;
-    lines.begin();
-    puffs.begin();
-    notes.begin();
+    this.easel.painter.begin();
+    frame.notes.begin();
     draw_hud(frame);
     draw_trails(frame);
     draw_drop_lines(frame);
-    this.radar.update(frame);
+    const volume = draw_radar(frame);
     draw_routes(frame);
     draw_missiles(frame);
     draw_losses(frame);
@@ -213,9 +173,8 @@ class AirPicture {
     draw_ruler(frame);
     draw_ghost(frame);
     draw_names(frame);
-    lines.end();
-    puffs.end();
-    notes.end();
+    frame.notes.end();
+    return volume;
   }
 
   /** Not more often than can be read, but the last word is always said. */
@@ -284,9 +243,8 @@ class AirPicture {
     clearTimeout(this.teller);
     clearTimeout(this.rester);
     for (const stop of this.stops) stop();
-    for (const part of [...this.fleets, this.ground, this.radar, this.lines, this.puffs, this.renderer]) part.dispose();
-    this.renderer.forceContextLoss();
-    this.renderer.domElement.remove();
+    this.easel.painter.dispose();
+    this.easel.canvas.remove();
     this.frame.notes.canvas.remove();
     this.host.removeAttribute('role');
     this.host.removeAttribute('aria-label');
@@ -297,12 +255,7 @@ class AirPicture {
 export function mount_scene(host: HTMLElement, run: Run, store: Store): SceneHandle {
   if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
   host.style.overflow = 'hidden';
-  const canvas = document.createElement('canvas');
-  const slow = is_slow();
-  // lines are smooth by themselves; to smooth the rest as well is too much for a renderer in software
-  const context = canvas.getContext('webgl2', { antialias: !slow, alpha: false, powerPreference: 'high-performance' });
-  if (!context) return mount_apology(host, store);
   host.setAttribute('role', 'img');
-  const picture = new AirPicture(host, run, store, canvas, context, slow);
+  const picture = new AirPicture(host, run, store);
   return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read() };
 }

@@ -10,6 +10,8 @@ export type ShapeName = 'eagle' | 'fulcrum' | 'fighter' | 'truck' | 'missile';
 
 export interface Shape {
   geometry: BufferGeometry;
+  /** Its right half from above, from the nose back: x z of each corner, in m. Enough for one of a crowd. */
+  outline: readonly (readonly [x: number, z: number])[];
   /** m */
   length: number;
 }
@@ -67,11 +69,11 @@ class Modeller {
     this.quad([l, b, k], [l, t, k], [l, t, f], [l, b, f]);
     this.quad([r, b, f], [r, t, f], [r, t, k], [r, b, k]);
   }
-  done(length: number): Shape {
+  done(length: number, outline: Shape['outline']): Shape {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute(this.corners, 3));
     geometry.computeVertexNormals();
-    return { geometry, length };
+    return { geometry, length, outline };
   }
 }
 
@@ -83,7 +85,7 @@ function eagle(): Shape {
   m.wings([[1.8, -3], [1.8, 4], [6.5, 4.2], [6.5, 2.2]], 0.3);
   m.wings([[1.9, 5.4], [1.9, 8.6], [4.3, 9.6], [4.3, 8]], 0);
   for (const side of [-1, 1]) m.fin([[4.4, 0.5], [7.3, 3.6], [8.6, 3.6], [8.4, 0.5]], side * 1.9);
-  return m.done(19.4);
+  return m.done(19.4, [[0, -9.7], [0.9, -5], [1.9, -3], [6.5, 2.2], [6.5, 4.2], [1.9, 4], [1.9, 5.4], [4.3, 8], [4.3, 9.6], [1.9, 8.9]]);
 }
 
 /** Swept wings with long roots, two fins that lean out. */
@@ -95,7 +97,7 @@ function fulcrum(): Shape {
   m.wings([[0.6, -5.6], [0.6, 4.4], [5.7, 4.6], [5.7, 3.2], [2, -1.4]], 0);
   m.wings([[1.8, 5.2], [1.8, 7.8], [3.9, 8.9], [3.9, 7.8]], -0.2);
   for (const side of [-1, 1]) m.fin([[3.4, 0.2], [6.6, 3.2], [7.7, 3.2], [7, 0.2]], side * 1.8, side * 0.22);
-  return m.done(17.3);
+  return m.done(17.3, [[0, -8.6], [0.7, -5.6], [2, -1.4], [5.7, 3.2], [5.7, 4.6], [1.8, 4.4], [1.8, 5.2], [3.9, 7.8], [3.9, 8.9], [1.9, 8]]);
 }
 
 /** One engine, one fin: whatever we have no model for. */
@@ -105,7 +107,7 @@ function fighter(): Shape {
   m.wings([[0.8, -3.8], [0.8, 3.2], [4.9, 3.2], [4.9, 1.8], [1.4, -1.4]], 0);
   m.wings([[0.8, 4.6], [0.8, 7], [2.9, 7.4], [2.9, 6.4]], 0);
   m.fin([[2.6, 0.6], [5.6, 3.6], [7, 3.6], [6.6, 0.6]], 0);
-  return m.done(15);
+  return m.done(15, [[0, -7.5], [0.8, -3.8], [1.4, -1.4], [4.9, 1.8], [4.9, 3.2], [0.9, 3.2], [0.9, 4.6], [2.9, 6.4], [2.9, 7.4], [0.6, 7.2]]);
 }
 
 function truck(): Shape {
@@ -114,7 +116,7 @@ function truck(): Shape {
   m.box(0, 0.9, -2.3, 2.4, 1.7, 1.6);
   m.box(0, 0.9, -3.5, 1.8, 0.9, 1);
   for (const z of [-2.9, 1.4, 2.9]) m.box(0, 0, z, 2.4, 1, 1);
-  return m.done(8);
+  return m.done(8, [[0, -4], [1.25, -4], [1.25, 4]]);
 }
 
 function missile(): Shape {
@@ -123,7 +125,7 @@ function missile(): Shape {
   m.wings([[0.1, -0.3], [0.1, 0.2], [0.42, 0.2]], 0, 0.03);
   m.wings([[0.1, 1.2], [0.1, 1.8], [0.45, 1.8]], 0, 0.03);
   for (const sign of [-1, 1]) m.fin(sign > 0 ? [[1.2, 0.1], [1.8, 0.45], [1.8, 0.1]] : [[1.2, -0.1], [1.8, -0.1], [1.8, -0.45]], 0);
-  return m.done(3.7);
+  return m.done(3.7, [[0, -1.85], [0.14, -1.4], [0.14, 1], [0.45, 1.8], [0.14, 1.85]]);
 }
 
 export const kShapes: Record<ShapeName, () => Shape> = { eagle, fulcrum, fighter, truck, missile };

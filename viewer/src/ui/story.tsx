@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** What happened, in words; the present is marked, a click goes there. */
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { Run, StoryLine } from '../run/run.ts';
 import { jump, select } from './actions.ts';
 import { clock_text } from './format.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
 import { memo_by } from './memo.ts';
-import { use_page } from './page.ts';
+import { type Page, use_page } from './page.ts';
 import { use_paced } from './use.ts';
 
 export interface Filter {
@@ -56,8 +56,7 @@ function Filters({ filter, onChange }: { filter: Filter; onChange: (filter: Filt
   );
 }
 
-function Told({ line, is_now, passed }: { line: number; is_now: boolean; passed: boolean }) {
-  const page = use_page();
+function Told({ page, line }: { page: Page; line: number }) {
   const { t, who, name, text, tone, kind } = page.run.story[line]!;
   const mark = mark_of(page.run, line);
   const go = (): void => {
@@ -66,8 +65,7 @@ function Told({ line, is_now, passed }: { line: number; is_now: boolean; passed:
   };
   return (
     <li>
-      <button type="button" class={`told tone-${tone} ${passed ? 'passed' : ''}`} aria-current={is_now ? 'true' : undefined}
-        data-t={t} data-kind={kind} onClick={go}>
+      <button type="button" class={`told tone-${tone}`} data-t={t} data-kind={kind} onClick={go}>
         <time>{clock_text(t)}</time>
         <Glyph kind={mark?.kind ?? null} side={mark?.side ?? ''} />
         <span><b class={page.run.players[who]?.side ?? 'none'}>{name}</b> {text}</span>
@@ -76,8 +74,40 @@ function Told({ line, is_now, passed }: { line: number; is_now: boolean; passed:
   );
 }
 
-/** Drawn anew only when it passes: a big fight has thousands of lines. */
-const Line = memo_by(Told);
+/** Drawn once; where the present is in it is written on them afterwards. */
+const Lines = memo_by(({ page, lines }: { page: Page; lines: number[] }) => <>{lines.map((line) => <Told key={line} page={page} line={line} />)}</>);
+
+/** A big fight has thousands of lines: so many around the present stand in the list, and move on before it reaches their end. */
+const kStretch = 240;
+const kMargin = 40;
+
+interface Stretch {
+  first: number;
+  last: number;
+}
+
+/** What of so many lines is shown when the present is at `at`; the same object as long as nothing need change. */
+export function stretch_of(at: number, total: number, now: Stretch): Stretch {
+  const last = Math.min(now.last, total);
+  const inside = at >= (now.first > 0 ? now.first + kMargin : -1) && at < (last < total ? last - kMargin : total);
+  if (inside && (last === total || last - now.first >= kStretch)) return last === now.last ? now : { first: now.first, last };
+  const first = Math.max(0, Math.min(at - kStretch / 2, total - kStretch));
+  return { first, last: Math.min(total, first + kStretch) };
+}
+
+/** Writes on the lines in the list, of which the first is number `first`, which have passed and which is now. */
+function write_present(list: HTMLElement, first: number, now: number): void {
+  const lines = list.querySelectorAll('.told');
+  lines.forEach((told, i) => {
+    told.classList.toggle('passed', first + i <= now);
+    if (first + i === now) told.setAttribute('aria-current', 'true');
+    else told.removeAttribute('aria-current');
+  });
+}
+
+function More({ count, where, onClick }: { count: number; where: 'earlier' | 'later'; onClick: () => void }) {
+  return count > 0 ? <li><button type="button" class="more" onClick={onClick}>{`${count} ${where}`}</button></li> : null;
+}
 
 export function Story() {
   const page = use_page();
@@ -87,17 +117,30 @@ export function Story() {
   const lines = useMemo(() => filtered(run, filter), [run, filter]);
   const at = use_paced(store, ({ time }) => current(run, lines, time));
   const still = useRef(false);
+  const stretch = useRef<Stretch>({ first: 0, last: kStretch });
+  const [, redraw] = useReducer((n: number) => n + 1, 0);
+  // whoever reads in it is not pulled away
+  if (!still.current || stretch.current.last > lines.length) stretch.current = stretch_of(at, lines.length, stretch.current);
+  const { first, last } = stretch.current;
+  const shown = useMemo(() => lines.slice(first, last), [lines, first, last]);
+  const widen = (earlier: number, later: number): void => {
+    stretch.current = { first: Math.max(0, first - earlier), last: Math.min(lines.length, last + later) };
+    redraw(undefined);
+  };
+  useLayoutEffect(() => write_present(list.current!, first, at), [at, first, shown]);
   useEffect(() => {
-    // whoever reads in it is not pulled away
     if (still.current) return;
-    const line = list.current!.children[Math.max(at, 0)] as HTMLElement | undefined;
-    if (line) list.current!.scrollTop = line.offsetTop - list.current!.clientHeight / 2;
-  }, [at, lines]);
+    const line = list.current!.querySelectorAll<HTMLElement>('.told')[Math.max(at - first, 0)];
+    const place = line?.parentElement;
+    if (place) list.current!.scrollTop = place.offsetTop - list.current!.clientHeight / 2;
+  }, [at, shown]);
   return (
     <section class="story" aria-label="Story">
       <Filters filter={filter} onChange={set_filter} />
       <ol ref={list} onPointerEnter={() => (still.current = true)} onPointerLeave={() => (still.current = false)}>
-        {lines.map((line, i) => <Line key={line} line={line} is_now={i === at} passed={i <= at} />)}
+        <More count={first} where="earlier" onClick={() => widen(kStretch, 0)} />
+        <Lines page={page} lines={shown} />
+        <More count={lines.length - last} where="later" onClick={() => widen(0, kStretch)} />
       </ol>
       {!lines.length && <p class="dim small">Nothing of that kind happened.</p>}
     </section>

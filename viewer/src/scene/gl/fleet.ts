@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model, one instanced mesh for each shape; never smaller on screen than can be read. */
 import { Color, DoubleSide, DynamicDrawUsage, type Group, InstancedMesh, MeshLambertMaterial, type Side as Faces } from 'three';
-import type { Missile, Player, Side } from '../run/run.ts';
-import type { Eye } from './eye.ts';
-import { kCrowd } from './frame.ts';
-import type { Palette } from './palette.ts';
-import type { Poses } from './poses.ts';
-import { kShapes, shape_of, type ShapeName } from './shapes.ts';
+import type { Missile, Player, Side } from '../../run/run.ts';
+import type { Eye } from '../eye.ts';
+import type { Palette } from '../palette.ts';
+import type { Poses } from '../poses.ts';
+import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
+import { size_of, write_matrix } from '../stature.ts';
 
-/** Least length on screen, CSS px. */
-const kLeast: Record<ShapeName, number> = { eagle: 30, fulcrum: 28, fighter: 27, truck: 14, missile: 13 };
-const kCrowded = 0.72;
 const kFaces: Faces = DoubleSide;
 
 interface Squadron {
@@ -19,32 +16,6 @@ interface Squadron {
   /** km */
   length: number;
   members: number[];
-}
-
-/** Columns of the turn by roll, then pitch, then heading, times `size`; then the place. */
-function write_matrix(out: Float32Array, at: number, poses: Poses, i: number, size: number): void {
-  const sh = Math.sin(poses.heading[i]!);
-  const ch = Math.cos(poses.heading[i]!);
-  const sp = Math.sin(poses.pitch[i]!);
-  const cp = Math.cos(poses.pitch[i]!);
-  const sr = Math.sin(poses.roll[i]!);
-  const cr = Math.cos(poses.roll[i]!);
-  out[at] = (ch * cr + sh * sp * sr) * size;
-  out[at + 1] = -cp * sr * size;
-  out[at + 2] = (sh * cr - ch * sp * sr) * size;
-  out[at + 3] = 0;
-  out[at + 4] = (ch * sr - sh * sp * cr) * size;
-  out[at + 5] = cp * cr * size;
-  out[at + 6] = (sh * sr + ch * sp * cr) * size;
-  out[at + 7] = 0;
-  out[at + 8] = -sh * cp * size;
-  out[at + 9] = -sp * size;
-  out[at + 10] = ch * cp * size;
-  out[at + 11] = 0;
-  out[at + 12] = poses.x[i]!;
-  out[at + 13] = poses.y[i]!;
-  out[at + 14] = poses.z[i]!;
-  out[at + 15] = 1;
 }
 
 export class Fleet {
@@ -81,12 +52,11 @@ export class Fleet {
   update(poses: Poses, eye: Eye): void {
     for (const { mesh, members, name, length } of this.squadrons) {
       const matrices = mesh.instanceMatrix.array as Float32Array;
-      const least = kLeast[name] * eye.ui * (poses.count > kCrowd ? kCrowded : 1);
       let used = 0;
       for (const [slot, i] of members.entries()) {
         // colours stay with their slots, so those who are not there keep theirs and have no size
         const shown = poses.shown[i] === 1;
-        const size = shown ? 0.001 * Math.max(1, (least * eye.km_per_px(poses.x[i]!, poses.y[i]!, poses.z[i]!)) / length) : 0;
+        const size = shown ? size_of(name, length, poses, i, eye) : 0;
         write_matrix(matrices, slot * 16, poses, i, size);
         if (shown) used = slot + 1;
       }

@@ -7,6 +7,7 @@ import {
   BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Mesh,
   ShaderMaterial, type Vector2, Vector3,
 } from 'three';
+import type { Pens } from '../painter.ts';
 
 const kVertex = /* glsl */ `
   attribute vec3 from;
@@ -82,7 +83,7 @@ const kFloats = 8;
 const kBytes = 8;
 const kCorners = 4;
 
-export class Lines {
+export class Lines implements Pens {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** Around (x, z) all fades out towards the distance y; 0: nothing does. */
   readonly haze = new Vector3();
@@ -138,14 +139,12 @@ export class Lines {
     this.count = 0;
   }
 
-  /** What follows has this colour and width (CSS px), and dashes as long as this with their gaps (CSS px); 0: solid. */
   pen(tint: number, width: number, dash = 0): void {
     this.tint = tint;
     this.width = width;
     this.dash = dash;
   }
 
-  /** A segment in scene units, from opacity to opacity. */
   add(ax: number, ay: number, az: number, bx: number, by: number, bz: number, alpha: number, to_alpha = alpha): void {
     if (this.count === this.capacity) this.grow();
     const f = this.floats.array as Float32Array;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/** Soft discs that face the eye: fire, smoke and flashes, all in one draw call. */
+/** Soft discs, all in one draw call. */
 import {
   BufferAttribute, BufferGeometry, DynamicDrawUsage, InterleavedBuffer, InterleavedBufferAttribute, Points, ShaderMaterial,
 } from 'three';
+import type { Discs } from '../painter.ts';
 import type { Screen } from './lines.ts';
 
 const kVertex = /* glsl */ `
@@ -30,7 +31,7 @@ const kFragment = /* glsl */ `
 const kFloats = 5;
 
 /** As many as fit; what is beyond is left out. */
-export class Puffs {
+export class Puffs implements Discs {
   readonly mesh: Points<BufferGeometry, ShaderMaterial>;
   private count = 0;
   private readonly floats: InterleavedBuffer;
@@ -56,7 +57,6 @@ export class Puffs {
     this.count = 0;
   }
 
-  /** `radius` in scene units, but at least `least` CSS px. */
   add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
     if (this.count === this.capacity) return;
     const f = this.floats.array as Float32Array;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// How fast the debrief page opens and plays, in headless Chromium without a graphics card: ./eyrie bench page.
+// usage: node bench/page.mjs PROGRAM   a program that has its page beside it; CHROMIUM=/usr/bin/chromium
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const [program] = process.argv.slice(2);
+const { chromium } = createRequire(join(root, 'viewer/package.json'))('playwright-core');
+const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
+const args = ['--no-sandbox', '--disable-dev-shm-usage'];
+/** ms that are played, and how often a page is opened. */
+const [kPlayed, kOpened] = [5000, 5];
+
+/** A hundred against a hundred, flight by flight, for ten minutes. */
+function war() {
+  const letters = [...'abcdefghijklmnopqrstuvwxy'];
+  const flight = (side, letter, k) => {
+    const [aircraft, east, to, heading] = side === 'e' ? ['f15c', -60, 20, 90] : ['mig29', 60, -20, 270];
+    const north = -48 + 4 * k;
+    return `    ${side}_${letter}:
+      {aircraft: ${aircraft}, tree: sweep, players: [${[1, 2, 3, 4].map((i) => `${side}_${letter}${i}`)}], bingo: 1500 kg,
+       start: {north: ${north} nmi, east: ${east} nmi, altitude: ${24000 + 300 * k} ft, heading: ${heading} deg, speed: 480 kt},
+       formation: {abreast: 6000 ft, behind: 1000 ft, below: 500 ft},
+       route: [{north: ${north} nmi, east: ${to} nmi, altitude: 25000 ft, speed: 480 kt}, {north: ${north} nmi, east: ${east} nmi}]}`;
+  };
+  const side = (name, letter, home) => `${name}:
+  home: {north: 0 nmi, east: ${home} nmi}
+  flights:\n${letters.map((l, k) => flight(letter, l, k)).join('\n')}`;
+  return `eyrie: 1\nname: war\nhelp: 100 against 100\ninclude: packages/pilots.yaml\nreference: {latitude: 33 deg, longitude: -68 deg}
+seed: 1\nuntil: 10 min\nends: time\n${side('blue', 'e', -130)}\n${side('red', 'b', 130)}\n`;
+}
+
+const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+const shown = (ms) => `${(ms / 1000).toFixed(2)} s`;
+
+async function with_page(url, size, use) {
+  const browser = await chromium.launch({ executablePath, args });
+  try {
+    const page = await browser.newPage({ viewport: size });
+    const began = performance.now();
+    await page.goto(url, { waitUntil: 'commit' });
+    await page.waitForSelector('body[data-ready=true]', { state: 'attached', timeout: 120_000 });
+    return await use(page, performance.now() - began);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function opening(name, url) {
+  const times = [];
+  for (let i = 0; i < kOpened; ++i) times.push(await with_page(url, { width: 1280, height: 720 }, (_, ms) => ms));
+  console.log(`opens/${name.padEnd(28)} median ${shown(median(times))}   best ${shown(Math.min(...times))}`);
+}
+
+/** Pictures that the browser's trace says were drawn while the page played from `t`. */
+async function playing(name, url, t, size = { width: 1280, height: 720 }) {
+  await with_page(`${url}#t=${t}`, size, async (page) => {
+    await page.waitForTimeout(2000);
+    const session = await page.context().newCDPSession(page);
+    const events = [];
+    session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
+    await session.send('Tracing.start', {
+      transferMode: 'ReportEvents', traceConfig: { includedCategories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline.frame', 'devtools.timeline.frame'] },
+    });
+    await page.evaluate(() => {
+      window.eyrie.scene.frames();
+      window.eyrie.store.set({ playing: true });
+    });
+    await page.waitForTimeout(kPlayed);
+    const frames = await page.evaluate(() => {
+      window.eyrie.store.set({ playing: false });
+      return window.eyrie.scene.frames();
+    });
+    const complete = new Promise((done) => session.once('Tracing.tracingComplete', done));
+    await session.send('Tracing.end');
+    await complete;
+    const main = events.find((e) => e.name === 'thread_name' && e.args.name === 'CrRendererMain');
+    const mine = (e) => e.pid === main.pid && e.tid === main.tid;
+    const busy = events.filter((e) => mine(e) && e.name.endsWith('RunTask') && e.dur && e.tdur).reduce((sum, e) => sum + e.tdur / 1000, 0);
+    const drawn = events.filter((e) => e.pid === main.pid && e.name === 'DrawFrame').length;
+    console.log(`plays/${name.padEnd(28)} ${((1000 * drawn) / kPlayed).toFixed(1).padStart(5)} pictures/s   ` +
+      `${(busy / frames.count).toFixed(1)} ms processor time each   longest wait ${frames.worst_ms.toFixed(0)} ms`);
+  });
+}
+
+const folder = mkdtempSync(join(tmpdir(), 'eyrie-bench-'));
+try {
+  const fly = (scenario, out) => {
+    execFileSync(program, ['fly', scenario, '--quiet', '--out', join(folder, out)], { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
+    return pathToFileURL(join(folder, out, 'debrief.html')).href;
+  };
+  const sweep = fly('sweep', 'sweep');
+  await opening('sweep', sweep);
+  await playing('sweep', sweep, 560);
+  await playing('sweep/4k', sweep, 560, { width: 3840, height: 2160 });
+  cpSync(join(root, 'scenarios/packages'), join(folder, 'packages'), { recursive: true });
+  writeFileSync(join(folder, 'war.yaml'), war());
+  const many = fly(join(folder, 'war.yaml'), 'war');
+  await opening('200 aircraft', many);
+  await playing('200 aircraft/ingress', many, 100);
+  await playing('200 aircraft/fight', many, 460);
+} finally {
+  rmSync(folder, { recursive: true, force: true });
+}

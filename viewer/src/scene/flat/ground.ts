@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+/** The map below on a flat canvas: sea, land, shores and graticule, far haze, and the grid. */
+import { type Coast, coast_of, kReach } from '../coast.ts';
+import type { Eye } from '../eye.ts';
+import type { Origin } from '../geo.ts';
+import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
+import type { Pens } from '../painter.ts';
+import { css, type Palette } from '../palette.ts';
+import { FlatLines } from './lines.ts';
+import { circle_on_ground, trace_ground } from './polygon.ts';
+
+/** So many veils lie over each other until all is sky. */
+const kVeils = 10;
+
+function smooth(share: number): number {
+  const s = Math.min(1, Math.max(0, share));
+  return s * s * (3 - 2 * s);
+}
+
+function put(lines: Pens, segments: Float32Array, alpha: number): void {
+  for (let i = 0; i < segments.length; i += 4)
+    lines.add(segments[i]!, 0, -segments[i + 1]!, segments[i + 2]!, 0, -segments[i + 3]!, alpha);
+}
+
+export class FlatGround {
+  private readonly coast: Coast;
+  private readonly land: Float32Array;
+  private readonly lines = new FlatLines();
+  private readonly disc = circle_on_ground(0, 0, kReach);
+
+  constructor(origin: Origin) {
+    this.coast = coast_of(origin);
+    this.land = this.coast.land.map((value, i) => (i % 2 ? -value : value));
+  }
+
+  draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {
+    const { stance } = eye;
+    const plain = stance !== null && is_near(eye, stance.x, stance.z);
+    context.fillStyle = css(plain ? palette.sea : palette.sky);
+    context.fillRect(0, 0, eye.width, eye.height);
+    if (!stance) return;
+    if (!plain) {
+      const sea = new Path2D();
+      trace_ground(sea, eye, this.disc);
+      context.fillStyle = css(palette.sea);
+      context.fill(sea);
+    }
+    if (coast) this.draw_land(context, eye, palette);
+    if (!plain) this.draw_haze(context, eye, palette, stance.x, stance.z);
+    this.lines.begin();
+    draw_grid(this.lines, grid_of(eye), palette);
+    this.lines.draw(context, eye);
+  }
+
+  private draw_land(context: CanvasRenderingContext2D, eye: Eye, palette: Palette): void {
+    const land = new Path2D();
+    for (let i = 0; i < this.land.length; i += 6) trace_ground(land, eye, this.land, i, 6);
+    context.fillStyle = css(palette.land);
+    context.fill(land);
+    const { lines, coast } = this;
+    lines.begin();
+    lines.pen(palette.shore, 1);
+    put(lines, coast.graticule, 0.22);
+    lines.pen(palette.shore, 1.4);
+    put(lines, coast.shore, 0.9);
+    lines.draw(context, eye);
+  }
+
+  /** Over all that is further out than a circle, one veil of sky after the other, so that together they make a smooth step. */
+  private draw_haze(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, x: number, z: number): void {
+    let clear = 1;
+    for (let k = 0; k < kVeils; ++k) {
+      const veil = new Path2D();
+      veil.rect(0, 0, eye.width, eye.height);
+      trace_ground(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
+      const left = 1 - smooth((k + 1) / kVeils);
+      context.fillStyle = css(palette.sky, 1 - left / clear);
+      context.fill(veil, 'evenodd');
+      clear = left;
+    }
+  }
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+/** The grid on the ground in nautical miles, and how much of the picture is ground. */
+import { kReach } from './coast.ts';
+import type { Eye } from './eye.ts';
+import { kNmi } from './frame.ts';
+import type { Pens } from './painter.ts';
+import type { Palette } from './palette.ts';
+
+/** Up to here (shares of the reach) the ground has its own colour; at the second it has become the sky's. */
+export const kClear = 0.35;
+export const kHazy = 0.95;
+/** Lines of the grid on each side of the middle, and of the pieces in which each fades. */
+const kHalf = 14;
+const kPieces = 10;
+const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
+/** Each so many lines there is a stronger one, that reaches further. */
+const kCoarse = 10;
+
+export interface Grid {
+  /** nmi between lines. */
+  step: number;
+  /** km: the ground seen in the middle of the picture, or lower down if the view is flat. */
+  x: number;
+  z: number;
+}
+const seen: Grid = { step: 1, x: 0, z: 0 };
+
+/** Some eight lines to the height of the picture. */
+export function grid_of(eye: Eye): Grid {
+  const { stance } = eye;
+  if (!stance || !eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(stance.polar)))) return seen;
+  seen.x = eye.ground_x;
+  seen.z = eye.ground_z;
+  const wanted = (eye.km_per_px(seen.x, 0, seen.z) * eye.height) / kNmi / 8;
+  seen.step = kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!;
+  return seen;
+}
+
+/** What the grid depends on: the same numbers, the same grid. */
+export function grid_key({ step, x, z }: Grid): string {
+  const km = step * kNmi;
+  return `${step} ${Math.round(x / km)} ${Math.round(z / km)}`;
+}
+
+function lay(lines: Pens, km: number, x: number, z: number): void {
+  const radius = kHalf * km;
+  const [mx, mz] = [Math.round(x / km) * km, Math.round(z / km) * km];
+  const alpha = (a: number, b: number): number => 0.5 * Math.max(0, 1 - (a * a + b * b) / (radius * radius));
+  for (let k = -kHalf; k <= kHalf; ++k)
+    for (let piece = 0; piece < kPieces; ++piece) {
+      const from = radius * ((2 * piece) / kPieces - 1);
+      const to = radius * ((2 * (piece + 1)) / kPieces - 1);
+      const off = k * km;
+      const [a, b] = [alpha(off, from), alpha(off, to)];
+      if (a === 0 && b === 0) continue;
+      lines.add(mx + off, 0, mz + from, mx + off, 0, mz + to, a, b);
+      lines.add(mx + from, 0, mz + off, mx + to, 0, mz + off, a, b);
+    }
+}
+
+export function draw_grid(lines: Pens, { step, x, z }: Grid, palette: Palette): void {
+  lines.pen(palette.grid, 0.9);
+  lay(lines, step * kNmi, x, z);
+  const coarse = step * kNmi * kCoarse;
+  const km = step * kNmi;
+  lay(lines, coarse, Math.round(x / km) * km, Math.round(z / km) * km);
+}
+
+/** Whether all of the picture is ground in its own colour: the sea then needs no drawing. */
+export function is_near(eye: Eye, x: number, z: number): boolean {
+  for (const px of [0, eye.width])
+    for (const py of [0, eye.height]) {
+      if (!eye.hit(px, py)) return false;
+      const { ground_x, ground_z } = eye;
+      if (Math.max(Math.hypot(ground_x - x, ground_z - z), Math.hypot(ground_x, ground_z)) > kClear * kReach) return false;
+    }
+  return true;
+}
