@@ -8,10 +8,13 @@
 #include "core/enum_names.hpp"
 #include "debrief/nodes.hpp"
 #include "page/json.hpp"
+#include "ubf/arbiter/commitment.hpp"
 #include "ubf/arbiter/fusion.hpp"
+#include "ubf/arbiter/inhibit.hpp"
 #include "ubf/arbiter/motor_schema.hpp"
 #include "ubf/arbiter/paper_fusion.hpp"
 #include "ubf/arbiter/priority.hpp"
+#include "ubf/arbiter/suppress.hpp"
 #include "ubf/composite.hpp"
 #include "ubf/control/parallel.hpp"
 #include "ubf/tree.hpp"
@@ -53,6 +56,15 @@ template <class State, class Action>
       list.push_back(may ? 1 : 0);
     params["interruptible"] = std::move(list);
   }
+  if (const auto* commitment = dynamic_cast<const ubf::Commitment<State, Action>*>(&node)) {
+    params["margin"] = commitment->margin;
+    params["min_time"] = commitment->min_time;
+    params["hold"] = commitment->hold;
+  }
+  if (const auto* suppress = dynamic_cast<const ubf::Suppress<State, Action>*>(&node))
+    params["hold"] = suppress->hold;
+  if (const auto* inhibit = dynamic_cast<const ubf::Inhibit<State, Action>*>(&node))
+    params["hold"] = inhibit->hold;
   return params;
 }
 

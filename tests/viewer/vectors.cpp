@@ -69,6 +69,8 @@ class Maker {
   explicit Maker(std::uint64_t seed) : draw_(seed, PlayerId{1}, Stream::test, 0) {}
 
   [[nodiscard]] Child tree() { return composite(0); }
+  /// s, until the next tick.
+  [[nodiscard]] double pause() { return 0.1 * (1 + pick(3)); }
   [[nodiscard]] State state() {
     State s;
     for (std::size_t i = 0; i < cues_; ++i)
@@ -85,8 +87,12 @@ class Maker {
   }
   template <class B>
   [[nodiscard]] std::unique_ptr<B> with_children(std::size_t depth) {
+    return with_children<B>(depth, 1 + pick(4));
+  }
+  template <class B>
+  [[nodiscard]] std::unique_ptr<B> with_children(std::size_t depth, std::uint32_t count) {
     std::vector<Child> children;
-    for (std::uint32_t i = 0, n = 1 + pick(4); i < n; ++i)
+    for (std::uint32_t i = 0; i < count; ++i)
       children.push_back(node(depth + 1));
     auto made = ubf::make<B>(std::move(children));
     if constexpr (requires { made->vote_scale; }) {
@@ -100,7 +106,7 @@ class Maker {
   [[nodiscard]] Child composite(std::size_t depth) {
     using S = State;
     using A = Action;
-    switch (pick(9)) {
+    switch (pick(12)) {
       case 0:
         return with_children<ubf::PerField<S, A>>(depth);
       case 1:
@@ -117,8 +123,13 @@ class Maker {
         paper->high_vote = static_cast<float>(pick(5));
         return paper;
       }
-      case 4:
-        return with_children<ubf::Priority<S, A>>(depth);
+      case 4: {
+        auto priority = with_children<ubf::Priority<S, A>>(depth);
+        if (pick(2))
+          for (std::size_t i = 0; i < priority->children().size(); ++i)
+            priority->interruptible.push_back(pick(2) != 0);
+        return priority;
+      }
       case 5: {
         auto schema = with_children<ubf::MotorSchema<S, A>>(depth);
         schema->direction.choose("heading");
@@ -130,6 +141,23 @@ class Maker {
         return with_children<ubf::Selector<S, A>>(depth);
       case 7:
         return with_children<ubf::Sequence<S, A>>(depth);
+      case 8: {
+        auto commitment = with_children<ubf::Commitment<S, A>>(depth);
+        commitment->margin = 0.7F * static_cast<float>(pick(3));
+        commitment->min_time = 0.2 * pick(4);
+        commitment->hold = 0.1 + 0.2 * pick(4);
+        return commitment;
+      }
+      case 9: {
+        auto suppress = with_children<ubf::Suppress<S, A>>(depth, 2);
+        suppress->hold = 0.2 * pick(4);
+        return suppress;
+      }
+      case 10: {
+        auto inhibit = with_children<ubf::Inhibit<S, A>>(depth, 2);
+        inhibit->hold = 0.2 * pick(4);
+        return inhibit;
+      }
       default:
         return with_children<ubf::WinnerTakesAll<S, A>>(depth);
     }
@@ -172,12 +200,8 @@ Json index_or_nobody(ubf::NodeIndex node) {
   return node == ubf::kNone ? Json(-1) : Json(node);
 }
 
-Json case_json(const ubf::Tree<State, Action>& tree, const State& state) {
-  std::vector<std::uint64_t> slab(tree.memory_bytes() / 8 + 1);
-  ubf::Trace<Action> trace(tree.size());
-  ubf::Proposal<Action> out;
-  static_cast<void>(tree.tick(
-      {.state = state, .memory = reinterpret_cast<std::byte*>(slab.data()), .trace = &trace}, out));
+/// What every node answered in one tick, and what the leaves had proposed.
+Json answers_json(const ubf::Tree<State, Action>& tree, const ubf::Trace<Action>& trace) {
   Json leaves = Json::array(), expected = Json::array();
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const auto node = static_cast<ubf::NodeIndex>(i);
@@ -201,9 +225,29 @@ Json case_json(const ubf::Tree<State, Action>& tree, const State& state) {
                         {"vote", row.proposal.vote},
                         {"action", action}});
   }
-  return {{"tree", page::tree_json(tree, "aircraft")["nodes"]},
-          {"leaves", leaves},
-          {"expected", expected}};
+  return {{"leaves", leaves}, {"expected", expected}};
+}
+
+/// One tree over some ticks, in which it remembers.
+Json case_json(Maker& maker) {
+  const ubf::Tree<State, Action> tree("vectors", maker.tree());
+  std::vector<std::uint64_t> slab(tree.memory_bytes() / 8 + 1);
+  ubf::Trace<Action> trace(tree.size());
+  Json ticks = Json::array();
+  double time = 0;
+  for (int i = 0; i < 6; ++i) {
+    const State state = maker.state();
+    ubf::Proposal<Action> out;
+    static_cast<void>(tree.tick({.state = state,
+                                 .time = time,
+                                 .memory = reinterpret_cast<std::byte*>(slab.data()),
+                                 .trace = &trace},
+                                out));
+    ticks.push_back(answers_json(tree, trace));
+    ticks.back()["t"] = time;
+    time += maker.pause();
+  }
+  return {{"tree", page::tree_json(tree, "aircraft")["nodes"]}, {"ticks", ticks}};
 }
 
 }  // namespace
@@ -216,9 +260,7 @@ int main(int argc, char** argv) {
   Json cases = Json::array();
   for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
     Maker maker(seed);
-    const ubf::Tree<State, Action> tree("vectors", maker.tree());
-    for (int i = 0; i < 2; ++i)
-      cases.push_back(case_json(tree, maker.state()));
+    cases.push_back(case_json(maker));
   }
   std::ofstream out(argv[1]);
   out << Json{{"action", page::action_fields<Action>()}, {"cases", cases}}.dump();

@@ -68,10 +68,10 @@ export function answers(tree: Tree, said: Record<string, Said>): Proposal[] {
     const { label, type, params, children } = tree.nodes[i]!;
     const own = said[label];
     all[i] = own ? proposal(own, i) : make_proposal(kFields.length);
-    const decide = children.length && !own ? decider_of(type, params, kFields, i) : null;
+    const decide = children.length && !own ? decider_of(type, params, kFields, i, children) : null;
     const kids = children.map((child) => all[child]!);
     if (!decide || kids[0]!.status === null) continue;
-    if (decide(kids, all[i]!) !== kDone) throw new Error(`${label} asks a child that says nothing`);
+    if (decide(kids, all[i]!, 0) !== kDone) throw new Error(`${label} asks a child that says nothing`);
   }
   return all;
 }

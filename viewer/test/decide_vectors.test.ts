@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { decider_of, kDone, type Proposal } from '../src/decide/arbitrate.ts';
+import { decider_of, kDone, type Decider, type Proposal } from '../src/decide/arbitrate.ts';
 import { make_proposal } from '../src/decide/proposal.ts';
 import type { ActionField, Status, TreeNode } from '../src/run/run.ts';
 
@@ -14,11 +14,16 @@ interface Answer {
   action: (number | null)[];
   supplier: number[];
 }
-interface Case {
-  tree: Omit<TreeNode, 'children'>[];
+interface Tick {
+  t: number;
   leaves: { node: number; status: Status; vote: number; action: (number | null)[] }[];
   /** Per node; null: not asked. */
   expected: (Answer | null)[];
+}
+interface Case {
+  tree: Omit<TreeNode, 'children'>[];
+  /** One after the other: some nodes remember. */
+  ticks: Tick[];
 }
 interface Vectors {
   action: ActionField[];
@@ -32,7 +37,7 @@ function children_of({ tree }: Case, node: number): number[] {
   return tree.flatMap(({ parent }, child) => (parent === node ? [child] : []));
 }
 
-function leaf(fields: number, node: number, { leaves }: Case): Proposal {
+function leaf(fields: number, node: number, { leaves }: Tick): Proposal {
   const out = make_proposal(fields);
   const said = leaves.find((l) => l.node === node);
   if (!said) return out;
@@ -63,18 +68,27 @@ function compare(got: Proposal, want: Answer, where: string): void {
   });
 }
 
-/** Children first; nodes that were not asked stay so. */
-function answers(vectors: Vectors, one: Case): Proposal[] {
+function deciders({ action }: Vectors, one: Case): (Decider | null)[] {
+  return one.tree.map(({ type, params }, node) => {
+    const children = children_of(one, node);
+    if (!children.length) return null;
+    const decide = decider_of(type, params, action, node, children);
+    assert.ok(decide, `${type} ${JSON.stringify(params)} is not arbitrated here`);
+    return decide;
+  });
+}
+
+/** Children first; nodes that were not asked stay so, and have forgotten. */
+function answers({ action }: Vectors, one: Case, all_decide: (Decider | null)[], tick: Tick): Proposal[] {
   const all: Proposal[] = [];
   for (let node = one.tree.length - 1; node >= 0; --node) {
-    const kids = children_of(one, node).map((child) => all[child]!);
-    all[node] = leaf(vectors.action.length, node, one);
-    if (kids.length === 0 || one.expected[node] === null) continue;
-    const { type, params, path } = one.tree[node]!;
-    const decide = decider_of(type, params, vectors.action, node);
-    assert.ok(decide, `${type} ${JSON.stringify(params)} is not arbitrated here`);
-    const missing = decide(kids, all[node]!);
-    assert.equal(missing, kDone, `${path} asks child ${missing}, which was not asked`);
+    all[node] = leaf(action.length, node, tick);
+    const decide = all_decide[node];
+    if (tick.expected[node] === null) decide?.forget?.();
+    else if (decide) {
+      const missing = decide(children_of(one, node).map((child) => all[child]!), all[node]!, tick.t);
+      assert.equal(missing, kDone, `${one.tree[node]!.path} asks child ${missing}, which was not asked`);
+    }
   }
   return all;
 }
@@ -84,9 +98,12 @@ test('the arbiters of the page answer as those of the program', { skip: kFile ? 
   const vectors = JSON.parse(readFileSync(kFile!, 'utf8')) as Vectors;
   assert.ok(vectors.cases.length > 0);
   vectors.cases.forEach((one, number) => {
-    const all = answers(vectors, one);
-    one.expected.forEach((want, node) => {
-      if (want) compare(all[node]!, want, `case ${number}, ${one.tree[node]!.path}`);
-    });
+    const decide = deciders(vectors, one);
+    for (const tick of one.ticks) {
+      const all = answers(vectors, one, decide, tick);
+      tick.expected.forEach((want, node) => {
+        if (want) compare(all[node]!, want, `case ${number} at ${tick.t.toFixed(1)}, ${one.tree[node]!.path}`);
+      });
+    }
   });
 });

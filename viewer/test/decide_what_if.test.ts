@@ -139,9 +139,9 @@ describe('nodes above', () => {
     const limited = (type: string) =>
       run_of(node('root', type, [fight('winner_takes_all')]), said, (all) => { all[0] = all[1]!; });
     assert.equal(asked(limited('timeout'), 'fight', { type: 'per_field' }).different, 3);
-    const committed = asked(limited('commitment'), 'fight', { type: 'per_field' });
-    assert.deepEqual([committed.different, committed.unknown], [0, 3]);
-    assert.equal(committed.why_unknown, 'what root (commitment) makes of it depends on more than this page has');
+    const drawn = asked(limited('weighted_random'), 'fight', { type: 'per_field' });
+    assert.deepEqual([drawn.different, drawn.unknown], [0, 3]);
+    assert.equal(drawn.why_unknown, 'what root (weighted_random) makes of it depends on more than this page has');
   });
   test('a parallel that counts otherwise and halts is told', () => {
     const kids = [fight('winner_takes_all'), leaf('shoot', { remembers: true })];
@@ -160,9 +160,9 @@ describe('what can be chosen', () => {
   test('begins with what is there', () => {
     const [own, ...others] = arbiters_for(run, run.trees[0]!, 0);
     assert.deepEqual(own, { type: 'fusion', params: [
-      { name: 'top', values: ['all', 1, 2], value: 2 }, { name: 'conflicts', values: ['blend', 'drop'], value: 'drop' },
+      { name: 'top', unit: '', values: ['all', 1, 2], value: 2 }, { name: 'conflicts', unit: '', values: ['blend', 'drop'], value: 'drop' },
     ] });
-    assert.deepEqual(others.map((o) => o.type), ['winner_takes_all', 'per_field', 'paper_fusion', 'motor_schema', 'priority']);
+    assert.deepEqual(others.map((o) => o.type), ['winner_takes_all', 'per_field', 'paper_fusion', 'motor_schema', 'priority', 'commitment']);
     assert.deepEqual(arbiters_for(run, run.trees[0]!, 1), []);
   });
   test('is a command for the terminal', () => {
@@ -175,6 +175,80 @@ describe('what can be chosen', () => {
       "eyrie whatif RUN --player eagle2 --set 'root=paper_fusion' --set 'root.high_vote=50'");
     const two: Run = { ...run, trees: [...run.trees, { ...run.trees[0]!, name: 'home' }] };
     assert.match(command_of(two, 0, [{ ...pursue, tree: 1 }]), /--set 'home:root\/pursue.vote=70'$/);
+  });
+});
+
+describe('arbiters that remember', () => {
+  const kWeak: Said = { status: 'failure' };
+  /** Pursue, then follow is a little stronger, then pursue falls silent, then both again. */
+  const kDithers: Record<string, Said>[] = [
+    { pursue: { ...kPursue, vote: 30 }, follow: kFollow },
+    { pursue: { ...kPursue, vote: 30 }, follow: { ...kFollow, vote: 33 } },
+    { pursue: kWeak, follow: { ...kFollow, vote: 33 } },
+    { pursue: { ...kPursue, vote: 30 }, follow: { ...kFollow, vote: 33 } },
+    { pursue: { ...kPursue, vote: 30 }, follow: { ...kFollow, vote: 50 } },
+  ];
+  const spec = (type: string, params = {}): NodeSpec => node('fight', type, [leaf('pursue'), leaf('follow')], { params });
+  const leaders = (run: Run, { leader }: WhatIfResult): string[] => [...leader].map((n) => (n < 0 ? '-' : run.trees[0]!.nodes[n]!.label));
+
+  test('stay with what they chose', () => {
+    const run = run_of(spec('winner_takes_all'), kDithers);
+    const result = asked(run, 'fight', { type: 'commitment', params: { margin: 5, min_time: 0, hold: 0 } });
+    assert.deepEqual(leaders(run, result), ['pursue', 'pursue', 'follow', 'follow', 'follow']);
+    assert.deepEqual([result.different, result.unknown, result.first?.index], [1, 0, 1]);
+    const bridged = asked(run, 'fight', { type: 'commitment', params: { margin: 5, min_time: 0, hold: 1 } });
+    assert.deepEqual(leaders(run, bridged), ['pursue', 'pursue', 'pursue', 'pursue', 'follow']);
+    assert.equal(bridged.different, 3);
+    assert.equal(bridged.spans.length, 1);
+  });
+  test('say the same however often they are asked', () => {
+    const run = run_of(spec('winner_takes_all'), kDithers);
+    const ask = (): WhatIfResult => asked(run, 'fight', { type: 'commitment', params: { margin: 0, min_time: 0.25, hold: 0 } });
+    assert.deepEqual(ask(), ask());
+    assert.deepEqual(leaders(run, ask()), ['pursue', 'pursue', 'follow', 'follow', 'follow']);
+  });
+  /** As it flies: what the same arbiter makes of its children, decision after decision. */
+  function flown(type: string, params: Record<string, number>, decisions: Record<string, Said>[]): Run {
+    const run = run_of(spec('winner_takes_all'), decisions);
+    const answer = asked(run, 'fight', { type, params });
+    const shapes = decisions.map((_, i) => {
+      const { shapes: all, players } = run;
+      const shape = all[players[0]!.decisions.shape[i]!]!;
+      const who = answer.leader[i]!;
+      const set = (n: number) => (n === 0 ? shape.supplier[who]! : shape.supplier[n]!);
+      return { ...shape, leader: who, vote: shape.vote.map((v, n) => (n === 0 ? shape.vote[who]! : v)), supplier: shape.supplier.map((_, n) => set(n)) };
+    });
+    const [player] = run.players;
+    const anew = { ...player!, decisions: { ...player!.decisions, shape: Int32Array.from(decisions, (_, i) => i) } };
+    const tree = { ...run.trees[0]!, nodes: run.trees[0]!.nodes.map((n, i) => (i ? n : { ...n, type, params, remembers: true })) };
+    return { ...run, players: [anew], shapes, trees: [tree] };
+  }
+  test('in flight are made again, and a vote below is known', () => {
+    const run = flown('commitment', { margin: 5 }, kDithers);
+    const same_again = asked(run, 'pursue', { vote: 30 });
+    assert.deepEqual([same_again.unknown, same_again.different, same_again.why_unknown], [0, 0, '']);
+    const stronger = asked(run, 'pursue', { vote: 60 });
+    assert.deepEqual(leaders(run, stronger), ['pursue', 'pursue', 'follow', 'pursue', 'pursue']);
+    assert.deepEqual([stronger.unknown, stronger.different], [0, 2]);
+  });
+  test('in flight that did what is not understood leave all behind it unknown', () => {
+    const run = flown('commitment', { margin: 5 }, kDithers);
+    run.shapes[1] = { ...run.shapes[1]!, vote: run.shapes[1]!.vote.map((v, n) => (n === 0 ? 12 : v)) };
+    const result = asked(run, 'pursue', { vote: 60 });
+    assert.ok(result.unknown >= 3, `${result.unknown} unknown`);
+    assert.match(result.why_unknown, /fight remembers hangs on a decision before/);
+  });
+  test('forget when they are not asked', () => {
+    const idle = { pursue: { ...kPursue, vote: 30 }, follow: { ...kFollow, vote: 33 } };
+    const run = run_of(spec('winner_takes_all'), [kDithers[0]!, kDithers[1]!, idle]);
+    run.shapes[1] = { ...run.shapes[1]!, status: run.shapes[1]!.status.map(() => null), leader: -1 };
+    const result = asked(run, 'fight', { type: 'commitment', params: { margin: 5, min_time: 0, hold: 0 } });
+    assert.equal(leaders(run, result)[2], 'follow', 'the choice of the first decision is gone');
+  });
+  test('have their command for the terminal', () => {
+    const run = run_of(spec('winner_takes_all'), kDithers);
+    assert.equal(command_of(run, 0, [{ tree: 0, node: 0, type: 'commitment' }]),
+      "eyrie whatif RUN --player eagle2 --set 'root=commitment' --set 'root.margin=5' --set 'root.min_time=0 s' --set 'root.hold=0 s'");
   });
 });
 

@@ -189,6 +189,11 @@ describe('what if', { skip: kNoPage }, () => {
       await page.selectOption('select[aria-label="Arbiter of bvr"]', type);
       await compare();
     }
+    await page.selectOption('select[aria-label="Arbiter of bvr"]', 'commitment');
+    for (const [name, value] of [['margin', '20'], ['min_time', '5'], ['hold', '3']] as const) {
+      await page.fill(`input[aria-label="${name} in numbers"]`, value);
+      await compare();
+    }
     await page.selectOption('select[aria-label="Arbiter of bvr"]', 'fusion');
     await page.selectOption('select[aria-label="top"]', '2');
     await compare();

@@ -5,6 +5,7 @@ import { averages, sum_of, Vectors, type Sum } from './blend.ts';
 import { kControl } from './control.ts';
 import { kDone, merge_fields, type Decider, type Maker, type Params } from './decider.ts';
 import { clear, copy, is_empty, is_heard, record, type Proposal } from './proposal.ts';
+import { commitment, kLayers, priority } from './remembering.ts';
 
 export { kDone, type Decider, type Params } from './decider.ts';
 export type { Proposal } from './proposal.ts';
@@ -39,12 +40,6 @@ function take(winner: Proposal | null | undefined, out: Proposal): void {
 }
 
 const winner_takes_all: Maker = () => asks_all((children, out) => take(strongest_of(children), out));
-
-/** A child that may not be interrupted is remembered, which the page does not do. */
-const priority: Maker = ({ interruptible }) =>
-  Array.isArray(interruptible) && interruptible.includes(0)
-    ? null
-    : asks_all((children, out) => take(children.find(is_heard), out));
 
 const per_field: Maker = () =>
   asks_all((children, out) => {
@@ -130,7 +125,7 @@ const motor_schema: Maker = ({ direction, magnitude, unit_vote }, fields) => {
   });
 };
 
-export const kArbiters: Record<string, Maker> = { winner_takes_all, per_field, fusion, paper_fusion, motor_schema, priority };
+export const kArbiters: Record<string, Maker> = { winner_takes_all, per_field, fusion, paper_fusion, motor_schema, priority, commitment };
 /** These make values of their own. */
 export const kBlenders: ReadonlySet<string> = new Set(['fusion', 'paper_fusion', 'motor_schema']);
 const kUnscaled: ReadonlySet<string> = new Set(['guard', 'inverter', 'force_success', 'force_failure']);
@@ -142,16 +137,19 @@ export function rescale(out: Proposal, { vote, vote_scale }: Params): void {
 }
 
 /** How node number `node` of this type decides; null: the page cannot say. */
-export function decider_of(type: string, params: Params, fields: readonly ActionField[], node: number): Decider | null {
-  const decide = (kArbiters[type] ?? kControl[type])?.(params, fields);
+export function decider_of(type: string, params: Params, fields: readonly ActionField[], node: number,
+  kids: readonly number[]): Decider | null {
+  const decide = (kArbiters[type] ?? kControl[type] ?? kLayers[type])?.(params, fields, kids);
   if (!decide) return null;
   const scales = !kUnscaled.has(type);
-  return (children, out) => {
+  const whole: Decider = (children, out, now) => {
     clear(out);
-    const missing = decide(children, out);
+    const missing = decide(children, out, now);
     if (missing !== kDone) return missing;
     if (scales) rescale(out, params);
     record(out, node);
     return kDone;
   };
+  if (decide.forget) whole.forget = decide.forget;
+  return whole;
 }

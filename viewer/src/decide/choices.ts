@@ -6,6 +6,8 @@ import { kAll, type Change } from './retrace.ts';
 
 export interface ParamChoice {
   name: string;
+  /** Of its number; "" for none. */
+  unit: string;
   values: (string | number)[] | { min: number; max: number };
   value: string | number;
 }
@@ -15,13 +17,16 @@ export interface ArbiterChoice {
 }
 
 /** Arbiters that the page cannot put anywhere but can replace: all that just have children. */
-const kReplaceable: ReadonlySet<string> = new Set(['commitment', 'weighted_random', 'verify', 'vote_grid', 'utility']);
+const kReplaceable: ReadonlySet<string> = new Set(['weighted_random', 'verify', 'vote_grid', 'utility']);
 /** StrongestFew keeps no more. */
 const kMostTop = 8;
 
+/** The program asks for units. */
+const kUnits: Record<string, string> = { min_time: 's', hold: 's' };
+
 function param(node: TreeNode, name: string, values: ParamChoice['values'], otherwise: string | number): ParamChoice {
   const given = node.params[name];
-  return { name, values, value: typeof given === 'number' || typeof given === 'string' ? given : otherwise };
+  return { name, unit: kUnits[name] ?? '', values, value: typeof given === 'number' || typeof given === 'string' ? given : otherwise };
 }
 
 /** The parameters of an arbiter at this node; null: it is none for these fields. */
@@ -43,10 +48,19 @@ function params_of(type: string, node: TreeNode, fields: readonly ActionField[])
         param(node, 'unit_vote', { min: 1, max: 100 }, 40),
       ];
     }
+    case 'commitment':
+      return [
+        param(node, 'margin', { min: 0, max: 100 }, 5),
+        param(node, 'min_time', { min: 0, max: 60 }, 0),
+        param(node, 'hold', { min: 0, max: 60 }, 0),
+      ];
     default:
       return [];
   }
 }
+
+/** Arbiters that are nothing without parameters. */
+const kDemanding: ReadonlySet<string> = new Set(['paper_fusion', 'motor_schema', 'commitment']);
 
 /** The node's own arbiter first; nothing for nodes that are no arbiter, or one of another build. */
 export function arbiters_for(run: Run, tree: Tree, node: number): ArbiterChoice[] {
@@ -64,7 +78,7 @@ export function arbiters_for(run: Run, tree: Tree, node: number): ArbiterChoice[
 export function complete(run: Run, change: Change): Change {
   const { nodes, kind } = run.trees[change.tree]!;
   const { type, node } = change;
-  if ((type !== 'paper_fusion' && type !== 'motor_schema') || type === nodes[node]!.type) return change;
+  if (type === undefined || !kDemanding.has(type) || type === nodes[node]!.type) return change;
   const params = params_of(type, nodes[node]!, run.platforms[kind].action) ?? [];
   return { ...change, params: { ...Object.fromEntries(params.map(({ name, value }) => [name, value])), ...change.params } };
 }
@@ -93,7 +107,7 @@ export function command_of(run: Run, player: number, changes: readonly Change[])
       .map(([name, value]) => [name, value === kAll ? 'null' : value] as const);
     return [
       ...(type !== undefined && type !== was ? [`${path}=${type}`] : []),
-      ...given.map(([name, value]) => `${path}.${name}=${value}`),
+      ...given.map(([name, value]) => `${path}.${name}=${value}${kUnits[name] ? ` ${kUnits[name]}` : ''}`),
       ...(vote !== undefined ? [`${path}.vote=${vote}`] : []),
     ];
   });

@@ -7,11 +7,16 @@ export type Params = TreeNode['params'];
 
 /** Makes `out`, which arrives cleared, of what the children answered, in the order of the tree. Returns
  * kDone, or the position of a child that it would have to ask and that was not asked. */
-export type Decider = (children: readonly Proposal[], out: Proposal) => number;
+export interface Decider {
+  /** `now` in s, for those who remember. */
+  (children: readonly Proposal[], out: Proposal, now: number): number;
+  /** Loses what it remembers, as after a tick in which it was not asked; who remembers nothing has none. */
+  forget?: () => void;
+}
 export const kDone = -1;
 
-/** Makes a Decider; null: not with these parameters. */
-export type Maker = (params: Params, fields: readonly ActionField[]) => Decider | null;
+/** Makes a Decider for a node with these children (nodes of the tree); null: not with these parameters. */
+export type Maker = (params: Params, fields: readonly ActionField[], children: readonly number[]) => Decider | null;
 
 /** Each field from the highest vote that set it, the earlier of equals, of those that `counts`. */
 export function merge_fields(children: readonly Proposal[], out: Proposal, counts: (child: Proposal) => boolean): void {

@@ -45,6 +45,10 @@ interface Step {
   is_changed: boolean;
   flown_by: Decider | null;
   would_by: Decider | null;
+  /** Since it last forgot: something below it, or itself, would have answered otherwise. */
+  diverged: boolean;
+  /** Since it last forgot: what it remembers is not what it did, or would, remember. */
+  lost: boolean;
   flown_children: Proposal[];
   would_children: Proposal[];
   recorded: Proposal;
@@ -57,12 +61,17 @@ export class Retrace {
   readonly would: Proposal;
   /** Whether values decide about more than values: then every decision has to be looked at. */
   readonly blends: boolean;
+  /** Whether earlier decisions decide: then every one has to be looked at, in their order. */
+  readonly remembers: boolean;
   /** Of the last decision: a node below which memories may be other ones from now on; -1: none. */
   doubtful = -1;
 
   private readonly steps: Step[] = [];
   private readonly fixed: { node: number; answer: Proposal }[] = [];
   private loader: Loader | null = null;
+  private times: Float64Array | null = null;
+  /** s, of the decision. */
+  private now = 0;
 
   /** `unclear` are leaves of which it is not known which of their votes a parameter would change. */
   constructor(private readonly tree: Tree, private readonly fields: readonly ActionField[], changes: readonly Change[],
@@ -74,12 +83,14 @@ export class Retrace {
     for (const node of [...way].sort((a, b) => b - a)) this.steps.push(this.step_of(node, changes.filter((c) => c.node === node)));
     this.flown = this.steps.at(-1)!.flown;
     this.would = this.steps.at(-1)!.would;
-    this.blends = this.steps.some((s) => kBlenders.has(s.type) || kBlenders.has(tree.nodes[s.node]!.type));
+    this.remembers = this.steps.some(is_remembering);
+    this.blends = this.remembers || this.steps.some((s) => kBlenders.has(s.type) || kBlenders.has(tree.nodes[s.node]!.type));
   }
 
   /** Decisions of this shape follow. */
   begin(shape: Shape, decisions: Decisions): void {
     this.loader = new Loader(decisions);
+    this.times = decisions.t;
     for (const { node, answer } of this.fixed) this.read(shape, node, answer);
     for (const step of this.steps) this.read(shape, step.node, step.recorded);
   }
@@ -87,14 +98,21 @@ export class Retrace {
   /** Decides; returns why that cannot be said, or "". */
   decide(decision: number): string {
     this.loader!.load(decision);
+    this.now = this.times![decision]!;
     this.doubtful = -1;
-    for (const step of this.steps) {
+    for (const [i, step] of this.steps.entries()) {
       const problem = this.take(step);
       if (!problem) continue;
       this.doubtful = this.doubtful_from(step.node);
+      for (const above of this.steps.slice(i)) above.lost = is_remembering(above);
       return problem;
     }
     return '';
+  }
+
+  /** The tree was not the player's for a while. */
+  forget(): void {
+    for (const step of this.steps) forget(step);
   }
 
   private read(shape: Shape, node: number, answer: Proposal): void {
@@ -108,10 +126,10 @@ export class Retrace {
     const answers = children.map((child) => this.steps.find((s) => s.node === child) ?? this.fixed_answer(child));
     const other = changes.reduce(applied, { type, params });
     const by = (how: { type: string; params: Params }) =>
-      children.length ? decider_of(how.type, how.params, this.fields, node) : null;
+      children.length ? decider_of(how.type, how.params, this.fields, node, children) : null;
     return {
       node, ...other, is_changed: changes.length > 0,
-      flown_by: by({ type, params }), would_by: by(other),
+      flown_by: by({ type, params }), would_by: by(other), diverged: false, lost: false,
       flown_children: answers.map((a) => a.flown), would_children: answers.map((a) => a.would),
       recorded: make_proposal(fields), flown: make_proposal(fields), would: make_proposal(fields),
     };
@@ -127,14 +145,22 @@ export class Retrace {
     const { recorded, flown, would } = step;
     copy(recorded, flown);
     copy(recorded, would);
-    if (recorded.status === null) return '';
+    if (recorded.status === null) {
+      forget(step);
+      return '';
+    }
     if (step.flown_children.length === 0) return this.vote_anew(step);
     const repeats = this.repeat(step);
+    const remembers = is_remembering(step);
+    if (remembers && !repeats && step.flown_by?.forget) step.lost = true;
     const changes = step.is_changed || step.flown_children.some((child, i) => !same(child, step.would_children[i]!));
-    if (!changes) {
+    step.diverged ||= changes;
+    if (!changes && !(remembers && step.diverged)) {
+      if (remembers) step.would_by?.(step.would_children, would, this.now);
       copy(flown, would);
       return '';
     }
+    if (step.lost) return `what ${this.tree.nodes[step.node]!.label} remembers hangs on a decision before that is not known`;
     const problem = this.change(step, repeats);
     if (!problem && flown.status !== would.status) this.note_divergence(step);
     return problem;
@@ -155,7 +181,7 @@ export class Retrace {
   /** Makes again what was flown, so that both sides carry the same rounding; false if that is not what was recorded. */
   private repeat({ node, flown_by, flown_children, recorded, flown }: Step): boolean {
     if (!flown_by) return false;
-    const done = flown_by(flown_children, flown) === kDone;
+    const done = flown_by(flown_children, flown, this.now) === kDone;
     if (done && is_as_recorded(flown, recorded) && (node > 0 || flown.leader === recorded.leader)) return true;
     copy(recorded, flown);
     return false;
@@ -165,7 +191,7 @@ export class Retrace {
     const { node, type, would_by, would_children, would } = step;
     const { label, type: was } = this.tree.nodes[node]!;
     if (would_by && (repeats || type !== was)) {
-      const missing = would_by(would_children, would);
+      const missing = would_by(would_children, would, this.now);
       if (missing === kDone) return '';
       const child = this.tree.nodes[this.tree.nodes[node]!.children[missing]!]!;
       return `${child.label} was not asked in flight, and ${label} would have asked it`;
@@ -179,20 +205,31 @@ export class Retrace {
   private note_divergence({ node, flown, would }: Step): void {
     const { parent } = this.tree.nodes[node]!;
     if (parent < 0 || kIndifferent.has(this.tree.nodes[parent]!.type)) return;
-    if (turns(this.tree, parent, node, flown, would) && this.remembers(parent)) this.doubtful = parent;
+    if (turns(this.tree, parent, node, flown, would) && this.something_remembers(parent)) this.doubtful = parent;
   }
 
   /** If what `node` does is not known, neither is what those above it ask and halt. */
   private doubtful_from(node: number): number {
     for (let n = node; n >= 0; n = this.tree.nodes[n]!.parent)
-      if ((n === node || !kIndifferent.has(this.tree.nodes[n]!.type)) && this.remembers(n)) return n;
+      if ((n === node || !kIndifferent.has(this.tree.nodes[n]!.type)) && this.something_remembers(n)) return n;
     return -1;
   }
 
-  private remembers(node: number): boolean {
+  private something_remembers(node: number): boolean {
     const { type, remembers, children } = this.tree.nodes[node]!;
-    return (remembers && !kNotes.has(type)) || children.some((child) => this.remembers(child));
+    const anew = this.steps.find((step) => step.node === node)?.would_by?.forget !== undefined;
+    return anew || (remembers && !kNotes.has(type)) || children.some((child) => this.something_remembers(child));
   }
+}
+
+function is_remembering({ flown_by, would_by }: Step): boolean {
+  return flown_by?.forget !== undefined || would_by?.forget !== undefined;
+}
+
+function forget(step: Step): void {
+  step.flown_by?.forget?.();
+  step.would_by?.forget?.();
+  step.diverged = step.lost = false;
 }
 
 /** But for leaders, which are recorded of the root alone, and values, which are rounded. */

@@ -53,6 +53,7 @@ class Anew {
   private readonly retrace: Retrace;
   private readonly verdicts = new Map<number, Verdict>();
   private begun = -1;
+  private decided = -1;
 
   constructor(private readonly run: Run, private readonly decisions: Decisions, private readonly tree: number,
     fields: readonly ActionField[], private readonly changes: readonly Change[]) {
@@ -71,15 +72,20 @@ class Anew {
     const shape = this.decisions.shape[i]!;
     const known = this.verdicts.get(shape);
     if (known) return known;
-    const verdict = this.is_touched(shape) ? this.decide(i) : kSame;
+    const verdict = this.is_touched(shape) || this.retrace.remembers ? this.decide(i) : kSame;
     if (verdict === kSame || !this.retrace.blends) this.verdicts.set(shape, verdict);
     return verdict;
   }
 
   /** The two proposals of decision `i`, with values. */
   look(i: number): Retrace {
-    this.decide(i);
+    if (this.decided !== i) this.decide(i);
     return this.retrace;
+  }
+
+  /** The tree was not the player's for a while. */
+  forget(): void {
+    this.retrace.forget();
   }
 
   /** Whether a changed node was asked. */
@@ -94,6 +100,7 @@ class Anew {
     const { retrace } = this;
     if (this.begun !== index) retrace.begin(shape, this.decisions);
     this.begun = index;
+    this.decided = i;
     const problem = retrace.decide(i);
     const { flown, would, doubtful } = retrace;
     const leader = would.leader === flown.leader ? shape.leader : would.leader;
@@ -163,8 +170,11 @@ export function what_if(run: Run, player: number, asked: readonly Change[]): Wha
   };
   const problems = new Map<string, number>();
   let in_a_row = false;
+  let before = -1;
   for (let i = 0; i < t.length; ++i) {
     const { tree, leader } = run.shapes[shape[i]!]!;
+    if (tree !== before) trees.get(before)?.forget();
+    before = tree;
     const anew = trees.get(tree);
     const verdict = anew?.verdict(i) ?? kSame;
     result.leader[i] = verdict === kSame ? leader : verdict.problem ? kUnknown : verdict.leader;

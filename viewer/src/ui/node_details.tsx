@@ -41,19 +41,20 @@ function params_text(params: Tree['nodes'][number]['params']): string {
 
 interface SliderProps {
   name: string;
+  unit?: string;
   min: number;
   max: number;
   value: number;
   onChange: (value: number) => void;
 }
 
-function Slider({ name, min, max, value, onChange }: SliderProps) {
+function Slider({ name, unit, min, max, value, onChange }: SliderProps) {
   const put = (text: string): void => {
     const number = Number(text);
     if (text !== '' && Number.isFinite(number)) onChange(Math.min(Math.max(number, min), max));
   };
   return (
-    <label class="slider"><span>{name}</span>
+    <label class="slider"><span>{unit ? `${name}, ${unit}` : name}</span>
       <input type="range" min={min} max={max} step="1" value={value} aria-label={name}
         onInput={(event) => put(event.currentTarget.value)} />
       <input type="number" min={min} max={max} step="any" value={value} aria-label={`${name} in numbers`}
@@ -63,8 +64,8 @@ function Slider({ name, min, max, value, onChange }: SliderProps) {
 }
 
 function Param({ param, value, onChange }: { param: ParamChoice; value: string | number; onChange: (value: string | number) => void }) {
-  const { name, values } = param;
-  if (!Array.isArray(values)) return <Slider name={name} min={values.min} max={values.max} value={Number(value)} onChange={onChange} />;
+  const { name, unit, values } = param;
+  if (!Array.isArray(values)) return <Slider name={name} unit={unit} min={values.min} max={values.max} value={Number(value)} onChange={onChange} />;
   return (
     <label class="choice"><span>{name}</span>
       <select aria-label={name} value={String(value)} onChange={(event) => onChange(values[event.currentTarget.selectedIndex]!)}>
