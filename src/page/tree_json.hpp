@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Trees as the page draws them and arbitrates by them.
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "core/enum_names.hpp"
@@ -68,28 +66,6 @@ template <class State, class Action>
   return params;
 }
 
-template <class State, class Action>
-[[nodiscard]] std::string_view kind_of(const ubf::Behavior<State, Action>& node) {
-  if (dynamic_cast<const ubf::Condition<State, Action>*>(&node))
-    return "condition";
-  if (node.children().empty())
-    return "behavior";
-  constexpr std::array<std::string_view, 11> kControl{"sequence",
-                                                      "selector",
-                                                      "sequence_with_memory",
-                                                      "selector_with_memory",
-                                                      "parallel",
-                                                      "parallel_all",
-                                                      "random_selector",
-                                                      "if_then_else",
-                                                      "while",
-                                                      "switch",
-                                                      "sequencer"};
-  if (std::find(kControl.begin(), kControl.end(), node.type()) != kControl.end())
-    return "control";
-  return dynamic_cast<const ubf::Voting<State, Action>*>(&node) ? "arbiter" : "decorator";
-}
-
 /// `platform` is "aircraft" or "vehicle".
 template <class State, class Action>
 [[nodiscard]] Json tree_json(const ubf::Tree<State, Action>& tree, std::string_view platform) {
@@ -101,7 +77,7 @@ template <class State, class Action>
     nodes.push_back({{"label", answer.label},
                      {"type", answer.type},
                      {"path", answer.path},
-                     {"kind", kind_of(node)},
+                     {"kind", to_text(node.node_kind())},
                      {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
                      {"depth", answer.depth},
                      {"params", arbiter_params(node)},

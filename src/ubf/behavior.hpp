@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The nouns of the Unified Behavior Framework: state, action, vote, proposal, behavior.
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -207,9 +208,13 @@ class Behavior {
   [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type_ : label_; }
   /// The name under which the type is registered.
   [[nodiscard]] std::string_view type() const noexcept { return type_; }
+  [[nodiscard]] Kind node_kind() const noexcept { return kind_; }
 
   void set_label(std::string label) { label_ = std::move(label); }
-  void set_type(std::string_view type) { type_ = type; }
+  void set_type(std::string_view type, Kind kind) {
+    type_ = type;
+    kind_ = kind;
+  }
 
   /// The value of the parameter `vote` of a behavior that was read from a file, for debriefs;
   /// nothing if it has none, and for what was made without a file.
@@ -237,6 +242,7 @@ class Behavior {
 
   NodeIndex index_ = 0, end_index_ = 1;
   bool stands_ = false;
+  Kind kind_ = Kind::behavior;
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
   std::optional<float> vote_given_;
   std::string_view type_ = "behavior";
@@ -274,12 +280,26 @@ class WithMemory : public Base {
   }
 };
 
+/// What sort of node `B` says that it is; without a word a condition, an arbiter if it has
+/// children, or else a behavior.
+template <class B>
+[[nodiscard]] consteval Kind kind_of() {
+  if constexpr (requires { B::kind; })
+    return B::kind;
+  else if constexpr (requires { typename B::Children; })
+    return Kind::arbiter;
+  else if constexpr (std::derived_from<B, Condition<typename B::StateType, typename B::ActionType>>)
+    return Kind::condition;
+  else
+    return Kind::behavior;
+}
+
 /// Makes a node of a registered type in code; arguments go to its constructor.
 ///   auto root = make<WinnerTakesAll<S, A>>(make<Pursue>(), make<Navigate>());
 template <class Node, class... Arguments>
 [[nodiscard]] std::unique_ptr<Node> make(Arguments&&... arguments) {
   auto node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
-  node->set_type(Node::type_name);
+  node->set_type(Node::type_name, kind_of<Node>());
   return node;
 }
 

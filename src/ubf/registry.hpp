@@ -36,7 +36,7 @@ class Registry {
                        "two types of node have the same name");
     by_name_.emplace(B::type_name, entries_.size());
     infos_.push_back({.name = std::string(B::type_name),
-                      .kind = kind_of<B>(),
+                      .kind = ubf::kind_of<B>(),
                       .help = std::string(B::help),
                       .parameters = parameters<B>(),
                       .child_keys = child_keys_of<B>(),
@@ -89,15 +89,6 @@ class Registry {
  private:
   using Maker = std::unique_ptr<Node> (*)(const NodeSpec&, Reader&);
 
-  template <class B>
-  [[nodiscard]] static constexpr Kind kind_of() {
-    if constexpr (requires { B::kind; })
-      return B::kind;
-    else if constexpr (std::derived_from<B, Composite<State, Action>>)
-      return Kind::arbiter;
-    else
-      return std::derived_from<B, Condition<State, Action>> ? Kind::condition : Kind::behavior;
-  }
   template <class B>
   [[nodiscard]] static std::vector<std::string> child_keys_of() {
     if constexpr (requires { B::child_keys; })
