@@ -108,7 +108,7 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
   const platform = { action: kFields, state: [] };
   return {
     players: [player as unknown as Player], trees: [tree], shapes: all.map(shape_of), platforms: { aircraft: platform, vehicle: platform },
-    texts: ['hold', 'follow', 'lead'],
+    texts: ['hold', 'follow', 'lead'], about: { thinned: false },
   } as unknown as Run;
 }
 

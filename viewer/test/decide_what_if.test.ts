@@ -245,6 +245,11 @@ describe('arbiters that remember', () => {
     const result = asked(run, 'fight', { type: 'commitment', params: { margin: 5, min_time: 0, hold: 0 } });
     assert.equal(leaders(run, result)[2], 'follow', 'the choice of the first decision is gone');
   });
+  test('know less of a run of which not every decision is there', () => {
+    const run = { ...run_of(spec('winner_takes_all'), kDithers), about: { thinned: true } } as unknown as Run;
+    assert.match(asked(run, 'fight', { type: 'commitment', params: { margin: 5, min_time: 0, hold: 0 } }).caution, /one decision a second/);
+    assert.equal(asked(run, 'fight', { type: 'per_field' }).caution, '');
+  });
   test('have their command for the terminal', () => {
     const run = run_of(spec('winner_takes_all'), kDithers);
     assert.equal(command_of(run, 0, [{ tree: 0, node: 0, type: 'commitment' }]),

@@ -48,6 +48,9 @@ interface Verdict {
 
 const kSame: Verdict = { problem: '', doubtful: -1, leader: kUnknown, fields: [] };
 
+const kThinned = 'Of this run the page has one decision a second, and those that were others than before: an arbiter that remembers ' +
+  'may change its mind up to a second earlier than it says here.';
+
 /** Decides the decisions of one player anew. */
 class Anew {
   private readonly retrace: Retrace;
@@ -81,6 +84,10 @@ class Anew {
   look(i: number): Retrace {
     if (this.decided !== i) this.decide(i);
     return this.retrace;
+  }
+
+  get remembers(): boolean {
+    return this.retrace.remembers;
   }
 
   /** The tree was not the player's for a while. */
@@ -168,6 +175,7 @@ export function what_if(run: Run, player: number, asked: readonly Change[]): Wha
   const result: WhatIfResult = {
     decisions: t.length, different: 0, unknown: 0, why_unknown: '', first: null, spans: [], leader: new Int16Array(t.length), caution: '',
   };
+  if (run.about.thinned && [...trees.values()].some((anew) => anew.remembers)) result.caution = kThinned;
   const problems = new Map<string, number>();
   let in_a_row = false;
   let before = -1;
