@@ -22,7 +22,7 @@ class FakePath {
 }
 Object.assign(globalThis, { Path2D: FakePath });
 const { FlatLines } = await import('../src/scene/flat/lines.ts');
-const { trace_ground } = await import('../src/scene/flat/polygon.ts');
+const { trace_area } = await import('../src/scene/flat/polygon.ts');
 const { level_of, shades_of } = await import('../src/scene/flat/shades.ts');
 
 interface Stroke {
@@ -122,17 +122,17 @@ test('many segments of many widths are few strokes', () => {
 });
 
 test('of the ground only what is before the eye is filled', () => {
-  const square = [-900, -900, 900, -900, 900, 900, -900, 900];
+  const square = [-900, 0, -900, 900, 0, -900, 900, 0, 900, -900, 0, 900];
   const [above, low] = [new FakePath(), new FakePath()];
-  trace_ground(above as unknown as Path2D, eye_at(), square);
+  trace_area(above as unknown as Path2D, eye_at(), square);
   assert.equal(above.ops.filter(([, x]) => Number.isFinite(x)).length, 4);
-  trace_ground(low as unknown as Path2D, eye_at({ polar: 1.4, fov: kFov }), square);
+  trace_area(low as unknown as Path2D, eye_at({ polar: 1.4, fov: kFov }), square);
   const seen = low.ops.filter(([, x]) => Number.isFinite(x));
   assert.ok(seen.length >= 3 && low.ops.length > 0);
   // two corners lie behind, and the border runs below the picture instead
   assert.equal(seen.filter(([, , y]) => y > 500).length >= 2, true);
   const behind = new FakePath();
-  trace_ground(behind as unknown as Path2D, eye_at({ polar: 1.4, fov: kFov }), [-1, 500, 1, 500, 1, 900, -1, 900]);
+  trace_area(behind as unknown as Path2D, eye_at({ polar: 1.4, fov: kFov }), [-1, 0, 500, 1, 0, 500, 1, 0, 900, -1, 0, 900]);
   assert.deepEqual(behind.ops, []);
 });
 

@@ -7,7 +7,7 @@ import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
 import type { Pens } from '../painter.ts';
 import { css, type Palette } from '../palette.ts';
 import { FlatLines } from './lines.ts';
-import { circle_on_ground, trace_ground } from './polygon.ts';
+import { circle_on_ground, trace_area } from './polygon.ts';
 
 /** So many veils lie over each other until all is sky. */
 const kVeils = 10;
@@ -24,13 +24,16 @@ function put(lines: Pens, segments: Float32Array, alpha: number): void {
 
 export class FlatGround {
   private readonly coast: Coast;
+  /** x y z of the corners of triangles. */
   private readonly land: Float32Array;
   private readonly lines = new FlatLines();
   private readonly disc = circle_on_ground(0, 0, kReach);
 
   constructor(origin: Origin) {
     this.coast = coast_of(origin);
-    this.land = this.coast.land.map((value, i) => (i % 2 ? -value : value));
+    const { land } = this.coast;
+    this.land = new Float32Array((land.length / 2) * 3);
+    for (let i = 0; i < land.length / 2; ++i) this.land.set([land[2 * i]!, 0, -land[2 * i + 1]!], 3 * i);
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {
@@ -41,7 +44,7 @@ export class FlatGround {
     if (!stance) return;
     if (!plain) {
       const sea = new Path2D();
-      trace_ground(sea, eye, this.disc);
+      trace_area(sea, eye, this.disc);
       context.fillStyle = css(palette.sea);
       context.fill(sea);
     }
@@ -54,7 +57,7 @@ export class FlatGround {
 
   private draw_land(context: CanvasRenderingContext2D, eye: Eye, palette: Palette): void {
     const land = new Path2D();
-    for (let i = 0; i < this.land.length; i += 6) trace_ground(land, eye, this.land, i, 6);
+    for (let i = 0; i < this.land.length / 3; i += 3) trace_area(land, eye, this.land, i, 3);
     context.fillStyle = css(palette.land);
     context.fill(land);
     const { lines, coast } = this;
@@ -72,7 +75,7 @@ export class FlatGround {
     for (let k = 0; k < kVeils; ++k) {
       const veil = new Path2D();
       veil.rect(0, 0, eye.width, eye.height);
-      trace_ground(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
+      trace_area(veil, eye, circle_on_ground(x, z, kReach * (kClear + ((kHazy - kClear) * (k + 0.5)) / kVeils)));
       const left = 1 - smooth((k + 1) / kVeils);
       context.fillStyle = css(palette.sky, 1 - left / clear);
       context.fill(veil, 'evenodd');
