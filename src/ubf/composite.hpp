@@ -119,8 +119,8 @@ class Composite : public Behavior<State, Action> {
   Children children_;
 
  private:
-  [[gnu::noinline, gnu::cold]] static void record(AnyTrace& trace, NodeIndex node, Status status,
-                                                  const Proposal<Action>& out) {
+  [[gnu::noinline]] static void record(AnyTrace& trace, NodeIndex node, Status status,
+                                       const Proposal<Action>& out) {
     Trace<Action>::of(trace).record(node, status, out);
   }
 };

@@ -21,12 +21,13 @@ class WinnerTakesAll final : public Voting<State, Action> {
   [[nodiscard]] bool stands() const noexcept override { return true; }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    return t.trace ? decide_watched(t, out) : decide<false>(t, out);
+    if (t.trace) [[unlikely]]
+      return decide_watched(t, out);
+    return decide<false>(t, out);
   }
 
  private:
-  [[gnu::noinline, gnu::cold]] Status decide_watched(const Tick<State>& t,
-                                                     Proposal<Action>& out) const {
+  [[gnu::noinline]] Status decide_watched(const Tick<State>& t, Proposal<Action>& out) const {
     return decide<true>(t, out);
   }
   /// The arbiter that trees are made of: whether anybody watches is asked once for all children,
