@@ -68,8 +68,8 @@ class Builder {
 
  private:
   struct Open {
-    Value* value;
-    std::string anchor;
+    Value* value = nullptr;
+    std::string anchor = {};
     bool has_key = false;  ///< a map's: it waits for its value
     std::string key = {};
     Location key_where = {};
@@ -84,8 +84,10 @@ class Builder {
     if (parent.value->is_list())
       return parent.value->items.emplace_back();
     parent.has_key = false;
-    parent.value->entries.push_back({std::move(parent.key), parent.key_where, {}});
-    return parent.value->entries.back().value;
+    Value::Entry& made = parent.value->entries.emplace_back();
+    made.key = std::move(parent.key);
+    made.where = parent.key_where;
+    return made.value;
   }
   [[nodiscard]] bool wants_key() const {
     return !open_.empty() && open_.back().value->is_map() && !open_.back().has_key;
@@ -152,7 +154,10 @@ class Builder {
     v.where = where;
     if (tag)
       v.tag = text_of(tag);
-    open_.push_back({&v, text_of(anchor)});
+    Open& opened = open_.emplace_back();
+    opened.value = &v;
+    if (anchor)
+      opened.anchor = text_of(anchor);
   }
 
   void alias(const std::string& name, const Location& where) {
