@@ -26,7 +26,9 @@ export class FlatGround {
   private readonly coast: Coast;
   /** x y z of the corners of triangles. */
   private readonly land: Float32Array;
-  private readonly lines = new FlatLines();
+  /** They stay as they are until the colours change. */
+  private readonly shores = new FlatLines();
+  private readonly grid = new FlatLines();
   private readonly disc = circle_on_ground(0, 0, kReach);
 
   constructor(origin: Origin) {
@@ -34,6 +36,15 @@ export class FlatGround {
     const { land } = this.coast;
     this.land = new Float32Array((land.length / 2) * 3);
     for (let i = 0; i < land.length / 2; ++i) this.land.set([land[2 * i]!, 0, -land[2 * i + 1]!], 3 * i);
+  }
+
+  paint(palette: Palette): void {
+    const { shores, coast } = this;
+    shores.begin();
+    shores.pen(palette.shore, 1);
+    put(shores, coast.graticule, 0.22);
+    shores.pen(palette.shore, 1.4);
+    put(shores, coast.shore, 0.9);
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {
@@ -50,9 +61,9 @@ export class FlatGround {
     }
     if (coast) this.draw_land(context, eye, palette);
     if (!plain) this.draw_haze(context, eye, palette, stance.x, stance.z);
-    this.lines.begin();
-    draw_grid(this.lines, grid_of(eye), palette);
-    this.lines.draw(context, eye);
+    this.grid.begin();
+    draw_grid(this.grid, grid_of(eye), palette);
+    this.grid.draw(context, eye);
   }
 
   private draw_land(context: CanvasRenderingContext2D, eye: Eye, palette: Palette): void {
@@ -60,13 +71,7 @@ export class FlatGround {
     for (let i = 0; i < this.land.length / 3; i += 3) trace_area(land, eye, this.land, i, 3);
     context.fillStyle = css(palette.land);
     context.fill(land);
-    const { lines, coast } = this;
-    lines.begin();
-    lines.pen(palette.shore, 1);
-    put(lines, coast.graticule, 0.22);
-    lines.pen(palette.shore, 1.4);
-    put(lines, coast.shore, 0.9);
-    lines.draw(context, eye);
+    this.shores.draw(context, eye);
   }
 
   /** Over all that is further out than a circle, one veil of sky after the other, so that together they make a smooth step. */

@@ -3,6 +3,7 @@
 import type { Run } from '../../run/run.ts';
 import type { Frame } from '../frame.ts';
 import type { Painter } from '../painter.ts';
+import type { Palette } from '../palette.ts';
 import type { Volume } from '../radar.ts';
 import { FlatFleet } from './fleet.ts';
 import { FlatGround } from './ground.ts';
@@ -30,8 +31,8 @@ export class FlatPainter implements Painter {
     this.canvas.height = Math.round(height * ratio);
   }
 
-  paint(): void {
-    // every picture is painted anew
+  paint(palette: Palette): void {
+    this.ground.paint(palette);
   }
 
   begin(): void {
