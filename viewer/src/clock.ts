@@ -7,8 +7,23 @@ const kPace = 100;
 /** ms; a page that was in the background goes on from where it was. */
 const kLongestFrame = 250;
 
+/** The time of the machine; a test has its own. */
+export interface Watch {
+  /** ms */
+  now(): number;
+  /** Calls once, in `wait` ms; returns how to take that back. */
+  later(call: () => void, wait: number): () => void;
+}
+const kWatch: Watch = {
+  now: () => performance.now(),
+  later: (call, wait) => {
+    const timer = setTimeout(call, wait);
+    return () => clearTimeout(timer);
+  },
+};
+
 /** Plays until `end` (s). Returns how to stop it for good. */
-export function run_clock(store: Store, end: number): () => void {
+export function run_clock(store: Store, end: number, watch = kWatch): () => void {
   let handle = 0;
   let last = 0;
   const frame = (now: number): void => {
@@ -23,7 +38,7 @@ export function run_clock(store: Store, end: number): () => void {
   };
   const start = (): void => {
     if (handle) return;
-    last = performance.now();
+    last = watch.now();
     handle = requestAnimationFrame(frame);
   };
   const stop = store.subscribe((now, before) => {
@@ -45,30 +60,30 @@ function only_time(now: View, before: View): boolean {
 /** One for all panels of a store, so that they redraw in one go. */
 class Pacer {
   readonly listeners = new Set<() => void>();
-  private timer: ReturnType<typeof setTimeout> | null = null;
-  private told = 0;
+  private cancel: (() => void) | null = null;
+  private told = -Infinity;
 
-  constructor(store: Store) {
+  constructor(store: Store, private readonly watch: Watch) {
     store.subscribe((now, before) => {
-      const wait = now.playing && only_time(now, before) ? this.told + kPace - performance.now() : 0;
+      const wait = now.playing && only_time(now, before) ? this.told + kPace - watch.now() : 0;
       if (wait <= 0) this.tell();
-      else this.timer ??= setTimeout(() => this.tell(), wait);
+      else this.cancel ??= watch.later(() => this.tell(), wait);
     });
   }
   private tell(): void {
-    if (this.timer) clearTimeout(this.timer);
-    this.timer = null;
-    this.told = performance.now();
+    this.cancel?.();
+    this.cancel = null;
+    this.told = this.watch.now();
     for (const listener of this.listeners) listener();
   }
 }
 
 const kPacers = new WeakMap<Store, Pacer>();
 
-/** Like Store.subscribe, but while the run plays at most about 15 times a second. */
-export function subscribe_paced(store: Store, listener: () => void): () => void {
+/** Like Store.subscribe, but while the run plays at most ten times a second. All of a store go by the watch of the first. */
+export function subscribe_paced(store: Store, listener: () => void, watch = kWatch): () => void {
   let pacer = kPacers.get(store);
-  if (!pacer) kPacers.set(store, (pacer = new Pacer(store)));
+  if (!pacer) kPacers.set(store, (pacer = new Pacer(store, watch)));
   pacer.listeners.add(listener);
   return () => pacer.listeners.delete(listener);
 }
