@@ -31,11 +31,10 @@ class Utility final : public OverGrid<State, Action> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     typename Base::Sums utility, expected;
-    StrongestChild strongest;
-    const bool any = this->add_up(t, out, strongest, utility);
-    if (any)
+    const auto opinion = this->add_up(t, out, utility);
+    if (opinion.any)
       expect(utility, expected);
-    return this->propose(t, out, strongest, any, utility);
+    return this->propose(t, out, opinion, utility);
   }
 
  private:

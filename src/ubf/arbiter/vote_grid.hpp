@@ -21,58 +21,76 @@ class OverGrid : public Mixing<State, Action> {
  protected:
   using Sums = std::array<double, Grid<Action>::kMostCandidates>;
 
+  struct Opinion {
+    StrongestChild strongest;
+    bool any = false;     ///< somebody has an opinion of the grid
+    double rounding = 0;  ///< sums that are no farther apart are equal
+  };
+
   /// Asks the children and adds up `weight * worth` of each candidate in `sums`. Fields that are
-  /// not on the grid are left in `out` as per_field would. False if nobody has an opinion of the
-  /// grid.
-  bool add_up(const Tick<State>& t, Proposal<Action>& out, StrongestChild& strongest,
-              Sums& sums) const {
+  /// not on the grid are left in `out` as per_field would.
+  Opinion add_up(const Tick<State>& t, Proposal<Action>& out, Sums& sums) const {
     std::fill_n(sums.begin(), grid.size(), 0.0);
-    bool any = false;
+    Opinion all;
     FieldMerge<Action> merge;
     Scratch<Action> scratch;
-    strongest =
+    all.strongest =
         this->ask_voters(t, scratch.get(), [&](const auto& child, const Proposal<Action>& next) {
           const auto weight = static_cast<double>(next.vote);
+          double farthest = 1;  // from no opinion
           if (const auto* appraiser = child.appraiser()) {
-            appraise(*appraiser, t, weight, sums);
-            any = true;
+            farthest = appraise(*appraiser, t, weight, sums);
+            all.any = true;
           } else {
-            any |= near_what_is_asked(next.action, weight, sums);
+            all.any |= near_what_is_asked(next.action, weight, sums);
           }
+          all.rounding += kRounding * weight * farthest;
           merge.add(next, out.action);
         });
-    return any;
+    return all;
   }
   /// Makes the proposal: the best candidate, if there is an opinion.
-  Status propose(const Tick<State>& t, Proposal<Action>& out, const StrongestChild& strongest,
-                 bool any, const Sums& sums) const {
-    if (any) {
-      const auto best =
-          std::max_element(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(grid.size()));
-      grid.set(static_cast<std::size_t>(best - sums.begin()), out.action);
-    }
-    out.vote = strongest.vote;
-    out.leader = any ? kNone : strongest.leader;  // a choice of all is nobody's but this node's
+  Status propose(const Tick<State>& t, Proposal<Action>& out, const Opinion& all,
+                 const Sums& sums) const {
+    if (all.any)
+      grid.set(best_of(sums, all.rounding), out.action);
+    out.vote = all.strongest.vote;
+    // a choice of all is nobody's but this node's
+    out.leader = all.any ? kNone : all.strongest.leader;
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_others(*t.trace, *this, [&](std::size_t field) { return any && grid.has(field); });
-    return strongest.status;
+      trace_others(*t.trace, *this, [&](std::size_t field) { return all.any && grid.has(field); });
+    return all.strongest.status;
   }
   [[nodiscard]] std::string grid_problem() const {
     return grid.size() ? Voting<State, Action>::problem() : "a grid needs at least one field";
   }
 
  private:
-  void appraise(const Appraiser<State, Action>& appraiser, const Tick<State>& t, double weight,
-                Sums& sums) const {
+  /// Between two voices of the same weight all candidates have the same sum, but for the last bits
+  /// of it; these must not choose.
+  static constexpr double kRounding = 1e-12;
+
+  [[nodiscard]] std::size_t best_of(const Sums& sums, double rounding) const {
+    const auto end = sums.begin() + static_cast<std::ptrdiff_t>(grid.size());
+    const double enough = *std::max_element(sums.begin(), end) - rounding;
+    const auto best = std::find_if(sums.begin(), end, [&](double sum) { return sum >= enough; });
+    return static_cast<std::size_t>(best - sums.begin());
+  }
+  /// Returns the greatest worth, or the smallest if that is farther from 0, without its sign.
+  double appraise(const Appraiser<State, Action>& appraiser, const Tick<State>& t, double weight,
+                  Sums& sums) const {
     Scratch<Action> candidate;
+    double farthest = 0;
     Action& action = candidate.get().action;
     for (std::size_t i = 0; i < grid.size(); ++i) {
       grid.set(i, action);
       const double worth = appraiser.appraise(t, action);
       EYRIE_ASSERT(worth - worth == 0);  // finite
       sums[i] += weight * worth;
+      farthest = std::fmax(farthest, std::fabs(worth));
     }
+    return farthest;
   }
   /// A plain proposal votes for what is near it, in the mean over the fields that it sets.
   bool near_what_is_asked(const Action& action, double weight, Sums& sums) const {
@@ -126,9 +144,8 @@ class VoteGrid final : public OverGrid<State, Action> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     typename VoteGrid::Sums sums;
-    StrongestChild strongest;
-    const bool any = this->add_up(t, out, strongest, sums);
-    return this->propose(t, out, strongest, any, sums);
+    const auto opinion = this->add_up(t, out, sums);
+    return this->propose(t, out, opinion, sums);
   }
 };
 

@@ -72,6 +72,27 @@ TEST(VoteGrid, FindsWhatManyCanLiveWith) {
   EXPECT_NEAR(heading_of(robot), 0, 1e-9) << "the stronger of two";
 }
 
+TEST(VoteGrid, TakesTheFirstOfEqualsWhereTheLastBitsDiffer) {
+  // all candidates between two voices of one weight have the same sum
+  Robot robot(compass<ByVotes>(probes(2)));
+  for (int tenths = 0; tenths < 100; ++tenths) {
+    const double off = 0.1 * tenths;
+    robot.cue(0) = {kRunning, 3.3F, {.heading = radians(70 + off)}};
+    robot.cue(1) = {kRunning, 3.3F, {.heading = radians(120 + off)}};
+    robot.tick();
+    EXPECT_NEAR(heading_of(robot), off == 0 ? 70 : 80, 1e-9) << off;
+  }
+}
+
+TEST(VoteGrid, HearsAJudgeWhoCountsInSmallNumbers) {
+  Children children;
+  children.push_back(
+      make<Judge>(1.F, [](const Action& a) { return *a.heading == radians(90) ? 2e-9 : 1e-9; }));
+  Robot robot(compass<ByUtility>(std::move(children)));
+  robot.tick();
+  EXPECT_NEAR(heading_of(robot), 90, 1e-9);
+}
+
 TEST(VoteGrid, LetsAJudgeSpeakAgainstCandidates) {
   Children children = probes(1);
   children.push_back(make<Judge>(20.F, [](const Action& a) {
