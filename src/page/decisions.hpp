@@ -10,14 +10,10 @@
 #include <vector>
 
 #include "debrief/values.hpp"
+#include "page/quantum.hpp"
 #include "page/shapes.hpp"
 
 namespace eyrie::page {
-
-/// What numbers of a unit are rounded to. People look at them.
-[[nodiscard]] inline double quantum_of(std::string_view unit) {
-  return unit == "rad" ? 1e-6 : unit == "m" ? 1e-3 : 1e-4;
-}
 
 /// How a field of an action stands in a column: "number", "flag", "id" or "text".
 template <class Field>
@@ -46,24 +42,33 @@ template <class Action>
   Json fields = Json::array();
   ubf::for_each_field<Action>([&](const auto& f, auto) {
     using Field = std::remove_cvref_t<decltype(f)>;
+    const bool is_number = column_kind<Field>() == "number";
     fields.push_back({{"name", f.name},
                       {"unit", f.unit.si_symbol},
                       {"blend", blend_name<Field>()},
-                      {"kind", column_kind<Field>()}});
+                      {"kind", column_kind<Field>()},
+                      {"quantum", is_number ? quantum_of(f.unit.si_symbol) : 1.0}});
   });
   return fields;
 }
 
-/// Steps, shapes, and the values that nodes proposed themselves: leaves all of theirs, arbiters
-/// what they blended.
+/// A field of the state that conditions read, and what it was.
+struct StateRead {
+  std::uint32_t field = 0;
+  double quantum = 1, value = 0;
+};
+
+/// Steps, shapes, the values that nodes proposed themselves (leaves all of theirs, arbiters what
+/// they blended), and of the state what conditions read.
 class Decisions {
  public:
   Decisions(ShapeBook& shapes, TextBook& texts) : shapes_(shapes), texts_(texts) {}
 
-  /// True if somebody else leads than at the decision before.
+  /// True if somebody else leads than at the decision before. `read` has the same fields each time.
   template <class Action>
   bool add(std::uint64_t step, std::size_t tree, const std::vector<debrief::Answer>& blank,
-           ubf::NodeIndex leader, const ubf::Trace<Action>& trace, bool thin, double period) {
+           ubf::NodeIndex leader, const ubf::Trace<Action>& trace,
+           const std::vector<StateRead>& read, bool thin, double period) {
     const std::int64_t shape = shapes_.number(tree, blank, leader, trace);
     const bool changed = tree != tree_ || leader != leader_;
     tree_ = tree;
@@ -76,6 +81,8 @@ class Decisions {
     step_.add_rounded(static_cast<std::int64_t>(step));
     shape_column_.add_rounded(shape);
     ubf::for_each_field<Action>([&](const auto& f, auto i) { add_field(f, i, blank, trace); });
+    for (const StateRead& one : read)
+      state_.try_emplace(one.field, one.quantum).first->second.add(one.value);
     return changed;
   }
 
@@ -83,9 +90,12 @@ class Decisions {
     Json values = Json::array();
     for (const auto& [at, column] : values_)
       values.push_back({at.first, at.second, put(bytes, column)});
-    return {{"step", put(bytes, step_)},
-            {"shape", put(bytes, shape_column_)},
-            {"values", std::move(values)}};
+    Json all{{"step", put(bytes, step_)},
+             {"shape", put(bytes, shape_column_)},
+             {"values", std::move(values)}};
+    for (const auto& [field, column] : state_)
+      all["state"].push_back({field, put(bytes, column)});
+    return all;
   }
 
  private:
@@ -140,6 +150,7 @@ class Decisions {
   TextBook& texts_;
   Column step_, shape_column_;
   std::map<std::pair<int, int>, Column> values_;  ///< by node and field
+  std::map<std::uint32_t, Column> state_;         ///< by field
   std::size_t tree_ = static_cast<std::size_t>(-1);
   ubf::NodeIndex leader_ = ubf::kNone;
   std::int64_t shape_ = -1;

@@ -33,8 +33,11 @@ class Platform {
   /// Its trees are numbered from `first` on.
   Platform(const Trees& trees, std::size_t first)
       : trees_(trees), first_(first), trace_(trees.max_size()) {
-    for (const auto& tree : trees)
+    for (const auto& tree : trees) {
       blank_.push_back(debrief::unanswered(tree));
+      for (const std::uint32_t field : fields_read(tree))
+        add_read(field);
+    }
   }
 
   /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
@@ -42,8 +45,10 @@ class Platform {
   void decide(const team::Moment<State>& m, Agent& agent, bool thin, See see) {
     const std::uint16_t tree = m.state.agent.tree;
     const auto out = team::ask_again(trees_[tree], m, &trace_);
+    for (StateRead& one : read_)
+      one.value = ubf::StateFields<State>::all()[one.field].read(m.state);
     const bool changed = agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader,
-                                             trace_, thin, kThinnedDecisions / m.info.dt);
+                                             trace_, read_, thin, kThinnedDecisions / m.info.dt);
     const double every = thin ? kThinnedSights : kSights;
     if (changed || m.info.time() - agent.sights.last_time() > every - 1e-6)
       see(m.state);
@@ -71,9 +76,17 @@ class Platform {
   }
 
  private:
+  void add_read(std::uint32_t field) {
+    for (const StateRead& one : read_)
+      if (one.field == field)
+        return;
+    read_.push_back({field, quantum_of(ubf::StateFields<State>::all()[field].info)});
+  }
+
   const Trees& trees_;
   std::size_t first_;
   ubf::Trace<Action> trace_;
+  std::vector<StateRead> read_;  ///< what conditions of the trees read
   std::vector<std::vector<debrief::Answer>> blank_;
 };
 

@@ -29,9 +29,24 @@ struct Cue {
 };
 struct State {
   std::vector<Cue> cues;
+  double fuel = 0;   ///< kg
+  double range = 0;  ///< m, NaN: there is no target
+  bool alarm = false;
 };
 
 }  // namespace
+
+template <>
+struct eyrie::ubf::StateFields<State> {
+  static std::span<const StateField<State>> all() {
+    using F = FieldsOf<State>;
+    static constexpr std::array kFields = {
+        F::number("fuel", "kg", "on board", [](const State& s) { return s.fuel; }),
+        F::number("range", "m", "of the target", [](const State& s) { return s.range; }),
+        F::flag("alarm", "", [](const State& s) { return s.alarm ? 1.0 : 0.0; })};
+    return kFields;
+  }
+};
 
 template <>
 struct eyrie::ubf::ActionTraits<Action> {
@@ -75,6 +90,9 @@ class Maker {
     State s;
     for (std::size_t i = 0; i < cues_; ++i)
       s.cues.push_back(cue());
+    s.fuel = 500.0 * pick(4);
+    s.range = pick(4) ? 1000.0 * pick(9) : ubf::kNoValue;
+    s.alarm = pick(3) == 0;
     return s;
   }
 
@@ -106,7 +124,7 @@ class Maker {
   [[nodiscard]] Child composite(std::size_t depth) {
     using S = State;
     using A = Action;
-    switch (pick(12)) {
+    switch (pick(16)) {
       case 0:
         return with_children<ubf::PerField<S, A>>(depth);
       case 1:
@@ -158,9 +176,58 @@ class Maker {
         inhibit->hold = 0.2 * pick(4);
         return inhibit;
       }
+      case 11:
+      case 12:
+        return verify(depth);
+      case 13:
+        return over_grid<ubf::VoteGrid<S, A>>(depth);
+      case 14:
+        return over_grid<ubf::Utility<S, A>>(depth);
       default:
         return with_children<ubf::WinnerTakesAll<S, A>>(depth);
     }
+  }
+  [[nodiscard]] Child verify(std::size_t depth) {
+    auto verify = with_children<ubf::Verify<State, Action>>(depth);
+    verify->fallback = verify->children().size() > 1 && pick(2) != 0;
+    if (pick(2))
+      verify->bounds.set("heading", radians(90.0 * pick(4)), radians(90.0 * pick(4)));
+    const std::optional<double> least = 1000.0 * pick(2);
+    if (pick(2))
+      verify->bounds.set("altitude", least, pick(2) ? std::optional(3000.0) : std::nullopt);
+    if (pick(2))
+      verify->bounds.set("route", std::nullopt, 0.0);
+    static constexpr std::array kRefusals = {
+        "action.altitude < range and not alarm",
+        "fuel <= 500 kg and (action.release > 0 or action.speed != 200 m/s)",
+        "alarm or action.route == action.release",
+        "not (action.heading >= 90 deg) or range > 5 km",
+    };
+    if (pick(2) || verify->bounds.empty())
+      verify->add_refusal(refusal(kRefusals[pick(4)]));
+    if (pick(3) == 0)
+      verify->add_refusal(refusal(kRefusals[pick(4)]));
+    return verify;
+  }
+  [[nodiscard]] static ubf::ActionExpression<State, Action> refusal(const char* words) {
+    using Expression = ubf::ActionExpression<State, Action>;
+    ubf::FieldNames names;
+    Diagnostics diagnostics;
+    auto program = ubf::parse_expression(eyrie::Value::scalar(words), Expression::fields(), names,
+                                         diagnostics);
+    EYRIE_ASSERT(program.has_value());
+    return Expression(std::move(*program));
+  }
+  template <class Arbiter>
+  [[nodiscard]] Child over_grid(std::size_t depth) {
+    auto made = with_children<Arbiter>(depth);
+    const bool spreads = std::is_same_v<Arbiter, ubf::Utility<State, Action>> && pick(3);
+    const double from = radians(45.0 * pick(3));
+    made->grid.add("heading", from, from + radians(pick(2) ? 360 : 180), 8 + pick(9),
+                   radians(30.0 * (1 + pick(4))), spreads ? radians(20.0) : 0);
+    if (pick(3) == 0)
+      made->grid.add("speed", 50, 250, 5 + pick(3), 100, spreads ? 40 : 0);
+    return made;
   }
   /// Few different votes and values, so that ties and agreement happen.
   [[nodiscard]] Cue cue() {
@@ -245,6 +312,8 @@ Json case_json(Maker& maker) {
                                 out));
     ticks.push_back(answers_json(tree, trace));
     ticks.back()["t"] = time;
+    for (const auto& field : ubf::StateFields<State>::all())
+      ticks.back()["state"].push_back(page::number_or_null(field.read(state)));
     time += maker.pause();
   }
   return {{"tree", page::tree_json(tree, "aircraft")["nodes"]}, {"ticks", ticks}};
@@ -258,7 +327,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   Json cases = Json::array();
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     Maker maker(seed);
     cases.push_back(case_json(maker));
   }

@@ -4,15 +4,16 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { decider_of, kDone, type Params, type Proposal } from '../src/decide/arbitrate.ts';
 import { make_proposal } from '../src/decide/proposal.ts';
-import { kFields, proposal, type FieldName, type Said } from './decide_run.ts';
+import { kFields, kNever, proposal, type FieldName, type Said } from './decide_run.ts';
 
 const kNode = 9;
 const kSchema = { direction: 'heading', magnitude: 'speed', unit_vote: 40 };
 
-function decide(type: string, said: (Said | null)[], params: Params = {}): Proposal {
+/** What it makes of them; `moment` is for those who look at the state. */
+function decide(type: string, said: (Said | null)[], params: Params = {}, moment = kNever): Proposal {
   const out = make_proposal(kFields.length);
   const children = said.map((s, i) => (s ? proposal(s, i) : make_proposal(kFields.length)));
-  assert.equal(decider_of(type, params, kFields, kNode, children.map((_, i) => i))!(children, out, 0), kDone);
+  assert.equal(decider_of(type, params, kFields, kNode, children.map((_, i) => i))!(children, out, moment), kDone);
   return out;
 }
 function value(out: Proposal, name: FieldName): number {
@@ -41,7 +42,7 @@ function assert_nothing(out: Proposal): void {
 describe('every arbiter', () => {
   const kAll: [string, Params][] = [
     ['winner_takes_all', {}], ['per_field', {}], ['fusion', {}], ['fusion', { top: 2 }], ['fusion', { conflicts: 'drop' }],
-    ['paper_fusion', { high_vote: 50 }], ['motor_schema', kSchema], ['priority', {}],
+    ['paper_fusion', { high_vote: 50 }], ['motor_schema', kSchema], ['priority', {}], ['verify', { 'bounds.altitude.max': 9000 }],
   ];
   for (const [type, params] of kAll) {
     const name = `${type} ${JSON.stringify(params)}`;
@@ -60,7 +61,7 @@ describe('every arbiter', () => {
     });
     test(`${name} wants to hear everybody`, () => {
       const children = [proposal({ vote: 5, heading: 1 }, 0), make_proposal(kFields.length)];
-      assert.equal(decider_of(type, params, kFields, kNode, [0, 1])!(children, make_proposal(kFields.length), 0), 1);
+      assert.equal(decider_of(type, params, kFields, kNode, [0, 1])!(children, make_proposal(kFields.length), kNever), 1);
     });
     test(`${name} rescales what goes up`, () => {
       const said = [{ vote: 40.1, heading: 1 }];
@@ -175,7 +176,7 @@ describe('control nodes', () => {
     const out = decide('selector', [fail, { heading: 1 }, null]);
     assert.deepEqual([out.status, out.vote, value(out, 'heading'), out.leader], ['running', 0, 1, 1]);
     const unasked = make_proposal(kFields.length);
-    assert.equal(decider_of('selector', {}, kFields, kNode, [0, 1])!([proposal(fail, 0), unasked], make_proposal(kFields.length), 0), 1);
+    assert.equal(decider_of('selector', {}, kFields, kNode, [0, 1])!([proposal(fail, 0), unasked], make_proposal(kFields.length), kNever), 1);
     assert_nothing(decide('selector', [fail, fail]));
   });
   test('sequence sends up the last proposal that was made', () => {

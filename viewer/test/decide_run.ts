@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 /** A small run with one player, whose tree and answers a test writes down. */
-import { decider_of, kDone } from '../src/decide/arbitrate.ts';
+import { decider_of, kDone, type Moment } from '../src/decide/arbitrate.ts';
 import { make_proposal, type Proposal } from '../src/decide/proposal.ts';
 import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
 
 export const kFields: ActionField[] = [
-  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number' },
-  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number' },
-  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number' },
-  { name: 'mode', unit: '', blend: 'agreed', kind: 'text' },
-  { name: 'target', unit: '', blend: 'strongest', kind: 'id' },
-  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag' },
+  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number', quantum: 1e-6 },
+  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number', quantum: 1e-3 },
+  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number', quantum: 1e-4 },
+  { name: 'mode', unit: '', blend: 'agreed', kind: 'text', quantum: 1 },
+  { name: 'target', unit: '', blend: 'strongest', kind: 'id', quantum: 1 },
+  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag', quantum: 1 },
 ];
 export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | 'trigger';
 /** What a leaf says; by default it is running. */
 export type Said = { status?: Status; vote?: number } & { [K in FieldName]?: number };
+
+/** A moment at which nobody looks. */
+export const kNever: Moment = { t: 0, state: () => NaN };
 
 export interface NodeSpec {
   label: string;
@@ -71,7 +74,7 @@ export function answers(tree: Tree, said: Record<string, Said>): Proposal[] {
     const decide = children.length && !own ? decider_of(type, params, kFields, i, children) : null;
     const kids = children.map((child) => all[child]!);
     if (!decide || kids[0]!.status === null) continue;
-    if (decide(kids, all[i]!, 0) !== kDone) throw new Error(`${label} asks a child that says nothing`);
+    if (decide(kids, all[i]!, kNever) !== kDone) throw new Error(`${label} asks a child that says nothing`);
   }
   return all;
 }
@@ -103,7 +106,7 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
     return columns.get(key)!;
   };
   const t = Float64Array.from(decisions, (_, i) => i / 10);
-  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, value };
+  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, value, state: () => null };
   const player = { index: 0, name: 'eagle2', kind: 'aircraft', decisions: decided };
   const platform = { action: kFields, state: [] };
   return {

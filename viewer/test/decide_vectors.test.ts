@@ -16,6 +16,8 @@ interface Answer {
 }
 interface Tick {
   t: number;
+  /** By field; null: it has no value. */
+  state: (number | null)[];
   leaves: { node: number; status: Status; vote: number; action: (number | null)[] }[];
   /** Per node; null: not asked. */
   expected: (Answer | null)[];
@@ -86,7 +88,7 @@ function answers({ action }: Vectors, one: Case, all_decide: (Decider | null)[],
     const decide = all_decide[node];
     if (tick.expected[node] === null) decide?.forget?.();
     else if (decide) {
-      const missing = decide(children_of(one, node).map((child) => all[child]!), all[node]!, tick.t);
+      const missing = decide(children_of(one, node).map((child) => all[child]!), all[node]!, { t: tick.t, state: (field) => tick.state[field] ?? NaN });
       assert.equal(missing, kDone, `${one.tree[node]!.path} asks child ${missing}, which was not asked`);
     }
   }
@@ -96,6 +98,7 @@ function answers({ action }: Vectors, one: Case, all_decide: (Decider | null)[],
 test('the arbiters of the page answer as those of the program', { skip: kFile ? false : 'EYRIE_VECTORS is not set' }, () => {
   assert.ok(existsSync(kFile!), `EYRIE_VECTORS names ${kFile}, which is not there`);
   const vectors = JSON.parse(readFileSync(kFile!, 'utf8')) as Vectors;
+  for (const field of vectors.action) field.quantum = 0; // unlike in a page
   assert.ok(vectors.cases.length > 0);
   vectors.cases.forEach((one, number) => {
     const decide = deciders(vectors, one);

@@ -185,10 +185,14 @@ describe('what if', { skip: kNoPage }, () => {
 
   test('another arbiter answers as the program does', { skip: kNoProgram }, async () => {
     await look_at('root/bvr');
-    for (const type of ['winner_takes_all', 'fusion', 'motor_schema', 'paper_fusion', 'priority']) {
+    for (const type of ['winner_takes_all', 'fusion', 'motor_schema', 'paper_fusion', 'priority', 'vote_grid', 'utility', 'verify']) {
       await page.selectOption('select[aria-label="Arbiter of bvr"]', type);
       await compare();
     }
+    await page.selectOption('select[aria-label="bounds.field"]', 'altitude');
+    await page.fill('input[aria-label="bounds.altitude.max in numbers"]', '29000');
+    await compare();
+    await shoot(page, 'what-if-verify');
     await page.selectOption('select[aria-label="Arbiter of bvr"]', 'commitment');
     for (const [name, value] of [['margin', '20'], ['min_time', '5'], ['hold', '3']] as const) {
       await page.fill(`input[aria-label="${name} in numbers"]`, value);

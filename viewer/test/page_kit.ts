@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import type { Browser, BrowserContext, Page } from 'playwright-core';
+import { words_of, type WhatIfJson } from './terminal.ts';
 
 const { env } = process;
 /** A debrief.html of the sweep. */
@@ -128,12 +129,6 @@ export interface DecisionJson {
   action: (ValueJson & { winner: string; reason: string; rivals: { node: string; value: ValueJson; vote: number }[] })[];
   nodes: { path: string; asked: boolean; status?: string; vote?: number }[];
 }
-interface FieldJson { name: string; flown: string; other: string }
-export interface WhatIfJson {
-  decisions: number;
-  different: number;
-  first?: { time_s: number; step: number; leader: { flown: string; other: string }; fields: FieldJson[] };
-}
 
 async function ask<T>(command: string, args: string[]): Promise<T> {
   const { stdout } = await promisify(execFile)(kProgram, [command, kRunFolder, ...args, '--json'], { maxBuffer: 1 << 28 });
@@ -149,7 +144,7 @@ export async function explain(player: string, time: number): Promise<DecisionJso
 
 /** Asks what stands in the page as a command for the terminal. */
 export async function ask_command(command: string): Promise<WhatIfJson> {
-  const words = [...command.matchAll(/'((?:[^']|'\\'')*)'|(\S+)/g)].map(([, quoted, plain]) => plain ?? quoted!.replaceAll("'\\''", "'"));
+  const words = words_of(command);
   assert.deepEqual(words.slice(0, 3), ['eyrie', 'whatif', 'RUN']);
   return ask<WhatIfJson>('whatif', words.slice(3));
 }

@@ -36,6 +36,20 @@ struct FieldLimits {
 template <class Action>
 class Bounds {
  public:
+  /// Of one field.
+  struct Limits {
+    std::optional<double> min, max;
+
+    [[nodiscard]] bool given() const { return min || max; }
+    template <class Field>
+    [[nodiscard]] bool contain(double x) const {
+      if constexpr (Field::is_direction)
+        return wrap_tau(x - *min) <= wrap_tau(*max - *min);
+      else
+        return (!min || x >= *min) && (!max || x <= *max) && x == x;
+    }
+  };
+
   /// Whether every field that is set is within its limits. NaN is not.
   [[nodiscard]] bool hold(const Action& action) const {
     bool good = true;
@@ -54,6 +68,7 @@ class Bounds {
         return false;
     return true;
   }
+  [[nodiscard]] const Limits& limits(std::size_t field) const { return limits_[field]; }
   /// Sets the limits of a field; says in words what is wrong with them, or nothing.
   std::string set(std::string_view name, std::optional<double> min, std::optional<double> max) {
     std::string problem = fmt::format("an action has no field {}{}", quote(name),
@@ -86,19 +101,6 @@ class Bounds {
   }
 
  private:
-  struct Limits {
-    std::optional<double> min, max;
-
-    [[nodiscard]] bool given() const { return min || max; }
-    template <class Field>
-    [[nodiscard]] bool contain(double x) const {
-      if constexpr (Field::is_direction)
-        return wrap_tau(x - *min) <= wrap_tau(*max - *min);
-      else
-        return (!min || x >= *min) && (!max || x <= *max) && x == x;
-    }
-  };
-
   template <class Field>
   [[nodiscard]] static std::string problem_with(std::string_view name, std::optional<double> min,
                                                 std::optional<double> max) {

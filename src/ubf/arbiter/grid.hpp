@@ -52,7 +52,8 @@ class Grid {
 
   struct Axis {
     std::size_t field = 0;  ///< of the action
-    double from = 0, step = 0, reach = 1;
+    double from = 0, to = 0, step = 0, reach = 1;
+    double deviation = 0;  ///< of what comes of a command
     std::size_t steps = 0;
     bool is_direction = false, is_circle = false;
     /// The probability that the outcome lies k steps off the command, k = 0, 1 ...; the same to
@@ -140,14 +141,19 @@ class Grid {
       return fmt::format("{}: 'to' must be greater than 'from'", quote(name));
     if (said.steps < 2 || said.steps > kMostSteps)
       return fmt::format("{}: 'steps' must be in [2, {}]", quote(name), kMostSteps);
-    Axis axis{.field = field, .from = said.from, .reach = said.reach, .steps = said.steps};
+    Axis axis{.field = field,
+              .from = said.from,
+              .to = said.to,
+              .reach = said.reach,
+              .deviation = said.spread,
+              .steps = said.steps};
     axis.is_direction = kDirection;
     const double width = said.to - said.from;
     if (kDirection && width > kTau * (1 + 1e-9))
       return fmt::format("{}: more than a whole circle", quote(name));
     axis.is_circle = kDirection && width > kTau * (1 - 1e-9);
     axis.step = width / static_cast<double>(axis.is_circle ? said.steps : said.steps - 1);
-    set_spread(axis, said.spread);
+    set_spread(axis);
     axes_.push_back(std::move(axis));
     if (size() <= kMostCandidates)
       return {};
@@ -155,10 +161,10 @@ class Grid {
     axes_.pop_back();
     return fmt::format("the grid has {} candidates, the most is {}", candidates, kMostCandidates);
   }
-  static void set_spread(Axis& axis, double deviation) {
-    if (!(deviation > 0))
+  static void set_spread(Axis& axis) {
+    if (!(axis.deviation > 0))
       return;
-    const double in_steps = deviation / axis.step;
+    const double in_steps = axis.deviation / axis.step;
     const auto farthest = static_cast<std::size_t>(
         std::fmin(std::ceil(3 * in_steps), static_cast<double>((axis.steps - 1) / 2)));
     double total = 1;

@@ -86,6 +86,9 @@ class Verify final : public Voting<State, Action> {
   void add_refusal(ActionExpression<State, Action> refusal) {
     refusals_.push_back(std::move(refusal));
   }
+  [[nodiscard]] const std::vector<ActionExpression<State, Action>>& refusals() const {
+    return refusals_;
+  }
 
  private:
   [[nodiscard]] bool passes(const State& state, const Action& action) const {

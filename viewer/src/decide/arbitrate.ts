@@ -3,36 +3,14 @@
 import type { ActionField } from '../run/run.ts';
 import { averages, sum_of, Vectors, type Sum } from './blend.ts';
 import { kControl } from './control.ts';
-import { kDone, merge_fields, type Decider, type Maker, type Params } from './decider.ts';
+import { asks_all, as_strongest, kDone, merge_fields, strongest_of, type Decider, type Maker, type Params } from './decider.ts';
+import { utility, vote_grid } from './grid.ts';
 import { clear, copy, is_empty, is_heard, record, type Proposal } from './proposal.ts';
 import { commitment, kLayers, priority } from './remembering.ts';
+import { verify } from './verify.ts';
 
-export { kDone, type Decider, type Params } from './decider.ts';
+export { kDone, type Decider, type Moment, type Params } from './decider.ts';
 export type { Proposal } from './proposal.ts';
-
-/** The child with the highest vote, the earlier of equals. */
-function strongest_of(children: readonly Proposal[]): Proposal | null {
-  let strongest: Proposal | null = null;
-  for (const child of children) if (is_heard(child) && !(strongest && child.vote <= strongest.vote)) strongest = child;
-  return strongest;
-}
-
-/** Vote and status of what several were mixed to are those of the strongest. */
-function as_strongest(children: readonly Proposal[], out: Proposal): Proposal | null {
-  const strongest = strongest_of(children);
-  out.status = strongest ? strongest.status : 'failure';
-  out.vote = strongest ? strongest.vote : 0;
-  return strongest;
-}
-
-/** All arbiters ask every child every time. */
-function asks_all(decide: (children: readonly Proposal[], out: Proposal) => void): Decider {
-  return (children, out) => {
-    for (let i = 0; i < children.length; ++i) if (children[i]!.status === null) return i;
-    decide(children, out);
-    return kDone;
-  };
-}
 
 function take(winner: Proposal | null | undefined, out: Proposal): void {
   if (winner) copy(winner, out);
@@ -125,9 +103,13 @@ const motor_schema: Maker = ({ direction, magnitude, unit_vote }, fields) => {
   });
 };
 
-export const kArbiters: Record<string, Maker> = { winner_takes_all, per_field, fusion, paper_fusion, motor_schema, priority, commitment };
-/** These make values of their own. */
-export const kBlenders: ReadonlySet<string> = new Set(['fusion', 'paper_fusion', 'motor_schema']);
+export const kArbiters: Record<string, Maker> = {
+  winner_takes_all, per_field, fusion, paper_fusion, motor_schema, priority, commitment, verify, vote_grid, utility,
+};
+/** These choose among candidates of their own, and ask some behaviors what each is worth. */
+export const kOverGrid: ReadonlySet<string> = new Set(['vote_grid', 'utility']);
+/** What these decide hangs on what was asked for, not on votes and statuses alone. */
+export const kByValue: ReadonlySet<string> = new Set(['fusion', 'paper_fusion', 'motor_schema', 'verify', ...kOverGrid]);
 const kUnscaled: ReadonlySet<string> = new Set(['guard', 'inverter', 'force_success', 'force_failure']);
 
 /** What goes up votes as `vote` or `vote_scale` say; an empty proposal stays one. */
@@ -142,9 +124,9 @@ export function decider_of(type: string, params: Params, fields: readonly Action
   const decide = (kArbiters[type] ?? kControl[type] ?? kLayers[type])?.(params, fields, kids);
   if (!decide) return null;
   const scales = !kUnscaled.has(type);
-  const whole: Decider = (children, out, now) => {
+  const whole: Decider = (children, out, moment) => {
     clear(out);
-    const missing = decide(children, out, now);
+    const missing = decide(children, out, moment);
     if (missing !== kDone) return missing;
     if (scales) rescale(out, params);
     record(out, node);

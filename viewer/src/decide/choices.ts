@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
-/** Which arbiters the page can put in a composite's place, and how to ask the program the same. */
+/** Which arbiters the page can put in a composite's place, and with which parameters. */
 import type { ActionField, Run, Tree, TreeNode } from '../run/run.ts';
 import { kArbiters } from './arbitrate.ts';
+import { axes_named } from './grid.ts';
 import { kAll, type Change } from './retrace.ts';
+import { about_field, to_shown, unit_of } from './units.ts';
 
+type Given = Record<string, number | string>;
+
+/** Values are in the units that people give. */
 export interface ParamChoice {
   name: string;
   /** Of its number; "" for none. */
@@ -17,99 +22,173 @@ export interface ArbiterChoice {
 }
 
 /** Arbiters that the page cannot put anywhere but can replace: all that just have children. */
-const kReplaceable: ReadonlySet<string> = new Set(['weighted_random', 'verify', 'vote_grid', 'utility']);
+const kReplaceable: ReadonlySet<string> = new Set(['weighted_random']);
 /** StrongestFew keeps no more. */
 const kMostTop = 8;
 
-/** The program asks for units. */
-const kUnits: Record<string, string> = { min_time: 's', hold: 's' };
+/** What can be asked of a field, by its SI unit: a range, limits and candidates to begin with, in the units that people give. */
+interface Range {
+  min: number;
+  max: number;
+  from: number;
+  to: number;
+  steps: number;
+  reach: number;
+  limits: [number, number];
+}
+const kRanges: Record<string, Range> = {
+  rad: { min: 0, max: 720, from: 0, to: 360, steps: 36, reach: 60, limits: [0, 180] },
+  m: { min: 0, max: 60000, from: 0, to: 50000, steps: 51, reach: 10000, limits: [0, 50000] },
+  'm/s': { min: 0, max: 1500, from: 100, to: 900, steps: 41, reach: 200, limits: [100, 900] },
+};
+const kOtherRange: Range = { min: -20, max: 20, from: 1, to: 9, steps: 17, reach: 3, limits: [1, 9] };
 
-function param(node: TreeNode, name: string, values: ParamChoice['values'], otherwise: string | number): ParamChoice {
-  const given = node.params[name];
-  return { name, unit: kUnits[name] ?? '', values, value: typeof given === 'number' || typeof given === 'string' ? given : otherwise };
+function range_of({ unit }: ActionField): Range {
+  return kRanges[unit] ?? kOtherRange;
+}
+
+/** The fields that arbiters with limits or a grid can be about. */
+function real_fields(fields: readonly ActionField[]): ActionField[] {
+  return fields.filter(({ kind, blend }) => kind === 'number' && (blend === 'angle' || blend === 'mean'));
+}
+
+/** What is asked of one node. */
+class Asker {
+  constructor(private readonly node: TreeNode, readonly fields: readonly ActionField[], readonly type: string, readonly given: Given) {}
+
+  /** It flew as this type, and has the parameters of the file. */
+  get is_flown(): boolean {
+    return this.type === this.node.type;
+  }
+  get flown(): TreeNode['params'] {
+    return this.is_flown ? this.node.params : {};
+  }
+  get children(): number {
+    return this.node.children.length;
+  }
+  param(name: string, values: ParamChoice['values'], otherwise: string | number): ParamChoice {
+    const unit = unit_of(name, this.fields);
+    const flown = this.flown[name];
+    const value = typeof flown === 'number' ? to_shown(flown, unit) : typeof flown === 'string' ? flown : otherwise;
+    return { name, unit: unit.symbol, values, value };
+  }
+  /** The choice of the field that a new arbiter is about, first, and that field. */
+  about(group: string): { choice: ParamChoice; field: ActionField } | null {
+    const real = real_fields(this.fields);
+    if (!real.length) return null;
+    const choice = this.param(`${group}.field`, real.map((f) => f.name), real[0]!.name);
+    const wanted = this.given[choice.name] ?? choice.value;
+    return { choice, field: real.find((f) => f.name === wanted) ?? real[0]! };
+  }
+  field(name: string): ActionField {
+    return this.fields.find((f) => f.name === name)!;
+  }
+}
+
+function verify_params(asker: Asker): ParamChoice[] | null {
+  const fallback = asker.children > 1 ? [asker.param('fallback', ['false', 'true'], 'false')] : [];
+  const limit = (field: ActionField, part: 'min' | 'max'): ParamChoice => {
+    const { min, max, limits } = range_of(field);
+    return asker.param(`bounds.${field.name}.${part}`, { min, max }, limits[part === 'min' ? 0 : 1]);
+  };
+  if (!asker.is_flown) {
+    const about = asker.about('bounds');
+    return about && [about.choice, limit(about.field, 'min'), limit(about.field, 'max'), ...fallback];
+  }
+  const limits = Object.keys(asker.flown).flatMap((name) => {
+    const about = about_field(name);
+    return about?.group === 'bounds' ? [limit(asker.field(about.field), about.part === 'min' ? 'min' : 'max')] : [];
+  });
+  return [...limits, ...fallback];
+}
+
+function grid_params(asker: Asker): ParamChoice[] | null {
+  const axis = (field: ActionField): ParamChoice[] => {
+    const { min, max, from, to, steps, reach } = range_of(field);
+    const of = (part: string, values: ParamChoice['values'], value: number) => asker.param(`grid.${field.name}.${part}`, values, value);
+    const spread = asker.type === 'utility' ? [of('spread', { min: 0, max: to - from }, 0)] : [];
+    return [of('from', { min, max }, from), of('to', { min, max }, to), of('steps', { min: 2, max: 360 }, steps),
+      of('reach', { min: 1, max: to - from }, reach), ...spread];
+  };
+  if (asker.is_flown) return axes_named(asker.flown).flatMap((name) => axis(asker.field(name)));
+  const about = asker.about('grid');
+  return about && [about.choice, ...axis(about.field)];
+}
+
+function schema_params(asker: Asker): ParamChoice[] | null {
+  const angles = asker.fields.filter((f) => f.blend === 'angle').map((f) => f.name);
+  const lengths = asker.fields.filter((f) => f.blend === 'mean').map((f) => f.name);
+  if (angles.length === 0 || lengths.length === 0) return null;
+  const speed = lengths.includes('speed') ? 'speed' : lengths[0]!;
+  return [asker.param('direction', angles, angles[0]!), asker.param('magnitude', lengths, speed),
+    asker.param('unit_vote', { min: 1, max: 100 }, 40)];
 }
 
 /** The parameters of an arbiter at this node; null: it is none for these fields. */
-function params_of(type: string, node: TreeNode, fields: readonly ActionField[]): ParamChoice[] | null {
-  const tops = Array.from({ length: Math.min(node.children.length, kMostTop) }, (_, i) => i + 1);
-  switch (type) {
+function params_of(asker: Asker): ParamChoice[] | null {
+  const tops = Array.from({ length: Math.min(asker.children, kMostTop) }, (_, i) => i + 1);
+  switch (asker.type) {
     case 'fusion':
-      return [param(node, 'top', [kAll, ...tops], kAll), param(node, 'conflicts', ['blend', 'drop'], 'blend')];
+      return [asker.param('top', [kAll, ...tops], kAll), asker.param('conflicts', ['blend', 'drop'], 'blend')];
     case 'paper_fusion':
-      return [param(node, 'high_vote', { min: 0, max: 100 }, 50)];
-    case 'motor_schema': {
-      const angles = fields.filter((f) => f.blend === 'angle').map((f) => f.name);
-      const lengths = fields.filter((f) => f.blend === 'mean').map((f) => f.name);
-      if (angles.length === 0 || lengths.length === 0) return null;
-      const speed = lengths.includes('speed') ? 'speed' : lengths[0]!;
-      return [
-        param(node, 'direction', angles, angles[0]!),
-        param(node, 'magnitude', lengths, speed),
-        param(node, 'unit_vote', { min: 1, max: 100 }, 40),
-      ];
-    }
+      return [asker.param('high_vote', { min: 0, max: 100 }, 50)];
+    case 'motor_schema':
+      return schema_params(asker);
     case 'commitment':
-      return [
-        param(node, 'margin', { min: 0, max: 100 }, 5),
-        param(node, 'min_time', { min: 0, max: 60 }, 0),
-        param(node, 'hold', { min: 0, max: 60 }, 0),
-      ];
+      return [asker.param('margin', { min: 0, max: 100 }, 5), asker.param('min_time', { min: 0, max: 60 }, 0),
+        asker.param('hold', { min: 0, max: 60 }, 0)];
+    case 'verify':
+      return verify_params(asker);
+    case 'vote_grid':
+    case 'utility':
+      return grid_params(asker);
     default:
       return [];
   }
 }
 
 /** Arbiters that are nothing without parameters. */
-const kDemanding: ReadonlySet<string> = new Set(['paper_fusion', 'motor_schema', 'commitment']);
+const kDemanding: ReadonlySet<string> = new Set(['paper_fusion', 'motor_schema', 'commitment', 'verify', 'vote_grid', 'utility']);
 
-/** The node's own arbiter first; nothing for nodes that are no arbiter, or one of another build. */
-export function arbiters_for(run: Run, tree: Tree, node: number): ArbiterChoice[] {
+/** The node's own arbiter first; nothing for nodes that are no arbiter, or one of another build. `given` are the
+ * parameters that are asked already. */
+export function arbiters_for(run: Run, tree: Tree, node: number, given: Given = {}): ArbiterChoice[] {
   const at = tree.nodes[node]!;
   if (!(at.type in kArbiters) && !kReplaceable.has(at.type)) return [];
   const fields = run.platforms[tree.kind].action;
   const types = [at.type, ...Object.keys(kArbiters).filter((type) => type !== at.type)];
   return types.flatMap((type) => {
-    const params = params_of(type, at, fields);
+    const params = params_of(new Asker(at, fields, type, given));
     return params ? [{ type, params }] : [];
   });
 }
 
-/** Arbiters that need them have all parameters, those that were not given as arbiters_for says. */
-export function complete(run: Run, change: Change): Change {
+/** `given` with another value. What a new arbiter has no use for any more is left out, and what it needs is added. */
+export function with_param(run: Run, tree: Tree, node: number, type: string, given: Given, name: string, value: string | number): Given {
+  const next: Given = { ...given, [name]: value };
+  const at = tree.nodes[node]!;
+  if (type === at.type) return next;
+  const params = params_of(new Asker(at, run.platforms[tree.kind].action, type, next)) ?? [];
+  return Object.fromEntries(params.map((param) => [param.name, next[param.name] ?? param.value]));
+}
+
+/** A change in the units that people give, with all parameters of a new arbiter that is nothing without them. */
+export function completed(run: Run, change: Change): Change {
   const { nodes, kind } = run.trees[change.tree]!;
-  const { type, node } = change;
+  const { type, node, params: given = {} } = change;
   if (type === undefined || !kDemanding.has(type) || type === nodes[node]!.type) return change;
-  const params = params_of(type, nodes[node]!, run.platforms[kind].action) ?? [];
-  return { ...change, params: { ...Object.fromEntries(params.map(({ name, value }) => [name, value])), ...change.params } };
+  const params = params_of(new Asker(nodes[node]!, run.platforms[kind].action, type, given)) ?? [];
+  return { ...change, params: { ...Object.fromEntries(params.map(({ name, value }) => [name, value])), ...given } };
 }
 
-/** A word of a shell's command line. */
-function quoted(text: string): string {
-  return `'${text.replaceAll("'", "'\\''")}'`;
+/** A complete change in SI, as it is arbitrated by. */
+export function in_si(run: Run, change: Change): Change {
+  const { action } = run.platforms[run.trees[change.tree]!.kind];
+  const whole = completed(run, change);
+  if (!whole.params) return whole;
+  const params = Object.entries(whole.params)
+    .filter(([name]) => name !== 'bounds.field' && name !== 'grid.field')
+    .map(([name, value]) => [name, typeof value === 'number' ? value * unit_of(name, action).factor : value] as const);
+  return { ...whole, params: Object.fromEntries(params) };
 }
 
-/** The tree that a player begins with; a path without the name of a tree is about it. */
-function first_tree(run: Run, player: number): number {
-  const first = run.players[player]!.decisions.shape[0];
-  return first === undefined ? -1 : run.shapes[first]!.tree;
-}
-
-/** The same question for the terminal; RUN stands for the folder of the run. */
-export function command_of(run: Run, player: number, changes: readonly Change[]): string {
-  const own_tree = first_tree(run, player);
-  const sets = changes.flatMap((change) => {
-    const { tree, node, type, vote, params } = complete(run, change);
-    const { name, nodes } = run.trees[tree]!;
-    const { type: was, params: own } = nodes[node]!;
-    const path = `${tree === own_tree ? '' : `${name}:`}${nodes[node]!.path}`;
-    const given = Object.entries(params ?? {})
-      .filter(([name, value]) => value !== kAll || typeof own[name] === 'number')
-      .map(([name, value]) => [name, value === kAll ? 'null' : value] as const);
-    return [
-      ...(type !== undefined && type !== was ? [`${path}=${type}`] : []),
-      ...given.map(([name, value]) => `${path}.${name}=${value}${kUnits[name] ? ` ${kUnits[name]}` : ''}`),
-      ...(vote !== undefined ? [`${path}.vote=${vote}`] : []),
-    ];
-  });
-  return ['eyrie whatif RUN', `--player ${run.players[player]!.name}`, ...sets.map((set) => `--set ${quoted(set)}`)].join(' ');
-}

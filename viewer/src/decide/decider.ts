@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 /** How a node decides, and what several kinds of nodes share: src/ubf/merging.hpp. */
 import type { ActionField, TreeNode } from '../run/run.ts';
-import type { Proposal } from './proposal.ts';
+import { is_heard, type Proposal } from './proposal.ts';
 
 export type Params = TreeNode['params'];
+
+/** When it is decided, for those who remember, and what of the state conditions read. */
+export interface Moment {
+  /** s */
+  t: number;
+  /** A field of the platform's state; NaN: it has no value. */
+  state(field: number): number;
+}
 
 /** Makes `out`, which arrives cleared, of what the children answered, in the order of the tree. Returns
  * kDone, or the position of a child that it would have to ask and that was not asked. */
 export interface Decider {
-  /** `now` in s, for those who remember. */
-  (children: readonly Proposal[], out: Proposal, now: number): number;
+  (children: readonly Proposal[], out: Proposal, moment: Moment): number;
   /** Loses what it remembers, as after a tick in which it was not asked; who remembers nothing has none. */
   forget?: () => void;
 }
 export const kDone = -1;
 
-/** Makes a Decider for a node with these children (nodes of the tree); null: not with these parameters. */
+/** Makes a Decider for a node with these children (nodes of the tree); null: it cannot be with these parameters. */
 export type Maker = (params: Params, fields: readonly ActionField[], children: readonly number[]) => Decider | null;
 
 /** Each field from the highest vote that set it, the earlier of equals, of those that `counts`. */
@@ -29,4 +36,28 @@ export function merge_fields(children: readonly Proposal[], out: Proposal, count
       out.supplier[f] = child.supplier[f]!;
     }
   }
+}
+
+/** The child with the highest vote, the earlier of equals. */
+export function strongest_of(children: readonly Proposal[]): Proposal | null {
+  let strongest: Proposal | null = null;
+  for (const child of children) if (is_heard(child) && !(strongest && child.vote <= strongest.vote)) strongest = child;
+  return strongest;
+}
+
+/** Vote and status of what several were mixed to are those of the strongest. */
+export function as_strongest(children: readonly Proposal[], out: Proposal): Proposal | null {
+  const strongest = strongest_of(children);
+  out.status = strongest ? strongest.status : 'failure';
+  out.vote = strongest ? strongest.vote : 0;
+  return strongest;
+}
+
+/** All arbiters ask every child every time. */
+export function asks_all(decide: (children: readonly Proposal[], out: Proposal) => void): Decider {
+  return (children, out) => {
+    for (let i = 0; i < children.length; ++i) if (children[i]!.status === null) return i;
+    decide(children, out);
+    return kDone;
+  };
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** What was recorded of a node, as a Proposal. */
 import type { Decisions, Shape, Tree } from '../run/run.ts';
-import { kBlenders } from './arbitrate.ts';
 import { same_suppliers, type Proposal } from './proposal.ts';
 
+/** What goes up from these is nobody's but theirs. */
+const kOwn: ReadonlySet<string> = new Set(['fusion', 'paper_fusion']);
 const kNobody = new Int16Array(0);
 
 /** By field who supplied what a node proposed; empty if it proposed nothing. */
@@ -33,7 +34,7 @@ export function leader_of(tree: Tree, shape: Shape, node: number): number {
   if (shape.status[node] === null || shape.status[node] === 'failure' || !proposed) return -1;
   const { type, children } = tree.nodes[node]!;
   const mine = suppliers(shape, node);
-  if (children.length === 0 || kBlenders.has(type) && type !== 'motor_schema' || mine.includes(node)) return node;
+  if (children.length === 0 || kOwn.has(type) || mine.includes(node)) return node;
   const whole = children.filter((c) => shape.status[c] !== null && shape.status[c] !== 'failure');
   const alike = whole.filter((c) => same_suppliers(suppliers(shape, c), mine));
   const of = alike.length > 0 ? alike : whole;

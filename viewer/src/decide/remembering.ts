@@ -49,7 +49,7 @@ export const commitment: Maker = (params, fields, kids) => {
   const forget = (): void => {
     committed = -1;
   };
-  const decide: Decider = (children, out, now) => {
+  const decide: Decider = (children, out, { t: now }) => {
     const missing = first_unasked(children);
     if (missing >= 0) return missing;
     const own = committed >= 0 && is_heard(children[committed]!) ? children[committed]! : null;
@@ -85,7 +85,7 @@ export const commitment: Maker = (params, fields, kids) => {
 
 /** The first that is heard, unless an earlier choice may not be interrupted. */
 export const priority: Maker = ({ interruptible }) => {
-  const fixed = Array.isArray(interruptible) ? interruptible : [];
+  const fixed: readonly unknown[] = Array.isArray(interruptible) ? interruptible : [];
   let held = -1;
   const decide: Decider = (children, out) => {
     const missing = first_unasked(children);
@@ -116,7 +116,7 @@ const suppress: Maker = (params, fields, kids) => {
   const forget = (): void => {
     holding = false;
   };
-  const decide: Decider = (children, out, now) => {
+  const decide: Decider = (children, out, { t: now }) => {
     const missing = first_unasked(children);
     if (missing >= 0) return missing;
     const [above, below] = children as [Proposal, Proposal];
@@ -147,7 +147,7 @@ const inhibit: Maker = (params) => {
   const forget = (): void => {
     blocked = false;
   };
-  const decide: Decider = (children, out, now) => {
+  const decide: Decider = (children, out, { t: now }) => {
     const missing = first_unasked(children);
     if (missing >= 0) return missing;
     const [above, below] = children as [Proposal, Proposal];

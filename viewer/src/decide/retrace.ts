@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The way from changed nodes to the root, decided twice: as it was flown and as it is changed. */
 import type { ActionField, Decisions, Shape, Tree } from '../run/run.ts';
-import { decider_of, kArbiters, kBlenders, kDone, rescale, type Decider, type Params } from './arbitrate.ts';
+import { decider_of, kArbiters, kByValue, kDone, kOverGrid, rescale, type Decider, type Moment, type Params } from './arbitrate.ts';
 import { copy, is_empty, make_proposal, record, same, same_suppliers, type Proposal } from './proposal.ts';
 import { Loader, read_answer } from './recorded.ts';
 
@@ -12,6 +12,7 @@ export interface Change {
   node: number;
   type?: string;
   vote?: number;
+  /** In the units that people give; Retrace takes them in SI. */
   params?: Record<string, number | string>;
 }
 
@@ -25,7 +26,7 @@ const kPassing: ReadonlySet<string> = new Set([
 ]);
 /** These ask every child every time, and stand. */
 const kAskAll: ReadonlySet<string> = new Set([
-  ...Object.keys(kArbiters), 'commitment', 'suppress', 'inhibit', 'weighted_random', 'verify', 'vote_grid', 'utility',
+  ...Object.keys(kArbiters), 'suppress', 'inhibit', 'weighted_random',
 ]);
 /** What these ask and halt does not depend on how their children answer. */
 const kIndifferent: ReadonlySet<string> = new Set([...kAskAll, 'sequencer', 'inverter', 'force_success', 'force_failure']);
@@ -69,9 +70,9 @@ export class Retrace {
   private readonly steps: Step[] = [];
   private readonly fixed: { node: number; answer: Proposal }[] = [];
   private loader: Loader | null = null;
-  private times: Float64Array | null = null;
-  /** s, of the decision. */
-  private now = 0;
+  private decisions: Decisions | null = null;
+  private decision = 0;
+  private readonly moment: Moment = { t: 0, state: (field) => this.state(field) };
 
   /** `unclear` are leaves of which it is not known which of their votes a parameter would change. */
   constructor(private readonly tree: Tree, private readonly fields: readonly ActionField[], changes: readonly Change[],
@@ -84,13 +85,13 @@ export class Retrace {
     this.flown = this.steps.at(-1)!.flown;
     this.would = this.steps.at(-1)!.would;
     this.remembers = this.steps.some(is_remembering);
-    this.blends = this.remembers || this.steps.some((s) => kBlenders.has(s.type) || kBlenders.has(tree.nodes[s.node]!.type));
+    this.blends = this.remembers || this.steps.some((s) => kByValue.has(s.type) || kByValue.has(tree.nodes[s.node]!.type));
   }
 
   /** Decisions of this shape follow. */
   begin(shape: Shape, decisions: Decisions): void {
     this.loader = new Loader(decisions);
-    this.times = decisions.t;
+    this.decisions = decisions;
     for (const { node, answer } of this.fixed) this.read(shape, node, answer);
     for (const step of this.steps) this.read(shape, step.node, step.recorded);
   }
@@ -98,7 +99,8 @@ export class Retrace {
   /** Decides; returns why that cannot be said, or "". */
   decide(decision: number): string {
     this.loader!.load(decision);
-    this.now = this.times![decision]!;
+    this.decision = decision;
+    this.moment.t = this.decisions!.t[decision]!;
     this.doubtful = -1;
     for (const [i, step] of this.steps.entries()) {
       const problem = this.take(step);
@@ -120,19 +122,32 @@ export class Retrace {
     this.loader!.add(answer);
   }
 
+  private state(field: number): number {
+    const column = this.decisions!.state(field);
+    if (!column) throw new Error(`field ${field} of the state was not recorded`);
+    return column[this.decision]!;
+  }
+
   private step_of(node: number, changes: readonly Change[]): Step {
     const { type, params, children } = this.tree.nodes[node]!;
     const fields = this.fields.length;
     const answers = children.map((child) => this.steps.find((s) => s.node === child) ?? this.fixed_answer(child));
     const other = changes.reduce(applied, { type, params });
     const by = (how: { type: string; params: Params }) =>
-      children.length ? decider_of(how.type, how.params, this.fields, node, children) : null;
+      children.length && !this.judge(how.type, node) ? decider_of(how.type, how.params, this.fields, node, children) : null;
     return {
       node, ...other, is_changed: changes.length > 0,
       flown_by: by({ type, params }), would_by: by(other), diverged: false, lost: false,
       flown_children: answers.map((a) => a.flown), would_children: answers.map((a) => a.would),
       recorded: make_proposal(fields), flown: make_proposal(fields), would: make_proposal(fields),
     };
+  }
+
+  /** A child whose judgement this type of node would ask for, which is not in the page; "": there is none. */
+  private judge(type: string, node: number): string {
+    const { nodes } = this.tree;
+    const judge = kOverGrid.has(type) && nodes[node]!.children.find((child) => nodes[child]!.appraises);
+    return typeof judge === 'number' ? nodes[judge]!.label : '';
   }
 
   private fixed_answer(node: number): { flown: Proposal; would: Proposal } {
@@ -150,17 +165,20 @@ export class Retrace {
       return '';
     }
     if (step.flown_children.length === 0) return this.vote_anew(step);
+    const { label, type: was } = this.tree.nodes[step.node]!;
+    if (was === 'for_each' && step.flown_children[0]!.status !== null)
+      return `${label} asks once for each of several, and the page has one of the answers`;
     const repeats = this.repeat(step);
     const remembers = is_remembering(step);
     if (remembers && !repeats && step.flown_by?.forget) step.lost = true;
     const changes = step.is_changed || step.flown_children.some((child, i) => !same(child, step.would_children[i]!));
     step.diverged ||= changes;
     if (!changes && !(remembers && step.diverged)) {
-      if (remembers) step.would_by?.(step.would_children, would, this.now);
+      if (remembers) step.would_by?.(step.would_children, would, this.moment);
       copy(flown, would);
       return '';
     }
-    if (step.lost) return `what ${this.tree.nodes[step.node]!.label} remembers hangs on a decision before that is not known`;
+    if (step.lost) return `what ${label} remembers hangs on a decision before that is not known`;
     const problem = this.change(step, repeats);
     if (!problem && flown.status !== would.status) this.note_divergence(step);
     return problem;
@@ -181,7 +199,7 @@ export class Retrace {
   /** Makes again what was flown, so that both sides carry the same rounding; false if that is not what was recorded. */
   private repeat({ node, flown_by, flown_children, recorded, flown }: Step): boolean {
     if (!flown_by) return false;
-    const done = flown_by(flown_children, flown, this.now) === kDone;
+    const done = flown_by(flown_children, flown, this.moment) === kDone;
     if (done && is_as_recorded(flown, recorded) && (node > 0 || flown.leader === recorded.leader)) return true;
     copy(recorded, flown);
     return false;
@@ -191,13 +209,15 @@ export class Retrace {
     const { node, type, would_by, would_children, would } = step;
     const { label, type: was } = this.tree.nodes[node]!;
     if (would_by && (repeats || type !== was)) {
-      const missing = would_by(would_children, would, this.now);
+      const missing = would_by(would_children, would, this.moment);
       if (missing === kDone) return '';
       const child = this.tree.nodes[this.tree.nodes[node]!.children[missing]!]!;
       return `${child.label} was not asked in flight, and ${label} would have asked it`;
     }
     if (!step.is_changed && hand_on(step)) return '';
-    if (type in kArbiters && !would_by) return `${type} needs parameters that it was not given`;
+    const judge = this.judge(type, node);
+    if (judge) return `${judge} judges each candidate of ${label}, and its judgements are not in the page`;
+    if (type in kArbiters && !would_by) return `${type} cannot be with these parameters`;
     return `what ${label === type ? type : `${label} (${type})`} makes of it depends on more than this page has`;
   }
 

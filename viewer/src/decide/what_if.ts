@@ -2,12 +2,13 @@
 /** What a player would have decided with other votes, arbiters or parameters: src/debrief/what_if.cpp. */
 import type { ActionField, Decisions, Player, Run, Tree } from '../run/run.ts';
 import { angle_between } from './angle.ts';
-import { complete } from './choices.ts';
+import { in_si } from './choices.ts';
 import { same_action, same_value } from './proposal.ts';
 import { Retrace, type Change } from './retrace.ts';
 import { value_text } from './text.ts';
 
-export { arbiters_for, command_of, type ArbiterChoice, type ParamChoice } from './choices.ts';
+export { arbiters_for, with_param, type ArbiterChoice, type ParamChoice } from './choices.ts';
+export { command_of } from './command.ts';
 export type { Change } from './retrace.ts';
 
 export interface ChangedField {
@@ -165,7 +166,7 @@ function most_frequent(counts: Map<string, number>): string {
 }
 
 export function what_if(run: Run, player: number, asked: readonly Change[]): WhatIfResult {
-  const changes = asked.map((change) => complete(run, change));
+  const changes = asked.map((change) => in_si(run, change));
   const who = run.players[player]!;
   const { decisions } = who;
   const { t, shape } = decisions;

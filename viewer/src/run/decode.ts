@@ -9,7 +9,7 @@
  * number kNothing stands for NaN.
  */
 import type {
-  ActionField, Blend, Decisions, Flight, Gauges, Missile, Motion, Place, Player, PlayerKind, Run, Shape, Side, Sight,
+  ActionField, Decisions, Flight, Gauges, Missile, Motion, Place, Player, PlayerKind, Run, Shape, Side, Sight,
   Sights, StateField, Status, StoryLine, TrackSeen, Tree, TreeNode, Warning, Waypoint,
 } from './run.ts';
 
@@ -66,7 +66,7 @@ interface PlayerData {
   radar: Player['radar'];
   motion: MotionData;
   gauges: { speed: Column; mach: Column; load_factor: Column; fuel: Column };
-  decisions: { step: Column; shape: Column; values: [node: number, field: number, column: Column][] };
+  decisions: { step: Column; shape: Column; values: [node: number, field: number, column: Column][]; state?: [field: number, column: Column][] };
   sights: SightData;
 }
 interface MissileData {
@@ -92,7 +92,7 @@ interface Document {
   missiles: MissileData[];
   trees: { name: string; kind: PlayerKind; nodes: Omit<TreeNode, 'children'>[] }[];
   shapes: ShapeData[];
-  platforms: Record<PlayerKind, { action: { name: string; unit: string; blend: Blend; kind: ActionField['kind'] }[]; state: StateField[] }>;
+  platforms: Record<PlayerKind, { action: ActionField[]; state: StateField[] }>;
   texts: string[];
   story: StoryLine[];
 }
@@ -142,10 +142,12 @@ function decisions_of(columns: Columns, data: PlayerData['decisions'], shapes: S
       });
       return all;
     }));
+  const state = new Map((data.state ?? []).map(([field, column]) => [field, lazy(() => columns.read(column))]));
   return {
     get t() { return t(); },
     get step() { return step(); },
     get shape() { return shape(); },
+    state: (field) => state.get(field)?.() ?? null,
     value: (node, field) => values.get(`${node}/${field}`)?.() ?? null,
   };
 }

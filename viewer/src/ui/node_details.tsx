@@ -2,8 +2,9 @@
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
 import { answer_words } from '../decide/contest.ts';
 import { value_text } from '../decide/text.ts';
-import { arbiters_for, type ArbiterChoice, type ParamChoice } from '../decide/what_if.ts';
-import type { Player, Run, Shape, Tree } from '../run/run.ts';
+import { flown_text } from '../decide/units.ts';
+import { arbiters_for, with_param, type ArbiterChoice, type ParamChoice } from '../decide/what_if.ts';
+import type { ActionField, Player, Run, Shape, Tree } from '../run/run.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
 import { ask, change_of } from './what_if_answer.ts';
@@ -35,8 +36,17 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
-function params_text(params: Tree['nodes'][number]['params']): string {
-  return Object.entries(params).map(([name, value]) => `${name} ${Array.isArray(value) ? value.join(' ') : value}`).join(', ');
+type Params = Tree['nodes'][number]['params'];
+
+function params_text(params: Params, fields: readonly ActionField[]): string {
+  const words = (name: string, value: Params[string]): string =>
+    Array.isArray(value) ? value.map((one) => (typeof one === 'object' ? `“${one.that}”` : one)).join(' ') : flown_text(name, value, fields);
+  return Object.entries(params).map(([name, value]) => `${param_words(name)} ${words(name, value)}`).join(', ');
+}
+
+/** "altitude min" for "bounds.altitude.min". */
+function param_words(name: string): string {
+  return name.split('.').slice(/^(bounds|grid)\./.test(name) ? 1 : 0).join(' ');
 }
 
 interface SliderProps {
@@ -54,7 +64,7 @@ function Slider({ name, unit, min, max, value, onChange }: SliderProps) {
     if (text !== '' && Number.isFinite(number)) onChange(Math.min(Math.max(number, min), max));
   };
   return (
-    <label class="slider"><span>{unit ? `${name}, ${unit}` : name}</span>
+    <label class="slider"><span>{unit ? `${param_words(name)}, ${unit}` : param_words(name)}</span>
       <input type="range" min={min} max={max} step="1" value={value} aria-label={name}
         onInput={(event) => put(event.currentTarget.value)} />
       <input type="number" min={min} max={max} step="any" value={value} aria-label={`${name} in numbers`}
@@ -67,7 +77,7 @@ function Param({ param, value, onChange }: { param: ParamChoice; value: string |
   const { name, unit, values } = param;
   if (!Array.isArray(values)) return <Slider name={name} unit={unit} min={values.min} max={values.max} value={Number(value)} onChange={onChange} />;
   return (
-    <label class="choice"><span>{name}</span>
+    <label class="choice"><span>{param_words(name)}</span>
       <select aria-label={name} value={String(value)} onChange={(event) => onChange(values[event.currentTarget.selectedIndex]!)}>
         {values.map((one) => <option key={one} value={String(one)}>{one}</option>)}
       </select>
@@ -95,7 +105,8 @@ function AskArbiter({ choices, tree, node, label }: { choices: ArbiterChoice[]; 
       </label>
       {now.params.map((param) => (
         <Param key={param.name} param={param} value={change?.params?.[param.name] ?? param.value}
-          onChange={(value) => ask(page, tree, node, { params: { ...change?.params, [param.name]: value } })} />
+          onChange={(value) => ask(page, tree, node,
+            { params: with_param(page.run, page.run.trees[tree]!, node, now.type, change?.params ?? {}, param.name, value) })} />
       ))}
     </>
   );
@@ -114,9 +125,10 @@ export function NodeDetails(looked: Looked) {
   const changes = use_cell(page.changes);
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
-  const choices = arbiters_for(page.run, tree, node);
-  const vote = vote_of(page.run, looked);
   const change = change_of(changes, shape.tree, node);
+  const told = params_text(params, page.run.platforms[tree.kind].action);
+  const choices = arbiters_for(page.run, tree, node, change?.params);
+  const vote = vote_of(page.run, looked);
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>
@@ -124,7 +136,7 @@ export function NodeDetails(looked: Looked) {
         <button type="button" class="quiet" aria-label="Close the node" onClick={() => page.node.set(-1)}>✕</button>
       </header>
       <p class="answer">{answer_words(shape, node)}</p>
-      <p class="dim small">{kind} {type}{params_text(params) && `, ${params_text(params)}`}{remembers ? ', remembers' : ''}</p>
+      <p class="dim small">{kind} {type}{told && `, ${told}`}{remembers ? ', remembers' : ''}</p>
       <Proposed {...looked} />
       {(choices.length > 0 || vote !== null) && (
         <fieldset class="asks">
