@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /**
- * From the data in the page to a Run. src/debrief/page.cpp of the program writes it:
+ * From the data in the page to a Run. src/page of the program writes it:
  *
  *   base64( deflate( u32 length of the document | document (JSON) | columns ) )
  *
