@@ -77,7 +77,7 @@ struct Mean {
 /// The same seeds flown both ways: the differences are paired.
 Json over_seeds(const debrief::Recorded& recorded,
                 const std::shared_ptr<const scenario::Scenario>& other, std::uint32_t seeds,
-                bool quiet) {
+                std::optional<double> until, bool quiet) {
   struct Figure {
     const char* name;
     double (*of)(const debrief::Outcome&);
@@ -92,8 +92,8 @@ Json over_seeds(const debrief::Recorded& recorded,
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     if (!quiet)
       fmt::print(stderr, "\rseed {} of {}", seed, seeds);
-    const auto flown = debrief::outcome_of(recorded.scenario, seed);
-    const auto changed = debrief::outcome_of(other, seed);
+    const auto flown = debrief::outcome_of(recorded.scenario, seed, until);
+    const auto changed = debrief::outcome_of(other, seed, until);
     for (Figure& figure : figures) {
       figure.flown.add(figure.of(flown));
       figure.other.add(figure.of(changed));
@@ -174,23 +174,28 @@ int what_if(const WhatIfOptions& options) {
       print_fields(*result.first);
     }
   }
+  std::optional<debrief::Outcome> flown;
+  std::optional<double> until;
+  if (options.branch || options.seeds > 0) {
+    flown = debrief::outcome_of(*recorded);
+    until = debrief::limit_of(*recorded, *flown);
+  }
   if (options.branch && result.first) {
     std::string problem;
-    const auto flown = debrief::outcome_of(*recorded);
-    const auto branched = debrief::branch(*recorded, other, result.first->step, problem);
+    const auto branched = debrief::branch(*recorded, other, result.first->step, until, problem);
     if (!branched) {
       fmt::print(stderr, "--branch: {}\n", problem);
       return 2;
     }
-    json["branch"] = {{"flown", outcome_json(flown)}, {"other", outcome_json(*branched)}};
+    json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(*branched)}};
     if (!options.json) {
       print_outcome_head();
-      print_outcome("flown", flown);
+      print_outcome("flown", *flown);
       print_outcome("otherwise", *branched);
     }
   }
   if (options.seeds > 0)
-    json["over_seeds"] = over_seeds(*recorded, other, options.seeds, options.json);
+    json["over_seeds"] = over_seeds(*recorded, other, options.seeds, until, options.json);
   if (options.json)
     fmt::print("{}\n", json.dump(2));
   return 0;

@@ -152,9 +152,10 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   return result;
 }
 
-Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint64_t seed) {
+Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint64_t seed,
+                   std::optional<double> until) {
   record::Tally tally(*scenario);
-  scenario::Mission mission(scenario, seed);
+  scenario::Mission mission(scenario, seed, until);
   mission.run().attach(tally);
   mission.fly();
   return outcome_of(mission, tally);
@@ -162,12 +163,18 @@ Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint
 
 Outcome outcome_of(const Recorded& recorded) {
   std::string problem;
-  return branch(recorded, recorded.scenario, recorded.last_step(), problem).value();
+  return branch(recorded, recorded.scenario, recorded.last_step(), recorded.run.until, problem)
+      .value();
+}
+
+std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
+  const bool out_of_time = flown.outcome == scenario::outcome_name(scenario::Outcome::time);
+  return out_of_time ? std::optional(recorded.run.until) : std::nullopt;
 }
 
 std::optional<Outcome> branch(const Recorded& recorded,
                               std::shared_ptr<const scenario::Scenario> other, std::uint64_t step,
-                              std::string& problem) {
+                              std::optional<double> until, std::string& problem) {
   record::Tally tally(*recorded.scenario);
   Reflight flight(recorded);
   flight.attach(tally);
@@ -182,7 +189,8 @@ std::optional<Outcome> branch(const Recorded& recorded,
     problem = "the change gives another world than the one flown: " + loaded.error;
     return std::nullopt;
   }
-  scenario::Mission mission(other, std::move(*loaded.world), recorded.run.until, any_home);
+  scenario::Mission mission(other, std::move(*loaded.world), until.value_or(other->spec.until),
+                            any_home);
   for (const sim::Order& order : recorded.run.orders)
     if (order.step >= step)
       static_cast<void>(mission.run().submit(order));

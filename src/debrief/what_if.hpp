@@ -55,13 +55,18 @@ struct Outcome {
 
 /// The run as it was recorded.
 [[nodiscard]] Outcome outcome_of(const Recorded& recorded);
-/// Flown as recorded up to `step`, and from there on with the trees and models of `other`. Nothing
-/// if that has another world, such as trees that remember more: `problem` says so.
+/// When flights are over that are compared with this run, which ended as `flown` (s): with it if it
+/// ran out of time. One that its sides ended says nothing of the others: as the scenario says.
+[[nodiscard]] std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown);
+/// Flown as recorded up to `step`, and from there on with the trees and models of `other`, at most
+/// until `until` (s) if that is given instead of the scenario's own. Nothing if that has another
+/// world, such as trees that remember more: `problem` says so.
 [[nodiscard]] std::optional<Outcome> branch(const Recorded& recorded,
                                             std::shared_ptr<const scenario::Scenario> other,
-                                            std::uint64_t step, std::string& problem);
-/// A whole flight of a scenario.
+                                            std::uint64_t step, std::optional<double> until,
+                                            std::string& problem);
+/// A whole flight of a scenario; `until` as for branch().
 [[nodiscard]] Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario,
-                                 std::uint64_t seed);
+                                 std::uint64_t seed, std::optional<double> until);
 
 }  // namespace eyrie::debrief

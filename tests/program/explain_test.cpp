@@ -2,6 +2,7 @@
 /// \file  explain, whatif and diff as a user has them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -165,6 +166,67 @@ TEST(WhatIfProgram, ChangesANodeByItsPath) {
   EXPECT_EQ(fused["first"]["leader"]["other"], "bvr");
   // of another tree than the player's: nothing changes for him
   EXPECT_EQ(asked({"patrol:root/bvr/pursue.vote=1"})["different"], 0);
+}
+
+/// How flights of `seeds` with `more` arguments ended, as fly itself tells it.
+std::vector<json> flown(const std::vector<std::string>& seeds, std::vector<std::string> more) {
+  const TempFolder folder;
+  std::vector<json> ends;
+  for (const std::string& seed : seeds) {
+    std::vector<std::string> words{"fly",          "sweep",  "--until", "11 min", "--json",
+                                   "--no-debrief", "--seed", seed,      "--out",  seed};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = run_program(folder, words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    ends.push_back(json::parse(ran.out));
+  }
+  return ends;
+}
+
+TEST(WhatIfProgram, FliesOnBothWaysAndOverManySeeds) {
+  const std::string zone = "trees.bvr.per_field.release_weapon.zone=0.3";
+  const auto asked = [&](const char* player, std::vector<std::string> more) {
+    std::vector<std::string> words{"whatif", "a", "--player", player, "--set", zone, "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ran ran = debriefed(words);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return json::parse(ran.out);
+  };
+  const auto step = [&](const char* player) {
+    const json said = asked(player, {});
+    return said.contains("first") ? said["first"]["step"].get<std::uint64_t>() : ~std::uint64_t{0};
+  };
+  const char* first = step("eagle1") < step("eagle2") ? "eagle1" : "eagle2";  // who shoot
+  const json said = asked(first, {"--branch", "--seeds", "3"});
+  // until the first decision that differs all fly alike, so a branch ends as if it had begun so
+  const auto ends_as = [&](const json& branch, const json& flight) {
+    for (const char* side : {"blue", "red"})
+      for (const char* what : {"losses", "shots", "kills", "home"})
+        EXPECT_EQ(branch[side][what], flight["sides"][side][what]) << side << ' ' << what;
+  };
+  ends_as(said["branch"]["flown"], flown({"13"}, {})[0]);
+  ends_as(said["branch"]["other"], flown({"13"}, {"--set", zone})[0]);
+  const auto as_it_is = flown({"1", "2", "3"}, {}),
+             changed = flown({"1", "2", "3"}, {"--set", zone});
+  EXPECT_EQ(said["over_seeds"]["seeds"], 3);
+  const std::pair<const char*, const char*> kFigures[] = {
+      {"blue", "losses"}, {"red", "losses"}, {"blue", "shots"}, {"red", "shots"}};
+  double differences = 0;
+  for (std::size_t i = 0; i < std::size(kFigures); ++i) {
+    const auto [side, what] = kFigures[i];
+    const auto mean = [&](const std::vector<json>& all) {
+      double sum = 0;
+      for (const json& one : all)
+        sum += one["sides"][side][what].get<double>();
+      return sum / 3;
+    };
+    const json& figure = said["over_seeds"]["figures"][i];
+    EXPECT_EQ(figure["name"], std::string(side) + ' ' + what);
+    EXPECT_NEAR(figure["flown"].get<double>(), mean(as_it_is), 1e-12) << side << ' ' << what;
+    EXPECT_NEAR(figure["other"].get<double>(), mean(changed), 1e-12) << side << ' ' << what;
+    differences += std::fabs(figure["difference"].get<double>());
+  }
+  EXPECT_GT(differences, 0) << "the change does not matter: nothing was compared";
 }
 
 TEST(WhatIfProgram, SaysWhatIsWrongWithThePathOfANode) {
