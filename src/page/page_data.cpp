@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "debrief/explainer.hpp"
 #include "page/decisions.hpp"
 #include "page/motions.hpp"
@@ -33,11 +35,13 @@ class Platform {
   /// Its trees are numbered from `first` on.
   Platform(const Trees& trees, std::size_t first)
       : trees_(trees), first_(first), trace_(trees.max_size()) {
+    std::set<std::uint32_t> read;
     for (const auto& tree : trees) {
       blank_.push_back(debrief::unanswered(tree));
-      for (const std::uint32_t field : fields_read(tree))
-        add_read(field);
+      add_fields_read(tree, read);
     }
+    for (const std::uint32_t field : read)
+      read_.push_back({field, quantum_of(ubf::StateFields<State>::all()[field].info)});
   }
 
   /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
@@ -76,13 +80,6 @@ class Platform {
   }
 
  private:
-  void add_read(std::uint32_t field) {
-    for (const StateRead& one : read_)
-      if (one.field == field)
-        return;
-    read_.push_back({field, quantum_of(ubf::StateFields<State>::all()[field].info)});
-  }
-
   const Trees& trees_;
   std::size_t first_;
   ubf::Trace<Action> trace_;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "core/enum_names.hpp"
 #include "page/json.hpp"
@@ -19,7 +19,6 @@
 #include "ubf/arbiter/paper_fusion.hpp"
 #include "ubf/arbiter/priority.hpp"
 #include "ubf/arbiter/suppress.hpp"
-#include "ubf/arbiter/utility.hpp"
 #include "ubf/arbiter/verify.hpp"
 #include "ubf/arbiter/vote_grid.hpp"
 #include "ubf/composite.hpp"
@@ -104,13 +103,12 @@ class RefusalJson {
   }
 };
 
-/// The state fields that the conditions of a tree's nodes read, in their order.
+/// Adds the state fields that the conditions of a tree's nodes read.
 template <class State, class Action>
-[[nodiscard]] std::vector<std::uint32_t> fields_read(const ubf::Tree<State, Action>& tree) {
-  std::vector<std::uint32_t> fields;
+void add_fields_read(const ubf::Tree<State, Action>& tree, std::set<std::uint32_t>& fields) {
   const auto add = [&](const ubf::detail::Operand& o) {
     if (o.field < ubf::StateFields<State>::all().size())
-      fields.push_back(o.field);
+      fields.insert(o.field);
   };
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
@@ -121,9 +119,6 @@ template <class State, class Action>
           add(step.right);
         }
   }
-  std::sort(fields.begin(), fields.end());
-  fields.erase(std::unique(fields.begin(), fields.end()), fields.end());
-  return fields;
 }
 
 template <class State, class Action>
@@ -181,10 +176,8 @@ template <class State, class Action>
     if (!refuse.empty())
       params["refuse"] = std::move(refuse);
   }
-  if (const auto* votes = dynamic_cast<const ubf::VoteGrid<State, Action>*>(&node))
-    put_grid(params, votes->grid);
-  if (const auto* utility = dynamic_cast<const ubf::Utility<State, Action>*>(&node))
-    put_grid(params, utility->grid);
+  if (const auto* over = dynamic_cast<const ubf::OverGrid<State, Action>*>(&node))
+    put_grid(params, over->grid);
   return params;
 }
 

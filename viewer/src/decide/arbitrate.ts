@@ -3,19 +3,14 @@
 import type { ActionField } from '../run/run.ts';
 import { averages, sum_of, Vectors, type Sum } from './blend.ts';
 import { kControl } from './control.ts';
-import { asks_all, as_strongest, kDone, merge_fields, strongest_of, type Decider, type Maker, type Params } from './decider.ts';
+import { asks_all, as_strongest, kDone, merge_fields, strongest_of, take, type Decider, type Maker, type Params } from './decider.ts';
 import { utility, vote_grid } from './grid.ts';
-import { clear, copy, is_empty, is_heard, record, type Proposal } from './proposal.ts';
+import { clear, is_empty, is_heard, record, type Proposal } from './proposal.ts';
 import { commitment, kLayers, priority } from './remembering.ts';
 import { verify } from './verify.ts';
 
 export { kDone, type Decider, type Moment, type Params } from './decider.ts';
 export type { Proposal } from './proposal.ts';
-
-function take(winner: Proposal | null | undefined, out: Proposal): void {
-  if (winner) copy(winner, out);
-  else out.status = 'failure';
-}
 
 const winner_takes_all: Maker = () => asks_all((children, out) => take(strongest_of(children), out));
 

@@ -4,7 +4,7 @@ import type { ActionField, Run, Tree, TreeNode } from '../run/run.ts';
 import { kArbiters } from './arbitrate.ts';
 import { axes_named } from './grid.ts';
 import { kAll, type Change } from './retrace.ts';
-import { about_field, to_shown, unit_of } from './units.ts';
+import { about_field, is_grouped, to_shown, unit_of } from './units.ts';
 
 type Given = Record<string, number | string>;
 
@@ -168,8 +168,12 @@ export function with_param(run: Run, tree: Tree, node: number, type: string, giv
   const next: Given = { ...given, [name]: value };
   const at = tree.nodes[node]!;
   if (type === at.type) return next;
-  const params = params_of(new Asker(at, run.platforms[tree.kind].action, type, next)) ?? [];
-  return Object.fromEntries(params.map((param) => [param.name, next[param.name] ?? param.value]));
+  return whole(new Asker(at, run.platforms[tree.kind].action, type, next));
+}
+
+/** All parameters of an arbiter: those that are given, and else what it begins with. */
+function whole(asker: Asker): Given {
+  return Object.fromEntries((params_of(asker) ?? []).map(({ name, value }) => [name, asker.given[name] ?? value]));
 }
 
 /** A change in the units that people give, with all parameters of a new arbiter that is nothing without them. */
@@ -177,18 +181,17 @@ export function completed(run: Run, change: Change): Change {
   const { nodes, kind } = run.trees[change.tree]!;
   const { type, node, params: given = {} } = change;
   if (type === undefined || !kDemanding.has(type) || type === nodes[node]!.type) return change;
-  const params = params_of(new Asker(nodes[node]!, run.platforms[kind].action, type, given)) ?? [];
-  return { ...change, params: { ...Object.fromEntries(params.map(({ name, value }) => [name, value])), ...given } };
+  return { ...change, params: whole(new Asker(nodes[node]!, run.platforms[kind].action, type, given)) };
 }
 
 /** A complete change in SI, as it is arbitrated by. */
 export function in_si(run: Run, change: Change): Change {
   const { action } = run.platforms[run.trees[change.tree]!.kind];
-  const whole = completed(run, change);
-  if (!whole.params) return whole;
-  const params = Object.entries(whole.params)
-    .filter(([name]) => name !== 'bounds.field' && name !== 'grid.field')
+  const all = completed(run, change);
+  if (!all.params) return all;
+  const params = Object.entries(all.params)
+    .filter(([name]) => !is_grouped(name) || about_field(name)) // which field it is about stands in the others' names
     .map(([name, value]) => [name, typeof value === 'number' ? value * unit_of(name, action).factor : value] as const);
-  return { ...whole, params: Object.fromEntries(params) };
+  return { ...all, params: Object.fromEntries(params) };
 }
 

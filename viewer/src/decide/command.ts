@@ -3,7 +3,7 @@
 import type { ActionField, Run, TreeNode } from '../run/run.ts';
 import { completed } from './choices.ts';
 import { kAll, type Change } from './retrace.ts';
-import { about_field, flown_text, unit_of, with_unit } from './units.ts';
+import { about_field, flown_text, is_grouped, unit_of, with_unit } from './units.ts';
 
 /** A word of a shell's command line. */
 function quoted(text: string): string {
@@ -38,7 +38,7 @@ function sets_of(run: Run, change: Change, own_tree: number): string[] {
   const path = `${tree === own_tree ? '' : `${name}:`}${nodes[node]!.path}`;
   const replaced = type !== undefined && type !== was;
   const own = replaced ? {} : params;
-  const plain = Object.entries(given).filter(([key, value]) => !/^(bounds|grid)\./.test(key) && (value !== kAll || typeof params[key] === 'number'));
+  const plain = Object.entries(given).filter(([key, value]) => !is_grouped(key) && (value !== kAll || typeof params[key] === 'number'));
   return [
     ...(replaced ? [`${path}=${type}`] : []),
     ...plain.map(([key, value]) => `${path}.${key}=${value === kAll ? 'null' : with_unit(value, unit_of(key, fields).symbol)}`),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** How a node decides, and what several kinds of nodes share: src/ubf/merging.hpp. */
 import type { ActionField, TreeNode } from '../run/run.ts';
-import { is_heard, type Proposal } from './proposal.ts';
+import { copy, is_heard, type Proposal } from './proposal.ts';
 
 export type Params = TreeNode['params'];
 
@@ -54,10 +54,16 @@ export function as_strongest(children: readonly Proposal[], out: Proposal): Prop
 }
 
 /** All arbiters ask every child every time. */
-export function asks_all(decide: (children: readonly Proposal[], out: Proposal) => void): Decider {
-  return (children, out) => {
+export function asks_all(decide: (children: readonly Proposal[], out: Proposal, moment: Moment) => void): Decider {
+  return (children, out, moment) => {
     for (let i = 0; i < children.length; ++i) if (children[i]!.status === null) return i;
-    decide(children, out);
+    decide(children, out, moment);
     return kDone;
   };
+}
+
+/** Hands on what a child said; nobody's is a failure. */
+export function take(winner: Proposal | null | undefined, out: Proposal): void {
+  if (winner) copy(winner, out);
+  else out.status = 'failure';
 }

@@ -14,8 +14,8 @@ const kRounding = 1e-12;
 interface Axis {
   field: number;
   quantum: number;
-  from: number;
-  step: number;
+  /** The candidates. */
+  at: Float64Array;
   steps: number;
   reach: number;
   is_direction: boolean;
@@ -55,8 +55,9 @@ function axis_of(params: Params, fields: readonly ActionField[], name: string): 
   if (!fits || (is_direction && width > kTau * (1 + 1e-9))) return null;
   const is_circle = is_direction && width > kTau * (1 - 1e-9);
   const step = width / (is_circle ? steps : steps - 1);
+  const at = Float64Array.from({ length: steps }, (_, i) => (is_direction ? wrap_tau(from + i * step) : from + i * step));
   return {
-    field, quantum: fields[field]!.quantum, from, step, steps, reach, is_direction, is_circle, spread: spread_of(step, steps, spread),
+    field, quantum: fields[field]!.quantum, at, steps, reach, is_direction, is_circle, spread: spread_of(step, steps, spread),
     doubt: (2 * fields[field]!.quantum) / reach,
   };
 }
@@ -65,11 +66,6 @@ function axes_of(params: Params, fields: readonly ActionField[]): Axis[] | null 
   const axes = axes_named(params).map((name) => axis_of(params, fields, name));
   if (axes.length === 0 || axes.length > kMostAxes || !axes.every((axis) => axis !== null)) return null;
   return axes.reduce((n, { steps }) => n * steps, 1) > kMostCandidates ? null : axes;
-}
-
-function candidate(axis: Axis, i: number): number {
-  const x = axis.from + i * axis.step;
-  return axis.is_direction ? wrap_tau(x) : x;
 }
 
 /** A choice that was flown is in the page only so: one that is made anew must be the same. */
@@ -115,7 +111,7 @@ class Sums {
     for (const [a, axis] of this.axes.entries()) {
       const wanted = action[axis.field]!;
       if (!Number.isNaN(wanted)) {
-        const worths = Float64Array.from({ length: axis.steps }, (_, k) => (vote * worth(axis, candidate(axis, k), wanted)) / asked);
+        const worths = axis.at.map((at) => (vote * worth(axis, at, wanted)) / asked);
         for (let i = 0; i < this.sums.length; ++i) this.sums[i]! += worths[Math.floor(i / stride) % axis.steps]!;
         this.doubt[a]! += (axis.doubt * vote) / asked;
       }
@@ -162,7 +158,7 @@ class Sums {
     const enough = this.sums[greatest]! - this.rounding;
     let best = this.sums.findIndex((sum, i) => sum >= enough - this.doubt_between(i, greatest));
     for (const axis of this.axes) {
-      action[axis.field] = as_recorded(candidate(axis, best % axis.steps), axis.quantum);
+      action[axis.field] = as_recorded(axis.at[best % axis.steps]!, axis.quantum);
       best = Math.floor(best / axis.steps);
     }
   }

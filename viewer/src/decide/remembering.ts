@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Arbiters that remember from one decision to the next: src/ubf/arbiter/{commitment,priority,suppress,inhibit}.hpp. */
 import type { ActionField } from '../run/run.ts';
-import { kDone, type Decider, type Maker } from './decider.ts';
+import { asks_all, take, type Maker } from './decider.ts';
 import { copy, is_heard, make_proposal, type Proposal } from './proposal.ts';
 
 /** s: a decision that comes this little too early is on time. */
@@ -11,11 +11,6 @@ function passed(now: number, since: number, duration: number): boolean {
 }
 function number_of(value: unknown): number {
   return typeof value === 'number' ? value : 0;
-}
-
-/** The position of the first child that was not asked; kDone: there is none. */
-function first_unasked(children: readonly Proposal[]): number {
-  return children.findIndex((child) => child.status === null);
 }
 
 /** A proposal kept to stand in for a child that fell silent. */
@@ -49,9 +44,7 @@ export const commitment: Maker = (params, fields, kids) => {
   const forget = (): void => {
     committed = -1;
   };
-  const decide: Decider = (children, out, { t: now }) => {
-    const missing = first_unasked(children);
-    if (missing >= 0) return missing;
+  const decide = asks_all((children, out, { t: now }) => {
     const own = committed >= 0 && is_heard(children[committed]!) ? children[committed]! : null;
     let rival = -1;
     for (let i = 0; i < children.length; ++i)
@@ -62,8 +55,8 @@ export const commitment: Maker = (params, fields, kids) => {
     const change = (!own && !bridged) || beaten;
     if (change && rival < 0) {
       forget();
-      out.status = 'failure';
-      return kDone;
+      take(null, out);
+      return;
     }
     if (change) {
       committed = rival;
@@ -77,8 +70,7 @@ export const commitment: Maker = (params, fields, kids) => {
       last_proposed = now;
       held.keep(out);
     }
-    return kDone;
-  };
+  });
   decide.forget = forget;
   return decide;
 };
@@ -87,19 +79,12 @@ export const commitment: Maker = (params, fields, kids) => {
 export const priority: Maker = ({ interruptible }) => {
   const fixed: readonly unknown[] = Array.isArray(interruptible) ? interruptible : [];
   let held = -1;
-  const decide: Decider = (children, out) => {
-    const missing = first_unasked(children);
-    if (missing >= 0) return missing;
+  const decide = asks_all((children, out) => {
     const chosen = held >= 0 && is_heard(children[held]!) ? held : children.findIndex(is_heard);
     held = -1;
-    if (chosen < 0) {
-      out.status = 'failure';
-      return kDone;
-    }
-    copy(children[chosen]!, out);
+    take(children[chosen], out);
     if (out.status === 'running' && fixed[chosen] === 0) held = chosen;
-    return kDone;
-  };
+  });
   if (!fixed.includes(0)) return decide;
   decide.forget = () => {
     held = -1;
@@ -116,9 +101,7 @@ const suppress: Maker = (params, fields, kids) => {
   const forget = (): void => {
     holding = false;
   };
-  const decide: Decider = (children, out, { t: now }) => {
-    const missing = first_unasked(children);
-    if (missing >= 0) return missing;
+  const decide = asks_all((children, out, { t: now }) => {
     const [above, below] = children as [Proposal, Proposal];
     if (is_heard(above)) {
       copy(above, out);
@@ -130,11 +113,9 @@ const suppress: Maker = (params, fields, kids) => {
     } else if (holding && !passed(now, last, hold)) held.get(out, kids[0]!);
     else {
       forget();
-      if (is_heard(below)) copy(below, out);
-      else out.status = 'failure';
+      take(is_heard(below) ? below : null, out);
     }
-    return kDone;
-  };
+  });
   decide.forget = forget;
   return decide;
 };
@@ -147,21 +128,14 @@ const inhibit: Maker = (params) => {
   const forget = (): void => {
     blocked = false;
   };
-  const decide: Decider = (children, out, { t: now }) => {
-    const missing = first_unasked(children);
-    if (missing >= 0) return missing;
+  const decide = asks_all((children, out, { t: now }) => {
     const [above, below] = children as [Proposal, Proposal];
-    out.status = 'failure';
     if (above.status !== 'failure') {
       blocked = true;
       last = now;
-      return kDone;
-    }
-    if (blocked && !passed(now, last, hold)) return kDone;
-    forget();
-    if (is_heard(below)) copy(below, out);
-    return kDone;
-  };
+    } else if (blocked && passed(now, last, hold)) forget();
+    take(!blocked && is_heard(below) ? below : null, out);
+  });
   decide.forget = forget;
   return decide;
 };

@@ -25,6 +25,11 @@ export function about_field(name: string): { group: string; field: string; part:
   return group && field && part ? { group, field, part } : null;
 }
 
+/** It is about limits or a grid, which are given whole. */
+export function is_grouped(name: string): boolean {
+  return /^(bounds|grid)\./.test(name);
+}
+
 function field_measured(name: string, fields: readonly ActionField[]): ActionField | undefined {
   const about = about_field(name);
   return about && about.part !== 'steps' ? fields.find((f) => f.name === about.field) : undefined;

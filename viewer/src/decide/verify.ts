@@ -2,8 +2,8 @@
 /** The arbiter that checks proposals before one goes up: src/ubf/arbiter/verify.hpp. */
 import type { ActionField, ConditionStep, Operand, Refusal } from '../run/run.ts';
 import { kTau, wrap_tau } from './angle.ts';
-import { kDone, type Maker, type Moment, type Params } from './decider.ts';
-import { copy, is_heard, type Proposal } from './proposal.ts';
+import { asks_all, take, type Maker, type Moment, type Params } from './decider.ts';
+import { is_heard, type Proposal } from './proposal.ts';
 
 /** A value of an action passes; NaN is not set and is not asked. */
 type Check = (action: Float64Array) => boolean;
@@ -93,16 +93,13 @@ export const verify: Maker = (params, fields, kids) => {
       typeof o === 'number' ? o : 'state' in o ? moment.state(o.state) : value_of(fields[o.action]!.kind, action[o.action]!);
     return !refusals.some(({ steps }) => holds(steps, read));
   };
-  return (children, out, moment) => {
+  return asks_all((children, out, moment) => {
     let winner: Proposal | null = null;
     for (const [i, child] of children.entries()) {
-      if (child.status === null) return i;
       if (!is_heard(child)) continue;
       const is_fallback = fallback && i + 1 === children.length;
       if (is_fallback ? !winner : !(winner && child.vote <= winner.vote) && passes(child, moment)) winner = child;
     }
-    if (winner) copy(winner, out);
-    else out.status = 'failure';
-    return kDone;
-  };
+    take(winner, out);
+  });
 };

@@ -2,7 +2,7 @@
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
 import { answer_words } from '../decide/contest.ts';
 import { value_text } from '../decide/text.ts';
-import { flown_text } from '../decide/units.ts';
+import { flown_text, is_grouped } from '../decide/units.ts';
 import { arbiters_for, with_param, type ArbiterChoice, type ParamChoice } from '../decide/what_if.ts';
 import type { ActionField, Player, Run, Shape, Tree } from '../run/run.ts';
 import { use_page } from './page.ts';
@@ -46,7 +46,7 @@ function params_text(params: Params, fields: readonly ActionField[]): string {
 
 /** "altitude min" for "bounds.altitude.min". */
 function param_words(name: string): string {
-  return name.split('.').slice(/^(bounds|grid)\./.test(name) ? 1 : 0).join(' ');
+  return name.split('.').slice(is_grouped(name) ? 1 : 0).join(' ');
 }
 
 interface SliderProps {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+/** The page in the hands of somebody with a mouse, and of somebody who cannot see it. */
+import assert from 'node:assert/strict';
+import { after, before, describe, test } from 'node:test';
+import type { Browser, Page } from 'playwright-core';
+import { kNoPage, launch, open_page, shoot, type Opened } from './page_kit.ts';
+
+let browser: Browser;
+let opened: Opened;
+let page: Page;
+
+before(async () => {
+  if (kNoPage) return;
+  browser = await launch();
+  opened = await open_page(browser, { fragment: '#t=600&p=eagle2' });
+  page = opened.page;
+});
+after(async () => browser?.close());
+
+const view = () => page.evaluate(() => window.eyrie!.store.get());
+
+/** What can be worked and has no name to call it by. */
+function nameless(): Promise<string[]> {
+  return page.$$eval('button, input, select, textarea, summary, a[href], [role=button], [role=slider], [tabindex]', (all) => all
+    .filter((e) => e.getClientRects().length > 0)
+    .filter((e) => {
+      const by = (e.getAttribute('aria-labelledby') ?? '').split(' ').map((id) => document.getElementById(id)?.textContent ?? '').join('');
+      const labels = [...((e as HTMLInputElement).labels ?? [])].map((label) => label.textContent ?? '').join('');
+      const own = e.matches('input, select, textarea') ? '' : e.textContent ?? '';
+      return !(e.getAttribute('aria-label') || by || labels || own || e.getAttribute('title') || '').trim();
+    })
+    .map((e) => e.outerHTML.slice(0, 120)));
+}
+
+test('every control has a name for a screen reader, with every menu open', { skip: kNoPage }, async () => {
+  assert.deepEqual(await nameless(), []);
+  await page.click('[data-path="root/bvr"]');
+  await page.$$eval('details', (all) => all.forEach((e) => e.setAttribute('open', '')));
+  assert.deepEqual(await nameless(), []);
+  await page.$$eval('details.menu', (all) => all.forEach((e) => e.removeAttribute('open')));
+});
+
+test('a loser that is pointed at shows where it would have led, in the air picture too', { skip: kNoPage }, async () => {
+  const rival = page.locator('tbody[data-field=heading] .rival').first();
+  const label = (await rival.textContent())!.trim();
+  await rival.scrollIntoViewIfNeeded();
+  await page.mouse.move(5, 5);
+  const picture = () => page.locator('.stage').first().screenshot();
+  await page.waitForFunction(() => window.eyrie!.store.get().ghost === null);
+  let without = await picture();
+  for (let rests = false; !rests;) {
+    await page.waitForTimeout(300);
+    const next = await picture();
+    rests = next.equals(without);
+    without = next;
+  }
+  await rival.hover();
+  await page.waitForFunction(() => window.eyrie!.store.get().ghost !== null);
+  const { ghost, selected } = await view();
+  assert.ok(label.startsWith(ghost!.label), `${label} is not ${ghost!.label}`);
+  assert.equal(ghost!.player, selected);
+  await page.waitForTimeout(300);
+  assert.ok(!(await picture()).equals(without), 'nothing is drawn of it');
+  await shoot(page, 'ghost');
+  await page.mouse.move(5, 5);
+  await page.waitForFunction(() => window.eyrie!.store.get().ghost === null);
+});
+
+describe('the story', { skip: kNoPage }, () => {
+  const told = () => page.$$eval('.story .told', (all) => all.map((e) => ({ kind: (e as HTMLElement).dataset['kind']!, text: e.textContent! })));
+  test('is filtered by kind, by player and by words', async () => {
+    const all = await told();
+    await page.selectOption('select[aria-label="Kind of events"]', 'launch');
+    const launches = await told();
+    assert.ok(launches.length > 0 && launches.length < all.length && launches.every(({ kind }) => kind === 'launch'));
+    await page.selectOption('select[aria-label="Story of whom"]', { label: 'eagle2' });
+    const his = await told();
+    assert.ok(his.length > 0 && his.length < launches.length && his.every(({ text }) => text.includes('eagle2')));
+    await page.selectOption('select[aria-label="Kind of events"]', { index: 0 });
+    await page.selectOption('select[aria-label="Story of whom"]', { index: 0 });
+    await page.fill('input[aria-label="Filter the story by text"]', 'splash');
+    assert.ok((await told()).every(({ text }) => /splash/.test(text)));
+    await page.fill('input[aria-label="Filter the story by text"]', '');
+  });
+  test('leads to where it happened, and to whom', async () => {
+    await page.selectOption('select[aria-label="Kind of events"]', 'kill');
+    const line = page.locator('.story .told').first();
+    const [t, text] = [Number(await line.getAttribute('data-t')), (await line.textContent())!];
+    await line.click();
+    await page.waitForFunction((time) => Math.abs(window.eyrie!.store.get().time - time) < 0.2, t);
+    const who = await page.evaluate(() => window.eyrie!.run.players[window.eyrie!.store.get().selected]!.name);
+    assert.ok(text.includes(who), `${who} is not in "${text}"`);
+    await page.selectOption('select[aria-label="Kind of events"]', { index: 0 });
+  });
+});
+
+test('the strips lead to a time, zoom, and play as fast as asked', { skip: kNoPage }, async () => {
+  const plot = (await page.locator('.stack-plot').boundingBox())!;
+  const row = (await page.locator('.row.leader').first().boundingBox())!;
+  const axis = async () => {
+    const { from, to } = await page.$eval('.stack-plot', (e) => ({ ...(e as HTMLElement).dataset }));
+    return [Number(from), Number(to)] as const;
+  };
+  const [from, to] = await axis();
+  await page.mouse.click(plot.x + plot.width * 0.25, row.y + row.height / 2);
+  const pixel = (to - from) / plot.width;
+  await page.waitForFunction(([t, off]) => Math.abs(window.eyrie!.store.get().time - t!) <= off!, [from + (to - from) * 0.25, 2 * pixel + 0.1] as const);
+  await page.click('button[aria-label="Zoom in around now"]');
+  const [near_from, near_to] = await axis();
+  assert.ok(near_to - near_from < (to - from) * 0.6, `${near_from} to ${near_to} s`);
+  await page.keyboard.press('z');
+  await page.selectOption('select[aria-label="Speed"]', { index: 0 });
+  assert.equal((await view()).rate, await page.$eval('select[aria-label="Speed"]', (e) => Number((e as HTMLSelectElement).options[0]!.value)));
+});
+
+test('nothing was complained of', { skip: kNoPage }, () => assert.deepEqual(opened.complaints, []));
