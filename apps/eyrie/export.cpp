@@ -16,7 +16,7 @@ namespace eyrie::app {
 namespace {
 namespace fs = std::filesystem;
 
-void write_paths(const debrief::Recorded& recorded, ExportFormat format, record::Sink& sink) {
+void write_paths(const debrief::Recorded& recorded, ExportFormat format, disk::Sink& sink) {
   record::Paths paths(*recorded.scenario);
   debrief::Reflight flight(recorded);
   flight.attach(paths);
@@ -28,7 +28,7 @@ void write_paths(const debrief::Recorded& recorded, ExportFormat format, record:
 
 /// Every decision of every player, or of one.
 void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> who,
-                     record::Sink& sink) {
+                     disk::Sink& sink) {
   const scenario::Scenario& scenario = *recorded.scenario;
   debrief::Reflight flight(recorded);
   debrief::Explainer explainer(scenario);

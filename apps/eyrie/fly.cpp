@@ -78,7 +78,7 @@ record::RunFile run_file_of(const scenario::Mission& mission, std::uint64_t seed
 }
 
 /// Nothing is left behind when a file could not be written.
-bool written(record::Sink& sink) {
+bool written(disk::Sink& sink) {
   if (sink.close())
     return true;
   fmt::print(stderr, "eyrie: {}\n", sink.error());
@@ -115,7 +115,7 @@ int fly(const FlyOptions& options) {
 
   // who watches
   const Report report(*scenario, !options.json && ::isatty(STDOUT_FILENO));
-  record::Sink events(folder->file("events.csv")), flight(folder->file("flight.acmi"));
+  disk::Sink events(folder->file("events.csv")), flight(folder->file("flight.acmi"));
   record::Tally tally(*scenario);
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter acmi(*scenario, flight);
@@ -142,7 +142,7 @@ int fly(const FlyOptions& options) {
                              .run = run_file_of(mission, seed, trail, outcome_text(mission, tally)),
                              .plugins = {},
                              .scenario = scenario};
-  record::Sink run(folder->file("run.eyrie"));
+  disk::Sink run(folder->file("run.eyrie"));
   run.write(record::encode(recorded.run));
   if (!written(run) || !written(events) || !written(flight))
     return 1;

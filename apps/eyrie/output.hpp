@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "disk/sink.hpp"
 #include "record/acmi.hpp"
 #include "record/events_csv.hpp"
 #include "record/run_file.hpp"
-#include "record/sink.hpp"
 
 namespace eyrie::app {
 
@@ -44,13 +44,13 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  [[nodiscard]] record::Sink& sink() { return sink_; }
+  [[nodiscard]] disk::Sink& sink() { return sink_; }
   /// Closes it and moves it to its place; false after saying why not.
   [[nodiscard]] bool commit();
 
  private:
   std::string path_, part_;
-  record::Sink sink_;
+  disk::Sink sink_;
 };
 
 /// `wanted`, or `otherwise` if it is empty; nothing after saying that `wanted` is there already and

@@ -28,7 +28,7 @@ std::string acmi_text(std::string_view text) {
   return out;
 }
 
-AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, Sink& sink)
+AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink)
     : scenario_(scenario), sink_(sink), shown_(scenario.roster.players.size()) {}
 
 void AcmiWriter::flush() {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "record/sink.hpp"
+#include "disk/sink.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
@@ -21,7 +21,7 @@ namespace eyrie::record {
 /// the reference point, so that seven decimals of a degree (about 1 cm) stay short.
 class AcmiWriter final : public sim::Observer {
  public:
-  AcmiWriter(const scenario::Scenario& scenario, Sink& sink);
+  AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink);
 
   void begin(const sim::World& world, double dt) override;
   void observe(const sim::World& world, const sim::StepInfo& info,
@@ -51,7 +51,7 @@ class AcmiWriter final : public sim::Observer {
   void flush();
 
   const scenario::Scenario& scenario_;
-  Sink& sink_;
+  disk::Sink& sink_;
   fmt::memory_buffer out_;
   double written_time_ = -1, time_ = 0, dt_ = 0;
   std::vector<Shown> shown_;

@@ -5,7 +5,7 @@
 
 namespace eyrie::record {
 
-EventsCsv::EventsCsv(const scenario::Scenario& scenario, Sink& sink)
+EventsCsv::EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink)
     : scenario_(scenario), sink_(sink) {
   sink_.write("time_s,step,event,who,who_id,whom,whom_id,north_m,east_m,down_m,detail,values\n");
 }

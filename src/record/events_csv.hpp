@@ -3,7 +3,7 @@
 /// \file  events.csv: every committed event, one row each.
 #include <fmt/format.h>
 
-#include "record/sink.hpp"
+#include "disk/sink.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
@@ -13,7 +13,7 @@ namespace eyrie::record {
 /// values. `values` holds `name=value` pairs separated by blanks, named as the schema names them.
 class EventsCsv final : public sim::Observer {
  public:
-  EventsCsv(const scenario::Scenario& scenario, Sink& sink);
+  EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink);
 
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
@@ -21,7 +21,7 @@ class EventsCsv final : public sim::Observer {
 
  private:
   const scenario::Scenario& scenario_;
-  Sink& sink_;
+  disk::Sink& sink_;
   fmt::memory_buffer out_;
 };
 

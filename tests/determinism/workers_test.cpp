@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "core/hash.hpp"
+#include "disk/sink.hpp"
 #include "pilot/pilot_system.hpp"
 #include "record/acmi.hpp"
 #include "record/events_csv.hpp"
 #include "record/run_file.hpp"
-#include "record/sink.hpp"
 #include "record/story.hpp"
 #include "sim/snapshot.hpp"
 #include "sim/trail.hpp"
@@ -170,7 +170,7 @@ TEST(WorkersObservers, ChangeNothing) {
   sim::Workspace work(*scenario->simulation);
 
   const TempFolder folder;
-  record::Sink events(folder / "events.csv"), acmi(folder / "flight.acmi");
+  disk::Sink events(folder / "events.csv"), acmi(folder / "flight.acmi");
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter tacview(*scenario, acmi);
   std::size_t lines = 0, traced = 0;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The calls by which Eyrie reads, writes and moves files, in one table.
+#include <sys/stat.h>
+#include <sys/types.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace eyrie::disk {
+
+/// The operating system's own calls, with its own results: below 0 is a failure, and errno says
+/// which. A test puts another table in its place, in which any call can fail or be the last one.
+/// A name is relative to the open folder before it; AT_FDCWD is the current one.
+class FileSystem {
+ public:
+  virtual ~FileSystem() = default;
+
+  virtual int open(int folder, const char* name, int flags, mode_t mode);
+  virtual ssize_t read(int file, void* to, std::size_t size);
+  virtual ssize_t write(int file, const void* from, std::size_t size);
+  /// Until what was written is on the disk.
+  virtual int sync(int file);
+  virtual int close(int file);
+  /// Of an open file, or of a name: of the symbolic link itself with AT_SYMLINK_NOFOLLOW.
+  virtual int status(int file, struct stat& into);
+  virtual int status(int folder, const char* name, struct stat& into, int flags);
+  virtual int set_mode(int file, mode_t mode);
+  virtual int make_folder(int folder, const char* name, mode_t mode);
+  /// A file; with AT_REMOVEDIR an empty folder.
+  virtual int remove(int folder, const char* name, int flags);
+  /// As renameat2: RENAME_NOREPLACE fails if `to` is there, RENAME_EXCHANGE swaps the two.
+  virtual int rename(int from_folder, const char* from, int to_folder, const char* to,
+                     unsigned flags);
+  /// The names in an open folder, without "." and "..".
+  virtual int list(int folder, std::vector<std::string>& names);
+  /// Takes the lock of an open file or folder for as long as it is open; fails if another open
+  /// file holds it.
+  virtual int lock(int file);
+};
+
+/// The table in use: the operating system's, unless a test has put in another one.
+[[nodiscard]] FileSystem& files();
+
+/// While this lives, `other` is the table in use.
+class Instead {
+ public:
+  explicit Instead(FileSystem& other);
+  ~Instead();
+  Instead(const Instead&) = delete;
+  Instead& operator=(const Instead&) = delete;
+
+ private:
+  FileSystem* before_;
+};
+
+/// What errno means, in words: "No space left on device".
+[[nodiscard]] std::string words_of(int error);
+
+}  // namespace eyrie::disk

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "disk/sink.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "disk/file_system.hpp"
+
+namespace eyrie::disk {
+namespace {
+constexpr std::size_t kBuffer = 1 << 16;
+}
+
+Sink::Sink(const std::string& path) : path_(path) {
+  open(AT_FDCWD, path, O_TRUNC);
+}
+
+Sink::Sink(int folder, const std::string& name, std::string shown) : path_(std::move(shown)) {
+  open(folder, name, O_EXCL | O_NOFOLLOW);
+}
+
+Sink::~Sink() {
+  if (file_ >= 0)
+    files().close(file_);
+}
+
+void Sink::open(int folder, const std::string& name, int flags) {
+  waiting_.reserve(kBuffer);
+  file_ = files().open(folder, name.c_str(), O_WRONLY | O_CREAT | flags, 0666);
+  if (file_ < 0)
+    fail();
+}
+
+void Sink::write(std::string_view bytes) {
+  size_ += bytes.size();
+  while (file_ >= 0 && !bytes.empty()) {
+    const std::string_view part = bytes.substr(0, kBuffer - waiting_.size());
+    waiting_ += part;
+    bytes.remove_prefix(part.size());
+    if (waiting_.size() == kBuffer)
+      flush();
+  }
+}
+
+void Sink::flush() {
+  std::string_view left = waiting_;
+  while (file_ >= 0 && !left.empty()) {
+    const ssize_t written = files().write(file_, left.data(), left.size());
+    if (written > 0)
+      left.remove_prefix(static_cast<std::size_t>(written));
+    else if (written == 0 || errno != EINTR)
+      fail();
+  }
+  waiting_.clear();
+}
+
+bool Sink::close() {
+  flush();
+  // EINVAL: what is written to is no file of a disk
+  if (file_ >= 0 && files().sync(file_) != 0 && errno != EINVAL)
+    fail();
+  if (file_ >= 0 && files().close(std::exchange(file_, -1)) != 0)
+    fail();
+  return error_.empty();
+}
+
+void Sink::fail() {
+  error_ = fmt::format("cannot write '{}': {}", path_, words_of(errno));
+  if (file_ >= 0)
+    files().close(std::exchange(file_, -1));
+}
+
+}  // namespace eyrie::disk

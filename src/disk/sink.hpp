@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A file that remembers whether everything was written.
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace eyrie::disk {
+
+/// Buffered output to one file. After the first failure nothing more is written and error() says
+/// why; so a full disk is noticed, whoever wrote last.
+class Sink {
+ public:
+  /// A new file, or an old one that is emptied.
+  explicit Sink(const std::string& path);
+  /// A file that must not exist yet, `name` in the open folder; mistakes call it `shown`.
+  Sink(int folder, const std::string& name, std::string shown);
+  ~Sink();
+  Sink(const Sink&) = delete;
+  Sink& operator=(const Sink&) = delete;
+
+  void write(std::string_view bytes);
+  /// Until everything is on the disk; then closes. False if anything was lost.
+  bool close();
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  /// Bytes given to write() so far.
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  /// "cannot write 'x': No space left on device", or "".
+  [[nodiscard]] const std::string& error() const { return error_; }
+
+ private:
+  void open(int folder, const std::string& name, int flags);
+  void flush();
+  void fail();
+
+  std::string path_, error_, waiting_;
+  std::uint64_t size_ = 0;
+  int file_ = -1;
+};
+
+}  // namespace eyrie::disk

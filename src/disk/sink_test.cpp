@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "disk/sink.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <string>
+
+#include "disk/file_system.hpp"
+#include "disk/read_file.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::disk {
+namespace {
+
+TEST(Sink, WritesEverythingAndSaysSo) {
+  const test::TempFolder folder;
+  const std::string path = folder / "file";
+  Sink sink(path);
+  sink.write("one ");
+  sink.write(std::string(200'000, 'x'));
+  EXPECT_TRUE(sink.close());
+  EXPECT_EQ(sink.error(), "");
+  EXPECT_EQ(sink.path(), path);
+  EXPECT_EQ(sink.size(), 200'004U);
+  EXPECT_EQ(test::read_text(path), "one " + std::string(200'000, 'x'));
+}
+
+TEST(Sink, NoticesAFullDiskWhileWriting) {
+  Sink sink("/dev/full");
+  for (int i = 0; i < 100; ++i)
+    sink.write(std::string(100'000, 'x'));
+  EXPECT_EQ(sink.error(), "cannot write '/dev/full': No space left on device");
+  EXPECT_FALSE(sink.close());
+}
+
+/// What is still in the buffer is lost only when it is flushed: close() must not overlook it.
+TEST(Sink, NoticesAFullDiskAtTheLastByte) {
+  Sink sink("/dev/full");
+  sink.write("x");
+  EXPECT_EQ(sink.error(), "");
+  EXPECT_FALSE(sink.close());
+  EXPECT_EQ(sink.error(), "cannot write '/dev/full': No space left on device");
+}
+
+TEST(Sink, SaysWhyAFileCannotBeMade) {
+  Sink sink("/dev/null/below");
+  sink.write("x");
+  EXPECT_FALSE(sink.close());
+  EXPECT_EQ(sink.error(), "cannot write '/dev/null/below': Not a directory");
+}
+
+TEST(Sink, TakesNoFileThatIsThereWhenItMustBeNew) {
+  const test::TempFolder folder;
+  folder.write("taken", "kept");
+  std::filesystem::create_symlink("elsewhere", folder / "link");
+  const int open = ::open(folder.path().c_str(), O_RDONLY | O_DIRECTORY);
+  for (const char* name : {"taken", "link"}) {
+    Sink sink(open, name, "shown");
+    sink.write("x");
+    EXPECT_FALSE(sink.close());
+    EXPECT_EQ(sink.error(), "cannot write 'shown': File exists");
+  }
+  ::close(open);
+  EXPECT_EQ(test::read_text(folder / "taken"), "kept");
+  EXPECT_EQ(folder.everything(), (std::vector<std::string>{"link", "taken"}));
+}
+
+/// Takes a few bytes at a time and is interrupted in between; syncs as it is told.
+struct Slow final : FileSystem {
+  ssize_t write(int file, const void* from, std::size_t size) override {
+    if (++calls % 2) {
+      errno = EINTR;
+      return -1;
+    }
+    return FileSystem::write(file, from, std::min<std::size_t>(size, 7));
+  }
+  int sync(int) override {
+    errno = sync_error;
+    return sync_error ? -1 : 0;
+  }
+  int calls = 0, sync_error = 0;
+};
+
+TEST(Sink, GoesOnWhereAWriteHasStopped) {
+  const test::TempFolder folder;
+  Slow slow;
+  const Instead instead(slow);
+  Sink sink(folder / "file");
+  sink.write("as long as it takes, seven bytes at a time");
+  EXPECT_TRUE(sink.close());
+  EXPECT_EQ(test::read_text(folder / "file"), "as long as it takes, seven bytes at a time");
+}
+
+TEST(Sink, NoticesADiskThatKeepsNothing) {
+  const test::TempFolder folder;
+  Slow slow;
+  slow.sync_error = EIO;
+  const Instead instead(slow);
+  Sink sink(folder / "file");
+  sink.write("x");
+  EXPECT_FALSE(sink.close());
+  EXPECT_EQ(sink.error(), "cannot write '" + (folder / "file") + "': Input/output error");
+}
+
+}  // namespace
+}  // namespace eyrie::disk
