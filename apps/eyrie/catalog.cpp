@@ -3,6 +3,7 @@
 
 #include "commands.hpp"
 #include "record/json_schema.hpp"
+#include "say.hpp"
 #include "scenario/catalog.hpp"
 #include "scenario/plugins.hpp"
 
@@ -14,13 +15,13 @@ int catalog(CatalogFormat format, const std::vector<std::string>& files) {
   Diagnostics diagnostics;
   scenario::load_plugins(files, plugins, source, diagnostics);
   if (!diagnostics.ok()) {
-    fmt::print(stderr, "{}\n", diagnostics.text());
+    complain("{}\n", lines(diagnostics.text()));
     return 2;
   }
   const scenario::Catalog all = scenario::make_catalog(source, plugins);
-  fmt::print("{}", format == CatalogFormat::json_schema ? record::catalog_json_schema(all)
-                   : format == CatalogFormat::markdown  ? scenario::catalog_markdown(all)
-                                                        : scenario::catalog_text(all));
+  say("{}", lines(format == CatalogFormat::json_schema ? record::catalog_json_schema(all)
+                  : format == CatalogFormat::markdown  ? scenario::catalog_markdown(all)
+                                                       : scenario::catalog_text(all)));
   return 0;
 }
 

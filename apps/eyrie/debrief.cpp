@@ -14,6 +14,7 @@
 #include "output.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -25,7 +26,7 @@ class Counter {
   explicit Counter(double end) : end_(end), shown_(::isatty(STDERR_FILENO)) {}
   ~Counter() {
     if (shown_ && percent_ >= 0)
-      fmt::print(stderr, "\r\033[K");
+      complain("{}", Composed{"\r\033[K"});
   }
   Counter(const Counter&) = delete;
   Counter& operator=(const Counter&) = delete;
@@ -35,7 +36,7 @@ class Counter {
     if (!shown_ || percent == percent_)
       return;
     percent_ = percent;
-    fmt::print(stderr, "\rdebrief page: {} %", percent);
+    complain("{}debrief page: {} %", Composed{"\r"}, percent);
     std::fflush(stderr);
   }
 
@@ -64,8 +65,7 @@ std::string data_of(const debrief::Recorded& recorded) {
 /// False after saying why.
 bool write_page(const std::string& file, const std::string& text) {
   if (text.empty()) {
-    fmt::print(stderr, "eyrie: {} is no debrief page of this version; build it again\n",
-               viewer_file());
+    complain("eyrie: {} is no debrief page of this version; build it again\n", viewer_file());
     return false;
   }
   OutputFile out(file);
@@ -94,7 +94,7 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
 int debrief_page(const DebriefOptions& options) {
   const auto shell = viewer();
   if (!shell) {
-    fmt::print(stderr, "eyrie: {}\n", kNoViewer);
+    complain("eyrie: {}\n", kNoViewer);
     return 1;
   }
   std::vector<debrief::Recorded> runs;
@@ -114,13 +114,13 @@ int debrief_page(const DebriefOptions& options) {
   for (const debrief::Recorded& run : runs) {
     data.push_back(data_of(run));
     if (data.back().empty()) {
-      fmt::print(stderr, "eyrie: interrupted, nothing was written\n");
+      complain("eyrie: interrupted, nothing was written\n");
       return 130;
     }
   }
   if (!write_page(*file, page::page_with(*shell, data)))
     return 1;
-  fmt::print("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
+  say("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "debrief/report.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -137,11 +138,6 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
   return found;
 }
 
-int complain(const std::string& text) {
-  fmt::print(stderr, "{}\n", text);
-  return 2;
-}
-
 }  // namespace
 
 std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
@@ -151,7 +147,7 @@ std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
   std::vector<std::string> names;
   for (const auto& player : roster.players)
     names.push_back(player.name);
-  fmt::print(stderr, "--player: there is no player {}{}\n", quote(name), did_you_mean(name, names));
+  complain("--player: there is no player {}{}\n", quote(name), did_you_mean(name, names));
   return std::nullopt;
 }
 
@@ -176,8 +172,9 @@ int explain(const ExplainOptions& options) {
       continue;
     const auto time = time_of(*text);
     if (!time)
-      return complain(fmt::format("{} {}: expected a time such as 312.4, '5 min' or 5:12.4", name,
-                                  quote(*text)));
+      return complain("{} {}: expected a time such as 312.4, '5 min' or 5:12.4\n", name,
+                      quote(*text)),
+             2;
     *place = *time;
   }
   wanted.once = !options.at.empty();
@@ -195,22 +192,22 @@ int explain(const ExplainOptions& options) {
 
   const Found found = look(*recorded, *who, wanted);
   if (options.csv) {
-    fmt::print("{}", debrief::decisions_csv(found.decisions, roster));
+    say("{}", Composed{debrief::decisions_csv(found.decisions, roster)});
   } else if (options.json) {
-    fmt::print("{}", wanted.changes ? debrief::changes_json(found.changes, roster)
-                                    : debrief::decisions_json(found.decisions, roster));
+    say("{}", Composed{wanted.changes ? debrief::changes_json(found.changes, roster)
+                                      : debrief::decisions_json(found.decisions, roster)});
   } else if (wanted.changes) {
     for (const debrief::Change& change : found.changes)
-      fmt::print("{}", debrief::change_text(change));
+      say("{}", Composed{debrief::change_text(change)});
   } else {
     const bool whole = wanted.once || !wanted.event.empty();
     for (std::size_t i = 0; i < found.decisions.size(); ++i)
-      fmt::print("{}{}", whole && i > 0 ? "\n" : "",
-                 whole ? debrief::decision_text(found.decisions[i], roster)
-                       : debrief::decision_line(found.decisions[i]));
+      say("{}{}", Composed{whole && i > 0 ? "\n" : ""},
+          Composed{whole ? debrief::decision_text(found.decisions[i], roster)
+                         : debrief::decision_line(found.decisions[i])});
   }
   if (found.decisions.empty() && found.changes.empty()) {
-    fmt::print(stderr, "{} made no such decision\n", options.player);
+    complain("{} made no such decision\n", options.player);
     return 1;
   }
   return 0;

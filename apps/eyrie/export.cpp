@@ -11,6 +11,7 @@
 #include "output.hpp"
 #include "record/czml.hpp"
 #include "record/geojson.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -64,7 +65,7 @@ int export_run(const ExportOptions& options) {
     if (!who)
       return 2;
     if (options.format != ExportFormat::decisions) {
-      fmt::print(stderr, "--player is for decisions: paths are those of all players\n");
+      complain("--player is for decisions: paths are those of all players\n");
       return 2;
     }
   }
@@ -82,12 +83,12 @@ int export_run(const ExportOptions& options) {
   else
     write_paths(*recorded, options.format, out.sink());
   if (interrupted()) {
-    fmt::print(stderr, "eyrie: interrupted, nothing was written\n");
+    complain("eyrie: interrupted, nothing was written\n");
     return 130;
   }
   if (!out.commit())
     return 1;
-  fmt::print("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
+  say("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
   return 0;
 }
 

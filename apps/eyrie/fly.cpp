@@ -13,6 +13,7 @@
 #include "locate.hpp"
 #include "output.hpp"
 #include "report.hpp"
+#include "say.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::app {
@@ -81,7 +82,7 @@ record::RunFile run_file_of(const scenario::Mission& mission, std::uint64_t seed
 bool written(disk::Sink& sink) {
   if (sink.close())
     return true;
-  fmt::print(stderr, "eyrie: {}\n", sink.error());
+  complain("eyrie: {}\n", sink.error());
   return false;
 }
 
@@ -92,7 +93,7 @@ int fly(const FlyOptions& options) {
   if (!options.until.empty()) {
     const Parsed time = parse_quantity(options.until, Dimension::time);
     if (!time || time.value <= 0) {
-      fmt::print(stderr, "--until: {}\n", time ? "must be after the start" : time.error);
+      complain("--until: {}\n", time ? "must be after the start" : time.error);
       return 2;
     }
     until = time.value;
@@ -106,10 +107,10 @@ int fly(const FlyOptions& options) {
   try {
     folder.emplace(options.out, scenario->spec.name, seed, options.force);
   } catch (const std::invalid_argument& e) {
-    fmt::print(stderr, "eyrie: {}\n", e.what());
+    complain("eyrie: {}\n", e.what());
     return 2;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "eyrie: {}\n", e.what());
+    complain("eyrie: {}\n", e.what());
     return 1;
   }
 
@@ -134,7 +135,7 @@ int fly(const FlyOptions& options) {
   Timing timing;
   fly_to_the_end(mission, options, timing);
   if (const auto& difference = mission.run().difference()) {
-    fmt::print(stderr, "eyrie: the step is not deterministic: {}\n", difference->text());
+    complain("eyrie: the step is not deterministic: {}\n", difference->text());
     return 1;
   }
 
@@ -153,11 +154,11 @@ int fly(const FlyOptions& options) {
     return 1;
   folder->commit();
   if (options.json)
-    fmt::print("{}\n", json_report(mission, tally, seed, timing, folder->path()));
+    say("{}", Composed{json_report(mission, tally, seed, timing, folder->path())});
   else
     report.closing(mission, tally, timing, folder->path(), page.written);
   if (!page.problem.empty())
-    fmt::print(stderr, "eyrie: {}\n", page.problem);
+    complain("eyrie: {}\n", page.problem);
   return std::fflush(stdout) == 0 ? 0 : 1;
 }
 

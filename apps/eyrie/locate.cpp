@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 namespace fs = std::filesystem;
@@ -63,14 +64,14 @@ std::shared_ptr<const scenario::Scenario> load_or_complain(
       if (entry.path().extension() == ".yaml")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
-    fmt::print(stderr, "eyrie: there is no scenario {}{}\n", quote(name),
-               did_you_mean(fs::path(name).stem().string(), names));
+    complain("eyrie: there is no scenario {}{}\n", quote(name),
+             did_you_mean(fs::path(name).stem().string(), names));
     return nullptr;
   }
   try {
     return scenario::load({file, sets, plugins}, scenario::Source::disk(home()));
   } catch (const ConfigError& e) {
-    fmt::print(stderr, "{}\n", e.diagnostics().text());
+    complain("{}\n", lines(e.diagnostics().text()));
     return nullptr;
   }
 }

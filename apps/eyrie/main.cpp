@@ -9,6 +9,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "say.hpp"
 
 namespace {
 
@@ -214,7 +215,7 @@ int main(int argc, char** argv) {
                                  : CatalogFormat::text,
                    c.plugins);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "eyrie: %s\n", e.what());
+    complain("eyrie: {}\n", lines(e.what()));
     return 1;
   }
 }

@@ -16,6 +16,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "say.hpp"
 #include "scenario/plugins.hpp"
 
 namespace eyrie::app {
@@ -128,7 +129,7 @@ std::vector<std::string> copy_renamed(const fs::path& from, const fs::path& to,
 
 int new_behavior(const std::string& name) {
   if (const std::string problem = name_problem(name); !problem.empty()) {
-    fmt::print(stderr, "eyrie: {}\n", problem);
+    complain("eyrie: {}\n", problem);
     return 2;
   }
   // beside its place until it is complete
@@ -142,16 +143,15 @@ int new_behavior(const std::string& name) {
     std::error_code ignored;
     fs::remove_all(part, ignored);
     const auto* disk = dynamic_cast<const fs::filesystem_error*>(&e);
-    fmt::print(stderr, "eyrie: {}\n",
-               disk ? fmt::format("cannot make '{}': {}: {}", name, disk->path1().string(),
-                                  disk->code().message())
-                    : e.what());
+    complain("eyrie: {}\n", disk ? fmt::format("cannot make '{}': {}: {}", name,
+                                               disk->path1().string(), disk->code().message())
+                                 : e.what());
     return 1;
   }
-  fmt::print("{}/: {}\n", name, fmt::join(files, ", "));
+  say("{}/: {}\n", name, fmt::format("{}", fmt::join(files, ", ")));
   if (package().empty())
-    fmt::print("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);
-  fmt::print("cd {} && cmake -B build && cmake --build build && ctest --test-dir build\n", name);
+    say("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);
+  say("cd {} && cmake -B build && cmake --build build && ctest --test-dir build\n", name);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "locate.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 
@@ -41,8 +42,8 @@ int validate(const std::vector<std::string>& files, const std::vector<std::strin
   int code = 0;
   for (const std::string& file : files) {
     if (const auto scenario = load_or_complain(file, {}, plugins))
-      fmt::print("{}: {}, {}\n", scenario->file, players_text(*scenario),
-                 counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
+      say("{}: {}, {}\n", scenario->file, players_text(*scenario),
+          counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
     else
       code = 2;
   }

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <utility>
 
+#include "say.hpp"
+
 namespace eyrie::app {
 namespace fs = std::filesystem;
 
@@ -63,12 +65,12 @@ OutputFile::~OutputFile() {
 bool OutputFile::commit() {
   std::error_code failed;
   if (!sink_.close()) {
-    fmt::print(stderr, "eyrie: {}\n", sink_.error());
+    complain("eyrie: {}\n", sink_.error());
     return false;
   }
   fs::rename(part_, path_, failed);
   if (failed)
-    fmt::print(stderr, "eyrie: cannot make '{}': {}\n", path_, failed.message());
+    complain("eyrie: cannot make '{}': {}\n", path_, failed.message());
   return !failed;
 }
 
@@ -78,8 +80,7 @@ std::optional<std::string> free_or_complain(const std::string& wanted, const std
     return otherwise;
   if (force || !fs::exists(wanted))
     return wanted;
-  fmt::print(stderr, "eyrie: --out '{}' exists already; name another file or add --force\n",
-             wanted);
+  complain("eyrie: --out '{}' exists already; name another file or add --force\n", wanted);
   return std::nullopt;
 }
 

@@ -7,7 +7,9 @@
 
 #include "commands.hpp"
 #include "debrief/recorded.hpp"
+#include "record/json_text.hpp"
 #include "report.hpp"
+#include "say.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::app {
@@ -16,7 +18,7 @@ std::optional<debrief::Recorded> open_or_complain(const std::string& run,
                                                   const std::vector<std::string>& plugins) {
   debrief::Opened opened = debrief::open(run, plugins, version_text());
   for (const std::string& problem : opened.problems)
-    fmt::print(stderr, "{}\n", problem);
+    complain("{}\n", lines(problem));
   return std::move(opened.recorded);
 }
 
@@ -34,7 +36,7 @@ int replay(const ReplayOptions& options) {
   flight.attach(checker);
   for (const sim::Order& order : recorded.orders)
     if (const std::string refused = flight.submit(order); !refused.empty()) {
-      fmt::print(stderr, "{}: {}\n", file, refused);
+      complain("{}: {}\n", file, refused);
       return 2;
     }
   const auto last = recorded.trail.marks.empty() ? 0 : recorded.trail.marks.back().step;
@@ -57,13 +59,12 @@ int replay(const ReplayOptions& options) {
                       {"field", departure->where->field},
                       {"player", departure->where->player.value}};
     }
-    fmt::print("{}\n", j.dump(2));
+    say("{}", Composed{record::json_lines(j)});
   } else if (departure) {
-    fmt::print("{}: differs from the recording by {}\n{}\n", file, recorded.build,
-               departure->reason);
+    say("{}: differs from the recording by {}\n{}\n", file, recorded.build, departure->reason);
   } else {
-    fmt::print("{}: the same, {} steps, world hash {}\n", file, flight.world().step(),
-               hash_text(flight.world().hash()));
+    say("{}: the same, {} steps, world hash {}\n", file, flight.world().step(),
+        hash_text(flight.world().hash()));
   }
   return departure ? 1 : 0;
 }

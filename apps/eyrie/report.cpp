@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
+#include "record/json_text.hpp"
 
 namespace eyrie::app {
 using model::Side;
@@ -40,38 +41,39 @@ std::string outcome_text(const scenario::Mission& mission, const record::Tally& 
   return fmt::format("{}; losses: blue {}, red {}", text, blue.losses, red.losses);
 }
 
-std::string Report::paint(std::string text, Tone tone) const {
+Composed Report::paint(const std::string& text, Tone tone) const {
+  const std::string fit = printable(text);
   if (!color_ || tone == Tone::plain)
-    return text;
+    return {fit};
   const char* code = tone == Tone::blue   ? "34"
                      : tone == Tone::red  ? "31"
                      : tone == Tone::kill ? "1;33"
                                           : "1;36";
-  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+  return {fmt::format("\x1b[{}m{}\x1b[0m", code, fit)};
 }
 
 void Report::header(std::uint64_t seed) const {
-  fmt::print("{}", scenario_.spec.name);
+  say("{}", scenario_.spec.name);
   if (!scenario_.spec.help_text.empty())
-    fmt::print(": {}", scenario_.spec.help_text);
-  fmt::print("\nseed {}", seed);
+    say(": {}", lines(scenario_.spec.help_text));
+  say("\nseed {}", seed);
   for (const auto& flight : scenario_.roster.flights) {
     const auto& lead = scenario_.roster.players[flight.members.front().value - 1];
-    fmt::print(", {}", paint(fmt::format("{} {} {} x {}", scenario::side_name(flight.side),
-                                         flight.name, flight.members.size(), lead.label),
-                             flight.side == Side::blue ? Tone::blue : Tone::red));
+    say(", {}", paint(fmt::format("{} {} {} x {}", scenario::side_name(flight.side), flight.name,
+                                  flight.members.size(), lead.label),
+                      flight.side == Side::blue ? Tone::blue : Tone::red));
   }
-  fmt::print("\n\n");
+  say("\n\n");
 }
 
 void Report::line(const record::StoryLine& line) const {
-  fmt::print("{:>8}  {}  {}\n", record::clock_text(line.time),
-             paint(fmt::format("{:<9}", line.who), line.tone), line.text);
+  say("{:>8}  {}  {}\n", record::clock_text(line.time),
+      paint(fmt::format("{:<9}", line.who), line.tone), line.text);
 }
 
 void Report::table(const scenario::Mission& mission, const record::Tally& tally) const {
-  fmt::print("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "player", "side", "shots", "kills",
-             "end", "fuel kg", "phase");
+  say("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "player", "side", "shots", "kills", "end",
+      "fuel kg", "phase");
   const auto& world = mission.run().world();
   const auto fuel = world.rows(scenario_.aircraft.propulsion);
   for (std::size_t i = 0; i < tally.players().size(); ++i) {
@@ -83,35 +85,34 @@ void Report::table(const scenario::Mission& mission, const record::Tally& tally)
                             : p.home ? "home " + record::clock_text(p.end_time)
                             : who.platform == scenario::Platform::vehicle ? "on the ground"
                                                                           : "in the air";
-    fmt::print(
-        "{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
+    say("{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
         paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),
         scenario::side_name(who.side), p.shots, p.kills, end,
         row ? fmt::format("{:.0f}", fuel[*row].fuel) : "-", p.phase);
   }
-  fmt::print("\n");
+  say("\n");
   for (const auto& phase : tally.phases())
     if (scenario_.roster.flights[phase.flight].side == Side::blue)
-      fmt::print("{} {} {}   ", scenario_.roster.flights[phase.flight].name, phase.phase,
-                 record::clock_text(phase.time));
-  fmt::print("\n");
+      say("{} {} {}   ", scenario_.roster.flights[phase.flight].name, phase.phase,
+          record::clock_text(phase.time));
+  say("\n");
 }
 
 void Report::closing(const scenario::Mission& mission, const record::Tally& tally,
                      const Timing& timing, const std::string& run_dir, bool page) const {
   table(mission, tally);
   const double time = mission.run().time();
-  fmt::print("{}\n", outcome_text(mission, tally));
-  fmt::print("world hash {} after {} steps\n", hash_text(mission.run().world().hash()),
-             mission.run().world().step());
-  fmt::print("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
-             timing.wall > 0 ? time / timing.wall : 0);
+  say("{}\n", outcome_text(mission, tally));
+  say("world hash {} after {} steps\n", hash_text(mission.run().world().hash()),
+      mission.run().world().step());
+  say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
+      timing.wall > 0 ? time / timing.wall : 0);
   if (timing.paced)
-    fmt::print("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n",
-               timing.missed, timing.deadlines, timing.worst_late * 1000);
+    say("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n", timing.missed,
+        timing.deadlines, timing.worst_late * 1000);
   if (!run_dir.empty())
-    fmt::print("written to {}: run.eyrie, events.csv, flight.acmi{}\n", run_dir,
-               page ? ", debrief.html" : "");
+    say("written to {}: run.eyrie, events.csv, flight.acmi{}\n", run_dir,
+        page ? ", debrief.html" : "");
 }
 
 std::string json_report(const scenario::Mission& mission, const record::Tally& tally,
@@ -145,7 +146,7 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                       {"missed", timing.missed},
                       {"worst_late_s", timing.worst_late}};
   j["run_dir"] = run_dir;
-  return j.dump(2);
+  return record::json_lines(j);
 }
 
 }  // namespace eyrie::app

@@ -5,6 +5,7 @@
 
 #include "record/story.hpp"
 #include "record/tally.hpp"
+#include "say.hpp"
 #include "scenario/mission.hpp"
 
 namespace eyrie::app {
@@ -28,7 +29,7 @@ class Report {
                const std::string& run_dir, bool page) const;
 
  private:
-  [[nodiscard]] std::string paint(std::string text, record::Tone tone) const;
+  [[nodiscard]] Composed paint(const std::string& text, record::Tone tone) const;
   void table(const scenario::Mission& mission, const record::Tally& tally) const;
 
   const scenario::Scenario& scenario_;

@@ -10,7 +10,9 @@
 #include "debrief/difference.hpp"
 #include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
+#include "record/json_text.hpp"
 #include "record/story.hpp"
+#include "say.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -19,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 void print_fields(const debrief::Otherwise& first) {
   for (const debrief::Changed& field : first.fields)
-    fmt::print("  {:<12} {} -> {}\n", field.name, field.flown, field.other);
+    say("  {:<12} {} -> {}\n", field.name, field.flown, field.other);
 }
 
 Json first_json(const debrief::Otherwise& first) {
@@ -48,13 +50,12 @@ Json outcome_json(const debrief::Outcome& outcome) {
 }
 
 void print_outcome(std::string_view name, const debrief::Outcome& o) {
-  fmt::print("  {:<10} {:<10} {:>8}   {:>3} {:>3}   {:>3} {:>3}   {:>3} {:>3}\n", name, o.outcome,
-             record::clock_text(o.time), o.blue.losses, o.red.losses, o.blue.shots, o.red.shots,
-             o.blue.home, o.red.home);
+  say("  {:<10} {:<10} {:>8}   {:>3} {:>3}   {:>3} {:>3}   {:>3} {:>3}\n", name, o.outcome,
+      record::clock_text(o.time), o.blue.losses, o.red.losses, o.blue.shots, o.red.shots,
+      o.blue.home, o.red.home);
 }
 void print_outcome_head() {
-  fmt::print(
-      "\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu "
+  say("\n  {:<10} {:<10} {:>8}   {:<7}   {:<7}   {:<7}\n  {:<30}   blu red   blu red   blu "
       "red\n",
       "", "outcome", "time", "losses", "shots", "home", "");
 }
@@ -91,7 +92,7 @@ Json over_seeds(const debrief::Recorded& recorded,
       {"time", [](const debrief::Outcome& o) { return o.time; }}};
   for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
     if (!quiet)
-      fmt::print(stderr, "\rseed {} of {}", seed, seeds);
+      complain("{}seed {} of {}", Composed{"\r"}, seed, seeds);
     const auto flown = debrief::outcome_of(recorded.scenario, seed, until);
     const auto changed = debrief::outcome_of(other, seed, until);
     for (Figure& figure : figures) {
@@ -101,15 +102,14 @@ Json over_seeds(const debrief::Recorded& recorded,
     }
   }
   if (!quiet)
-    fmt::print(stderr, "\r{:40}\r", "");
+    complain("{}", Composed{fmt::format("\r{:40}\r", "")});
   Json all = Json::array();
   if (!quiet)
-    fmt::print("\nover seeds 1 to {}: mean, and of the difference its standard error\n", seeds);
+    say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", seeds);
   for (const Figure& figure : figures) {
     if (!quiet)
-      fmt::print("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {:.2f}\n", figure.name,
-                 figure.flown.mean(), figure.other.mean(), figure.difference.mean(),
-                 figure.difference.error());
+      say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {:.2f}\n", figure.name, figure.flown.mean(),
+          figure.other.mean(), figure.difference.mean(), figure.difference.error());
     all.push_back({{"name", figure.name},
                    {"flown", figure.flown.mean()},
                    {"other", figure.other.mean()},
@@ -130,8 +130,7 @@ Json parting_json(const std::optional<debrief::Parting>& parting) {
 int what_if(const WhatIfOptions& options) {
   const auto from = options.at.empty() ? std::optional(0.0) : time_of(options.at);
   if (!from) {
-    fmt::print(stderr, "--at {}: expected a time such as 312.4, '5 min' or 5:12.4\n",
-               quote(options.at));
+    complain("--at {}: expected a time such as 312.4, '5 min' or 5:12.4\n", quote(options.at));
     return 2;
   }
   const auto recorded = open_or_complain(options.run, options.plugins);
@@ -148,12 +147,12 @@ int what_if(const WhatIfOptions& options) {
       throw ConfigError(wrong);
     other = debrief::with_overrides(*recorded, overrides.sets, std::move(overrides.changes));
   } catch (const ConfigError& e) {
-    fmt::print(stderr, "{}\n", e.diagnostics().text());
+    complain("{}\n", lines(e.diagnostics().text()));
     return 2;
   }
   if (other->trees->size() != recorded->scenario->trees->size() ||
       other->driver_trees->size() != recorded->scenario->driver_trees->size()) {
-    fmt::print(stderr, "the change adds or removes a tree; change one that is there\n");
+    complain("the change adds or removes a tree; change one that is there\n");
     return 2;
   }
 
@@ -166,11 +165,11 @@ int what_if(const WhatIfOptions& options) {
     json["first"] = first_json(*result.first);
   json["spans_s"] = result.spans;
   if (!options.json) {
-    fmt::print("{}: {} of {} decisions would have been other ones\n", options.player,
-               result.different, result.decisions);
+    say("{}: {} of {} decisions would have been other ones\n", options.player, result.different,
+        result.decisions);
     if (result.first) {
-      fmt::print("first at {} (step {}): {} -> {}\n", record::clock_text(result.first->time),
-                 result.first->step, result.first->flown, result.first->other);
+      say("first at {} (step {}): {} -> {}\n", record::clock_text(result.first->time),
+          result.first->step, result.first->flown, result.first->other);
       print_fields(*result.first);
     }
   }
@@ -184,7 +183,7 @@ int what_if(const WhatIfOptions& options) {
     std::string problem;
     const auto branched = debrief::branch(*recorded, other, result.first->step, until, problem);
     if (!branched) {
-      fmt::print(stderr, "--branch: {}\n", problem);
+      complain("--branch: {}\n", problem);
       return 2;
     }
     json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(*branched)}};
@@ -197,7 +196,7 @@ int what_if(const WhatIfOptions& options) {
   if (options.seeds > 0)
     json["over_seeds"] = over_seeds(*recorded, other, options.seeds, until, options.json);
   if (options.json)
-    fmt::print("{}\n", json.dump(2));
+    say("{}", Composed{record::json_lines(json)});
   return 0;
 }
 
@@ -209,7 +208,7 @@ int diff(const std::string& left, const std::string& right, bool json) {
   std::string problem;
   const auto found = debrief::compare(*a, *b, problem);
   if (!found) {
-    fmt::print(stderr, "{}\n", problem);
+    complain("{}\n", problem);
     return 2;
   }
   if (json) {
@@ -220,16 +219,16 @@ int diff(const std::string& left, const std::string& right, bool json) {
                  {"world", parting_json(found->world)},
                  {"action", parting_json(found->action)},
                  {"event", parting_json(found->event)}};
-    fmt::print("{}\n", j.dump(2));
+    say("{}", Composed{record::json_lines(j)});
     return found->same() ? 0 : 1;
   }
   if (found->same())
-    fmt::print("the same, {} steps\n", found->steps);
+    say("the same, {} steps\n", found->steps);
   for (const auto& [name, place] :
        {std::pair("world", &found->world), std::pair("action", &found->action),
         std::pair("event", &found->event)})
     if (*place)
-      fmt::print("{:<7} {:>8}  {}\n", name, record::clock_text((*place)->time), (*place)->text);
+      say("{:<7} {:>8}  {}\n", name, record::clock_text((*place)->time), (*place)->text);
   return found->same() ? 0 : 1;
 }
 

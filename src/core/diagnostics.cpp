@@ -14,6 +14,8 @@
 #include <tuple>
 #include <utility>
 
+#include "core/printable.hpp"
+
 namespace eyrie {
 namespace {
 
@@ -69,57 +71,6 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
   return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
 }
 
-/// Length of the well-formed UTF-8 sequence at the start of `text`, or 0 (Unicode 15, table 3-7).
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-  };
-  const auto within = [&](std::size_t i, unsigned low, unsigned high) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80)
-    return 1;
-  if (within(0, 0xC2, 0xDF))
-    return within(1, 0x80, 0xBF) ? 2 : 0;
-  if (within(0, 0xE0, 0xEF)) {
-    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
-    const unsigned high = first == 0xED ? 0x9F : 0xBF;
-    return within(1, low, high) && within(2, 0x80, 0xBF) ? 3 : 0;
-  }
-  if (within(0, 0xF0, 0xF4)) {
-    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
-    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
-    return within(1, low, high) && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF) ? 4 : 0;
-  }
-  return 0;
-}
-
-bool is_control(std::string_view character) {
-  const auto first = static_cast<unsigned char>(character[0]);
-  const bool c1 = first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
-  return first < 0x20 || first == 0x7F || c1;
-}
-
-/// At most `longest` characters, with escapes for what a terminal would obey or cannot show.
-std::string printable(std::string_view text, std::size_t longest) {
-  std::string result;
-  std::size_t characters = 0;
-  while (!text.empty()) {
-    if (characters++ == longest)
-      return result + "...";
-    const std::size_t length = utf8_length(text);
-    if (length == 0 || is_control(text.substr(0, length))) {
-      for (const char byte : text.substr(0, std::max<std::size_t>(length, 1)))
-        result += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
-    } else {
-      result += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
-
 /// The one copy of a name.
 const std::string* kept(std::string_view name) {
   static std::mutex mutex;
@@ -143,8 +94,7 @@ std::string Location::text() const {
 std::string Diagnostic::text() const {
   const std::string place = where.text();
   // names of files and keys stand in both, and whoever wrote the file chose them
-  return printable(place.empty() ? message : fmt::format("{}: {}", place, message),
-                   std::string::npos);
+  return printable(place.empty() ? message : fmt::format("{}: {}", place, message));
 }
 
 void Diagnostics::error(Location where, std::string message) {

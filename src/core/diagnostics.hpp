@@ -90,8 +90,7 @@ class ConfigError : public std::runtime_error {
                                        std::span<const std::string_view> names);
 [[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);
 
-/// The text in single quotes, fit for a terminal: control characters and invalid UTF-8 become
-/// \x1b-like escapes, and a text longer than 60 characters is cut with "...".
+/// The printable() text in single quotes; one that is longer than 60 characters is cut with "...".
 [[nodiscard]] std::string quote(std::string_view text);
 
 }  // namespace eyrie

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
+#include "core/printable.hpp"
+#include "record/csv.hpp"
+#include "record/json_text.hpp"
 #include "record/story.hpp"
 
 namespace eyrie::debrief {
@@ -16,6 +18,37 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kWidth = 100;
+
+/// With every text in it fit for a terminal: labels and names come from files and plug-ins.
+Decision printable_copy(Decision d) {
+  const auto make = [](std::string& text) { text = printable(text); };
+  const auto make_value = [&](Value& value) {
+    for (std::string* text : {&value.name, &value.unit, &value.text})
+      make(*text);
+  };
+  const auto make_values = [&](std::vector<Value>& values) {
+    for (Value& value : values)
+      make_value(value);
+  };
+  make(d.tree);
+  for (Answer& answer : d.nodes) {
+    for (std::string* text : {&answer.label, &answer.type, &answer.path, &answer.why})
+      make(*text);
+    make_values(answer.action);
+  }
+  for (Won& won : d.action) {
+    make_value(won.value);
+    for (Rival& rival : won.rivals)
+      make_value(rival.value);
+  }
+  make_values(d.state);
+  for (Perceived& one : d.perceived) {
+    make(one.kind);
+    make(one.name);
+    make_values(one.values);
+  }
+  return d;
+}
 
 std::string joined(const std::vector<Value>& values) {
   std::vector<std::string> words;
@@ -31,13 +64,14 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   while (begin < text.size()) {
     const std::size_t comma = text.find(", ", begin);
     const std::size_t end = comma == std::string::npos ? text.size() : comma + 2;
-    if (column + (end - begin) > kWidth && column > indent) {
+    const std::size_t wide = columns(std::string_view(text).substr(begin, end - begin));
+    if (column + wide > kWidth && column > indent) {
       out.erase(out.find_last_not_of(' ') + 1);
       out += "\n" + std::string(indent, ' ');
       column = indent;
     }
     out.append(text, begin, end - begin);
-    column += end - begin;
+    column += wide;
     begin = end;
   }
   return out + "\n";
@@ -54,7 +88,7 @@ void tree_text(const Decision& d, std::string& text) {
   std::size_t width = 0;
   for (const Answer& answer : d.nodes)
     if (answer.parent == ubf::kNone || d.nodes[answer.parent].asked)
-      width = std::max(width, 2u * answer.depth + answer.label.size());
+      width = std::max(width, 2u * answer.depth + columns(answer.label));
   width = std::min<std::size_t>(width, 48);
   for (std::size_t i = 0; i < d.nodes.size(); ++i) {
     const Answer& answer = d.nodes[i];
@@ -162,10 +196,11 @@ std::string branch_of(const Decision& decision, ubf::NodeIndex node) {
   return label_of(decision, decision.nodes[node].parent) + "/" + label_of(decision, node);
 }
 
-std::string decision_text(const Decision& d, const scenario::Roster& roster) {
+std::string decision_text(const Decision& decision, const scenario::Roster& roster) {
+  const Decision d = printable_copy(decision);
   std::string text = fmt::format("{} at {} (step {}), by tree {}: {} leads with {:g}\n\nsees\n",
-                                 roster.name(d.player), record::clock_text(d.time), d.step, d.tree,
-                                 label_of(d, d.leader), d.vote);
+                                 printable(roster.name(d.player)), record::clock_text(d.time),
+                                 d.step, d.tree, label_of(d, d.leader), d.vote);
   text += wrapped(joined(d.state), 2);
   for (const Perceived& one : d.perceived)
     text += wrapped(fmt::format("{} {}: {}", one.kind, one.name, joined(one.values)), 2);
@@ -176,7 +211,8 @@ std::string decision_text(const Decision& d, const scenario::Roster& roster) {
   return text;
 }
 
-std::string decision_line(const Decision& d) {
+std::string decision_line(const Decision& decision) {
+  const Decision d = printable_copy(decision);
   std::vector<Value> values;
   for (const Won& won : d.action)
     values.push_back(won.value);
@@ -188,7 +224,7 @@ std::string decisions_json(std::span<const Decision> decisions, const scenario::
   Json all = Json::array();
   for (const Decision& d : decisions)
     all.push_back(decision_json(d, roster));
-  return all.dump(2) + "\n";
+  return record::json_lines(all);
 }
 
 std::string decisions_csv(std::span<const Decision> decisions, const scenario::Roster& roster) {
@@ -200,17 +236,20 @@ std::string decisions_csv(std::span<const Decision> decisions, const scenario::R
       if (!node.asked)
         continue;
       const std::string who =
-          fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step, roster.name(d.player), d.tree,
-                      node.path, ubf::to_text(node.status), node.vote);
+          fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step,
+                      record::csv_text(roster.name(d.player)), record::csv_text(d.tree),
+                      record::csv_text(node.path), ubf::to_text(node.status), node.vote);
       if (node.action.empty())
         fmt::format_to(to, "{},,,,\n", who);
       for (const Value& value : node.action) {
         const bool won = std::any_of(d.action.begin(), d.action.end(), [&](const Won& w) {
           return w.value.name == value.name && w.winner == i;
         });
-        const std::string shown =
-            value.number ? fmt::format("{}", *value.number) : fmt::format("\"{}\"", value.text);
-        fmt::format_to(to, "{},{},{},{},{}\n", who, value.name, shown, value.unit, won ? 1 : 0);
+        const std::string shown = value.number        ? fmt::format("{}", *value.number)
+                                  : value.text == "-" ? ""  // no value
+                                                      : record::csv_quoted(value.text);
+        fmt::format_to(to, "{},{},{},{},{}\n", who, record::csv_text(value.name), shown,
+                       record::csv_text(value.unit), won ? 1 : 0);
       }
     }
   return text;
@@ -218,7 +257,7 @@ std::string decisions_csv(std::span<const Decision> decisions, const scenario::R
 
 std::string change_text(const Change& change) {
   return fmt::format("{:>8}  {:<16} -> {:<16} {}\n", record::clock_text(change.now.time),
-                     change.from, change.to, change.why);
+                     printable(change.from), printable(change.to), printable(change.why));
 }
 
 std::string changes_json(std::span<const Change> changes, const scenario::Roster& roster) {
@@ -228,7 +267,7 @@ std::string changes_json(std::span<const Change> changes, const scenario::Roster
     j["decision"] = decision_json(change.now, roster);
     all.push_back(std::move(j));
   }
-  return all.dump(2) + "\n";
+  return record::json_lines(all);
 }
 
 }  // namespace eyrie::debrief

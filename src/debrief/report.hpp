@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Decisions for the terminal and for tools.
+/// \file  Decisions for the terminal and for tools, with texts of files and plug-ins escaped as
+/// each of them needs it.
 #include <span>
 #include <string>
 
@@ -19,7 +20,7 @@ namespace eyrie::debrief {
 
 /// A row per field that a node proposed (or one without a field), of all nodes that were asked:
 /// time_s,step,player,tree,node,status,vote,field,value,unit,won. `value` is a number in SI where
-/// it is one, and else a text in quotes.
+/// it is one, nothing where there is none, and else a text in quotes.
 [[nodiscard]] std::string decisions_csv(std::span<const Decision> decisions,
                                         const scenario::Roster& roster);
 

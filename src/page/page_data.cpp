@@ -11,6 +11,7 @@
 #include "page/packed.hpp"
 #include "page/sights.hpp"
 #include "page/tree_json.hpp"
+#include "record/json_text.hpp"
 #include "record/story.hpp"
 
 namespace eyrie::page {
@@ -121,7 +122,7 @@ class Writer {
 
   [[nodiscard]] std::string packed() const {
     ColumnBytes bytes;
-    const std::string document = json(bytes).dump();
+    const std::string document = record::json_text(json(bytes));
     std::string all;
     for (int shift = 0; shift < 32; shift += 8)
       all.push_back(static_cast<char>(document.size() >> shift & 255));

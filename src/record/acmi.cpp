@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/angle.hpp"
+#include "record/acmi_text.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {
@@ -16,17 +17,6 @@ namespace {
 constexpr std::uint64_t kPlayersEvery = 10, kMissilesEvery = 5;  // steps at 50 Hz
 
 }  // namespace
-
-std::string acmi_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == ',' || c == '\n')
-      out += '\\';
-    if (c != '\r')
-      out += c;
-  }
-  return out;
-}
 
 AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink)
     : scenario_(scenario), sink_(sink), shown_(scenario.roster.players.size()) {}
@@ -62,7 +52,7 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
                  "0,ReferenceTime=2026-01-01T12:00:00Z\n0,DataSource=Eyrie\n0,DataRecorder=Eyrie\n"
                  "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
                  "0,ReferenceLatitude={:.10f}\n",
-                 acmi_text(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
+                 acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
                  degrees(origin.longitude), degrees(origin.latitude));
   time_ = static_cast<double>(world.step()) * dt;
   frame(time_);
@@ -85,8 +75,8 @@ void AcmiWriter::introduce(const scenario::Roster::Player& player, std::string_v
   out_.resize(out_.size() - 1);  // the same line says who it is
   fmt::format_to(std::back_inserter(out_),
                  ",Type={},Name={},CallSign={},Pilot={},Group={},Slot={},Coalition={},Color={}\n",
-                 type, acmi_text(player.label), player.name, player.name,
-                 scenario_.roster.flights[player.flight].name, player.rank - 1,
+                 type, acmi_name(player.label), acmi_name(player.name), acmi_name(player.name),
+                 acmi_name(scenario_.roster.flights[player.flight].name), player.rank - 1,
                  blue ? "Allies" : "Enemies", blue ? "Blue" : "Red");
 }
 
@@ -96,7 +86,8 @@ void AcmiWriter::winner(Shown& shown, const Agent& agent, const Trees& trees) {
   if (!agent.ticks || (behavior == shown.behavior && agent.vote == shown.vote))
     return;
   const auto& tree = trees[agent.tree];
-  const std::string_view label = agent.node < tree.size() ? tree.node(agent.node).label() : "none";
+  const std::string label =
+      acmi_name(agent.node < tree.size() ? tree.node(agent.node).label() : "none");
   fmt::format_to(std::back_inserter(out_), ",UbfWinner={},UbfVote={:g},Label={} {:g}", label,
                  agent.vote, label, agent.vote);
   shown.behavior = behavior;
@@ -158,7 +149,7 @@ void AcmiWriter::new_missile(const sim::Event& e, const sim::World& world) {
   place(e.who, k);
   fmt::format_to(std::back_inserter(out_),
                  ",Type=Weapon+Missile,Name={},Parent={:x},Coalition={},Color={}",
-                 acmi_text(store_label(scenario_, e.values[1])), e.detail,
+                 acmi_name(store_label(scenario_, e.values[1])), e.detail,
                  blue ? "Allies" : "Enemies", blue ? "Blue" : "Red");
   if (e.whom)
     fmt::format_to(std::back_inserter(out_), ",LockedTargetMode=1,LockedTarget={:x}", e.whom.value);
@@ -196,11 +187,12 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
     case EventKind::phase:
       if (is_outermost(scenario_, e))
         fmt::format_to(to, "0,Event=Message|{:x}|{}: {}\n", e.who.value,
-                       scenario_.roster.name(e.who), phase_name(scenario_, e));
+                       acmi_event_text(scenario_.roster.name(e.who)),
+                       acmi_event_text(phase_name(scenario_, e)));
       break;
     case EventKind::lead_change:
       fmt::format_to(to, "0,Event=Message|{:x}|{} leads\n", e.who.value,
-                     scenario_.roster.name(e.who));
+                     acmi_event_text(scenario_.roster.name(e.who)));
       break;
     default:
       break;

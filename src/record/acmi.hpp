@@ -58,7 +58,4 @@ class AcmiWriter final : public sim::Observer {
   std::vector<PlayerId> gone_;
 };
 
-/// A property value: commas and line ends escaped as the format asks.
-[[nodiscard]] std::string acmi_text(std::string_view text);
-
 }  // namespace eyrie::record

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/angle.hpp"
+#include "record/json_text.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -97,7 +97,7 @@ std::string czml(const Paths& paths) {
   for (const auto& [id, path] : paths.all())
     if (path.points.size() > 1)
       all.push_back(packet(id, path));
-  return all.dump() + "\n";
+  return json_text(all) + "\n";
 }
 
 }  // namespace eyrie::record

@@ -2,9 +2,9 @@
 #include "record/geojson.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/angle.hpp"
+#include "record/json_text.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -103,7 +103,7 @@ std::string geojson(const Paths& paths) {
           feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},
                   {{"name", path.name}, {"kind", "loss"}, {"time_s", path.points.back().time}}));
   }
-  return ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}.dump() +
+  return json_text(ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}) +
          "\n";
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "record/json_parameter.hpp"
+#include "record/json_text.hpp"
 #include "ubf/sequencer_spec.hpp"
 
 namespace eyrie::record {
@@ -327,7 +328,7 @@ class Root {
 }  // namespace
 
 std::string catalog_json_schema(const scenario::Catalog& catalog) {
-  return Root(catalog).write().dump(2) + "\n";
+  return json_lines(Root(catalog).write());
 }
 
 }  // namespace eyrie::record

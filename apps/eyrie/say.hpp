@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Everything that the program prints. What is filled into a message may come from a file or
+/// a plug-in: each text among it is made printable, so that no terminal obeys it. What was put
+/// together of such texts already, with our own colors and line ends, is Composed.
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "core/printable.hpp"
+
+namespace eyrie::app {
+
+/// A text that goes to the terminal as it is.
+struct Composed {
+  std::string text;
+};
+/// The lines of a text of several ones, each made printable.
+[[nodiscard]] inline Composed lines(std::string_view text) {
+  return {printable_lines(text)};
+}
+
+namespace detail {
+template <class T>
+constexpr bool kIsText = std::is_convertible_v<const T&, std::string_view>;
+template <class T>
+using Shown = std::conditional_t<kIsText<T> || std::is_same_v<T, Composed>, std::string, T>;
+
+template <class T>
+[[nodiscard]] Shown<T> shown(const T& value) {
+  if constexpr (std::is_same_v<T, Composed>)
+    return value.text;
+  else if constexpr (kIsText<T>)
+    return printable(value);
+  else
+    return value;
+}
+void print_out(std::string_view text);
+void print_error(std::string_view text);
+}  // namespace detail
+
+template <class... T>
+using Format = fmt::format_string<detail::Shown<T>...>;
+
+/// As fmt::format(), of texts that are fit for a terminal.
+template <class... T>
+[[nodiscard]] std::string shown(Format<T...> format, const T&... values) {
+  return fmt::format(format, detail::shown(values)...);
+}
+/// On standard output.
+template <class... T>
+void say(Format<T...> format, const T&... values) {
+  detail::print_out(shown<T...>(format, values...));
+}
+/// On standard error.
+template <class... T>
+void complain(Format<T...> format, const T&... values) {
+  detail::print_error(shown<T...>(format, values...));
+}
+
+}  // namespace eyrie::app
