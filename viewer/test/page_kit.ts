@@ -13,7 +13,7 @@ import { words_of, type WhatIfJson } from './terminal.ts';
 const { env } = process;
 /** A debrief.html of the sweep. */
 export const kPageFile = env['EYRIE_PAGE_FILE'] ?? '';
-const kProgram = env['EYRIE_PROGRAM'] ?? '';
+export const kProgram = env['EYRIE_PROGRAM'] ?? '';
 const kRunFolder = env['EYRIE_RUN'] ?? '';
 const kShots = env['EYRIE_SHOTS'] ?? '';
 

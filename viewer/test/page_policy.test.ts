@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+/** The page runs its own script and nothing else, whatever the texts of a run hold. */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { promisify } from 'node:util';
+import type { Browser } from 'playwright-core';
+import { kNoPage, kNoProgram, kPageFile, kPatience, kProgram, launch, open_file } from './page_kit.ts';
+
+let browser: Browser;
+let folder: string;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), 'eyrie-policy-'));
+  if (!kNoPage) browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+const kReady = 'body[data-ready=true]';
+
+test('allows by name its own script and style, and nothing else', { skip: kNoPage }, () => {
+  const policy = /<meta http-equiv="Content-Security-Policy" content="([^"]*)">/.exec(readFileSync(kPageFile, 'utf8'))?.[1];
+  assert.ok(policy, 'the page has no policy');
+  const rules = new Map(policy.split(';').map((rule) => rule.trim().split(/ (.*)/s) as [string, string]));
+  assert.equal(rules.get('default-src'), "'none'");
+  for (const what of ['script-src', 'style-src']) assert.match(rules.get(what) ?? '', /^'sha256-[A-Za-z0-9+/]{43}='$/, what);
+  assert.doesNotMatch(policy, /unsafe|\*|http|data:/);
+});
+
+test('runs no other script, were one put into it', { skip: kNoPage }, async () => {
+  const file = join(folder, 'injected.html');
+  const foreign = `<script>window.pwned = 'script'</script>
+    <script src="data:text/javascript,window.pwned='data'"></script>
+    <img src="data:image/png,x" onerror="window.pwned = 'handler'">
+    <svg onload="window.pwned = 'svg'"></svg><iframe srcdoc="<script>parent.pwned = 'frame'</script>"></iframe>
+    <a id="link" href="javascript:window.pwned = 'link'">link</a>`;
+  writeFileSync(file, readFileSync(kPageFile, 'utf8').replace('<body>', () => `<body>${foreign}`));
+  const { page, complaints } = await open_file(browser, file);
+  await page.waitForSelector(kReady, { state: 'attached', timeout: kPatience });
+  await page.evaluate(() => (document.querySelector('#link') as HTMLElement).click());
+  assert.equal(await page.evaluate(() => (window as { pwned?: string }).pwned), undefined);
+  assert.ok(complaints.filter((c) => c.includes('Content Security Policy')).length >= 5, complaints.join('\n'));
+  await page.context().close();
+});
+
+test('shows texts of a run as texts', { skip: kNoProgram }, async () => {
+  const evil = (where: string) => `<img src=x onerror=window.pwned='${where}'>`;
+  const quoted = (text: string) => JSON.stringify(text);
+  writeFileSync(join(folder, 'evil.yaml'), `
+eyrie: 1
+name: ${quoted('evil ' + evil('name'))}
+help: ${quoted(`</script><script>window.pwned='help'</script>${evil('help')}`)}
+reference: {latitude: 33 deg, longitude: -68 deg}
+until: 20 s
+data: {aircraft: {evil: {base: f15c, label: ${quoted(evil('model'))}}}}
+trees:
+  ${quoted(evil('tree'))}:
+    sequencer:
+      trees: {${quoted(evil('phase'))}: {selector: [{navigate: {name: ${quoted(evil('node'))}}}]}, other: navigate}
+      start: ${quoted(evil('phase'))}
+      transitions: [{from: ${quoted(evil('phase'))}, to: other, when: route_done}]
+blue:
+  flights:
+    eagle:
+      aircraft: evil
+      tree: ${quoted(evil('tree'))}
+      players: [eagle1]
+      start: {north: 0 nmi, east: 0 nmi, altitude: 20000 ft, heading: 90 deg, speed: 450 kt}
+`);
+  await promisify(execFile)(kProgram, ['fly', 'evil.yaml', '--quiet', '--out', 'run'], { cwd: folder });
+  const { page, complaints } = await open_file(browser, join(folder, 'run', 'debrief.html'));
+  await page.waitForSelector(kReady, { state: 'attached', timeout: kPatience });
+  await page.evaluate(() => window.eyrie!.store.set({ time: 10, playing: false }));
+  await page.waitForFunction(() => document.querySelector('[data-player][data-step]')?.getAttribute('data-step'));
+  const shown = await page.evaluate(() => document.body.textContent ?? '');
+  for (const where of ['name', 'model', 'tree', 'phase', 'node']) assert.ok(shown.includes(evil(where)), where);
+  assert.equal(await page.locator('img').count(), 0);
+  assert.equal(await page.evaluate(() => (window as { pwned?: string }).pwned), undefined);
+  assert.deepEqual(complaints, []);
+  await page.context().close();
+});
