@@ -14,185 +14,182 @@ using model::EventKind;
 
 namespace {
 
-constexpr std::uint64_t kPlayersEvery = 10, kMissilesEvery = 5;  // steps at 50 Hz
+constexpr double kPlayers = 0.2, kMissiles = 0.1;  // s between two samples
+constexpr std::uint64_t kWindow = 25;              // samples of a player between two writings
+
+const char* coalition(bool blue) {
+  return blue ? ",Coalition=Allies,Color=Blue" : ",Coalition=Enemies,Color=Red";
+}
+
+Pose pose_of(const model::Kinematics& k, double time) {
+  return {time, k.position, k.roll, k.pitch, k.heading};
+}
 
 }  // namespace
 
 AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink)
-    : scenario_(scenario), sink_(sink), shown_(scenario.roster.players.size()) {}
+    : scenario_(scenario), sink_(sink) {}
 
-void AcmiWriter::flush() {
-  sink_.write({out_.data(), out_.size()});
-  out_.clear();
+AcmiSample AcmiWriter::sample_of(const model::Kinematics& k) const {
+  return {.step = step_, .pose = pose_of(k, time_)};
 }
 
-void AcmiWriter::frame(double time) {
-  if (time == written_time_)
-    return;
-  written_time_ = time;
-  fmt::format_to(std::back_inserter(out_), "#{:.2f}\n", time);
-}
-
-void AcmiWriter::place(PlayerId id, const model::Kinematics& k) {
-  const Reference& reference = scenario_.library->reference;
-  const Geodetic at = reference.to_geodetic(k.position);
-  const Geodetic& origin = reference.origin();
-  fmt::format_to(std::back_inserter(out_), "{:x},T={:.7f}|{:.7f}|{:.2f}|{:.1f}|{:.1f}|{:.1f}",
-                 id.value, degrees(wrap_pi(at.longitude - origin.longitude)),
-                 degrees(at.latitude - origin.latitude), at.altitude, degrees(k.roll),
-                 degrees(k.pitch), degrees(wrap_tau(k.heading)));
+std::string AcmiWriter::introduction(const scenario::Roster::Player& player,
+                                     std::string_view type) const {
+  const std::string name = acmi_name(player.name);
+  return fmt::format(",Type={},Name={},CallSign={},Pilot={},Group={},Slot={}{}", type,
+                     acmi_name(player.label), name, name,
+                     acmi_name(scenario_.roster.flights[player.flight].name), player.rank - 1,
+                     coalition(player.side == model::Side::blue));
 }
 
 void AcmiWriter::begin(const sim::World& world, double dt) {
   dt_ = dt;
+  const auto steps = [&](double seconds) {
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
+  };
+  players_every_ = steps(kPlayers);
+  missiles_every_ = steps(kMissiles);
+  lines_every_ = players_every_ * kWindow;
   const Geodetic& origin = scenario_.library->reference.origin();
-  fmt::format_to(std::back_inserter(out_),
-                 "\xEF\xBB\xBF"
-                 "FileType=text/acmi/tacview\nFileVersion=2.2\n"
-                 "0,ReferenceTime=2026-01-01T12:00:00Z\n0,DataSource=Eyrie\n0,DataRecorder=Eyrie\n"
-                 "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
-                 "0,ReferenceLatitude={:.10f}\n",
-                 acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
-                 degrees(origin.longitude), degrees(origin.latitude));
-  time_ = static_cast<double>(world.step()) * dt;
-  frame(time_);
-  const auto ids = world.ids(scenario_.aircraft.table);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const auto& player = scenario_.roster.players[ids[i].value - 1];
-    aircraft(world, i);
-    introduce(player, "Air+FixedWing");
+  sink_.write(
+      fmt::format("\xEF\xBB\xBF"
+                  "FileType=text/acmi/tacview\nFileVersion=2.2\n"
+                  "0,ReferenceTime=2026-01-01T12:00:00Z\n0,DataSource=Eyrie\n0,DataRecorder=Eyrie\n"
+                  "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
+                  "0,ReferenceLatitude={:.10f}\n",
+                  acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
+                  degrees(origin.longitude), degrees(origin.latitude)));
+  step_ = world.step();
+  time_ = static_cast<double>(step_) * dt;
+  for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
+    const auto& player = scenario_.roster.players[i];
+    const PlayerId id{static_cast<std::uint32_t>(i + 1)};
+    const bool drives = player.platform == scenario::Platform::vehicle;
+    objects_.try_emplace(id.value, id,
+                         introduction(player, drives ? "Ground+Vehicle" : "Air+FixedWing"));
   }
-  if (scenario_.vehicles)
-    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i) {
-      const PlayerId id = world.ids(scenario_.vehicles->table)[i];
-      vehicle(world, i);
-      introduce(*scenario_.roster.find(id), "Ground+Vehicle");
-    }
+  see_players(world);
+  write_lines();
+  remember(world);
 }
 
-void AcmiWriter::introduce(const scenario::Roster::Player& player, std::string_view type) {
-  const bool blue = player.side == model::Side::blue;
-  out_.resize(out_.size() - 1);  // the same line says who it is
-  fmt::format_to(std::back_inserter(out_),
-                 ",Type={},Name={},CallSign={},Pilot={},Group={},Slot={},Coalition={},Color={}\n",
-                 type, acmi_name(player.label), acmi_name(player.name), acmi_name(player.name),
-                 acmi_name(scenario_.roster.flights[player.flight].name), player.rank - 1,
-                 blue ? "Allies" : "Enemies", blue ? "Blue" : "Red");
+void AcmiWriter::see(PlayerId id, AcmiSample sample) {
+  if (const auto at = objects_.find(id.value); at != objects_.end() && !at->second.gone())
+    at->second.see(std::move(sample));
+}
+
+void AcmiWriter::see_players(const sim::World& world) {
+  for (std::size_t i = 0; i < world.rows(scenario_.aircraft.table); ++i)
+    see(world.ids(scenario_.aircraft.table)[i], aircraft(world, i));
+  if (scenario_.vehicles)
+    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i)
+      see(world.ids(scenario_.vehicles->table)[i], vehicle(world, i));
+}
+
+void AcmiWriter::see_missiles(const sim::World& world) {
+  for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
+    see(world.ids(scenario_.missiles.table)[i],
+        sample_of(world.rows(scenario_.missiles.kinematics)[i]));
 }
 
 template <class Agent, class Trees>
-void AcmiWriter::winner(Shown& shown, const Agent& agent, const Trees& trees) {
-  const std::uint32_t behavior = (std::uint32_t{agent.tree} << 16) | agent.node;
-  if (!agent.ticks || (behavior == shown.behavior && agent.vote == shown.vote))
+void AcmiWriter::winner(AcmiSample& sample, const Agent& agent, const Trees& trees) {
+  if (!agent.ticks)
     return;
   const auto& tree = trees[agent.tree];
-  const std::string label =
-      acmi_name(agent.node < tree.size() ? tree.node(agent.node).label() : "none");
-  fmt::format_to(std::back_inserter(out_), ",UbfWinner={},UbfVote={:g},Label={} {:g}", label,
-                 agent.vote, label, agent.vote);
-  shown.behavior = behavior;
-  shown.vote = agent.vote;
+  const auto [label, is_new] = labels_.try_emplace({&tree, agent.node});
+  if (is_new)
+    label->second = acmi_name(agent.node < tree.size() ? tree.node(agent.node).label() : "none");
+  sample.winner = label->second;
+  sample.vote = agent.vote;
 }
 
-void AcmiWriter::vehicle(const sim::World& world, std::size_t row) {
-  const PlayerId id = world.ids(scenario_.vehicles->table)[row];
+AcmiSample AcmiWriter::vehicle(const sim::World& world, std::size_t row) {
   const auto& k = world.rows(scenario_.vehicles->kinematics)[row];
-  place(id, k);
-  fmt::format_to(std::back_inserter(out_), ",TAS={:.1f}", k.speed);
-  winner(shown_[id.value - 1], world.rows(scenario_.drivers.agent)[row], *scenario_.driver_trees);
-  out_.push_back('\n');
+  AcmiSample sample = sample_of(k);
+  sample.speed = k.speed;
+  winner(sample, world.rows(scenario_.drivers.agent)[row], *scenario_.driver_trees);
+  return sample;
 }
 
-void AcmiWriter::players(const sim::World& world) {
-  for (std::size_t i = 0; i < world.rows(scenario_.aircraft.table); ++i)
-    aircraft(world, i);
-  if (scenario_.vehicles)
-    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i)
-      vehicle(world, i);
-}
-
-void AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
-  const PlayerId id = world.ids(scenario_.aircraft.table)[row];
-  Shown& shown = shown_[id.value - 1];
+AcmiSample AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
   const auto& k = world.rows(scenario_.aircraft.kinematics)[row];
   const auto& tracks = world.rows(scenario_.aircraft.tracks)[row];
-  const TrackId wanted = world.rows(scenario_.aircraft.request)[row].target;
-  const double fuel = std::floor(world.rows(scenario_.aircraft.propulsion)[row].fuel);
-
-  place(id, k);
-  fmt::format_to(std::back_inserter(out_), ",TAS={:.1f},Mach={:.3f},VerticalGForce={:.1f}", k.speed,
-                 k.mach, k.load_factor);
-  if (fuel != shown.fuel)
-    fmt::format_to(std::back_inserter(out_), ",FuelWeight={:.0f}", shown.fuel = fuel);
-  std::uint64_t locked = 0;
+  const TrackId target = world.rows(scenario_.aircraft.request)[row].target;
+  AcmiSample sample = sample_of(k);
+  sample.speed = k.speed;
+  sample.mach = k.mach;
+  sample.load_factor = k.load_factor;
+  sample.fuel = std::floor(world.rows(scenario_.aircraft.propulsion)[row].fuel);
   for (std::uint32_t i = 0; i < tracks.count; ++i)
-    if (wanted && tracks.tracks[i].id == wanted)
-      locked = tracks.tracks[i].truth.value;
-  if (locked != shown.locked) {
-    if (locked)
-      fmt::format_to(std::back_inserter(out_), ",LockedTargetMode=1,LockedTarget={:x}", locked);
-    else
-      fmt::format_to(std::back_inserter(out_), ",LockedTargetMode=0,LockedTarget=0");
-    shown.locked = locked;
-  }
-  winner(shown, world.rows(scenario_.pilots.agent)[row], *scenario_.trees);
-  out_.push_back('\n');
+    if (target && tracks.tracks[i].id == target)
+      sample.lock = tracks.tracks[i].truth.value;
+  winner(sample, world.rows(scenario_.pilots.agent)[row], *scenario_.trees);
+  return sample;
 }
 
-void AcmiWriter::new_missile(const sim::Event& e, const sim::World& world) {
+void AcmiWriter::born(const sim::Event& e, const sim::World& world) {
   const auto row = world.row(scenario_.missiles.table, e.who);
   if (!row)
     return;
-  const auto& k = world.rows(scenario_.missiles.kinematics)[*row];
   const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
-  const bool blue = shooter && shooter->side == model::Side::blue;
-  place(e.who, k);
-  fmt::format_to(std::back_inserter(out_),
-                 ",Type=Weapon+Missile,Name={},Parent={:x},Coalition={},Color={}",
-                 acmi_name(store_label(scenario_, e.values[1])), e.detail,
-                 blue ? "Allies" : "Enemies", blue ? "Blue" : "Red");
-  if (e.whom)
-    fmt::format_to(std::back_inserter(out_), ",LockedTargetMode=1,LockedTarget={:x}", e.whom.value);
-  out_.push_back('\n');
+  AcmiSample sample = sample_of(world.rows(scenario_.missiles.kinematics)[*row]);
+  sample.lock = e.whom.value;
+  objects_.try_emplace(e.who.value, e.who,
+                       fmt::format(",Type=Weapon+Missile,Name={},Parent={:x}{}",
+                                   acmi_name(store_label(scenario_, e.values[1])), e.detail,
+                                   coalition(shooter && shooter->side == model::Side::blue)));
+  see(e.who, std::move(sample));
+}
+
+void AcmiWriter::gone(PlayerId id) {
+  const auto at = objects_.find(id.value);
+  if (at == objects_.end() || at->second.gone())
+    return;
+  for (const Seen& seen : seen_)
+    if (const auto i = std::lower_bound(seen.ids.begin(), seen.ids.end(), id);
+        i != seen.ids.end() && *i == id)
+      at->second.leave(step_ - 1, seen.poses[static_cast<std::size_t>(i - seen.ids.begin())]);
+  lines_.push_back({step_, AcmiLine::Kind::removal, fmt::format("-{:x}\n", id.value)});
 }
 
 void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
-  const auto to = std::back_inserter(out_);
   switch (kind_of(e)) {
     case EventKind::launch:
-      new_missile(e, world);
+      born(e, world);
       break;
     case EventKind::kill:
-      fmt::format_to(to, "0,Event=Destroyed|{:x}|\n", e.whom.value);
-      gone_.push_back(e.whom);
+      tell("0,Event=Destroyed|{:x}|\n", e.whom.value);
+      gone(e.whom);
       break;
     case EventKind::loss:
     case EventKind::crash:
       if (scenario_.roster.find(e.who))
-        fmt::format_to(to, "0,Event=Destroyed|{:x}|\n", e.who.value);
-      gone_.push_back(e.who);
+        tell("0,Event=Destroyed|{:x}|\n", e.who.value);
+      gone(e.who);
       break;
     case EventKind::home:
-      fmt::format_to(to, "0,Event=LeftArea|{:x}|\n", e.who.value);
-      gone_.push_back(e.who);
+      tell("0,Event=LeftArea|{:x}|\n", e.who.value);
+      gone(e.who);
       break;
     case EventKind::detonation:
     case EventKind::timeout: {
       const bool kill = kind_of(e) == EventKind::detonation && e.values[2] < e.values[1];
-      fmt::format_to(to, "0,Event=Timeout|SourceId:{:x}|TargetId:{:x}|Outcome:{}\n", e.who.value,
-                     e.whom.value, kill ? "Kill" : "Miss");
-      gone_.push_back(e.who);
+      tell("0,Event=Timeout|SourceId:{:x}|TargetId:{:x}|Outcome:{}\n", e.who.value, e.whom.value,
+           kill ? "Kill" : "Miss");
+      gone(e.who);
       break;
     }
     case EventKind::phase:
       if (is_outermost(scenario_, e))
-        fmt::format_to(to, "0,Event=Message|{:x}|{}: {}\n", e.who.value,
-                       acmi_event_text(scenario_.roster.name(e.who)),
-                       acmi_event_text(phase_name(scenario_, e)));
+        tell("0,Event=Message|{:x}|{}: {}\n", e.who.value,
+             acmi_event_text(scenario_.roster.name(e.who)),
+             acmi_event_text(phase_name(scenario_, e)));
       break;
     case EventKind::lead_change:
-      fmt::format_to(to, "0,Event=Message|{:x}|{} leads\n", e.who.value,
-                     acmi_event_text(scenario_.roster.name(e.who)));
+      tell("0,Event=Message|{:x}|{} leads\n", e.who.value,
+           acmi_event_text(scenario_.roster.name(e.who)));
       break;
     default:
       break;
@@ -202,43 +199,60 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
 void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
                          std::span<const sim::Event> events) {
   time_ = info.time() + info.dt;
-  gone_.clear();
-  for (const sim::Event& e : events) {
-    const std::size_t before = out_.size();
-    const double last = written_time_;
-    frame(time_);
-    const std::size_t framed = out_.size();
+  step_ = world.step();
+  for (const sim::Event& e : events)
     happened(e, world);
-    if (out_.size() == framed) {  // nothing to tell: take the frame back
-      out_.resize(before);
-      written_time_ = last;
-    }
+  if (step_ % players_every_ == 0)
+    see_players(world);
+  if (step_ % missiles_every_ == 0)
+    see_missiles(world);
+  if (step_ % lines_every_ == 0)
+    write_lines();
+  remember(world);
+}
+
+void AcmiWriter::remember(const sim::World& world) {
+  seen_.resize(3);
+  const auto keep = [&](Seen& seen, TableId table, auto column) {
+    const auto ids = world.ids(table);
+    seen.ids.assign(ids.begin(), ids.end());
+    seen.poses.clear();
+    for (const model::Kinematics& k : world.rows(column))
+      seen.poses.push_back(pose_of(k, time_));
+  };
+  keep(seen_[0], scenario_.aircraft.table, scenario_.aircraft.kinematics);
+  keep(seen_[1], scenario_.missiles.table, scenario_.missiles.kinematics);
+  if (scenario_.vehicles)
+    keep(seen_[2], scenario_.vehicles->table, scenario_.vehicles->kinematics);
+}
+
+void AcmiWriter::write_lines() {
+  std::vector<AcmiLine> lines;
+  for (auto at = objects_.begin(); at != objects_.end();) {
+    at->second.write(scenario_.library->reference, lines);
+    at = at->second.gone() ? objects_.erase(at) : std::next(at);
   }
-  if (world.step() % kPlayersEvery == 0) {
-    frame(time_);
-    players(world);
+  std::move(lines_.begin(), lines_.end(), std::back_inserter(lines));
+  lines_.clear();
+  std::stable_sort(lines.begin(), lines.end(), [](const AcmiLine& a, const AcmiLine& b) {
+    return a.step != b.step ? a.step < b.step : a.kind < b.kind;
+  });
+  std::string text;
+  for (const AcmiLine& line : lines) {
+    const std::string frame = fmt::format("#{:.2f}\n", static_cast<double>(line.step) * dt_);
+    if (frame != written_frame_)
+      text += written_frame_ = frame;
+    text += line.text;
   }
-  const auto missiles = world.ids(scenario_.missiles.table);
-  if (world.step() % kMissilesEvery == 0 && !missiles.empty()) {
-    frame(time_);
-    const auto kinematics = world.rows(scenario_.missiles.kinematics);
-    for (std::size_t i = 0; i < missiles.size(); ++i) {
-      place(missiles[i], kinematics[i]);
-      out_.push_back('\n');
-    }
-  }
-  std::sort(gone_.begin(), gone_.end());
-  gone_.erase(std::unique(gone_.begin(), gone_.end()), gone_.end());
-  for (const PlayerId id : gone_)
-    fmt::format_to(std::back_inserter(out_), "-{:x}\n", id.value);
-  if (out_.size() > 1 << 18)
-    flush();
+  sink_.write(text);
 }
 
 void AcmiWriter::finish(const sim::World& world) {
-  frame(time_);
-  players(world);
-  flush();
+  if (step_ % players_every_ != 0)
+    see_players(world);
+  if (step_ % missiles_every_ != 0)
+    see_missiles(world);
+  write_lines();
 }
 
 }  // namespace eyrie::record

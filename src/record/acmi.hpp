@@ -5,20 +5,24 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "disk/sink.hpp"
+#include "record/acmi_object.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::record {
 
-/// Writes a flight recording while a run is flown. Aircraft are sampled at 5 Hz and missiles at
-/// 10 Hz; births, deaths and decisions stand at the time of their step. Positions are relative to
-/// the reference point, so that seven decimals of a degree (about 1 cm) stay short.
+/// Writes a flight recording while a run is flown. Aircraft and vehicles are sampled at 5 Hz and
+/// missiles at 10 Hz; of these samples the file has those that a reader needs who draws straight
+/// lines between them (AcmiObject::kTolerance), one in five seconds at least. Births, deaths,
+/// events, locks and whom the tree obeys stand at their time. Positions are relative to the
+/// reference point, so that seven decimals of a degree (about 1 cm) stay short.
 class AcmiWriter final : public sim::Observer {
  public:
   AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink);
@@ -29,33 +33,44 @@ class AcmiWriter final : public sim::Observer {
   void finish(const sim::World& world) override;
 
  private:
-  struct Shown {
-    std::uint64_t locked = 0;
-    std::uint32_t behavior = 0;
-    double fuel = -1;
-    float vote = -1;
+  /// Where the players of a table were after the last step.
+  struct Seen {
+    std::vector<PlayerId> ids;
+    std::vector<Pose> poses;
   };
 
-  void frame(double time);
-  void place(PlayerId id, const model::Kinematics& k);
-  void aircraft(const sim::World& world, std::size_t row);
-  void vehicle(const sim::World& world, std::size_t row);
-  void players(const sim::World& world);
-  /// Ends the line of a player with who it is.
-  void introduce(const scenario::Roster::Player& player, std::string_view type);
-  /// The behavior in charge, if it has changed.
+  void see_players(const sim::World& world);
+  void see_missiles(const sim::World& world);
+  void see(PlayerId id, AcmiSample sample);
+  [[nodiscard]] AcmiSample aircraft(const sim::World& world, std::size_t row);
+  [[nodiscard]] AcmiSample vehicle(const sim::World& world, std::size_t row);
+  [[nodiscard]] AcmiSample sample_of(const model::Kinematics& k) const;
+  [[nodiscard]] std::string introduction(const scenario::Roster::Player& player,
+                                         std::string_view type) const;
+  /// The behavior in charge and its vote.
   template <class Agent, class Trees>
-  void winner(Shown& shown, const Agent& agent, const Trees& trees);
-  void new_missile(const sim::Event& event, const sim::World& world);
+  void winner(AcmiSample& sample, const Agent& agent, const Trees& trees);
+  void born(const sim::Event& launch, const sim::World& world);
+  void gone(PlayerId id);
   void happened(const sim::Event& event, const sim::World& world);
-  void flush();
+  template <class... T>
+  void tell(fmt::format_string<T...> format, T&&... values) {
+    lines_.push_back(
+        {step_, AcmiLine::Kind::event, fmt::format(format, std::forward<T>(values)...)});
+  }
+  void remember(const sim::World& world);
+  void write_lines();
 
   const scenario::Scenario& scenario_;
   disk::Sink& sink_;
-  fmt::memory_buffer out_;
-  double written_time_ = -1, time_ = 0, dt_ = 0;
-  std::vector<Shown> shown_;
-  std::vector<PlayerId> gone_;
+  std::uint64_t step_ = 0;
+  double time_ = 0, dt_ = 0;
+  std::uint64_t players_every_ = 10, missiles_every_ = 5, lines_every_ = 250;  // steps
+  std::map<std::uint32_t, AcmiObject> objects_;                                ///< by id
+  std::map<std::pair<const void*, std::uint32_t>, std::string> labels_;        ///< by tree and node
+  std::vector<Seen> seen_;                                                     ///< by table
+  std::vector<AcmiLine> lines_;
+  std::string written_frame_;
 };
 
 }  // namespace eyrie::record

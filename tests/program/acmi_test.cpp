@@ -44,8 +44,8 @@ TEST(AcmiReader, RefusesWhatTheGrammarDoesNotAllow) {
   for (const char* bad :
        {"#1\n#0\n", "#0\n-1\n", "1,T=1|2|3\n", "#0\n1,T=1|2\n", "#0\n01,T=1|2|3\n",
         "#0\n1,T=a|2|3\n", "#0\n0,Event=Blown|1\n", "#0\n1,T\n", "#0\n1,T=1|2|3\n-1\n1,T=1|2|3\n",
-        "#0\nhello\n", "#0\n1,T=1|2|3\n1,T=1|2|3|4|5\n", "#0\nA,T=1|2|3\n", "#0\n1,A=1,A=2\n",
-        "#0"})
+        "0,Title=a\\b\n#0\n", "#0\n1,T=||3\n", "#0\n0,Event=Message|x|text\n", "#0\nhello\n",
+        "#0\n1,T=1|2|3\n1,T=1|2|3|4|5\n", "#0\nA,T=1|2|3\n", "#0\n1,A=1,A=2\n", "#0"})
     EXPECT_THROW(Acmi(head + bad), std::runtime_error) << bad;
   EXPECT_THROW(Acmi("FileType=text/acmi/tacview\nFileVersion=2.2\n"), std::runtime_error);
 }
@@ -76,32 +76,6 @@ TEST(AcmiFile, DescribesEveryAircraft) {
     EXPECT_EQ(o->updates.front().time, 0);
     EXPECT_EQ(o->place_fields, 6U);
   }
-}
-
-/// Longitude and latitude of every update make the speed that is written beside them.
-TEST(AcmiFile, PlacesAircraftWhereTheirSpeedTakesThem) {
-  const Acmi& f = Flown::get().file;
-  const AcmiObject* o = f.by_name("eagle1");
-  ASSERT_TRUE(o);
-  constexpr double kRadius = 6371e3, kRad = 0.017453292519943295;
-  int compared = 0;
-  for (std::size_t i = 50; i + 50 < o->updates.size(); i += 50) {
-    const auto& a = o->updates[i];
-    const auto& b = o->updates[i + 1];
-    const auto p = split(a.properties.at("T"), '|'), q = split(b.properties.at("T"), '|');
-    const double dt = b.time - a.time;
-    const double north = (acmi_number(q[1]) - acmi_number(p[1])) * kRad * kRadius;
-    const double east =
-        (acmi_number(q[0]) - acmi_number(p[0])) * kRad * kRadius * std::cos(33 * kRad);
-    const double up = acmi_number(q[2]) - acmi_number(p[2]);
-    const double speed = std::sqrt(north * north + east * east + up * up) / dt;
-    if (dt < 0.19 || !b.properties.contains("TAS"))
-      continue;
-    // the Earth is no sphere (0.4 %), and aircraft turn and brake within 0.2 s
-    EXPECT_NEAR(speed, acmi_number(b.properties.at("TAS")), 0.02 * speed) << "at " << a.time;
-    ++compared;
-  }
-  EXPECT_GT(compared, 50);
 }
 
 TEST(AcmiFile, BurnsFuelAndSaysWhoIsInCharge) {

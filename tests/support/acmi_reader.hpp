@@ -3,7 +3,10 @@
 /// \file  A reader of Tacview ACMI 2.2 text that shares nothing with the writer. It is stricter
 /// than Tacview: whatever the published grammar does not name is an error.
 /// Grammar: https://www.tacview.net/documentation/acmi/ (as of 2024-06-20).
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -40,10 +43,18 @@ struct AcmiUpdate {
   std::map<std::string, std::string> properties;
 };
 
+/// What T says, with what it left out as it was before: longitude, latitude (deg), altitude (m),
+/// and of six fields roll, pitch and yaw (deg).
+struct AcmiSample {
+  double time = 0;
+  std::array<double, 9> fields{};
+};
+
 struct AcmiObject {
   std::vector<AcmiUpdate> updates;
-  std::optional<double> removed;  ///< s
-  std::size_t place_fields = 0;   ///< of its T, the same for life
+  std::vector<AcmiSample> samples;  ///< of updates with a T
+  std::optional<double> removed;    ///< s
+  std::size_t place_fields = 0;     ///< of its T, the same for life
 
   /// The last value of a property, "" if it never had one.
   [[nodiscard]] std::string last(const std::string& key) const {
@@ -51,6 +62,23 @@ struct AcmiObject {
       if (const auto p = u->properties.find(key); p != u->properties.end())
         return p->second;
     return {};
+  }
+  /// On the straight line between the samples around that time; angles turn the shorter way.
+  [[nodiscard]] AcmiSample at(double time) const {
+    const auto behind = std::lower_bound(samples.begin(), samples.end(), time,
+                                         [](const AcmiSample& s, double t) { return s.time < t; });
+    if (behind == samples.end() || samples.empty())
+      return samples.at(samples.size() - 1);
+    if (behind == samples.begin() || behind->time == time)
+      return *behind;
+    const AcmiSample &a = *(behind - 1), &b = *behind;
+    AcmiSample between{time, {}};
+    const double part = (time - a.time) / (b.time - a.time);
+    for (std::size_t i = 0; i < a.fields.size(); ++i) {
+      const double way = b.fields[i] - a.fields[i];
+      between.fields[i] = a.fields[i] + part * (i < 3 ? way : std::remainder(way, 360));
+    }
+    return between;
   }
 };
 
@@ -119,7 +147,8 @@ class Acmi {
     return id;
   }
 
-  /// key=value pairs between commas; a comma or line end inside a value has a backslash before it.
+  /// key=value pairs between commas; a comma or line end inside a value has a backslash before it,
+  /// and nothing else has: the grammar says no word about what else a backslash could mean.
   static std::map<std::string, std::string> properties_of(std::string_view text) {
     std::map<std::string, std::string> found;
     std::string pair;
@@ -134,6 +163,8 @@ class Acmi {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == ',' || text[i + 1] == '\n'))
         pair += text[++i];
+      else if (text[i] == '\\' || static_cast<unsigned char>(text[i]) < 0x20)
+        throw std::runtime_error("a backslash or a control character that means nothing");
       else if (text[i] == ',')
         put();
       else
@@ -171,7 +202,7 @@ class Acmi {
     if (object.removed)
       throw std::runtime_error("an object that was removed");
     if (const auto place = properties.find("T"); place != properties.end())
-      check_place(object, place->second);
+      read_place(object, place->second);
     object.updates.push_back({frames.back(), properties});
   }
 
@@ -188,6 +219,9 @@ class Acmi {
       if (!kTypes.contains(event.type))
         throw std::runtime_error("no such event: " + event.type);
       event.parts.assign(parts.begin() + 1, parts.end());
+      if (event.type == "Message")  // ids, then the text
+        for (std::size_t i = 0; i + 1 < event.parts.size(); ++i)
+          static_cast<void>(id_of(event.parts[i]));
       events.push_back(std::move(event));
     }
   }
@@ -199,7 +233,7 @@ class Acmi {
     return found->second;
   }
 
-  static void check_place(AcmiObject& object, const std::string& value) {
+  void read_place(AcmiObject& object, const std::string& value) const {
     const auto fields = split(value, '|');
     const std::size_t n = fields.size();
     if (n != 3 && n != 5 && n != 6 && n != 9)
@@ -207,9 +241,14 @@ class Acmi {
     if (object.place_fields && object.place_fields != n)
       throw std::runtime_error("the form of T changes");
     object.place_fields = n;
-    for (const std::string& field : fields)
-      if (!field.empty())
-        static_cast<void>(acmi_number(field));
+    AcmiSample sample = object.samples.empty() ? AcmiSample{} : object.samples.back();
+    sample.time = frames.back();
+    for (std::size_t i = 0; i < n; ++i)
+      if (!fields[i].empty())
+        sample.fields[i] = acmi_number(fields[i]);
+      else if (object.samples.empty())
+        throw std::runtime_error("a first T that leaves something out");
+    object.samples.push_back(sample);
   }
 };
 

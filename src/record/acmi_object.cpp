@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "record/acmi_object.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace eyrie::record {
+namespace {
+
+constexpr double kSpeedStep = 0.5, kMachStep = 0.005, kLoadStep = 0.05,
+                 kFuelStep = 5;  // m/s, -, g, kg
+constexpr float kVoteStep = 0.05F;
+
+/// Without the sign of a zero.
+std::string rounded(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  return text.find_first_not_of("-0.") == text.npos ? text.substr(text[0] == '-') : text;
+}
+
+/// Whether it is far enough from what stands in the file, which then is it.
+bool moved(double& written, double value, double by) {
+  if (std::fabs(value - written) < by)
+    return false;
+  written = value;
+  return true;
+}
+
+}  // namespace
+
+void AcmiObject::see(AcmiSample sample) {
+  if (samples_.empty()) {
+    sample.wanted = true;
+  } else {
+    const AcmiSample& before = samples_.back();
+    sample.wanted |= sample.lock != before.lock || sample.winner != before.winner;
+  }
+  if (std::fabs(sample.vote - noted_vote_) > kVoteStep * std::fabs(noted_vote_)) {
+    sample.wanted = true;
+    noted_vote_ = sample.vote;
+  }
+  samples_.push_back(std::move(sample));
+}
+
+void AcmiObject::leave(std::uint64_t step, const Pose& pose) {
+  gone_ = true;
+  if (samples_.empty() || pose.time <= samples_.back().pose.time)
+    return;
+  AcmiSample last = samples_.back();
+  last.step = step;
+  last.pose = pose;
+  samples_.push_back(std::move(last));
+}
+
+void AcmiObject::write(const Reference& reference, std::vector<AcmiLine>& lines) {
+  if (samples_.size() <= (begun_ ? 1u : 0u))
+    return;
+  std::vector<Pose> poses;
+  std::vector<bool> kept;
+  for (const AcmiSample& sample : samples_) {
+    poses.push_back(sample.pose);
+    kept.push_back(sample.wanted);
+  }
+  kept.front() = kept.back() = true;
+  thin(poses, kept, kTolerance);
+  for (std::size_t i = begun_ ? 1 : 0; i < samples_.size(); ++i)
+    if (kept[i]) {
+      lines.push_back({samples_[i].step, AcmiLine::Kind::object, {}});
+      line(samples_[i], reference, lines.back().text);
+    }
+  begun_ = true;
+  samples_.erase(samples_.begin(), samples_.end() - 1);
+}
+
+void AcmiObject::line(const AcmiSample& s, const Reference& reference, std::string& text) {
+  const auto to = std::back_inserter(text);
+  const Geodetic at = reference.to_geodetic(s.pose.position);
+  const Geodetic& origin = reference.origin();
+  const std::string place[] = {rounded(degrees(wrap_pi(at.longitude - origin.longitude)), 7),
+                               rounded(degrees(at.latitude - origin.latitude), 7),
+                               rounded(at.altitude, 2),
+                               rounded(degrees(s.pose.roll), 1),
+                               rounded(degrees(s.pose.pitch), 1),
+                               rounded(degrees(wrap_tau(s.pose.heading)), 1)};
+  fmt::format_to(to, "{:x},T=", id_.value);
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    if (i > 0)
+      text += '|';
+    if (place[i] != place_[i])
+      text += place_[i] = place[i];
+  }
+  text += std::exchange(introduction_, {});
+  if (s.speed >= 0 && moved(speed_, s.speed, kSpeedStep))
+    fmt::format_to(to, ",TAS={:.1f}", s.speed);
+  if (s.mach > 0 && moved(mach_, s.mach, kMachStep))
+    fmt::format_to(to, ",Mach={:.3f}", s.mach);
+  if (s.mach > 0 && moved(load_factor_, s.load_factor, kLoadStep))
+    fmt::format_to(to, ",VerticalGForce={:.1f}", s.load_factor);
+  if (s.fuel >= 0 && moved(fuel_, s.fuel, kFuelStep))
+    fmt::format_to(to, ",FuelWeight={:.0f}", s.fuel);
+  if (s.lock != std::exchange(lock_, s.lock))
+    fmt::format_to(to, ",LockedTargetMode={},LockedTarget={:x}", s.lock ? 1 : 0, s.lock);
+  if (!s.winner.empty() && (s.winner != winner_ || s.vote != vote_)) {
+    fmt::format_to(to, ",UbfWinner={0},UbfVote={1:g},Label={0} {1:g}", s.winner, s.vote);
+    winner_ = s.winner;
+    vote_ = s.vote;
+  }
+  text += '\n';
+}
+
+}  // namespace eyrie::record

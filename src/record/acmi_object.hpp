@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  One object of a Tacview ACMI file: which of its samples are written, and how.
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/angle.hpp"
+#include "core/frames.hpp"
+#include "core/id.hpp"
+#include "record/thinning.hpp"
+
+namespace eyrie::record {
+
+/// A line of the file. Lines of one step stand in the order of their kind, then as they came.
+struct AcmiLine {
+  enum class Kind : std::uint8_t { object, event, removal };
+  std::uint64_t step = 0;
+  Kind kind = Kind::object;
+  std::string text;  ///< with its end
+};
+
+/// An object at a time.
+struct AcmiSample {
+  std::uint64_t step = 0;
+  Pose pose;
+  double speed = -1;        ///< m/s; below 0: not told
+  double mach = 0;          ///< 0: not told, nor the load factor
+  double load_factor = 0;   ///< g
+  double fuel = -1;         ///< kg; below 0: not told
+  std::uint32_t lock = 0;   ///< id of the target, 0: none
+  std::string_view winner;  ///< the behavior in charge, as acmi_name(); it outlives the sample
+  float vote = 0;
+  bool wanted = false;  ///< it is written, whatever its neighbors are
+};
+
+/// Collects samples and writes those that a reader needs who draws straight lines between them,
+/// and of these what has changed.
+class AcmiObject {
+ public:
+  /// What no reader draws by itself: what is left out is no farther than this from the line.
+  static constexpr Tolerance kTolerance{.position = 3, .attitude = radians(1.5)};
+
+  /// `introduction` ends its first line: ",Type=...".
+  AcmiObject(PlayerId id, std::string introduction)
+      : id_(id), introduction_(std::move(introduction)) {}
+
+  /// Later than all before. The first one, a new lock, another behavior in charge and a vote that
+  /// has changed by more than a twentieth are wanted anyway.
+  void see(AcmiSample sample);
+  /// Where it was last, at most one step before it is gone.
+  void leave(std::uint64_t step, const Pose& pose);
+  [[nodiscard]] bool gone() const { return gone_; }
+
+  /// Everything since the last time, its last sample included.
+  void write(const Reference& reference, std::vector<AcmiLine>& lines);
+
+ private:
+  void line(const AcmiSample& sample, const Reference& reference, std::string& text);
+
+  PlayerId id_;
+  std::string introduction_;
+  std::vector<AcmiSample> samples_;  ///< the first one has been written, if any has
+  bool begun_ = false, gone_ = false;
+  float noted_vote_ = -1;
+  // as it stands in the file
+  std::array<std::string, 6> place_;
+  double speed_ = -1, mach_ = -1, load_factor_ = -1e9, fuel_ = -1e9;
+  std::uint32_t lock_ = 0;
+  std::string winner_;
+  float vote_ = -1;
+};
+
+}  // namespace eyrie::record

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "record/thinning.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/angle.hpp"
+
+namespace eyrie::record {
+namespace {
+
+constexpr Tolerance kTolerance{.position = 2, .attitude = radians(1)};
+
+std::ptrdiff_t count(const std::vector<bool>& kept) {
+  return std::count(kept.begin(), kept.end(), true);
+}
+
+std::vector<bool> kept_of(const std::vector<Pose>& poses, std::vector<std::size_t> wanted = {}) {
+  std::vector<bool> kept(poses.size());
+  kept.front() = kept.back() = true;
+  for (const std::size_t i : wanted)
+    kept[i] = true;
+  thin(poses, kept, kTolerance);
+  return kept;
+}
+
+TEST(Thin, LeavesOutWhatLiesOnALine) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 20; ++i)
+    poses.push_back({.time = 0.2 * i, .position = {50.0 * i, 1.9 * (i % 2), 0}});
+  EXPECT_EQ(count(kept_of(poses)), 2);
+  const auto kept = kept_of(poses, {7});
+  EXPECT_TRUE(kept[7]) << "what is wanted stays";
+  EXPECT_EQ(count(kept), 3);
+}
+
+TEST(Thin, KeepsACorner) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 20; ++i)
+    poses.push_back(
+        {.time = 0.2 * i, .position = {50.0 * std::min(i, 8), 50.0 * std::max(i - 8, 0), 0}});
+  EXPECT_TRUE(kept_of(poses)[8]);
+}
+
+TEST(Thin, TurnsTheShorterWay) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 10; ++i)
+    poses.push_back({.time = 0.2 * i, .heading = wrap_pi(radians(175.0 + i))});
+  EXPECT_EQ(count(kept_of(poses)), 2);
+}
+
+RC_GTEST_PROP(Thin, LeavesNothingOutThatIsFarFromItsLine, (const std::vector<int>& steps)) {
+  RC_PRE(steps.size() > 1);
+  std::vector<Pose> poses;
+  double y = 0, roll = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    y += steps[i] % 5;
+    roll += radians(steps[i] % 3);
+    poses.push_back({.time = 0.2 * static_cast<double>(i),
+                     .position = {50.0 * static_cast<double>(i), y, 0},
+                     .roll = wrap_pi(roll)});
+  }
+  const auto kept = kept_of(poses);
+  std::size_t before = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (!kept[i])
+      continue;
+    for (std::size_t j = before + 1; j < i; ++j) {
+      const double part = static_cast<double>(j - before) / static_cast<double>(i - before);
+      const Pose &a = poses[before], &b = poses[i];
+      RC_ASSERT(std::fabs(a.position.y + part * (b.position.y - a.position.y) -
+                          poses[j].position.y) <= 2 + 1e-9);
+      RC_ASSERT(std::fabs(wrap_pi(a.roll + part * wrap_pi(b.roll - a.roll) - poses[j].roll)) <=
+                radians(1) + 1e-9);
+    }
+    before = i;
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::record
