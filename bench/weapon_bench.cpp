@@ -9,7 +9,7 @@
 #include "model/events.hpp"
 #include "model/library.hpp"
 #include "model/weapon/birth.hpp"
-#include "model/weapon/launch_zone.hpp"
+#include "model/weapon/kept_zones.hpp"
 #include "model/weapon/missile_system.hpp"
 #include "sim/simulation.hpp"
 #include "support/no_allocation.hpp"
@@ -141,7 +141,7 @@ void missile_flyout(benchmark::State& state) {
 BENCHMARK(missile_flyout);
 
 void launch_zone_lookup(benchmark::State& state) {
-  const LaunchZone zone = LaunchZone::build(medium_range());
+  const LaunchZone zone = KeptZones().of(medium_range());
   double x = 0;
   for (auto _ : state) {
     x = x > 0.99 ? 0 : x + 0.013;
@@ -154,7 +154,7 @@ BENCHMARK(launch_zone_lookup);
 void launch_zone_build(benchmark::State& state) {
   const MissileType type = medium_range();
   for (auto _ : state)
-    benchmark::DoNotOptimize(LaunchZone::build(type));
+    benchmark::DoNotOptimize(fly_zone(type));
 }
 BENCHMARK(launch_zone_build)->Unit(benchmark::kMillisecond);
 

@@ -6,7 +6,7 @@ set(package lib/cmake/Eyrie)
 
 install(TARGETS eyrie DESTINATION bin COMPONENT program)
 install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
-install(FILES ${CMAKE_BINARY_DIR}/viewer/debrief.html DESTINATION share/eyrie COMPONENT program OPTIONAL)
+install(FILES ${EYRIE_ZONES} ${CMAKE_BINARY_DIR}/viewer/debrief.html DESTINATION share/eyrie COMPONENT program OPTIONAL)
 install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 
 install(TARGETS eyrie_options EXPORT EyrieTargets-core)

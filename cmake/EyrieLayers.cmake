@@ -39,6 +39,9 @@ function(eyrie_layer name)
       target_link_libraries(${name}_test PRIVATE eyrie_${name}_testing)
     endif()
     eyrie_test_executable(${name}_test LINK eyrie_${name})
+    if(name MATCHES "^(pilot|scenario|record|debrief|page)$")  # which load missiles
+      eyrie_takes_launch_zones(${name}_test)
+    endif()
     gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
                          WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
   endif()

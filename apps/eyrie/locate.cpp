@@ -7,13 +7,30 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "model/weapon/kept_zones.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
 namespace fs = std::filesystem;
+namespace {
+
+/// A file that was built or installed with the program, or "".
+std::string beside_program(const char* built, const char* installed) {
+  std::error_code failed;
+  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
+  const fs::path prefix = program.parent_path().parent_path();
+  for (const char* place : {built, installed})
+    if (!failed && fs::is_regular_file(prefix / place, failed))
+      return (prefix / place).string();
+  return "";
+}
+
+}  // namespace
 
 std::string home() {
   if (const char* set = std::getenv("EYRIE_HOME"); set && *set)
@@ -30,13 +47,13 @@ std::string home() {
 std::string viewer_file() {
   if (const char* set = std::getenv("EYRIE_VIEWER"))
     return set;
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const fs::path prefix = program.parent_path().parent_path();
-  for (const char* place : {"viewer/debrief.html", "share/eyrie/debrief.html"})  // built, installed
-    if (!failed && fs::is_regular_file(prefix / place, failed))
-      return (prefix / place).string();
-  return "";
+  return beside_program("viewer/debrief.html", "share/eyrie/debrief.html");
+}
+
+void take_launch_zones() {
+  std::ifstream file(beside_program("launch_zones.bin", "share/eyrie/launch_zones.bin"),
+                     std::ios::binary);
+  model::kept_zones().take(std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 std::string scenario_file(const std::string& name) {

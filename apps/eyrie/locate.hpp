@@ -13,6 +13,9 @@ namespace eyrie::app {
 /// none.
 [[nodiscard]] std::string viewer_file();
 
+/// The launch zones of the shipped missiles need not be flown if they lie beside the program.
+void take_launch_zones();
+
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 

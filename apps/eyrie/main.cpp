@@ -9,6 +9,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "locate.hpp"
 #include "say.hpp"
 
 namespace {
@@ -192,6 +193,7 @@ int main(int argc, char** argv) {
     return code == 0 ? 0 : 2;
   }
   try {
+    take_launch_zones();
     if (app.got_subcommand("fly"))
       return fly(c.fly);
     if (app.got_subcommand("explain"))

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <thread>
-#include <vector>
+#include <utility>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
+#include "core/parameter_bits.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/infrared.hpp"
 #include "model/weapon/missile_type.hpp"
@@ -29,11 +28,15 @@ constexpr std::array kTargetSpeed{150.0, 400.0};
 constexpr std::array kOffBoresight{0.0, radians(60)};
 constexpr std::size_t kInner = kShooterSpeed.size() * kTargetSpeed.size() * kOffBoresight.size();
 static_assert(kInner == 8);
+static_assert(kAspect.size() * kAltitude.size() * kClimb.size() * kInner == ZoneTable::kCells);
 
 constexpr double kLowest = 100;      // m, no target is lower
 constexpr double kNearest = 100;     // m, nothing is launched nearer
 constexpr double kFarthest = 250e3;  // m, nothing reaches farther
 constexpr double kStep = 1.25;       // factor between two ranges of a search
+constexpr double kFarTolerance = 1.04, kNearTolerance = 1.1;  // factors, of a range that is found
+constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3};
+constexpr double kVersion = 1;  // of what Search does: raise it when that changes
 
 /// Where a value lies on an axis, clamped to it.
 struct Place {
@@ -76,7 +79,7 @@ class Search {
           return 0;
       } while (!succeeds(good));
     }
-    return bisected(good, bad, 1.04);
+    return bisected(good, bad, kFarTolerance);
   }
 
   /// The shortest range up to `longest` (m, which succeeds) from which on every range succeeds,
@@ -97,7 +100,7 @@ class Search {
         good = std::min(bad * kStep, longest);
       } while (good < longest && !succeeds(good));
     }
-    return bisected(good, bad, 1.1);
+    return bisected(good, bad, kNearTolerance);
   }
 
  private:
@@ -132,45 +135,11 @@ EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
   return zone;
 }
 
-}  // namespace
-
-LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& target) {
-  const Vec3 sight = target.position - shooter.position;
-  return {.shooter_altitude = shooter.altitude,
-          .target_altitude = target.altitude,
-          .shooter_speed = norm(shooter.velocity),
-          .target_speed = norm(target.velocity),
-          .aspect = angle_between(target.velocity, -sight),
-          .off_boresight = angle_between(shooter.velocity, sight)};
-}
-
-LaunchZone LaunchZone::build(const MissileType& type) {
-  const Atmosphere atmosphere;
-  LaunchZone zone;
-  if (type.locks_before_launch())
-    zone.seeker_ = type.seeker;
-  zone.cells_.resize(kAspect.size() * kAltitude.size() * kClimb.size() * kInner);
-  // the speeds and the angle off the nose: eight columns that know nothing of each other, so they
-  // come out the same on one processor or on eight
-  std::atomic<std::size_t> next = 0;
-  const auto fill = [&] {
-    for (std::size_t i = next++; i < kInner; i = next++)
-      fill_column(type, atmosphere, i, zone.cells_);
-  };
-  {
-    std::vector<std::jthread> helpers(
-        std::min<std::size_t>(std::max(std::thread::hardware_concurrency(), 1U), kInner) - 1);
-    for (std::jthread& helper : helpers)
-      helper = std::jthread(fill);
-    fill();
-  }
-  return zone;
-}
-
-void LaunchZone::fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t i,
-                             std::vector<Cell>& cells) {
+/// The speeds and the angle off the nose make eight columns; each is searched by itself.
+void fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t i,
+                 ZoneTable& table) {
   // a search begins where that of the cell before ended
-  EmploymentZone found{.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3};
+  EmploymentZone found = kFirstGuess;
   std::size_t cell = i;
   for (const double aspect : kAspect)
     for (const double altitude : kAltitude)
@@ -184,14 +153,54 @@ void LaunchZone::fill_column(const MissileType& type, const Atmosphere& atmosphe
         const EmploymentZone z = search_zone({type, atmosphere, situation}, found);
         if (z.r_max > 0)
           found = z;
-        cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
-                       static_cast<float>(z.r_min)};
+        table.cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
+                             static_cast<float>(z.r_min)};
         cell += kInner;
       }
 }
 
+}  // namespace
+
+LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& target) {
+  const Vec3 sight = target.position - shooter.position;
+  return {.shooter_altitude = shooter.altitude,
+          .target_altitude = target.altitude,
+          .shooter_speed = norm(shooter.velocity),
+          .target_speed = norm(target.velocity),
+          .aspect = angle_between(target.velocity, -sight),
+          .off_boresight = angle_between(shooter.velocity, sight)};
+}
+
+ZoneTable fly_zone(const MissileType& type) {
+  const Atmosphere atmosphere;
+  ZoneTable table;
+  for (std::size_t i = 0; i < kInner; ++i)
+    fill_column(type, atmosphere, i, table);
+  return table;
+}
+
+std::string zone_search_bits() {
+  std::string bits;
+  append_bits(bits, kAspect);
+  append_bits(bits, kAltitude);
+  append_bits(bits, kClimb);
+  append_bits(bits, kShooterSpeed);
+  append_bits(bits, kTargetSpeed);
+  append_bits(bits, kOffBoresight);
+  append_bits(bits, std::array{kLowest, kNearest, kFarthest, kStep, kFarTolerance, kNearTolerance,
+                               kFirstGuess.r_max, kFirstGuess.r_ne, kFirstGuess.r_min,
+                               LaunchZone::kEscapeLoadFactor, kVersion});
+  return bits;
+}
+
+LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable> table)
+    : table_(std::move(table)) {
+  if (type.locks_before_launch())
+    seeker_ = type.seeker;
+}
+
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
-  if (cells_.empty() || (seeker_ && s.off_boresight > seeker_->gimbal))
+  if (!table_ || (seeker_ && s.off_boresight > seeker_->gimbal))
     return {};
   const Place shooter_speed = place(kShooterSpeed, s.shooter_speed);
   const Place target_speed = place(kTargetSpeed, s.target_speed);
@@ -204,12 +213,12 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   const Place aspect = place(kAspect, s.aspect);
   const Place altitude = place(kAltitude, s.shooter_altitude);
   const Place climb = place(kClimb, s.target_altitude - s.shooter_altitude);
-  Cell sum;
+  ZoneTable::Cell sum;
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
     const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
-    const Cell* cell = &cells_[(row * kClimb.size() + climb.index + c) * kInner];
+    const ZoneTable::Cell* cell = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
     for (std::size_t i = 0; i < kInner; ++i, ++cell) {
       const float w = weight * inner[i];
       sum.r_max += w * cell->r_max;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From where a missile reaches a target: found by flying it, kept as a table.
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <optional>
-#include <vector>
+#include <string>
 
 #include "core/vec.hpp"
 #include "model/weapon/seeker_type.hpp"
@@ -10,7 +13,6 @@
 namespace eyrie::model {
 
 struct MissileType;
-class Atmosphere;
 
 /// A launch situation. Altitudes in m, speeds in m/s.
 struct LaunchSituation {
@@ -39,7 +41,26 @@ struct LaunchParty {
 [[nodiscard]] LaunchSituation launch_situation(const LaunchParty& shooter,
                                                const LaunchParty& target);
 
-/// The employment zone of one missile type: const, filled once by build().
+/// The ranges that were found, at every situation of a grid.
+struct ZoneTable {
+  struct Cell {
+    float r_max = 0, r_ne = 0, r_min = 0, spare = 0;  ///< m
+    bool operator==(const Cell&) const = default;
+  };
+  static constexpr std::size_t kCells = 864;
+  std::array<Cell, kCells> cells{};
+
+  bool operator==(const ZoneTable&) const = default;
+};
+
+/// Flies the missile against targets that keep their course and that turn away, and bisects the
+/// ranges on the grid: about 0.1 s. The same bits on every CPU. docs/models/missile.md has the grid
+/// and what it is worth.
+[[nodiscard]] ZoneTable fly_zone(const MissileType& type);
+/// The grid and the rules of the search as bytes: a table that was found by others is another one.
+[[nodiscard]] std::string zone_search_bits();
+
+/// The employment zone of one missile type, const.
 class LaunchZone {
  public:
   /// A no-escape target turns away from the shooter with this load factor.
@@ -47,10 +68,9 @@ class LaunchZone {
 
   /// Everywhere impossible.
   LaunchZone() = default;
-  /// Flies the missile against targets that keep their course and that turn away, and bisects the
-  /// ranges on a grid. Deterministic on every CPU. docs/models/missile.md has the grid and what it
-  /// is worth.
-  [[nodiscard]] static LaunchZone build(const MissileType& type);
+  /// `table`: what fly_zone(type) gives.
+  LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable> table);
+  [[nodiscard]] const std::shared_ptr<const ZoneTable>& table() const { return table_; }
 
   /// Multilinear between the situations that were flown, constant beyond them. A missile that must
   /// be locked on before launch reaches no farther than it sees a target of the default
@@ -58,13 +78,7 @@ class LaunchZone {
   [[nodiscard]] EmploymentZone at(const LaunchSituation& situation) const;
 
  private:
-  struct Cell {
-    float r_max = 0, r_ne = 0, r_min = 0, spare = 0;
-  };
-  static void fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t column,
-                          std::vector<Cell>& cells);
-
-  std::vector<Cell> cells_;
+  std::shared_ptr<const ZoneTable> table_;
   std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
 };
 

@@ -151,7 +151,7 @@ struct MissileType {
   LaunchZone zone;                ///< filled by prepare()
 
   [[nodiscard]] bool locks_before_launch() const { return seeker.kind == SeekerKind::infrared; }
-  /// Flies the model to find its employment zone. Call once after binding; takes about 0.1 s.
+  /// Finds its employment zone (kept_zones.hpp). Call once after binding.
   void prepare();
 
   static constexpr std::string_view type_name = "missile";

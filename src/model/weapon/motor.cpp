@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/math.hpp"
 #include "model/environment/atmosphere.hpp"
+#include "model/weapon/kept_zones.hpp"
 #include "model/weapon/missile_type.hpp"
 
 namespace eyrie::model {
@@ -24,7 +25,7 @@ double Motor::ideal_speed_gain() const {
 }
 
 void MissileType::prepare() {
-  zone = LaunchZone::build(*this);
+  zone = kept_zones().of(*this);
 }
 
 }  // namespace eyrie::model

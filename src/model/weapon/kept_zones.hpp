@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Launch zones that need not be flown again: those of this process, and those that were
+/// flown when the program was built.
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "model/weapon/launch_zone.hpp"
+
+namespace eyrie::model {
+
+/// Each zone under every parameter that it depends on, bit by bit: what it gives has the bits of a
+/// flown one. May be used from any thread, never inside a step.
+class KeptZones {
+ public:
+  /// Of that many types, 14 kB each; then the oldest is forgotten.
+  static constexpr std::size_t kMost = 256;
+
+  /// The zone of a type, flown now if it is not kept.
+  [[nodiscard]] LaunchZone of(const MissileType& type);
+  /// How many zones were flown so far.
+  [[nodiscard]] std::size_t flown() const;
+
+  /// The zones of some types as a file for take().
+  [[nodiscard]] std::string encode(std::span<const MissileType> types);
+  /// Keeps the zones of such a file, and gives how many there are: none if it is damaged or of
+  /// another version. When one is first asked for, it is believed only if some flights of the
+  /// missile end now, in this program and on this machine, as they ended then.
+  std::size_t take(std::string_view file);
+
+ private:
+  using Table = std::shared_ptr<const ZoneTable>;
+  /// From a file, not yet believed.
+  struct Offer {
+    Table table;
+    std::uint64_t trial = 0;  ///< how the flights ended
+  };
+  Table find(const std::string& key) const;
+  std::optional<Offer> offered(const std::string& key) const;
+  Table keep(std::string key, Table table);
+  Table fly(const MissileType& type);
+
+  mutable std::mutex mutex_;
+  std::map<std::string, Table> tables_;
+  std::deque<const std::string*> order_;  ///< keys of tables_, the oldest first
+  std::map<std::string, Offer> offers_;
+  std::size_t flown_ = 0;
+};
+
+/// Those of this process: MissileType::prepare() asks here.
+[[nodiscard]] KeptZones& kept_zones();
+
+}  // namespace eyrie::model

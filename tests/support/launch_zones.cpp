@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+/// \file  Linked into whatever loads scenarios: the launch zones that were flown by the build are
+/// at hand, as they are for the program.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "model/weapon/kept_zones.hpp"
+
+namespace {
+
+class LaunchZones : public testing::Environment {
+ public:
+  void SetUp() override {
+    std::ifstream file(EYRIE_ZONES, std::ios::binary);
+    eyrie::model::kept_zones().take(std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+};
+const auto* const kZones = testing::AddGlobalTestEnvironment(new LaunchZones);
+
+}  // namespace
