@@ -19,8 +19,10 @@ foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log lo
 endforeach()
 
 # what only Eyrie itself is held to
-set(own_options -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion
-                -Werror)
+set(own_options -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion)
+if(EYRIE_WERROR)
+  list(APPEND own_options -Werror)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # false positives of GCC 12 in std::string and std::vector at -O2 and above, and of several
   # sources compiled as one; ccache needs to see the macros of a precompiled header

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <map>
+#include <limits>
 #include <string>
 
 #include "commands.hpp"
@@ -30,13 +30,19 @@ struct Commands {
   bool markdown = false, json_schema = false;
 };
 
-/// CLI11 takes "-1" for the largest number of all.
-std::string whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return failed == std::errc{} && end == text.data() + text.size()
-             ? std::string{}
-             : "must be a whole number from 0 to 18446744073709551615";
+/// Whole numbers from `least` to `most`. CLI11 takes "-1" for the largest number of all, and its
+/// own ranges have other words from version to version.
+auto whole_number(std::uint64_t least = 0,
+                  std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+  return [=](const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
+                      value <= most;
+    return good ? std::string{}
+                : "must be a whole number from " + std::to_string(least) + " to " +
+                      std::to_string(most);
+  };
 }
 
 void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
@@ -49,18 +55,18 @@ void add_fly(CLI::App& app, Commands& c) {
   fly->add_option("scenario", c.fly.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
   fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)")
-      ->check(whole_number);
+      ->check(whole_number());
   fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
   add_plugins(fly, c.fly.plugins, kPluginHelp);
   fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");
   fly->add_option("--workers", c.fly.workers, "threads that share the step; never the result")
-      ->check(CLI::Range(1, 256));
+      ->check(whole_number(1, 256));
   fly->add_option("--paranoid", c.fly.paranoid,
                   "make every step twice, with this many workers the second time, and compare")
       ->expected(0, 1)
       ->default_str("2")
-      ->check(CLI::Range(1, 256));
+      ->check(whole_number(1, 256));
   fly->add_option("--realtime", c.fly.realtime, "pace by the clock, times this factor")
       ->expected(0, 1)
       ->default_str("1")
@@ -113,7 +119,7 @@ void add_what_if(CLI::App& app, Commands& c) {
   what_if->add_flag("--branch", o.branch,
                     "fly on from the first difference and compare how it ends");
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
-      ->check(CLI::Range(1, 100000));
+      ->check(whole_number(1, 100000));
   what_if->add_flag("--json", o.json, "for tools");
   add_plugins(what_if, o.plugins, "where a plug-in of the run is now, if it has moved");
 }
@@ -130,19 +136,26 @@ void add_debrief(CLI::App& app, Commands& c) {
   add_plugins(debrief, o.plugins, "where a plug-in of the runs is now, if it has moved");
 }
 
+ExportFormat format_named(const std::string& word) {
+  if (word == "czml")
+    return ExportFormat::czml;
+  if (word == "geojson")
+    return ExportFormat::geojson;
+  if (word == "decisions")
+    return ExportFormat::decisions;
+  throw CLI::ValidationError("--to", "must be czml, geojson or decisions, not '" + word + "'");
+}
+
 void add_export(CLI::App& app, Commands& c) {
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
   ExportOptions& o = c.exported;
   exported->add_option("run", o.run, "a run folder or its run file")->required();
   exported
-      ->add_option("--to", o.format,
-                   "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node "
-                   "of every player proposed)")
-      ->required()
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ExportFormat>{{"czml", ExportFormat::czml},
-                                              {"geojson", ExportFormat::geojson},
-                                              {"decisions", ExportFormat::decisions}}));
+      ->add_option_function<std::string>(
+          "--to", [&o](const std::string& word) { o.format = format_named(word); },
+          "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
+          "player proposed)")
+      ->required();
   exported->add_option("--player", o.player, "only this player's decisions");
   exported->add_option("--out", o.out,
                        "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
@@ -177,7 +190,7 @@ int main(int argc, char** argv) {
   CLI::App* replay_cmd = app.add_subcommand("replay", "Fly a recorded run again and compare");
   replay_cmd->add_option("run", c.replay.run, "a run folder or its run file")->required();
   replay_cmd->add_option("--workers", c.replay.workers, "threads that share the step")
-      ->check(CLI::Range(1, 256));
+      ->check(whole_number(1, 256));
   replay_cmd->add_flag("--json", c.replay.json, "one JSON object instead of words");
   add_plugins(replay_cmd, c.replay.plugins, "where a plug-in of the run is now, if it has moved");
   CLI::App* new_cmd = app.add_subcommand("new", "Begin something of your own");

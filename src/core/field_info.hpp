@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What is known of one field of a row. Include core/field.hpp, which says how to use it.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <concepts>

@@ -272,7 +272,20 @@ INSTANTIATE_TEST_SUITE_P(
               "Run with --help for more information.\n"},
         Typed{"NoWorkers",
               {"fly", "x.yaml", "--workers", "0"},
-              "--workers: Value 0 not in range 1 to 256\nRun with --help for more information.\n"},
+              "--workers: must be a whole number from 1 to 256\n"
+              "Run with --help for more information.\n"},
+        Typed{"TooManyWorkers",
+              {"fly", "x.yaml", "--workers", "257"},
+              "--workers: must be a whole number from 1 to 256\n"
+              "Run with --help for more information.\n"},
+        Typed{"ParanoidByHalves",
+              {"fly", "x.yaml", "--paranoid", "1.5"},
+              "--paranoid: must be a whole number from 1 to 256\n"
+              "Run with --help for more information.\n"},
+        Typed{"ExportToAnUnknownFormat",
+              {"export", "x", "--to", "csv"},
+              "--to: must be czml, geojson or decisions, not 'csv'\n"
+              "Run with --help for more information.\n"},
         Typed{"UnknownOption",
               {"fly", "x.yaml", "--bogus"},
               "The following argument was not expected: --bogus\n"
