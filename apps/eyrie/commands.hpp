@@ -60,8 +60,8 @@ int debrief_page(const DebriefOptions& options);
 /// What became of a page.
 struct PageWritten {
   bool written = false;
-  bool failed = false;    ///< what went wrong was said
-  std::string problem{};  ///< why there is none though nothing went wrong
+  bool failed = false;    ///< something went wrong
+  std::string problem{};  ///< why there is none
 };
 /// The page of one run.
 [[nodiscard]] PageWritten write_page(const debrief::Recorded& recorded, const std::string& file);

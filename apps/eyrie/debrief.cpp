@@ -4,16 +4,20 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <span>
 
+#include "command.hpp"
 #include "commands.hpp"
+#include "disk/failure.hpp"
+#include "disk/output_file.hpp"
+#include "disk/read_file.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"
-#include "output.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
+#include "record/run_folder.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -46,12 +50,20 @@ class Counter {
   int percent_ = -1;
 };
 
-std::optional<std::string> viewer() {
+constexpr std::size_t kLargestViewer = std::size_t{64} << 20;
+constexpr const char* kNoViewer =
+    "the debrief page is not built: it needs npm and its packages; './eyrie fly' builds it when it "
+    "can";
+
+/// The page without its data, or why there is none.
+disk::FileRead viewer() {
   const std::string file = viewer_file();
-  std::ifstream in(file, std::ios::binary);
-  if (file.empty() || !in)
-    return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(in), {});
+  disk::FileRead read = disk::read_file(file, kLargestViewer);
+  if (read.missing)
+    read.problem = kNoViewer;
+  else if (!read.problem.empty())
+    read.problem = fmt::format("{} {}", file, read.problem);
+  return read;
 }
 
 std::string data_of(const debrief::Recorded& recorded) {
@@ -62,41 +74,38 @@ std::string data_of(const debrief::Recorded& recorded) {
   });
 }
 
-/// False after saying why.
-bool write_page(const std::string& file, const std::string& text) {
-  if (text.empty()) {
-    complain("eyrie: {} is no debrief page of this version; build it again\n", viewer_file());
-    return false;
-  }
-  OutputFile out(file);
-  out.sink().write(text);
-  return out.commit();
+/// The page with the data of its runs. Throws disk::Failed if that cannot be.
+std::string page_of(const disk::FileRead& shell, std::span<const std::string> data) {
+  std::string page = page::page_with(shell.bytes, data);
+  if (page.empty())
+    throw disk::Failed(
+        fmt::format("{} is no debrief page of this version; build it again", viewer_file()));
+  return page;
 }
-
-constexpr const char* kNoViewer =
-    "the debrief page is not built: it needs npm and its packages; './eyrie fly' builds it when it "
-    "can";
 
 }  // namespace
 
 PageWritten write_page(const debrief::Recorded& recorded, const std::string& file) {
-  const auto shell = viewer();
-  if (!shell)
-    return {.problem = kNoViewer};
-  const std::string data = data_of(recorded);
-  if (data.empty())
-    return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
-  if (!write_page(file, page::page_with(*shell, {&data, 1})))
-    return {.failed = true};
-  return {.written = true};
+  const disk::FileRead shell = viewer();
+  if (!shell.problem.empty())
+    return {.failed = !shell.missing, .problem = shell.problem};
+  try {
+    disk::OutputFile out(file, false);
+    const std::string data = data_of(recorded);
+    if (data.empty())
+      return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
+    out.sink().write(page_of(shell, {&data, 1}));
+    out.commit();
+    return {.written = true};
+  } catch (const std::exception& e) {
+    return {.failed = true, .problem = words_for(e) + "; the run is kept without its debrief page"};
+  }
 }
 
 int debrief_page(const DebriefOptions& options) {
-  const auto shell = viewer();
-  if (!shell) {
-    complain("eyrie: {}\n", kNoViewer);
-    return 1;
-  }
+  const disk::FileRead shell = viewer();
+  if (!shell.problem.empty())
+    throw disk::Failed(shell.problem);
   std::vector<debrief::Recorded> runs;
   for (const std::string& run : options.runs) {
     auto opened = open_or_complain(run, options.plugins);
@@ -105,22 +114,23 @@ int debrief_page(const DebriefOptions& options) {
     runs.push_back(std::move(*opened));
   }
   const fs::path folder = fs::path(runs.front().file).parent_path();
-  const auto file = free_or_complain(
-      options.out, folder / (runs.size() > 1 ? "debrief-two.html" : "debrief.html"), options.force);
-  if (!file)
-    return 2;
+  const std::string file =
+      options.out.empty()
+          ? (folder / (runs.size() > 1 ? record::kPageOfTwoName : record::kPageName)).string()
+          : options.out;
   listen_for_interrupts();
+  disk::OutputFile out(file, options.force || options.out.empty());
   std::vector<std::string> data;
   for (const debrief::Recorded& run : runs) {
     data.push_back(data_of(run));
     if (data.back().empty()) {
       complain("eyrie: interrupted, nothing was written\n");
-      return 130;
+      return 1;
     }
   }
-  if (!write_page(*file, page::page_with(*shell, data)))
-    return 1;
-  say("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
+  out.sink().write(page_of(shell, data));
+  out.commit();
+  say("written to {}, {:.1f} MB\n", file, static_cast<double>(out.sink().size()) / 1e6);
   return 0;
 }
 

@@ -7,10 +7,11 @@
 #include "commands.hpp"
 #include "debrief/explainer.hpp"
 #include "debrief/report.hpp"
+#include "disk/output_file.hpp"
 #include "interrupt.hpp"
-#include "output.hpp"
 #include "record/czml.hpp"
 #include "record/geojson.hpp"
+#include "record/run_folder.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -69,26 +70,23 @@ int export_run(const ExportOptions& options) {
       return 2;
     }
   }
-  constexpr const char* kNames[] = {"run.czml", "run.geojson", "decisions.csv"};
-  const auto file = free_or_complain(
-      options.out,
-      fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)],
-      options.force);
-  if (!file)
-    return 2;
+  constexpr const char* kNames[] = {record::kCzmlName, record::kGeojsonName,
+                                    record::kDecisionsName};
+  const std::string beside =
+      fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)];
+  const std::string& file = options.out.empty() ? beside : options.out;
   listen_for_interrupts();
-  OutputFile out(*file);
+  disk::OutputFile out(file, options.force || options.out.empty());
   if (options.format == ExportFormat::decisions)
     write_decisions(*recorded, who, out.sink());
   else
     write_paths(*recorded, options.format, out.sink());
   if (interrupted()) {
     complain("eyrie: interrupted, nothing was written\n");
-    return 130;
-  }
-  if (!out.commit())
     return 1;
-  say("written to {}, {:.1f} MB\n", *file, static_cast<double>(fs::file_size(*file)) / 1e6);
+  }
+  out.commit();
+  say("written to {}, {:.1f} MB\n", file, static_cast<double>(out.sink().size()) / 1e6);
   return 0;
 }
 

@@ -9,9 +9,13 @@
 
 #include "commands.hpp"
 #include "core/units.hpp"
+#include "disk/failure.hpp"
+#include "disk/output_folder.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"
-#include "output.hpp"
+#include "record/acmi.hpp"
+#include "record/events_csv.hpp"
+#include "record/run_folder.hpp"
 #include "report.hpp"
 #include "say.hpp"
 #include "sim/trail.hpp"
@@ -35,7 +39,10 @@ class Pacer {
       ++timing.missed;
       timing.worst_late = std::max(timing.worst_late, late.count());
     }
-    std::this_thread::sleep_until(deadline);
+    // in short pieces: a step may last long, and nobody waits for it who wants to end
+    constexpr std::chrono::milliseconds kPiece(50);
+    for (auto now = Clock::now(); now < deadline && !interrupted(); now = Clock::now())
+      std::this_thread::sleep_until(std::min(deadline, now + kPiece));
   }
 
  private:
@@ -44,7 +51,6 @@ class Pacer {
 };
 
 void fly_to_the_end(scenario::Mission& mission, const FlyOptions& options, Timing& timing) {
-  listen_for_interrupts();
   const auto begun = Clock::now();
   Pacer pacer(mission.run().simulation().dt(), options.realtime.value_or(1));
   timing.paced = options.realtime.has_value();
@@ -78,13 +84,50 @@ record::RunFile run_file_of(const scenario::Mission& mission, std::uint64_t seed
       .plugins = s.plugins};
 }
 
-/// Nothing is left behind when a file could not be written.
-bool written(disk::Sink& sink) {
-  if (sink.close())
-    return true;
-  complain("eyrie: {}\n", sink.error());
-  return false;
+/// The folder of the run: the one that was asked for, or the next free one in runs/.
+disk::FolderWish folder_of(const FlyOptions& options, const scenario::Scenario& scenario,
+                           std::uint64_t seed) {
+  const bool numbered = options.out.empty();
+  return {.path = numbered ? fmt::format("runs/{}-{}", scenario.spec.name, seed) : options.out,
+          .names = record::kRunFolderNames,
+          .sign = record::kRunFileName,
+          .replace = options.force,
+          .numbered = numbered};
 }
+
+/// What stands beside the run file. A run is kept without what could not be written.
+class Beside {
+ public:
+  explicit Beside(const disk::OutputFolder& folder) : folder_(folder) {}
+
+  void close(disk::Sink& sink, const char* name) {
+    if (sink.close()) {
+      written_ += fmt::format(", {}", name);
+      return;
+    }
+    folder_.drop(name);
+    lost(sink.error() + "; the run is kept without it");
+  }
+  void page(const PageWritten& page) {
+    if (page.written)
+      written_ += fmt::format(", {}", record::kPageName);
+    failed_ = failed_ || page.failed;
+    if (!page.problem.empty())
+      complain("eyrie: {}\n", page.problem);
+  }
+  void lost(const std::string& words) {
+    complain("eyrie: {}\n", words);
+    failed_ = true;
+  }
+
+  [[nodiscard]] const std::string& written() const { return written_; }
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  const disk::OutputFolder& folder_;
+  std::string written_ = record::kRunFileName;
+  bool failed_ = false;
+};
 
 }  // namespace
 
@@ -103,20 +146,14 @@ int fly(const FlyOptions& options) {
     return 2;
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);
 
-  std::optional<OutputFolder> folder;
-  try {
-    folder.emplace(options.out, scenario->spec.name, seed, options.force);
-  } catch (const std::invalid_argument& e) {
-    complain("eyrie: {}\n", e.what());
-    return 2;
-  } catch (const std::exception& e) {
-    complain("eyrie: {}\n", e.what());
-    return 1;
-  }
+  listen_for_interrupts();
+  disk::OutputFolder folder(folder_of(options, *scenario, seed));
+  if (!options.json)
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever follows the story reads each line
 
   // who watches
   const Report report(*scenario, !options.json && ::isatty(STDOUT_FILENO));
-  disk::Sink events(folder->file("events.csv")), flight(folder->file("flight.acmi"));
+  disk::Sink events = folder.file(record::kEventsName), flight = folder.file(record::kFlightName);
   record::Tally tally(*scenario);
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter acmi(*scenario, flight);
@@ -139,27 +176,27 @@ int fly(const FlyOptions& options) {
     return 1;
   }
 
-  debrief::Recorded recorded{.file = folder->path(),
+  debrief::Recorded recorded{.file = folder.path(),
                              .run = run_file_of(mission, seed, trail, outcome_text(mission, tally)),
                              .plugins = {},
                              .scenario = scenario};
-  disk::Sink run(folder->file("run.eyrie"));
+  disk::Sink run = folder.file(record::kRunFileName);
   run.write(record::encode(recorded.run));
-  if (!written(run) || !written(events) || !written(flight))
-    return 1;
-  PageWritten page;
+  if (!run.close())
+    throw disk::Failed(run.error());
+  Beside beside(folder);
+  beside.close(events, record::kEventsName);
+  beside.close(flight, record::kFlightName);
+  if (const std::string moved = folder.commit(); !moved.empty())
+    beside.lost(moved);
+  // the run is in its place, whatever becomes of its page
   if (options.debrief)
-    page = write_page(recorded, folder->file("debrief.html"));
-  if (page.failed)
-    return 1;
-  folder->commit();
+    beside.page(write_page(recorded, fmt::format("{}/{}", folder.path(), record::kPageName)));
   if (options.json)
-    say("{}", Composed{json_report(mission, tally, seed, timing, folder->path())});
+    say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
   else
-    report.closing(mission, tally, timing, folder->path(), page.written);
-  if (!page.problem.empty())
-    complain("eyrie: {}\n", page.problem);
-  return std::fflush(stdout) == 0 ? 0 : 1;
+    report.closing(mission, tally, timing, folder.path(), beside.written());
+  return beside.failed() ? 1 : 0;
 }
 
 }  // namespace eyrie::app

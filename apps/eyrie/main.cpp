@@ -3,14 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
-#include <exception>
 #include <limits>
 #include <string>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "locate.hpp"
-#include "say.hpp"
 
 namespace {
 
@@ -163,9 +161,7 @@ void add_export(CLI::App& app, Commands& c) {
   add_plugins(exported, o.plugins, "where a plug-in of the run is now, if it has moved");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
@@ -205,32 +201,34 @@ int main(int argc, char** argv) {
     const int code = app.exit(e);
     return code == 0 ? 0 : 2;
   }
-  try {
-    take_launch_zones();
-    if (app.got_subcommand("fly"))
-      return fly(c.fly);
-    if (app.got_subcommand("explain"))
-      return explain(c.explain);
-    if (app.got_subcommand("whatif"))
-      return what_if(c.what_if);
-    if (app.got_subcommand("debrief"))
-      return debrief_page(c.debrief);
-    if (app.got_subcommand("export"))
-      return export_run(c.exported);
-    if (app.got_subcommand(diff_cmd))
-      return diff(c.left, c.right, c.replay.json);
-    if (app.got_subcommand(validate_cmd))
-      return validate(c.files, c.plugins);
-    if (app.got_subcommand(replay_cmd))
-      return replay(c.replay);
-    if (app.got_subcommand(new_cmd))
-      return new_behavior(c.name);
-    return catalog(c.json_schema ? CatalogFormat::json_schema
-                   : c.markdown  ? CatalogFormat::markdown
-                                 : CatalogFormat::text,
-                   c.plugins);
-  } catch (const std::exception& e) {
-    complain("eyrie: {}\n", lines(e.what()));
-    return 1;
-  }
+  take_launch_zones();
+  if (app.got_subcommand("fly"))
+    return fly(c.fly);
+  if (app.got_subcommand("explain"))
+    return explain(c.explain);
+  if (app.got_subcommand("whatif"))
+    return what_if(c.what_if);
+  if (app.got_subcommand("debrief"))
+    return debrief_page(c.debrief);
+  if (app.got_subcommand("export"))
+    return export_run(c.exported);
+  if (app.got_subcommand(diff_cmd))
+    return diff(c.left, c.right, c.replay.json);
+  if (app.got_subcommand(validate_cmd))
+    return validate(c.files, c.plugins);
+  if (app.got_subcommand(replay_cmd))
+    return replay(c.replay);
+  if (app.got_subcommand(new_cmd))
+    return new_behavior(c.name);
+  return catalog(c.json_schema ? CatalogFormat::json_schema
+                 : c.markdown  ? CatalogFormat::markdown
+                               : CatalogFormat::text,
+                 c.plugins);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  open_standard_streams();
+  return run_command([&] { return run(argc, argv); });
 }

@@ -99,7 +99,8 @@ void Report::table(const scenario::Mission& mission, const record::Tally& tally)
 }
 
 void Report::closing(const scenario::Mission& mission, const record::Tally& tally,
-                     const Timing& timing, const std::string& run_dir, bool page) const {
+                     const Timing& timing, const std::string& run_dir,
+                     const std::string& files) const {
   table(mission, tally);
   const double time = mission.run().time();
   say("{}\n", outcome_text(mission, tally));
@@ -110,9 +111,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   if (timing.paced)
     say("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n", timing.missed,
         timing.deadlines, timing.worst_late * 1000);
-  if (!run_dir.empty())
-    say("written to {}: run.eyrie, events.csv, flight.acmi{}\n", run_dir,
-        page ? ", debrief.html" : "");
+  say("written to {}: {}\n", run_dir, files);
 }
 
 std::string json_report(const scenario::Mission& mission, const record::Tally& tally,

@@ -26,7 +26,7 @@ class Report {
   void header(std::uint64_t seed) const;
   void line(const record::StoryLine& line) const;
   void closing(const scenario::Mission& mission, const record::Tally& tally, const Timing& timing,
-               const std::string& run_dir, bool page) const;
+               const std::string& run_dir, const std::string& files) const;
 
  private:
   [[nodiscard]] Composed paint(const std::string& text, record::Tone tone) const;

@@ -61,4 +61,7 @@ void complain(Format<T...> format, const T&... values) {
   detail::print_error(shown<T...>(format, values...));
 }
 
+/// Writes what standard output still holds back. 0, or the errno for which something of it is lost.
+[[nodiscard]] int lost_output();
+
 }  // namespace eyrie::app

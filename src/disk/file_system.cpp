@@ -81,6 +81,12 @@ int FileSystem::list(int folder, std::vector<std::string>& names) {
   return error ? -1 : 0;
 }
 
+bool FileSystem::mount_point(int folder) {
+  struct statx found {};
+  return ::statx(folder, "", AT_EMPTY_PATH, 0, &found) == 0 &&
+         (found.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0;
+}
+
 int FileSystem::lock(int file) {
   return ::flock(file, LOCK_EX | LOCK_NB);
 }
@@ -93,6 +99,15 @@ FileSystem& files() {
 Instead::Instead(FileSystem& other) : before_(in_use.exchange(&other)) {}
 Instead::~Instead() {
   in_use = before_;
+}
+
+const char* kind_text(mode_t mode) {
+  return S_ISREG(mode)    ? "a file"
+         : S_ISDIR(mode)  ? "a folder"
+         : S_ISLNK(mode)  ? "a symbolic link"
+         : S_ISFIFO(mode) ? "a pipe"
+         : S_ISSOCK(mode) ? "a socket"
+                          : "a device";
 }
 
 std::string words_of(int error) {

@@ -35,6 +35,8 @@ class FileSystem {
                      unsigned flags);
   /// The names in an open folder, without "." and "..".
   virtual int list(int folder, std::vector<std::string>& names);
+  /// Whether another disk, or another part of one, begins at an open folder.
+  virtual bool mount_point(int folder);
   /// Takes the lock of an open file or folder for as long as it is open; fails if another open
   /// file holds it.
   virtual int lock(int file);
@@ -54,6 +56,9 @@ class Instead {
  private:
   FileSystem* before_;
 };
+
+/// "a file", "a folder", "a symbolic link", "a pipe" ...
+[[nodiscard]] const char* kind_text(mode_t mode);
 
 /// What errno means, in words: "No space left on device".
 [[nodiscard]] std::string words_of(int error);

@@ -12,15 +12,6 @@
 namespace eyrie::disk {
 namespace {
 
-/// "" for a regular file.
-const char* kind_problem(mode_t mode) {
-  return S_ISREG(mode)    ? ""
-         : S_ISDIR(mode)  ? "is a folder, not a file"
-         : S_ISFIFO(mode) ? "is a pipe, not a file"
-         : S_ISSOCK(mode) ? "is a socket, not a file"
-                          : "is a device, not a file";
-}
-
 std::string size_text(std::size_t bytes) {
   constexpr std::size_t kKilo = 1024, kMega = kKilo * kKilo;
   return bytes % kMega == 0   ? fmt::format("{} MB", bytes / kMega)
@@ -40,8 +31,8 @@ FileRead read_open(int file, std::size_t limit) {
   struct stat status {};
   if (files().status(file, status) != 0)
     return refused(errno);
-  if (const std::string problem = kind_problem(status.st_mode); !problem.empty())
-    return {.problem = problem};
+  if (!S_ISREG(status.st_mode))
+    return {.problem = fmt::format("is {}, not a file", kind_text(status.st_mode))};
   const std::string too_large =
       fmt::format("is larger than {}, the most that is read", size_text(limit));
   const auto size = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));

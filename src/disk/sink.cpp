@@ -22,9 +22,17 @@ Sink::Sink(int folder, const std::string& name, std::string shown) : path_(std::
   open(folder, name, O_EXCL | O_NOFOLLOW);
 }
 
+Sink::Sink(int file, std::string shown) : path_(std::move(shown)), file_(file), borrowed_(true) {
+  waiting_.reserve(kBuffer);
+}
+
 Sink::~Sink() {
-  if (file_ >= 0)
-    files().close(file_);
+  release();
+}
+
+bool Sink::release() {
+  const int file = std::exchange(file_, -1);
+  return file < 0 || borrowed_ || files().close(file) == 0;
 }
 
 void Sink::open(int folder, const std::string& name, int flags) {
@@ -62,15 +70,14 @@ bool Sink::close() {
   // EINVAL: what is written to is no file of a disk
   if (file_ >= 0 && files().sync(file_) != 0 && errno != EINVAL)
     fail();
-  if (file_ >= 0 && files().close(std::exchange(file_, -1)) != 0)
+  if (!release())
     fail();
   return error_.empty();
 }
 
 void Sink::fail() {
   error_ = fmt::format("cannot write '{}': {}", path_, words_of(errno));
-  if (file_ >= 0)
-    files().close(std::exchange(file_, -1));
+  release();
 }
 
 }  // namespace eyrie::disk

@@ -15,6 +15,8 @@ class Sink {
   explicit Sink(const std::string& path);
   /// A file that must not exist yet, `name` in the open folder; mistakes call it `shown`.
   Sink(int folder, const std::string& name, std::string shown);
+  /// A file that is open already and stays open.
+  Sink(int file, std::string shown);
   ~Sink();
   Sink(const Sink&) = delete;
   Sink& operator=(const Sink&) = delete;
@@ -32,11 +34,13 @@ class Sink {
  private:
   void open(int folder, const std::string& name, int flags);
   void flush();
+  bool release();
   void fail();
 
   std::string path_, error_, waiting_;
   std::uint64_t size_ = 0;
   int file_ = -1;
+  bool borrowed_ = false;
 };
 
 }  // namespace eyrie::disk

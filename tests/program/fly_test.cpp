@@ -149,7 +149,7 @@ TEST(FlyOut, NumbersItsOwnFoldersAndNeverWritesOverOne) {
             read_text(folder / "runs/merge-8.3/run.eyrie"));
 }
 
-TEST(FlyOut, TakesAnEmptyFolderAndReplacesAFullOneOnlyByForce) {
+TEST(FlyOut, TakesAnEmptyFolderAndReplacesARunOnlyByForce) {
   const TempFolder folder;
   std::filesystem::create_directory(folder / "empty");
   EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "empty"})).code, 0);
@@ -158,16 +158,23 @@ TEST(FlyOut, TakesAnEmptyFolderAndReplacesAFullOneOnlyByForce) {
   folder.write("full/kept", "precious");
   EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "full"})).code, 2);
   EXPECT_EQ(read_text(folder / "full/kept"), "precious");
-  EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "full", "--force"})).code, 0);
-  EXPECT_FALSE(std::filesystem::exists(folder / "full/kept"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "full/run.eyrie"));
+  const Ran refused = run_program(folder, merge({"--quiet", "--out", "full", "--force"}));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, "eyrie: 'full' has no run.eyrie: only the folder of a run is replaced\n");
+  EXPECT_EQ(read_text(folder / "full/kept"), "precious");
+
+  std::filesystem::copy(folder / "empty", folder / "old");
+  const std::string other = read_text(folder / "old/run.eyrie");
+  EXPECT_EQ(run_program(folder, merge({"--quiet", "--out", "old", "--force", "--seed", "2"})).code,
+            0);
+  EXPECT_NE(read_text(folder / "old/run.eyrie"), other);
 }
 
 TEST(FlyOut, SaysThatAFolderCannotBeMade) {
   const TempFolder folder;
   folder.write("file", "kept");
   const Ran ran = run_program(folder, merge({"--out", "file/below"}));
-  EXPECT_EQ(ran.code, 1);
+  EXPECT_EQ(ran.code, 2);
   EXPECT_EQ(ran.err, "eyrie: cannot make 'file/below': Not a directory\n");
   EXPECT_EQ(ran.out, "") << "nothing is flown that could not be written";
   EXPECT_EQ(folder.everything(), Names{"file"});
@@ -179,8 +186,7 @@ TEST(FlyOut, SaysThatTheDiskIsFullAndLeavesNothing) {
   const Ran ran = run_program(folder, {"fly", "sweep", "--quiet", "--out", "here"},
                               {.file_size_limit = 64 * 1024});
   EXPECT_EQ(ran.code, 1);
-  EXPECT_TRUE(has(ran.err, "^eyrie: cannot write 'here[^']*/run.eyrie': File too large\n$"))
-      << ran.err;
+  EXPECT_TRUE(has(ran.err, "^eyrie: cannot write 'here/run.eyrie': File too large\n$")) << ran.err;
   EXPECT_EQ(folder.everything(), Names{});
 }
 

@@ -262,10 +262,10 @@ INSTANTIATE_TEST_SUITE_P(
               "--until: must be after the start\n"},
         Typed{"OutThatIsNotEmpty",
               {"fly", "x.yaml", "--out", "full"},
-              "eyrie: --out 'full' exists already; name another folder or add --force\n"},
+              "eyrie: 'full' exists already; name another folder or add --force\n"},
         Typed{"OutThatIsAFile",
               {"fly", "x.yaml", "--out", "x.yaml"},
-              "eyrie: --out 'x.yaml' exists already; name another folder or add --force\n"},
+              "eyrie: 'x.yaml' is a file; only a folder is made or replaced\n"},
         Typed{"NegativeSeed",
               {"fly", "x.yaml", "--seed", "-1"},
               "--seed: must be a whole number from 0 to 18446744073709551615\n"

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "disk/output_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+#include <vector>
+
+#include "disk/failure.hpp"
+
+namespace eyrie::disk {
+namespace {
+
+/// Whether the current folder is this one or below it.
+bool stand_in(const struct stat& folder) {
+  struct stat here {
+  }, above{};
+  std::string path = ".";
+  for (bool known = files().status(AT_FDCWD, path.c_str(), here, 0) == 0; known; here = above) {
+    if (same_inode(here, folder))
+      return true;
+    path += "/..";
+    known = files().status(AT_FDCWD, path.c_str(), above, 0) == 0 && !same_inode(here, above);
+  }
+  return false;
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const FolderWish& wish)
+    : wish_(wish),
+      place_(wish.path, Parents::are_made),
+      path_(place_.path()),
+      old_(wish.numbered ? std::nullopt : find_old()),
+      part_(place_, Kind::folder, wish.names) {
+  remove_abandoned(place_, wish.names);
+}
+
+/// The first file in an open folder that Eyrie has not written, or "".
+std::string OutputFolder::foreign(int folder) const {
+  std::vector<std::string> inside;
+  if (files().list(folder, inside) != 0)
+    cannot_make(path_, errno);
+  std::sort(inside.begin(), inside.end());
+  for (const std::string& name : inside) {
+    const bool ours =
+        is_temporary(name) || std::any_of(wish_.names.begin(), wish_.names.end(),
+                                          [&](const char* known) { return name == known; });
+    struct stat found {};
+    if (!ours || files().status(folder, name.c_str(), found, AT_SYMLINK_NOFOLLOW) != 0 ||
+        !S_ISREG(found.st_mode))
+      return name;
+  }
+  return {};
+}
+
+std::optional<OutputFolder::Old> OutputFolder::find_old() const {
+  const auto found = place_.look();
+  if (!found)
+    return std::nullopt;
+  if (!S_ISDIR(found->st_mode))
+    throw Refused(fmt::format("{} is {}; only a folder is made or replaced", quoted(path_),
+                              kind_text(found->st_mode)));
+  Old old{*found, Handle(files().open(place_.folder(), place_.name().c_str(),
+                                      O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0))};
+  std::vector<std::string> inside;
+  if (!old.folder || files().list(old.folder.get(), inside) != 0)
+    cannot_make(path_, errno);
+  old.empty = inside.empty();
+  if (!old.empty && !wish_.replace)
+    throw Refused(
+        fmt::format("{} exists already; name another folder or add --force", quoted(path_)));
+  if (stand_in(*found))
+    throw Refused(fmt::format("{} is where you are, or above; it is not replaced", quoted(path_)));
+  if (files().mount_point(old.folder.get()))
+    throw Refused(fmt::format("{} is the root of a disk; name a folder in it", quoted(path_)));
+  if (old.empty)
+    return old;
+  if (std::find(inside.begin(), inside.end(), wish_.sign) == inside.end())
+    throw Refused(fmt::format("{} has no {}: only the folder of a run is replaced", quoted(path_),
+                              wish_.sign));
+  if (const std::string name = foreign(old.folder.get()); !name.empty())
+    throw Refused(fmt::format("{} has {}, which Eyrie has not written: it is not replaced",
+                              quoted(path_), quoted(name)));
+  return old;
+}
+
+Sink OutputFolder::file(const char* name) const {
+  return {part_.handle(), name, fmt::format("{}/{}", path_, name)};
+}
+
+void OutputFolder::drop(const char* name) const {
+  files().remove(part_.handle(), name, 0);
+}
+
+/// Whether what is to be replaced is what it was, and nobody else is about to replace it.
+bool OutputFolder::unchanged() const {
+  const auto now = place_.look();
+  return now && same_inode(*now, old_->found) && foreign(old_->folder.get()).empty() &&
+         (files().lock(old_->folder.get()) == 0 || errno != EWOULDBLOCK);
+}
+
+Put OutputFolder::put_in_place() {
+  const int folder = place_.folder();
+  if (!old_ || !place_.look())
+    return put_new(folder, part_.name(), place_.name());
+  if (!unchanged())
+    return {Put::taken};
+  if (!old_->empty)
+    return put_instead(folder, part_.name(), place_.name(),
+                       [&](const struct stat& found) { return same_inode(found, old_->found); });
+  // the system moves a folder over an empty one, and over no other
+  const int moved = files().rename(folder, part_.name().c_str(), folder, place_.name().c_str(), 0);
+  return moved == 0 ? Put{} : Put{Put::taken, errno};
+}
+
+std::string OutputFolder::commit() {
+  const mode_t mode = old_ ? old_->found.st_mode & 0777U : default_mode(0777);
+  if (files().set_mode(part_.handle(), mode) != 0 ||
+      (files().sync(part_.handle()) != 0 && errno != EINVAL))
+    cannot_make(path_, errno);
+  const std::string part = part_.name();
+  std::string words;
+  bool replaced = false;
+  {
+    const Moving moving;
+    Put put = put_in_place();
+    replaced = put.how == Put::done && old_ && !old_->empty;
+    if (put.how != Put::done && !wish_.numbered)
+      words = put.how == Put::taken
+                  ? fmt::format("{} has been taken or changed in the meantime", quoted(path_))
+                  : fmt::format("cannot make {}: {}", quoted(path_), words_of(put.error));
+    for (int i = 2; put.how != Put::done; ++i) {
+      const std::string name = fmt::format("{}.{}", place_.name(), i);
+      put = put_new(place_.folder(), part, name);
+      if (put.how == Put::failed)
+        cannot_make(path_, put.error);
+      path_ = place_.beside(name);
+    }
+    part_.moved();
+  }
+  if (!words.empty())
+    words += fmt::format("; the new one is {}", quoted(path_));
+  if (files().sync(place_.folder()) != 0 && errno != EINVAL && words.empty())
+    words = fmt::format("{} is lost if the power fails now: {}", quoted(path_), words_of(errno));
+  const std::string left = replaced ? drop_old(part) : "";
+  return words.empty() ? left : words;
+}
+
+/// Removes what was replaced; words if it has something of somebody else by now.
+std::string OutputFolder::drop_old(const std::string& name) {
+  const int folder = place_.folder();
+  for (int i = 0; i < 2; ++i)  // what fails may have failed for a moment only
+    if (remove_folder(folder, name, old_->folder.get(), wish_.names))
+      return {};
+  std::string kept = place_.name() + ".old";
+  for (int i = 2; put_new(folder, name, kept).how == Put::taken; ++i)
+    kept = fmt::format("{}.old.{}", place_.name(), i);
+  return fmt::format("what {} was could not be removed; it is {}", quoted(path_),
+                     quoted(place_.beside(kept)));
+}
+
+}  // namespace eyrie::disk

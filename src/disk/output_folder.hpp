@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A folder of files that is not there, or is as it was, until it is complete.
+#include <optional>
+#include <string>
+
+#include "disk/put.hpp"
+#include "disk/sink.hpp"
+#include "disk/temporary.hpp"
+
+namespace eyrie::disk {
+
+/// Which folder is to be made.
+struct FolderWish {
+  std::string path;
+  Names names;            ///< of the files that may be in it
+  const char* sign = "";  ///< the one without which it is no such folder
+  bool replace = false;   ///< one that is there, with the sign and nothing but `names`
+  bool numbered = false;  ///< if it is taken: path.2, path.3 ...; nothing is replaced
+};
+
+class OutputFolder {
+ public:
+  /// Throws Refused if that place may not be used, Failed if nothing can be written there.
+  explicit OutputFolder(const FolderWish& wish);
+
+  /// A new file in it.
+  [[nodiscard]] Sink file(const char* name) const;
+  /// A file that is not to be in it after all.
+  void drop(const char* name) const;
+  /// Where it is to be, and after commit() where it is.
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// Puts it in its place. If somebody else has taken or changed that in the meantime: in the next
+  /// free one, path.2, path.3 ...; then gives the words for it, else "". Throws Failed, and then
+  /// the place is as it was.
+  [[nodiscard]] std::string commit();
+
+ private:
+  /// What is replaced, as it was found and locked.
+  struct Old {
+    struct stat found {};
+    Handle folder;
+    bool empty = true;
+  };
+  [[nodiscard]] std::optional<Old> find_old() const;
+  [[nodiscard]] std::string foreign(int folder) const;
+  [[nodiscard]] bool unchanged() const;
+  [[nodiscard]] Put put_in_place();
+  [[nodiscard]] std::string drop_old(const std::string& name);
+
+  FolderWish wish_;
+  Place place_;
+  std::string path_;
+  std::optional<Old> old_;
+  Temporary part_;
+};
+
+}  // namespace eyrie::disk

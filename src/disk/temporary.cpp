@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "disk/temporary.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include "disk/failure.hpp"
+
+namespace eyrie::disk {
+namespace {
+
+constexpr std::string_view kPrefix = ".eyrie-part-";
+constexpr std::size_t kDigits = 16;
+
+/// What a signal handler needs to know of a temporary.
+struct Slot {
+  std::atomic<bool> used = false;
+  int parent = -1, folder = -1;  // folder: below 0 for a file
+  Names names;
+  std::array<char, 32> name{};
+};
+std::array<Slot, 4> slots;
+std::atomic<int> moving = 0;
+
+bool holds(Names names, const std::string& name) {
+  return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
+
+}  // namespace
+
+std::string temporary_name() {
+  std::uint64_t random = 0;
+  if (::getrandom(&random, sizeof random, 0) != sizeof random)
+    throw Failed("the system gives no random numbers");
+  return fmt::format("{}{:016x}", kPrefix, random);
+}
+
+mode_t default_mode(mode_t wanted) {
+  const mode_t mask = ::umask(077);
+  ::umask(mask);
+  return wanted & ~mask;
+}
+
+bool is_temporary(std::string_view name) {
+  return name.size() == kPrefix.size() + kDigits && name.starts_with(kPrefix) &&
+         name.find_first_not_of("0123456789abcdef", kPrefix.size()) == name.npos;
+}
+
+Temporary::Temporary(const Place& place, Kind kind, Names names)
+    : place_(place), names_(names), kind_(kind) {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && !make(kind == Kind::folder ? 0700 : 0600); ++i) {
+  }
+  if (!handle_)
+    cannot_make(place.path(), errno);
+  for (std::size_t i = 0; i < slots.size() && slot_ < 0; ++i)
+    if (Slot& slot = slots[i]; !slot.used) {
+      slot.parent = place.folder();
+      slot.folder = kind == Kind::folder ? handle() : -1;
+      slot.names = names;
+      std::memcpy(slot.name.data(), name_.c_str(), name_.size() + 1);
+      slot.used = true;
+      slot_ = static_cast<int>(i);
+    }
+}
+
+/// False to try it with another name.
+bool Temporary::make(mode_t mode) {
+  const int folder = place_.folder();
+  name_ = temporary_name();
+  if (kind_ == Kind::folder) {
+    if (files().make_folder(folder, name_.c_str(), mode) != 0)
+      return errno != EEXIST;
+    handle_ = Handle(files().open(folder, name_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0));
+  } else {
+    handle_ =
+        Handle(files().open(folder, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, mode));
+    if (!handle_)
+      return errno != EEXIST;
+  }
+  // whoever looks for abandoned ones may have been faster than the lock
+  struct stat there {};
+  const bool lost =
+      handle_ &&
+      ((files().lock(handle()) != 0 && errno == EWOULDBLOCK) ||
+       (files().status(folder, name_.c_str(), there, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT));
+  if (lost)
+    handle_ = {};
+  if (!handle_ && !lost) {
+    const int error = errno;
+    files().remove(folder, name_.c_str(), AT_REMOVEDIR);
+    errno = error;
+  }
+  return !lost;
+}
+
+void Temporary::moved() {
+  if (slot_ >= 0)
+    slots[static_cast<std::size_t>(slot_)].used = false;
+  slot_ = -1;
+  name_.clear();
+}
+
+Temporary::~Temporary() {
+  if (name_.empty())
+    return;
+  // what fails may have failed for a moment only
+  for (int i = 0; i < 2; ++i)
+    if (kind_ == Kind::folder ? remove_folder(place_.folder(), name_, handle(), names_)
+                              : files().remove(place_.folder(), name_.c_str(), 0) == 0)
+      break;
+  moved();
+}
+
+bool remove_folder(int parent, const std::string& name, int folder, Names names) {
+  std::vector<std::string> inside;
+  files().list(folder, inside);
+  for (const std::string& file : inside)
+    if (holds(names, file) || is_temporary(file))
+      files().remove(folder, file.c_str(), 0);
+  return files().remove(parent, name.c_str(), AT_REMOVEDIR) == 0 || errno == ENOENT;
+}
+
+void remove_abandoned(const Place& place, Names names) {
+  std::vector<std::string> all;
+  files().list(place.folder(), all);
+  for (const std::string& name : all) {
+    if (!is_temporary(name))
+      continue;
+    const Handle left(
+        files().open(place.folder(), name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK, 0));
+    struct stat status {};
+    if (!left || files().status(left.get(), status) != 0 || status.st_uid != ::geteuid() ||
+        files().lock(left.get()) != 0)
+      continue;
+    std::vector<std::string> inside;
+    if (S_ISREG(status.st_mode))
+      files().remove(place.folder(), name.c_str(), 0);
+    else if (S_ISDIR(status.st_mode) && files().list(left.get(), inside) == 0 &&
+             std::all_of(inside.begin(), inside.end(),
+                         [&](const std::string& file) { return holds(names, file); }))
+      remove_folder(place.folder(), name, left.get(), names);
+  }
+}
+
+bool remove_temporaries_now() noexcept {
+  if (moving > 0)
+    return false;
+  for (Slot& slot : slots) {
+    if (!slot.used)
+      continue;
+    if (slot.folder < 0) {
+      ::unlinkat(slot.parent, slot.name.data(), 0);
+      continue;
+    }
+    for (const char* name : slot.names)
+      ::unlinkat(slot.folder, name, 0);
+    ::unlinkat(slot.parent, slot.name.data(), AT_REMOVEDIR);
+  }
+  return true;
+}
+
+Moving::Moving() {
+  ++moving;
+}
+Moving::~Moving() {
+  --moving;
+}
+
+}  // namespace eyrie::disk

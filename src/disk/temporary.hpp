@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What is being written and is not in its place yet.
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "disk/place.hpp"
+
+namespace eyrie::disk {
+
+/// Names of files that Eyrie writes into a folder; the texts live as long as the program.
+using Names = std::span<const char* const>;
+
+enum class Kind { file, folder };
+
+/// A new file or folder beside a place, of a name that nobody can guess or has made before, and
+/// locked as long as this lives. It goes with all that Eyrie has put into it, unless it has been
+/// moved to its place.
+class Temporary {
+ public:
+  /// `names` is what may be in a folder. Throws as cannot_make().
+  Temporary(const Place& place, Kind kind, Names names);
+  ~Temporary();
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The open file or folder itself.
+  [[nodiscard]] int handle() const { return handle_.get(); }
+  /// From now on it belongs to the place where it was moved to.
+  void moved();
+
+ private:
+  [[nodiscard]] bool make(mode_t mode);
+
+  const Place& place_;
+  Names names_;
+  Kind kind_;
+  std::string name_;
+  Handle handle_;
+  int slot_ = -1;
+};
+
+/// What a new file or folder of this process may be, of `wanted`: as its umask says.
+[[nodiscard]] mode_t default_mode(mode_t wanted);
+
+/// Whether a name is that of a temporary.
+[[nodiscard]] bool is_temporary(std::string_view name);
+/// A new name of that kind.
+[[nodiscard]] std::string temporary_name();
+
+/// Removes what a program left in the folder of `place` that was killed: temporaries of this user
+/// that nobody holds and in which nothing is but `names`. Fails silently.
+void remove_abandoned(const Place& place, Names names);
+
+/// Removes the files with those names, and temporaries, from an open folder and then the folder
+/// `name` itself from its `parent`; false if something stays.
+bool remove_folder(int parent, const std::string& name, int folder, Names names);
+
+/// For a signal handler that is about to end the program: removes the temporaries of this process.
+/// Nothing while a temporary is being moved to its place, which is a moment: false.
+bool remove_temporaries_now() noexcept;
+
+/// While this lives temporaries are being moved.
+struct Moving {
+  Moving();
+  ~Moving();
+  Moving(const Moving&) = delete;
+  Moving& operator=(const Moving&) = delete;
+};
+
+}  // namespace eyrie::disk
