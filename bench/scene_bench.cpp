@@ -170,7 +170,7 @@ BENCHMARK_CAPTURE(fly, sweep_even, "sweep_even")->Unit(benchmark::kMillisecond);
 debrief::Recorded recorded_sweep() {
   const auto scene =
       scenario::load({home() + "/scenarios/sweep.yaml", {}}, scenario::Source::disk(home()));
-  sim::TrailRecorder trail(sim::TrailDetail::marks_only);
+  sim::TrailRecorder trail;
   scenario::Mission mission(scene, scene->spec.seed);
   mission.run().attach(trail);
   mission.fly();

@@ -67,7 +67,7 @@ disk::FileRead viewer() {
 }
 
 std::string data_of(const debrief::Recorded& recorded) {
-  Counter counter(static_cast<double>(recorded.last_step()) * recorded.scenario->simulation->dt());
+  Counter counter(recorded.until());
   return page::page_data(recorded, [&](double time) {
     counter.at(time);
     return !interrupted();

@@ -15,10 +15,10 @@
 #include "locate.hpp"
 #include "record/acmi.hpp"
 #include "record/events_csv.hpp"
+#include "record/run_file_writer.hpp"
 #include "record/run_folder.hpp"
 #include "report.hpp"
 #include "say.hpp"
-#include "sim/trail.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -66,22 +66,17 @@ void fly_to_the_end(scenario::Mission& mission, const FlyOptions& options, Timin
   timing.wall = std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-record::RunFile run_file_of(const scenario::Mission& mission, std::uint64_t seed,
-                            const sim::TrailRecorder& trail, std::string outcome) {
-  const scenario::Scenario& s = mission.scenario();
-  const auto orders = mission.run().orders();
-  return {
-      .build = version_text(),
-      .scenario = s.file,
-      .files = s.files,
-      .sets = s.sets,
-      .seed = seed,
-      .until = static_cast<double>(mission.run().world().step()) * mission.run().simulation().dt(),
-      .layout_hash = mission.run().simulation().schema().layout_hash(),
-      .orders = {orders.begin(), orders.end()},
-      .trail = trail.trail(),
-      .outcome = std::move(outcome),
-      .plugins = s.plugins};
+/// What is known of a run before it is flown.
+record::RunFile run_file_of(const scenario::Scenario& s, std::uint64_t seed) {
+  record::RunFile run;
+  run.build = version_text();
+  run.scenario = s.file;
+  run.files = s.files;
+  run.sets = s.sets;
+  run.seed = seed;
+  run.layout_hash = s.simulation->schema().layout_hash();
+  run.plugins = s.plugins;
+  return run;
 }
 
 /// The folder of the run: the one that was asked for, or the next free one in runs/.
@@ -153,15 +148,16 @@ int fly(const FlyOptions& options) {
 
   // who watches
   const Report report(*scenario, !options.json && ::isatty(STDOUT_FILENO));
-  disk::Sink events = folder.file(record::kEventsName), flight = folder.file(record::kFlightName);
+  disk::Sink run = folder.file(record::kRunFileName), events = folder.file(record::kEventsName),
+             flight = folder.file(record::kFlightName);
   record::Tally tally(*scenario);
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter acmi(*scenario, flight);
-  sim::TrailRecorder trail;
+  record::RunFileWriter recorder(run, run_file_of(*scenario, seed));
   record::Story story(*scenario, [&](const record::StoryLine& line) { report.line(line); });
   scenario::Mission mission(scenario, seed, until,
                             {.workers = options.workers, .paranoid_workers = options.paranoid});
-  for (sim::Observer* o : std::initializer_list<sim::Observer*>{&tally, &csv, &acmi, &trail})
+  for (sim::Observer* o : std::initializer_list<sim::Observer*>{&tally, &csv, &acmi, &recorder})
     mission.run().attach(*o);
   const bool words = !options.json && !options.quiet;
   if (words) {
@@ -176,12 +172,7 @@ int fly(const FlyOptions& options) {
     return 1;
   }
 
-  debrief::Recorded recorded{.file = folder.path(),
-                             .run = run_file_of(mission, seed, trail, outcome_text(mission, tally)),
-                             .plugins = {},
-                             .scenario = scenario};
-  disk::Sink run = folder.file(record::kRunFileName);
-  run.write(record::encode(recorded.run));
+  recorder.close(mission.run().orders(), outcome_text(mission, tally));
   if (!run.close())
     throw disk::Failed(run.error());
   Beside beside(folder);
@@ -190,8 +181,12 @@ int fly(const FlyOptions& options) {
   if (const std::string moved = folder.commit(); !moved.empty())
     beside.lost(moved);
   // the run is in its place, whatever becomes of its page
-  if (options.debrief)
-    beside.page(write_page(recorded, fmt::format("{}/{}", folder.path(), record::kPageName)));
+  if (options.debrief) {
+    const std::string file = fmt::format("{}/{}", folder.path(), record::kRunFileName);
+    beside.page(write_page(
+        {.file = file, .run = record::read_run_file(file).run, .plugins = {}, .scenario = scenario},
+        fmt::format("{}/{}", folder.path(), record::kPageName)));
+  }
   if (options.json)
     say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
   else

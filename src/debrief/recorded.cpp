@@ -7,9 +7,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/assert.hpp"
+
 namespace eyrie::debrief {
 namespace {
 namespace fs = std::filesystem;
+
+constexpr double kLongestRun = 1e6;  // s, as scenarios allow
 
 /// Where the plug-ins of a run are, in its order: where they were, or a file of that name among
 /// `given`. What is missing, another one or not of the run is a problem.
@@ -38,6 +42,29 @@ std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<st
     problems.push_back(
         fmt::format("the run has no plug-in {}", quote(fs::path(file).filename().string())));
   return found;
+}
+
+/// What the file says of its flight and no flight of its scenario can have: more time than any,
+/// other orders.
+std::vector<std::string> false_claims(const record::RunFile& run,
+                                      const sim::Simulation& simulation) {
+  std::vector<std::string> problems;
+  if (static_cast<double>(run.trail.last_step) * simulation.dt() > kLongestRun)
+    problems.push_back(fmt::format("it claims {} steps, more than a run can have: {} s",
+                                   run.trail.last_step, kLongestRun));
+  const sim::Order* last = nullptr;
+  for (const sim::Order& order : run.orders) {
+    if (simulation.handler(order.kind) == nullptr)
+      problems.push_back(
+          fmt::format("nobody in its scenario accepts orders of kind {}", order.kind.value));
+    else if (last && order.step < last->step)
+      problems.push_back(fmt::format("its orders for the steps {} and {} stand the wrong way round",
+                                     last->step, order.step));
+    if (!problems.empty())
+      break;
+    last = &order;
+  }
+  return problems;
 }
 
 }  // namespace
@@ -74,6 +101,9 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
                     recorded.run.build, build));
     return refused();
   }
+  problems = false_claims(recorded.run, *scenario.simulation);
+  if (!problems.empty())
+    return refused();
   return {std::move(recorded), {}};
 }
 
@@ -88,16 +118,18 @@ std::shared_ptr<const scenario::Scenario> with_overrides(
 }
 
 Reflight::Reflight(const Recorded& recorded)
-    : run_(recorded.scenario->simulation, recorded.scenario->world(recorded.run.seed)),
-      last_(recorded.last_step()),
+    : recorded_(recorded),
+      run_(recorded.scenario->simulation, recorded.scenario->world(recorded.run.seed)),
+      checker_(recorded.run.trail),
       before_(run_.world()) {
   for (const sim::Order& order : recorded.run.orders)
-    if (const std::string refused = run_.submit(order); !refused.empty())
-      throw std::runtime_error(fmt::format("{}: {}", recorded.file, refused));
+    EYRIE_DEMAND(run_.submit(order).empty(), "open() refuses such orders");
+  run_.attach(checker_);
 }
 
 bool Reflight::step() {
-  if (run_.world().step() >= last_)
+  demand_the_same();  // also as it began
+  if (run_.world().step() >= recorded_.last_step())
     return false;
   before_ = run_.world();
   orders_.clear();
@@ -105,7 +137,19 @@ bool Reflight::step() {
   while (next_order_ < all.size() && all[next_order_].step == before_.step())
     orders_.push_back(all[next_order_++]);
   events_ = run_.step();
+  demand_the_same();
   return true;
+}
+
+void Reflight::demand_the_same() {
+  if (!checker_.departure())
+    return;
+  // up to the next mark, which knows the field
+  while (!checker_.done() && run_.world().step() < recorded_.last_step())
+    run_.step();
+  throw std::runtime_error(fmt::format("{}: this is not the run that was recorded by {}: {}",
+                                       recorded_.file, recorded_.run.build,
+                                       checker_.departure()->reason));
 }
 
 }  // namespace eyrie::debrief

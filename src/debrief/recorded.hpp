@@ -22,8 +22,10 @@ struct Recorded {
   std::shared_ptr<const scenario::Scenario> scenario;
 
   /// World::step() at the end of the recording.
-  [[nodiscard]] std::uint64_t last_step() const {
-    return run.trail.marks.empty() ? 0 : run.trail.marks.back().step;
+  [[nodiscard]] std::uint64_t last_step() const { return run.trail.last_step; }
+  /// s, when it ends.
+  [[nodiscard]] double until() const {
+    return static_cast<double>(last_step()) * scenario->simulation->dt();
   }
 };
 
@@ -34,8 +36,8 @@ struct Opened {
 };
 
 /// Opens a run folder or its run file. `plugins` are the places of plug-ins that have moved since;
-/// `build` is what this program calls itself. A file that is cut, foreign, or of a build with
-/// another world is refused.
+/// `build` is what this program calls itself. A file is refused that is cut, foreign, of a build
+/// with another world, or claims what no run of its scenario can have: other orders, more time.
 [[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
                           std::string_view build);
 
@@ -45,14 +47,16 @@ struct Opened {
     const Recorded& recorded, const std::vector<std::string>& sets,
     std::vector<scenario::TreeChange> changes = {});
 
-/// Flies a recorded run again, with every step's world before and after.
+/// Flies a recorded run again, with every step's world before and after, and compares it with the
+/// recording on the way. The recording must outlive it.
 class Reflight {
  public:
   explicit Reflight(const Recorded& recorded);
 
   /// It must outlive the last step.
   void attach(sim::Observer& observer) { run_.attach(observer); }
-  /// One step; false at the end of the recording.
+  /// One step; false at the end of the recording. Throws std::runtime_error with words for people
+  /// if this is not the run that was recorded: what follows did not happen.
   bool step();
   [[nodiscard]] const sim::World& before() const { return before_; }
   [[nodiscard]] const sim::World& after() const { return run_.world(); }
@@ -65,8 +69,11 @@ class Reflight {
   }
 
  private:
+  void demand_the_same();
+
+  const Recorded& recorded_;
   sim::Run run_;
-  std::uint64_t last_;
+  sim::TrailChecker checker_;
   sim::World before_;
   std::span<const sim::Event> events_;
   std::vector<sim::Order> orders_;

@@ -163,13 +163,13 @@ Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint
 
 Outcome outcome_of(const Recorded& recorded) {
   std::string problem;
-  return branch(recorded, recorded.scenario, recorded.last_step(), recorded.run.until, problem)
+  return branch(recorded, recorded.scenario, recorded.last_step(), recorded.until(), problem)
       .value();
 }
 
 std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
   const bool out_of_time = flown.outcome == scenario::outcome_name(scenario::Outcome::time);
-  return out_of_time ? std::optional(recorded.run.until) : std::nullopt;
+  return out_of_time ? std::optional(recorded.until()) : std::nullopt;
 }
 
 std::optional<Outcome> branch(const Recorded& recorded,

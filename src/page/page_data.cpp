@@ -192,17 +192,16 @@ class Writer {
   [[nodiscard]] Json about() const {
     const auto& run = recorded_.run;
     const double dt = scenario_.simulation->dt();
-    const auto& marks = run.trail.marks;
     const double period = pilot_system_->setup().dt * pilot_system_->setup().period;
     return {{"scenario", scenario_.spec.name},
             {"help", scenario_.spec.help_text},
             {"file", run.scenario},
             {"seed", std::to_string(run.seed)},
-            {"hash", marks.empty() ? "" : fmt::format("{:#018x}", marks.back().hash)},
+            {"hash", fmt::format("{:#018x}", run.trail.last_hash)},
             {"build", run.build},
             {"steps", recorded_.last_step()},
             {"dt", dt},
-            {"duration", static_cast<double>(recorded_.last_step()) * dt},
+            {"duration", recorded_.until()},
             {"outcome", run.outcome},
             {"decision_period", thin_ ? kThinnedDecisions : period},
             {"thinned", thin_}};

@@ -3,14 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <type_traits>
 
-#include "core/hash.hpp"
+#include "core/assert.hpp"
+#include "disk/read_file.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -18,6 +16,7 @@ namespace {
 constexpr std::string_view kMagic = "EYRIERUN";
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::size_t kChecksum = sizeof(std::uint64_t);
+constexpr std::size_t kLargest = std::size_t{1} << 30;  // a day of a hundred players is 1 % of it
 
 std::uint64_t checksum(std::string_view bytes) {
   return hash_bytes(std::as_bytes(std::span(bytes.data(), bytes.size())));
@@ -35,18 +34,15 @@ class Writer {
     out_.append(s);
   }
   template <class T>
-  void block(const std::vector<T>& items) {
+  void block(std::span<const T> items) {
     static_assert(std::is_trivially_copyable_v<T>);
     number<std::uint64_t>(items.size());
-    raw(items.data(), items.size() * sizeof(T));
+    raw(items.data(), items.size_bytes());
   }
   void raw(const void* data, std::size_t size) {
     out_.append(static_cast<const char*>(data), size);
   }
-  std::string finish() {
-    number(checksum(out_));
-    return std::move(out_);
-  }
+  [[nodiscard]] std::string take() { return std::move(out_); }
 
  private:
   std::string out_;
@@ -67,14 +63,14 @@ class Reader {
     take(&x, sizeof x);
     return x;
   }
-  std::string text() {
-    const auto size = number<std::uint64_t>();
+  std::string_view bytes(std::uint64_t size) {
     if (!has(size, 1))
       return {};
-    std::string s(left_.substr(0, size));
+    const std::string_view part = left_.substr(0, size);
     left_.remove_prefix(size);
-    return s;
+    return part;
   }
+  std::string text() { return std::string(bytes(number<std::uint64_t>())); }
   template <class T>
   std::vector<T> block() {
     const auto count = number<std::uint64_t>();
@@ -102,41 +98,6 @@ class Reader {
   bool ok_ = true;
 };
 
-void write_trail(Writer& w, const sim::HashTrail& trail) {
-  w.number(trail.first_step);
-  w.number(trail.steps_per_mark);
-  w.block(trail.folds);
-  w.number<std::uint64_t>(trail.marks.size());
-  for (const sim::HashTrail::Mark& mark : trail.marks) {
-    w.number(mark.step);
-    w.number(mark.hash);
-    w.number(mark.digest.step);
-    w.number(mark.digest.header);
-    w.block(mark.digest.fields);
-    w.block(mark.digest.rows);
-  }
-}
-
-sim::HashTrail read_trail(Reader& r) {
-  sim::HashTrail trail;
-  trail.first_step = r.number<std::uint64_t>();
-  trail.steps_per_mark = r.number<std::uint32_t>();
-  trail.folds = r.block<std::uint32_t>();
-  const auto marks = r.number<std::uint64_t>();
-  if (!r.has(marks, 44))  // the fixed part of a mark
-    return trail;
-  trail.marks.resize(marks);
-  for (sim::HashTrail::Mark& mark : trail.marks) {
-    mark.step = r.number<std::uint64_t>();
-    mark.hash = r.number<std::uint64_t>();
-    mark.digest.step = r.number<std::uint64_t>();
-    mark.digest.header = r.number<std::uint32_t>();
-    mark.digest.fields = r.block<std::uint32_t>();
-    mark.digest.rows = r.block<sim::Digest::Row>();
-  }
-  return trail;
-}
-
 bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>& b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(sim::Order)) == 0);
@@ -146,16 +107,14 @@ bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>&
 
 bool operator==(const RunFile& a, const RunFile& b) {
   return a.build == b.build && a.scenario == b.scenario && a.files == b.files && a.sets == b.sets &&
-         a.seed == b.seed &&
-         std::bit_cast<std::uint64_t>(a.until) == std::bit_cast<std::uint64_t>(b.until) &&
-         a.layout_hash == b.layout_hash && same_bytes(a.orders, b.orders) && a.trail == b.trail &&
-         a.outcome == b.outcome && a.plugins == b.plugins;
+         a.seed == b.seed && a.layout_hash == b.layout_hash && a.plugins == b.plugins &&
+         a.trail == b.trail && same_bytes(a.orders, b.orders) && a.outcome == b.outcome;
 }
 
-std::string encode(const RunFile& run) {
+std::string RunEncoder::head(const RunFile& run) {
   Writer w;
   w.raw(kMagic.data(), kMagic.size());
-  w.number(run.plugins.empty() ? kRunFileVersion : kRunFileWithPlugins);
+  w.number(kRunFileVersion);
   w.number(kByteOrder);
   w.text(run.build);
   w.text(run.scenario);
@@ -168,19 +127,45 @@ std::string encode(const RunFile& run) {
   for (const std::string& set : run.sets)
     w.text(set);
   w.number(run.seed);
-  w.number(run.until);
   w.number(run.layout_hash);
-  w.block(run.orders);
-  write_trail(w, run.trail);
-  w.text(run.outcome);
-  if (!run.plugins.empty()) {
-    w.number<std::uint64_t>(run.plugins.size());
-    for (const scenario::PluginFile& plugin : run.plugins) {
-      w.text(plugin.path);
-      w.number(plugin.hash);
-    }
+  w.number<std::uint64_t>(run.plugins.size());
+  for (const scenario::PluginFile& plugin : run.plugins) {
+    w.text(plugin.path);
+    w.number(plugin.hash);
   }
-  return w.finish();
+  return hashed(w.take());
+}
+
+std::string RunEncoder::chunk(std::string_view spans) {
+  EYRIE_ASSERT(!spans.empty());
+  Writer w;
+  w.text(spans);
+  return hashed(w.take());
+}
+
+std::string RunEncoder::tail(std::uint32_t steps_per_second, std::span<const sim::Order> orders,
+                             std::string_view outcome) {
+  Writer w;
+  w.text("");  // no more chunks
+  w.number(steps_per_second);
+  w.block(orders);
+  w.text(outcome);
+  std::string bytes = hashed(w.take());
+  const std::uint64_t sum = hasher_.value();
+  return bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+}
+
+std::string RunEncoder::hashed(std::string bytes) {
+  hasher_.bytes(bytes.data(), bytes.size());
+  return bytes;
+}
+
+std::string encode(const RunFile& run) {
+  RunEncoder encoder;
+  std::string bytes = encoder.head(run);
+  if (!run.trail.spans.empty())
+    bytes += encoder.chunk(run.trail.spans);
+  return bytes += encoder.tail(run.trail.steps_per_second, run.orders, run.outcome);
 }
 
 Decoded decode(std::string_view bytes) {
@@ -189,16 +174,14 @@ Decoded decode(std::string_view bytes) {
   const std::size_t head = kMagic.size() + 2 * sizeof(std::uint32_t);
   if (bytes.size() < head + kChecksum)
     return {{}, "the run file is cut"};
-  Reader r(bytes.substr(0, bytes.size() - kChecksum));
-  for (std::size_t i = 0; i < kMagic.size(); ++i)
-    static_cast<void>(r.number<char>());
+  Reader r(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kChecksum));
   const auto version = r.number<std::uint32_t>();
   if (r.number<std::uint32_t>() != kByteOrder)
     return {{}, "the run file comes from a machine of another byte order"};
-  if (version != kRunFileVersion && version != kRunFileWithPlugins)
+  if (version != kRunFileVersion)
     return {{},
-            fmt::format("the run file has format version {}; this program reads versions {} and {}",
-                        version, kRunFileVersion, kRunFileWithPlugins)};
+            fmt::format("the run file has format version {}; this program reads version {}",
+                        version, kRunFileVersion)};
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);
   if (sum != checksum(bytes.substr(0, bytes.size() - kChecksum)))
@@ -217,31 +200,32 @@ Decoded decode(std::string_view bytes) {
   for (std::uint64_t i = 0; r.has(sets - i, 8) && i < sets; ++i)
     run.sets.push_back(r.text());
   run.seed = r.number<std::uint64_t>();
-  run.until = r.number<double>();
   run.layout_hash = r.number<std::uint64_t>();
-  run.orders = r.block<sim::Order>();
-  run.trail = read_trail(r);
-  run.outcome = r.text();
-  if (version == kRunFileWithPlugins) {
-    const auto plugins = r.number<std::uint64_t>();
-    for (std::uint64_t i = 0; r.has(plugins - i, 16) && i < plugins; ++i) {
-      std::string path = r.text();
-      run.plugins.push_back({std::move(path), r.number<std::uint64_t>()});
-    }
+  const auto plugins = r.number<std::uint64_t>();
+  for (std::uint64_t i = 0; r.has(plugins - i, 16) && i < plugins; ++i) {
+    std::string path = r.text();
+    run.plugins.push_back({std::move(path), r.number<std::uint64_t>()});
   }
+  std::string spans;
+  for (auto size = r.number<std::uint64_t>(); size > 0; size = r.number<std::uint64_t>())
+    spans += r.bytes(size);
+  const auto steps_per_second = r.number<std::uint32_t>();
+  run.orders = r.block<sim::Order>();
+  run.outcome = r.text();
   if (!r.ok() || !r.at_end())
     return {{}, "the run file is corrupt: its sections do not fit"};
+  if (spans.empty())
+    return {{}, "the run file has no hashes that a replay could be compared with"};
+  auto trail = sim::trail_of(std::move(spans), steps_per_second);
+  if (!trail)
+    return {{}, "the run file is corrupt: its hashes do not fit"};
+  run.trail = std::move(*trail);
   return result;
 }
 
 Decoded read_run_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    return {{}, "cannot read the file"};
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad())
-    return {{}, "cannot read the file"};
-  return decode(bytes);
+  const disk::FileRead read = disk::read_file(path, kLargest);
+  return read.problem.empty() ? decode(read.bytes) : Decoded{{}, read.problem};
 }
 
 }  // namespace eyrie::record

@@ -11,6 +11,23 @@
 namespace eyrie::record {
 namespace {
 
+/// The trail of a run of 103 steps.
+sim::HashTrail trail() {
+  sim::TrailPacker packer(50);
+  sim::Mark mark;
+  for (const std::uint64_t last : {0, 50, 100, 103}) {
+    for (; mark.step < last; ++mark.step)
+      if (packer.is_fold(mark.step + 1))
+        packer.fold(static_cast<std::uint16_t>(mark.step));
+    mark.hash = 99 + last;
+    mark.digest.step = last;
+    mark.digest.fields = {4, static_cast<std::uint16_t>(last)};
+    mark.digest.rows = {{1, PlayerId{2}, 3}};
+    packer.mark(mark);
+  }
+  return *sim::trail_of(packer.take(), 50);
+}
+
 RunFile example() {
   RunFile run;
   run.build = "0.1.0";
@@ -18,16 +35,11 @@ RunFile example() {
   run.files = {{"a.yaml", "eyrie: 1\n"}, {"data/aircraft/x.yaml", ""}};
   run.sets = {"seed=3", "blue.x=4"};
   run.seed = 42;
-  run.until = 12.5;
   run.layout_hash = 7;
+  run.plugins = {{"/x/libmine.so", 0x0123456789abcdef}, {"/x/libother.so", 2}};
+  run.trail = trail();
   run.orders.resize(2);
   run.orders[1].step = 9;
-  run.trail.steps_per_mark = 50;
-  run.trail.folds = {1, 2, 3};
-  run.trail.marks.resize(2);
-  run.trail.marks[1] = {.step = 3, .hash = 99, .digest = {}};
-  run.trail.marks[1].digest.fields = {4, 5};
-  run.trail.marks[1].digest.rows = {{1, PlayerId{2}, 3}};
   run.outcome = "blue is home";
   return run;
 }
@@ -45,15 +57,32 @@ TEST(RunFile, ComesBackAsItWas) {
   EXPECT_TRUE(back.run == example());
 }
 
-TEST(RunFile, HasAFormatOfItsOwnWithPlugins) {
-  RunFile plugged = example();
-  plugged.plugins = {{"/x/libmine.so", 0x0123456789abcdef}, {"/x/libother.so", 2}};
-  const std::string bytes = encode(plugged);
-  EXPECT_EQ(bytes[8], kRunFileWithPlugins);
-  EXPECT_TRUE(decode(bytes).run == plugged);
-  EXPECT_EQ(encode(example())[8], kRunFileVersion) << "the others stay as they were";
-  std::string cut = bytes.substr(0, bytes.size() - 8 - 1) + std::string(8, ' ');
-  EXPECT_EQ(decode(signed_again(cut)).error, "the run file is corrupt: its sections do not fit");
+TEST(RunFile, IsTheSameInHoweverManyChunksItsTrailCame) {
+  const RunFile run = example();
+  RunEncoder encoder;
+  std::string bytes = encoder.head(run);
+  for (const char one : run.trail.spans)
+    bytes += encoder.chunk({&one, 1});
+  bytes += encoder.tail(run.trail.steps_per_second, run.orders, run.outcome);
+  const Decoded back = decode(bytes);
+  EXPECT_EQ(back.error, "");
+  EXPECT_TRUE(back.run == run);
+}
+
+TEST(RunFile, RefusesATrailThatIsNone) {
+  RunFile run = example();
+  run.trail.spans.clear();
+  EXPECT_EQ(decode(encode(run)).error,
+            "the run file has no hashes that a replay could be compared with");
+  run.trail.spans = trail().spans + "x";
+  EXPECT_EQ(decode(encode(run)).error, "the run file is corrupt: its hashes do not fit");
+}
+
+/// What it says of its length is not believed: a trail of so many steps has folds for them.
+TEST(RunFile, RefusesStepsThatNobodyHashed) {
+  RunFile run = example();
+  run.trail.spans += std::string("\xff\xff\xff\xff\x07", 5) + std::string(1000, '\0');
+  EXPECT_EQ(decode(encode(run)).error, "the run file is corrupt: its hashes do not fit");
 }
 
 TEST(RunFile, SaysWhatIsWrongWithForeignFiles) {
@@ -62,9 +91,9 @@ TEST(RunFile, SaysWhatIsWrongWithForeignFiles) {
   EXPECT_EQ(decode("EYRIERUN").error, "the run file is cut");
   std::string other = encode(example());
   other[8] = 9;
-  EXPECT_EQ(decode(other).error,
-            "the run file has format version 9; this program reads versions 1 and 2");
-  EXPECT_EQ(read_run_file("/nowhere/x").error, "cannot read the file");
+  EXPECT_EQ(decode(other).error, "the run file has format version 9; this program reads version 3");
+  EXPECT_EQ(read_run_file("/nowhere/x").error, "there is no such file");
+  EXPECT_EQ(read_run_file("/dev/zero").error, "is a device, not a file");
 }
 
 RC_GTEST_PROP(RunFile, RefusesEveryCut, ()) {

@@ -6,9 +6,6 @@
 #include <span>
 #include <string>
 
-#include "core/assert.hpp"
-#include "core/hash.hpp"
-
 namespace eyrie::sim {
 
 namespace {
@@ -21,21 +18,40 @@ std::uint64_t mix(std::uint64_t value, std::uint64_t word) {
   return value ^ (value >> 31);
 }
 
-std::uint64_t mix_bytes(std::uint64_t value, const std::byte* bytes, std::size_t size) {
-  for (; size >= sizeof(std::uint64_t); size -= sizeof(std::uint64_t)) {
-    std::uint64_t word;
+/// A scalar, or what is left of a slab of bytes.
+std::uint64_t word_at(const std::byte* bytes, std::size_t size) {
+  const auto load = [&]<class T>(T word) {
     std::memcpy(&word, bytes, sizeof word);
-    value = mix(value, word);
-    bytes += sizeof word;
+    return std::uint64_t{word};
+  };
+  switch (size) {
+    case 8:
+      return load(std::uint64_t{});
+    case 4:
+      return load(std::uint32_t{});
+    case 2:
+      return load(std::uint16_t{});
+    case 1:
+      return load(std::uint8_t{});
+    default:
+      break;
   }
-  if (size == 0)
-    return value;
   std::uint64_t rest = 0;
   std::memcpy(&rest, bytes, size);
-  return mix(value, rest);
+  return rest;
 }
 
-std::uint32_t digest_header(const World& world) {
+/// One field of one row: of the bytes, of the field and of the row.
+std::uint64_t cell(std::uint64_t seed, const std::byte* bytes, std::size_t size) {
+  std::uint64_t value = seed;
+  for (; size > sizeof(std::uint64_t); size -= sizeof(std::uint64_t)) {
+    value = mix(value, word_at(bytes, sizeof(std::uint64_t)));
+    bytes += sizeof(std::uint64_t);
+  }
+  return mix(value, word_at(bytes, size));
+}
+
+std::uint16_t digest_header(const World& world) {
   std::uint64_t value = mix(mix(0, world.step()), world.seed());
   value = mix(mix(value, world.next_id().value), world.refused_births());
   for (std::uint32_t t = 1; t <= world.schema().tables().size(); ++t)
@@ -43,24 +59,27 @@ std::uint32_t digest_header(const World& world) {
   return fold(value);
 }
 
-/// Appends one digest per field of a column.
-void digest_fields(std::vector<std::uint32_t>& out, const ColumnInfo& column,
-                   std::span<const std::byte> bytes) {
-  for (const FieldInfo& field : column.fields) {
-    std::uint64_t value = 0;
-    for (std::size_t at = field.offset; at < bytes.size(); at += column.stride)
-      value = mix_bytes(value, bytes.data() + at, field.size());
-    out.push_back(fold(value));
-  }
-}
+/// The golden ratio in 64 bits: seeds that lie apart.
+constexpr std::uint64_t kApart = 0x9E3779B97F4A7C15u;
 
-Digest::Row digest_row(const World& world, TableId table, std::uint32_t row) {
-  std::uint64_t value = 0;
-  for (const std::uint32_t index : world.schema().table(table).columns) {
-    const std::size_t stride = world.schema().column(index).stride;
-    value = mix(value, hash_bytes(world.column_bytes(index).subspan(row * stride, stride)));
+/// The fields of a column, each the sum of its cells, which are also added to their rows. Sums and
+/// not chains, so that the processor works on many cells at once.
+void digest_column(const ColumnInfo& column, std::span<const std::byte> bytes,
+                   std::span<std::uint64_t> rows, std::vector<std::uint16_t>& fields) {
+  for (const FieldInfo& field : column.fields) {
+    const std::size_t size = field.size();
+    const std::uint64_t number = (fields.size() + 1) * kApart;
+    std::uint64_t sum = 0, seed = number;
+    const std::byte* at = bytes.data() + field.offset;
+    for (std::uint64_t& row : rows) {
+      const std::uint64_t value = cell(seed, at, size);
+      sum += value;
+      row += value;
+      seed += number;
+      at += column.stride;
+    }
+    fields.push_back(fold(sum));
   }
-  return {.table = table.value, .player = world.ids(table)[row], .hash = fold(value)};
 }
 
 /// The rows of one table, which stand together and in order.
@@ -92,14 +111,34 @@ void name_row(Difference& found, const Schema& schema, const Digest& left, const
 
 }  // namespace
 
-Digest digest(const World& world) {
+void digest(const World& world, Digest& out) {
   const Schema& schema = world.schema();
-  Digest out{.step = world.step(), .header = digest_header(world), .fields = {}, .rows = {}};
+  out.step = world.step();
+  out.header = digest_header(world);
+  out.fields.clear();
+  out.rows.clear();
+  std::vector<std::uint64_t> sums;
+  for (std::uint32_t t = 1; t <= schema.tables().size(); ++t)
+    sums.resize(sums.size() + world.rows(TableId{t}));
+  const auto rows_of_table = [&](TableId table) {
+    std::size_t first = 0;
+    for (std::uint32_t t = 1; t < table.value; ++t)
+      first += world.rows(TableId{t});
+    return std::span(sums).subspan(first, world.rows(table));
+  };
   for (std::uint32_t i = 0; i < schema.columns().size(); ++i)
-    digest_fields(out.fields, schema.column(i), world.column_bytes(i));
+    digest_column(schema.column(i), world.column_bytes(i), rows_of_table(schema.column(i).table),
+                  out.fields);
   for (std::uint32_t t = 1; t <= schema.tables().size(); ++t)
     for (std::uint32_t row = 0; row < world.rows(TableId{t}); ++row)
-      out.rows.push_back(digest_row(world, TableId{t}, row));
+      out.rows.push_back({.table = t,
+                          .player = world.ids(TableId{t})[row],
+                          .hash = fold(rows_of_table(TableId{t})[row])});
+}
+
+Digest digest(const World& world) {
+  Digest out;
+  digest(world, out);
   return out;
 }
 

@@ -99,7 +99,8 @@ TEST(Run, IsDeterminedByItsStartAndItsOrders) {
   first.finish();
 
   sim::Run second(swarm.simulation, start, {.workers = 3});
-  TrailChecker checker(recorder.trail());
+  const HashTrail trail = recorder.trail();
+  TrailChecker checker(trail);
   second.attach(checker);
   for (const Order& order : first.orders())
     EXPECT_EQ(second.submit(order), "");

@@ -5,10 +5,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "sim/difference.hpp"
-#include "sim/digest.hpp"
+#include "sim/packed_trail.hpp"
 #include "sim/system.hpp"
 #include "sim/world.hpp"
 
@@ -16,47 +15,44 @@ namespace eyrie::sim {
 
 /// What a run looked like on its way. Data only; the run file writes it.
 struct HashTrail {
-  struct Mark {
-    std::uint64_t step = 0;  ///< World::step() when it was taken
-    std::uint64_t hash = 0;  ///< World::hash()
-    Digest digest{};
-    friend bool operator==(const Mark&, const Mark&) = default;
-  };
-
-  std::uint64_t first_step = 0;      ///< World::step() at the beginning
-  std::uint32_t steps_per_mark = 0;  ///< marks lie one simulated second apart
-  /// 32 bits of the hash after each step; empty when only marks were recorded.
-  std::vector<std::uint32_t> folds{};
-  std::vector<Mark> marks{};  ///< at the beginning, every simulated second and at the end
+  std::uint32_t steps_per_second = 1;
+  std::string spans{};          ///< of a TrailPacker
+  std::uint64_t last_step = 0;  ///< World::step() and World::hash() at the last mark
+  std::uint64_t last_hash = 0;
   friend bool operator==(const HashTrail&, const HashTrail&) = default;
 };
 
-/// Whether to hash the world after every step (a replay then names the very step that went wrong)
-/// or only once per simulated second. Hashing runs at some 10 GB/s.
-enum class TrailDetail : std::uint8_t { every_step, marks_only };
+/// Reads packed spans to their end. Nothing if there are none, or they are not those of a trail.
+[[nodiscard]] std::optional<HashTrail> trail_of(std::string spans, std::uint32_t steps_per_second);
 
-/// Records a HashTrail.
+/// Records a trail: at the beginning a mark, every 0.1 s a fold, every second (after an hour: every
+/// ten) and at the end a mark. Hashing runs at some 10 GB/s.
 class TrailRecorder final : public Observer {
  public:
-  explicit TrailRecorder(TrailDetail detail = TrailDetail::every_step) : detail_(detail) {}
-
   void begin(const World& world, double dt) override;
   void observe(const World& world, const StepInfo& info, std::span<const Event> events) override;
   void finish(const World& world) override;
 
-  [[nodiscard]] const HashTrail& trail() const { return trail_; }
+  [[nodiscard]] HashTrail trail() const {
+    return {steps_per_second_, packer_.bytes(), mark_.step, mark_.hash};
+  }
+  [[nodiscard]] std::uint32_t steps_per_second() const { return steps_per_second_; }
+  /// Whole spans that were not taken yet, for who writes them while the run is being flown.
+  [[nodiscard]] const std::string& spans() const { return packer_.bytes(); }
+  [[nodiscard]] std::string take() { return packer_.take(); }
 
  private:
   void mark(const World& world, std::uint64_t hash);
 
-  TrailDetail detail_;
-  HashTrail trail_;
+  std::uint32_t steps_per_second_ = 1;
+  TrailPacker packer_{1};
+  Mark mark_;
 };
 
 /// Where a replay left the recorded run.
 struct Departure {
   /// The first World::step() known to be wrong. The last one known to be right is `last_good`, or
-  /// none if the start was wrong already; with a fold per step the two are neighbors.
+  /// none if the start was wrong already; the two lie 0.1 s apart.
   std::uint64_t step = 0;
   std::optional<std::uint64_t> last_good{};
   /// From the first digest at or after `step`; nothing if the run has not come to one, or ended.
@@ -68,7 +64,8 @@ struct Departure {
 /// right is the replay.
 class TrailChecker final : public Observer {
  public:
-  explicit TrailChecker(const HashTrail& expected) : expected_(expected) {}
+  explicit TrailChecker(const HashTrail& expected);
+  explicit TrailChecker(HashTrail&&) = delete;
 
   void begin(const World& world, double dt) override;
   void observe(const World& world, const StepInfo& info, std::span<const Event> events) override;
@@ -77,17 +74,19 @@ class TrailChecker final : public Observer {
   /// Nothing as long as all hashes agree.
   [[nodiscard]] const std::optional<Departure>& departure() const { return departure_; }
   /// Nothing more will be learnt: the replay may stop here.
-  [[nodiscard]] bool done() const { return departure_ && (departure_->where || finished_); }
+  [[nodiscard]] bool done() const { return departure_ && over_; }
 
  private:
-  void check_mark(const World& world);
+  void check(const World& world);
+  void check_mark(const World& world, std::uint64_t hash);
   void depart(std::uint64_t step, std::string reason);
 
   const HashTrail& expected_;
-  std::size_t next_mark_ = 0;
+  TrailUnpacker span_;
+  bool more_ = false;  ///< `span_` has not been flown to its end
   std::optional<std::uint64_t> last_good_;
   std::optional<Departure> departure_;
-  bool finished_ = false;
+  bool over_ = false;
 };
 
 }  // namespace eyrie::sim

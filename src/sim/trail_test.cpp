@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "sim/run.hpp"
 #include "sim/swarm_test.hpp"
 
@@ -29,74 +33,119 @@ void fly_under(Observer& observer, int steps = kSteps, int spoil_at = -1, std::u
   observer.finish(world);
 }
 
-HashTrail recorded(TrailDetail detail = TrailDetail::every_step) {
-  TrailRecorder recorder(detail);
-  fly_under(recorder);
+HashTrail recorded(int steps = kSteps) {
+  TrailRecorder recorder;
+  fly_under(recorder, steps);
   return recorder.trail();
+}
+
+/// The steps of all marks.
+std::vector<std::uint64_t> marks(const HashTrail& trail) {
+  std::vector<std::uint64_t> steps;
+  TrailUnpacker span(trail.spans, trail.steps_per_second);
+  while (span.next())
+    steps.push_back(span.mark().step);
+  EXPECT_TRUE(span.ok());
+  return steps;
 }
 
 TEST(TrailRecorder, MarksTheStartEverySecondAndTheEnd) {
   const HashTrail trail = recorded();
-  EXPECT_EQ(trail.first_step, 0u);
-  EXPECT_EQ(trail.steps_per_mark, 50u);
-  EXPECT_EQ(trail.folds.size(), static_cast<std::size_t>(kSteps));
-  ASSERT_EQ(trail.marks.size(), 4u);
-  EXPECT_EQ(trail.marks[0].step, 0u);
-  EXPECT_EQ(trail.marks[1].step, 50u);
-  EXPECT_EQ(trail.marks[2].step, 100u);
-  EXPECT_EQ(trail.marks[3].step, 120u);
-  EXPECT_EQ(fold(trail.marks[1].hash), trail.folds[49]);
+  EXPECT_EQ(trail.steps_per_second, 50u);
+  EXPECT_EQ(marks(trail), (std::vector<std::uint64_t>{0, 50, 100, 120}));
+  EXPECT_EQ(trail.last_step, 120u);
   EXPECT_EQ(recorded(), trail);
+  EXPECT_EQ(trail_of(trail.spans, 50), trail);
 }
 
 TEST(TrailRecorder, DoesNotMarkTheEndTwice) {
-  TrailRecorder recorder;
-  fly_under(recorder, 100);
-  EXPECT_EQ(recorder.trail().marks.size(), 3u);
+  EXPECT_EQ(marks(recorded(100)).size(), 3u);
+  EXPECT_EQ(marks(recorded(0)).size(), 1u);
 }
 
-TEST(TrailRecorder, CanLeaveTheStepsOut) {
-  const HashTrail trail = recorded(TrailDetail::marks_only);
-  EXPECT_TRUE(trail.folds.empty());
-  EXPECT_EQ(trail.marks, recorded().marks);
+TEST(TrailRecorder, MarksLessOftenAfterAnHour) {
+  EXPECT_TRUE(is_mark(3599 * 50, 50));
+  EXPECT_TRUE(is_mark(3600 * 50, 50));
+  EXPECT_FALSE(is_mark(3601 * 50, 50));
+  EXPECT_FALSE(is_mark(3600 * 50 + 5, 50));
+  EXPECT_TRUE(is_mark(3610 * 50, 50));
+}
+
+/// However a run is cut into pieces that are taken away, together they are its trail.
+TEST(TrailRecorder, GivesItsSpansAway) {
+  const HashTrail whole = recorded();
+  struct Taker final : Observer {
+    void begin(const World& world, double dt) override { recorder.begin(world, dt); }
+    void observe(const World& world, const StepInfo& info, std::span<const Event> events) override {
+      recorder.observe(world, info, events);
+      most = std::max(most, recorder.spans().size());
+      if (!recorder.spans().empty())
+        all += recorder.take();
+    }
+    void finish(const World& world) override {
+      recorder.finish(world);
+      all += recorder.take();
+    }
+    TrailRecorder recorder;
+    std::string all;
+    std::size_t most = 0;
+  } taker;
+  fly_under(taker);
+  EXPECT_EQ(taker.all, whole.spans);
+  EXPECT_LT(taker.most, whole.spans.size());
 }
 
 TEST(TrailChecker, IsContentWithTheSameRun) {
-  for (const TrailDetail detail : {TrailDetail::every_step, TrailDetail::marks_only}) {
-    const HashTrail trail = recorded(detail);
-    TrailChecker checker(trail);
-    fly_under(checker);
-    EXPECT_FALSE(checker.departure());
-    EXPECT_FALSE(checker.done());
-  }
-}
-
-TEST(TrailChecker, NamesTheFirstWrongStepAndWhatIsWrongInTheNextDigest) {
   const HashTrail trail = recorded();
   TrailChecker checker(trail);
-  fly_under(checker, kSteps, 98);
+  fly_under(checker);
+  EXPECT_FALSE(checker.departure());
+  EXPECT_FALSE(checker.done());
+}
+
+TEST(TrailChecker, NamesTheSpanOfStepsAndWhatIsWrongInTheNextDigest) {
+  const HashTrail trail = recorded();
+  TrailChecker checker(trail);
+  fly_under(checker, kSteps, 92);
   ASSERT_TRUE(checker.departure());
   EXPECT_TRUE(checker.done());
   const Departure& departure = *checker.departure();
-  EXPECT_EQ(departure.step, 99u) << "the world after step 98";
-  EXPECT_EQ(departure.last_good, 98u);
+  EXPECT_EQ(departure.step, 95u) << "the first fold after step 92";
+  EXPECT_EQ(departure.last_good, 90u);
   ASSERT_TRUE(departure.where);
   EXPECT_EQ(departure.where->step, 100u);
   EXPECT_EQ(departure.where->table, "bird");
   EXPECT_EQ(departure.where->column, "body");
   EXPECT_EQ(departure.where->field, "position.y");
   ASSERT_TRUE(departure.where->player);
-  EXPECT_EQ(departure.reason, "the worlds part at step 99; " + departure.where->text());
+  EXPECT_EQ(departure.reason,
+            "the worlds part between steps 90 and 95; " + departure.where->text());
 }
 
-TEST(TrailChecker, KnowsOnlyTheSecondWithoutAHashPerStep) {
-  const HashTrail trail = recorded(TrailDetail::marks_only);
+TEST(TrailChecker, SeesWhatHappensBetweenTheLastFoldAndTheEnd) {
+  const HashTrail trail = recorded(118);
   TrailChecker checker(trail);
-  fly_under(checker, kSteps, 60);
+  fly_under(checker, 118, 116);
   ASSERT_TRUE(checker.departure());
-  EXPECT_EQ(checker.departure()->step, 100u);
-  EXPECT_EQ(checker.departure()->last_good, 50u);
-  EXPECT_TRUE(checker.departure()->reason.starts_with("the worlds part between steps 50 and 100"));
+  EXPECT_EQ(checker.departure()->step, 118u);
+  EXPECT_EQ(checker.departure()->last_good, 115u);
+  EXPECT_TRUE(checker.departure()->where);
+}
+
+/// Nobody flies on to the end for a fold that somebody changed.
+TEST(TrailChecker, IsDoneWhenTheWorldsAreTheSameAgain) {
+  HashTrail trail = recorded();
+  TrailUnpacker start(trail.spans, 50);
+  ASSERT_TRUE(start.next());
+  TrailRecorder first;
+  fly_under(first, 0);
+  const std::size_t fold = first.spans().size() + 1;  // behind the number of steps
+  trail.spans[fold] = static_cast<char>(trail.spans[fold] ^ 1);
+  TrailChecker checker(trail);
+  fly_under(checker);
+  ASSERT_TRUE(checker.departure());
+  EXPECT_TRUE(checker.done());
+  EXPECT_EQ(checker.departure()->reason, "the worlds part between steps 0 and 5");
 }
 
 TEST(TrailChecker, SeesAWrongStart) {
@@ -125,7 +174,7 @@ TEST(TrailChecker, SeesARunThatIsShorterOrLonger) {
 
 TEST(TrailChecker, SeesAnotherStepLength) {
   HashTrail trail = recorded();
-  trail.steps_per_mark = 100;
+  trail.steps_per_second = 100;
   TrailChecker checker(trail);
   fly_under(checker, 1);
   ASSERT_TRUE(checker.departure());

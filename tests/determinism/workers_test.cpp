@@ -238,10 +238,10 @@ TEST(WorkersReplay, GoTheWayOfTheRecordingThroughARunFile) {
                        .files = scenario->files,
                        .sets = scenario->sets,
                        .seed = 7,
-                       .until = f.time(),
                        .layout_hash = scenario->simulation->schema().layout_hash(),
-                       .orders = {},
+                       .plugins = {},
                        .trail = trail.trail(),
+                       .orders = {},
                        .outcome = ""};
   const record::Decoded back = record::decode(record::encode(file));
   ASSERT_EQ(back.error, "");
@@ -254,7 +254,7 @@ TEST(WorkersReplay, GoTheWayOfTheRecordingThroughARunFile) {
   sim::TrailChecker checker(back.run.trail);
   sim::Run replay(bundled->simulation, bundled->world(back.run.seed), {.workers = 2});
   replay.attach(checker);
-  while (replay.world().step() < back.run.trail.marks.back().step)
+  while (replay.world().step() < back.run.trail.last_step)
     replay.step();
   replay.finish();
   EXPECT_FALSE(checker.departure()) << checker.departure()->reason;

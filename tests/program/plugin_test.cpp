@@ -149,12 +149,5 @@ TEST_F(PluggedProgram, ReplaysOnlyWithTheVeryFileOfTheRun) {
          "run/run.eyrie: libgood.so is not the libgood.so of the run: it has other bytes");
 }
 
-TEST_F(PluggedProgram, KeepsTheFormatOfRunsWithoutPlugins) {
-  ASSERT_EQ(run_program(folder, {"fly", "merge", "--until", "2 s", "--out", "old"}).code, 0);
-  EXPECT_EQ(read_text(folder / "old/run.eyrie").at(8), record::kRunFileVersion);
-  ASSERT_EQ(fly().code, 0);
-  EXPECT_EQ(read_text(folder / "run/run.eyrie").at(8), record::kRunFileWithPlugins);
-}
-
 }  // namespace
 }  // namespace eyrie::test

@@ -15,7 +15,7 @@ namespace eyrie::test {
                                                        std::optional<std::uint64_t> seed = {},
                                                        const std::vector<std::string>& sets = {}) {
   const auto scenario = load_scenario(name, sets);
-  sim::TrailRecorder trail(sim::TrailDetail::marks_only);
+  sim::TrailRecorder trail;
   scenario::Mission mission(scenario, seed.value_or(scenario->spec.seed), until);
   mission.run().attach(trail);
   mission.fly();
@@ -26,10 +26,10 @@ namespace eyrie::test {
            .files = scenario->files,
            .sets = scenario->sets,
            .seed = seed.value_or(scenario->spec.seed),
-           .until = until,
            .layout_hash = scenario->simulation->schema().layout_hash(),
-           .orders = scenario->orders,
+           .plugins = {},
            .trail = trail.trail(),
+           .orders = scenario->orders,
            .outcome = ""};
   r.scenario = scenario;
   return r;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The run file written while the run is being flown.
+#include <string>
+#include <vector>
+
+#include "disk/sink.hpp"
+#include "record/run_file.hpp"
+#include "sim/system.hpp"
+
+namespace eyrie::record {
+
+/// Writes into a sink, which must outlive it: what is known before the flight when it is made, the
+/// trail as it comes, a chunk at a time, and the rest on close(). Keeps no more than a chunk.
+class RunFileWriter final : public sim::Observer {
+ public:
+  /// Of `run` only what is known before the flight.
+  RunFileWriter(disk::Sink& sink, const RunFile& run);
+
+  void begin(const sim::World& world, double dt) override { trail_.begin(world, dt); }
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+  /// The run ends here, wherever that is.
+  void finish(const sim::World& world) override { trail_.finish(world); }
+
+  /// After finish(): the file is whole then. To be called once; the sink says whether it worked.
+  void close(std::span<const sim::Order> orders, std::string_view outcome);
+
+ private:
+  void write_chunk();
+
+  disk::Sink& sink_;
+  RunEncoder encoder_;
+  sim::TrailRecorder trail_;
+};
+
+}  // namespace eyrie::record
