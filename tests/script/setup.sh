@@ -171,11 +171,14 @@ packages libfmt-dev
 tool apt-get 'echo "E: Unable to locate package $*"; exit 100'
 expect "apt that does not know a package" "$(EYRIE_NO_INSTALL='' run validate)" "*Unable to locate package*could not install: libfmt-dev*code 2"
 
+# a stand-in that waits for a file gives up after a while
+await='await() { i=0; while [ $i -lt 2000 ] && ! [ "$@" ]; do sleep 0.02; i=$((i + 1)); done; }; await'
+
 # Ctrl-C reaches everybody on the terminal but what runs in the background
 begin
 rm "$work/build/bin/eyrie"
 tool npm "echo \$\$ >'$work/npm'; exec sleep 300"
-tool ninja "until [ -s '$work/npm' ]; do sleep 0.02; done; kill -INT 0; sleep 300"
+tool ninja "$await -s '$work/npm'; kill -INT 0; sleep 300"
 expect "an interrupted build" "$(run fly)" "*building program*code 130"
 expect "ends what ran beside it" "$(kill -0 "$(cat "$work/npm")" 2>&1 || echo gone)" "*gone"
 tool ninja 'exit 1'
@@ -187,7 +190,7 @@ expect "which is not npm's fault" "$(cd "$work/build/viewer" && echo .f*)" ".f[*
 # two shells at once
 begin
 rm "$work/build/bin/eyrie"
-tool ninja "echo begun >'$work/begun'; until [ -e '$work/go' ]; do sleep 0.02; done; $ninja"
+tool ninja "echo begun >'$work/begun'; $await -e '$work/go'; $ninja"
 run validate first >"$work/first" &
 await "$work/begun"
 run validate second >"$work/second" &
