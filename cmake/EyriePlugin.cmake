@@ -24,7 +24,7 @@ function(eyrie_add_plugin name)
     add_test(NAME ${name} COMMAND ${name}_test)
   endif()
   foreach(scenario IN LISTS ARG_SCENARIO)
-    add_test(NAME ${scenario} COMMAND ${Eyrie_PROGRAM} validate ${scenario}
+    add_test(NAME ${scenario} COMMAND ${Eyrie_PROGRAM} validate ${scenario} --plugin $<TARGET_FILE:${name}_plugin>
              WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   endforeach()
 endfunction()

@@ -47,7 +47,8 @@ struct WhatIfOptions {
   std::vector<std::string> plugins;
 };
 int what_if(const WhatIfOptions& options);
-int diff(const std::string& left, const std::string& right, bool json);
+int diff(const std::string& left, const std::string& right, bool json,
+         const std::vector<std::string>& plugins);
 
 struct DebriefOptions {
   std::vector<std::string> runs;  ///< one, or two to compare: run folders or run files
@@ -86,6 +87,16 @@ struct ReplayOptions {
   bool json = false;
 };
 int replay(const ReplayOptions& options);
+
+/// Which plug-ins a scenario or a run file may name without --plugin: the list in the user's
+/// configuration.
+struct TrustOptions {
+  std::vector<std::string> add, remove;  ///< shared libraries
+  bool list = false;
+};
+int trust(const TrustOptions& options);
+/// What that list permits; it is read when it is first asked.
+[[nodiscard]] scenario::PluginPermission trusted();
 
 /// Writes the folder `name` with a behavior, its test, a scenario and a CMake file.
 int new_behavior(const std::string& name);

@@ -86,7 +86,8 @@ std::shared_ptr<const scenario::Scenario> load_or_complain(
     return nullptr;
   }
   try {
-    return scenario::load({file, sets, plugins}, scenario::Source::disk(home()));
+    return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
+                          scenario::Source::disk(home()));
   } catch (const ConfigError& e) {
     complain("{}\n", lines(e.diagnostics().text()));
     return nullptr;

@@ -24,6 +24,7 @@ struct Commands {
   ExportOptions exported;
   std::string left, right;
   std::vector<std::string> files, plugins;
+  TrustOptions trust;
   std::string name;
   bool markdown = false, json_schema = false;
 };
@@ -47,6 +48,7 @@ void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* h
   app->add_option("--plugin", plugins, help)->allow_extra_args(false);
 }
 constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
+constexpr const char* kRunPluginHelp = "a plug-in of the run, which may be opened, where it is now";
 
 void add_fly(CLI::App& app, Commands& c) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
@@ -97,7 +99,7 @@ void add_explain(CLI::App& app, Commands& c) {
   auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
   csv->excludes(changes);
   explain->add_flag("--json", o.json, "for tools")->excludes(csv);
-  add_plugins(explain, o.plugins, "where a plug-in of the run is now, if it has moved");
+  add_plugins(explain, o.plugins, kRunPluginHelp);
 }
 
 void add_what_if(CLI::App& app, Commands& c) {
@@ -119,7 +121,7 @@ void add_what_if(CLI::App& app, Commands& c) {
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
       ->check(whole_number(1, 100000));
   what_if->add_flag("--json", o.json, "for tools");
-  add_plugins(what_if, o.plugins, "where a plug-in of the run is now, if it has moved");
+  add_plugins(what_if, o.plugins, kRunPluginHelp);
 }
 
 void add_debrief(CLI::App& app, Commands& c) {
@@ -131,7 +133,7 @@ void add_debrief(CLI::App& app, Commands& c) {
       ->expected(1, 2);
   debrief->add_option("--out", o.out, "the file (default: debrief.html beside the first run)");
   debrief->add_flag("--force", o.force, "replace the file given by --out");
-  add_plugins(debrief, o.plugins, "where a plug-in of the runs is now, if it has moved");
+  add_plugins(debrief, o.plugins, kRunPluginHelp);
 }
 
 ExportFormat format_named(const std::string& word) {
@@ -158,7 +160,19 @@ void add_export(CLI::App& app, Commands& c) {
   exported->add_option("--out", o.out,
                        "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
   exported->add_flag("--force", o.force, "replace the file given by --out");
-  add_plugins(exported, o.plugins, "where a plug-in of the run is now, if it has moved");
+  add_plugins(exported, o.plugins, kRunPluginHelp);
+}
+
+void add_trust(CLI::App& app, Commands& c) {
+  CLI::App* trust = app.add_subcommand(
+      "trust", "Plug-ins that scenarios and run files may name without --plugin");
+  auto* add = trust->add_option("plugins", c.trust.add,
+                                "shared libraries to trust, each as long as it stays as it is");
+  auto* remove = trust->add_option("--remove", c.trust.remove, "trust these no longer");
+  auto* list = trust->add_flag("--list", c.trust.list, "show which are trusted");
+  add->excludes(remove)->excludes(list);
+  remove->excludes(list);
+  trust->require_option(1);
 }
 
 int run(int argc, char** argv) {
@@ -175,6 +189,7 @@ int run(int argc, char** argv) {
   diff_cmd->add_option("left", c.left, "a run folder or its run file")->required();
   diff_cmd->add_option("right", c.right, "another one")->required();
   diff_cmd->add_flag("--json", c.replay.json, "for tools");
+  add_plugins(diff_cmd, c.plugins, kRunPluginHelp);
   CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
   validate_cmd->add_option("files", c.files, "scenario files")->required();
   add_plugins(validate_cmd, c.plugins, kPluginHelp);
@@ -188,7 +203,8 @@ int run(int argc, char** argv) {
   replay_cmd->add_option("--workers", c.replay.workers, "threads that share the step")
       ->check(whole_number(1, 256));
   replay_cmd->add_flag("--json", c.replay.json, "one JSON object instead of words");
-  add_plugins(replay_cmd, c.replay.plugins, "where a plug-in of the run is now, if it has moved");
+  add_plugins(replay_cmd, c.replay.plugins, kRunPluginHelp);
+  add_trust(app, c);
   CLI::App* new_cmd = app.add_subcommand("new", "Begin something of your own");
   new_cmd->require_subcommand(1)
       ->add_subcommand("behavior", "A plug-in with one behavior, its test and a scenario")
@@ -213,11 +229,13 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("export"))
     return export_run(c.exported);
   if (app.got_subcommand(diff_cmd))
-    return diff(c.left, c.right, c.replay.json);
+    return diff(c.left, c.right, c.replay.json, c.plugins);
   if (app.got_subcommand(validate_cmd))
     return validate(c.files, c.plugins);
   if (app.got_subcommand(replay_cmd))
     return replay(c.replay);
+  if (app.got_subcommand("trust"))
+    return trust(c.trust);
   if (app.got_subcommand(new_cmd))
     return new_behavior(c.name);
   return catalog(c.json_schema ? CatalogFormat::json_schema

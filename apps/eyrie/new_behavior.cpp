@@ -152,6 +152,7 @@ int new_behavior(const std::string& name) {
   if (package().empty())
     say("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);
   say("cd {} && cmake -B build && cmake --build build && ctest --test-dir build\n", name);
+  say("Then: eyrie fly {}.yaml --plugin build/lib{}.so\n", name, name);
   return 0;
 }
 

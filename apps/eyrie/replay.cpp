@@ -17,7 +17,7 @@ namespace eyrie::app {
 
 std::optional<debrief::Recorded> open_or_complain(const std::string& run,
                                                   const std::vector<std::string>& plugins) {
-  debrief::Opened opened = debrief::open(run, plugins, version_text());
+  debrief::Opened opened = debrief::open(run, plugins, version_text(), trusted());
   for (const std::string& problem : opened.problems)
     complain("{}\n", lines(problem));
   return std::move(opened.recorded);

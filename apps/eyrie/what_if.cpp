@@ -200,9 +200,10 @@ int what_if(const WhatIfOptions& options) {
   return 0;
 }
 
-int diff(const std::string& left, const std::string& right, bool json) {
-  const auto a = open_or_complain(left, {});
-  const auto b = open_or_complain(right, {});
+int diff(const std::string& left, const std::string& right, bool json,
+         const std::vector<std::string>& plugins) {
+  const auto a = open_or_complain(left, plugins);
+  const auto b = open_or_complain(right, plugins);
   if (!a || !b)
     return 2;
   std::string problem;

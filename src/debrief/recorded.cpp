@@ -15,28 +15,54 @@ namespace fs = std::filesystem;
 
 constexpr double kLongestRun = 1e6;  // s, as scenarios allow
 
-/// Where the plug-ins of a run are, in its order: where they were, or a file of that name among
-/// `given`. What is missing, another one or not of the run is a problem.
+/// Why a plug-in of the run cannot be used; empty if it can. `unasked`: the run file alone names
+/// it.
+std::string plugin_problem(const scenario::PluginFile& plugin, const std::string& file,
+                           bool unasked, const scenario::PluginPermission& may_open) {
+  const std::string shown = scenario::shell_word(file);
+  const std::string name = scenario::shell_word(fs::path(plugin.path).filename().string());
+  std::error_code failed;
+  if (unasked && !fs::path(file).is_absolute())
+    return fmt::format(
+        "the run needs the plug-in {}, at no absolute path; --plugin says where it "
+        "is",
+        shown);
+  if (!fs::exists(file, failed))
+    return fmt::format(
+        "the run needs the plug-in {}, which is not there; --plugin says where it "
+        "is now",
+        shown);
+  const scenario::FileBytes read = scenario::read_plugin_file(file);
+  if (!read.problem.empty())
+    return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);
+  if (unasked)
+    if (const std::string why =
+            scenario::refusal(may_open, fs::weakly_canonical(file, failed).string(), read.bytes);
+        !why.empty())
+      return fmt::format("the run needs the plug-in {}: {}", shown,
+                         scenario::not_opened(why, file));
+  if (scenario::hash_of(read.bytes) != plugin.hash)
+    return fmt::format("{} is not the {} of the run: it has other bytes", shown, name);
+  return {};
+}
+
+/// Where the plug-ins of a run are, in its order: a file of that name among `given`, or else where
+/// the run file says, if that one may be opened. What is missing, another one or not of the run is
+/// a problem.
 std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string> given,
+                                      const scenario::PluginPermission& may_open,
                                       std::vector<std::string>& problems) {
   std::vector<std::string> found;
   for (const scenario::PluginFile& plugin : run.plugins) {
-    const std::string name = fs::path(plugin.path).filename();
-    const auto moved = std::find_if(given.begin(), given.end(), [&](const std::string& file) {
-      return fs::path(file).filename() == name;
+    const auto typed = std::find_if(given.begin(), given.end(), [&](const std::string& file) {
+      return fs::path(file).filename() == fs::path(plugin.path).filename();
     });
-    found.push_back(moved == given.end() ? plugin.path : *moved);
-    if (moved != given.end())
-      given.erase(moved);
-    const auto hash = scenario::hash_of_file(found.back());
-    if (!hash)
-      problems.push_back(
-          fmt::format("the run needs the plug-in {}, which is not there; --plugin "
-                      "says where it is now",
-                      found.back()));
-    else if (*hash != plugin.hash)
-      problems.push_back(
-          fmt::format("{} is not the {} of the run: it has other bytes", found.back(), name));
+    const bool unasked = typed == given.end();
+    found.push_back(unasked ? plugin.path : *typed);
+    if (!unasked)
+      given.erase(typed);
+    if (auto problem = plugin_problem(plugin, found.back(), unasked, may_open); !problem.empty())
+      problems.push_back(std::move(problem));
   }
   for (const std::string& file : given)
     problems.push_back(
@@ -69,7 +95,8 @@ std::vector<std::string> false_claims(const record::RunFile& run,
 
 }  // namespace
 
-Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build) {
+Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build,
+            const scenario::PluginPermission& may_open) {
   Recorded recorded;
   recorded.file = fs::is_directory(path) ? (fs::path(path) / "run.eyrie").string() : path;
   std::vector<std::string> problems;
@@ -84,7 +111,7 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
     return refused();
   }
   recorded.run = std::move(decoded.run);
-  recorded.plugins = find_plugins(recorded.run, std::move(plugins), problems);
+  recorded.plugins = find_plugins(recorded.run, std::move(plugins), may_open, problems);
   if (!problems.empty())
     return refused();
   try {

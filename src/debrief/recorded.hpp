@@ -35,11 +35,13 @@ struct Opened {
   std::vector<std::string> problems;  ///< a line each, with the file
 };
 
-/// Opens a run folder or its run file. `plugins` are the places of plug-ins that have moved since;
-/// `build` is what this program calls itself. A file is refused that is cut, foreign, of a build
-/// with another world, or claims what no run of its scenario can have: other orders, more time.
+/// Opens a run folder or its run file. `plugins` are where plug-ins of the run are now: these are
+/// opened. What the run file names besides is opened if `may_open` permits that, at an absolute
+/// path. `build` is what this program calls itself. A file is refused that is cut, foreign, of a
+/// build with another world, or claims what no run of its scenario can have: other orders, more
+/// time.
 [[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
-                          std::string_view build);
+                          std::string_view build, const scenario::PluginPermission& may_open = {});
 
 /// The scenario of a run with more overrides (`path=value`) and changes of trees. Throws
 /// ConfigError.

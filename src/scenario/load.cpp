@@ -30,7 +30,8 @@ constexpr std::array<std::string_view, 8> kByHand{"include", "plugins", "environ
 
 class Loader {
  public:
-  Loader(const LoadRequest& request, Source& source) : source_(source), changes_(request.changes) {
+  Loader(const LoadRequest& request, Source& source)
+      : source_(source), changes_(request.changes), may_open_(request.may_open) {
     load_plugins(request.plugins, plugins_, source_, diagnostics_);
     out_->file = request.file;
     out_->sets = request.sets;
@@ -43,7 +44,7 @@ class Loader {
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))
-      load_plugins(*v, plugins_, source_, diagnostics_);
+      load_plugins(*v, may_open_, plugins_, source_, diagnostics_);
     stop_if_wrong();
     bind(out_->spec, document_, diagnostics_, kByHand);
     if (const Value* v = document_.find("environment"))
@@ -320,6 +321,7 @@ class Loader {
 
   Source& source_;
   const std::vector<TreeChange>& changes_;
+  const PluginPermission& may_open_;
   Plugins plugins_;
   Diagnostics diagnostics_;
   Value document_;

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "driver/catalog.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
 #include "scenario/shared_library.hpp"
+#include "scenario/shared_object.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -18,21 +22,22 @@ namespace fs = std::filesystem;
 /// Every reason why a model of a plug-in cannot be taken.
 std::vector<std::string> model_problems(const Registrar& added, const Source& source) {
   std::vector<std::string> problems;
+  const auto kinds = DataLoader::kinds();
+  std::map<std::string, std::vector<std::string>> there;           // by kind, sorted
+  std::set<std::pair<std::string_view, std::string_view>> before;  // of this plug-in
   for (const ModelText& model : added.models()) {
-    const auto kinds = DataLoader::kinds();
-    const auto names = source.data_names(model.kind);
-    const auto same = [&](const ModelText& other) {
-      return other.kind == model.kind && other.name == model.name;
-    };
+    const auto [names, first] = there.try_emplace(model.kind);
+    if (first)
+      names->second = source.data_names(model.kind);
     if (std::find(kinds.begin(), kinds.end(), model.kind) == kinds.end())
       problems.push_back(fmt::format("there is no kind of model {}{}", quote(model.kind),
                                      did_you_mean(model.kind, kinds)));
     else if (!names_a_file(model.name))
       problems.push_back(fmt::format("{} is no name for a model", quote(model.name)));
-    else if (std::find(names.begin(), names.end(), model.name) != names.end())
+    else if (std::binary_search(names->second.begin(), names->second.end(), model.name))
       problems.push_back(fmt::format("there is already a model {} ({})", quote(model.name),
                                      source.data_name(model.kind, model.name)));
-    else if (&*std::find_if(added.models().begin(), added.models().end(), same) != &model)
+    else if (!before.emplace(model.kind, model.name).second)
       problems.push_back(fmt::format("it adds the model {} twice", quote(model.name)));
   }
   return problems;
@@ -54,7 +59,8 @@ std::string nothing_there(const fs::path& path) {
 Plugins::Plugins()
     : registries_{.pilots = pilot::make_registry(), .drivers = driver::make_registry()} {}
 
-std::vector<std::string> Plugins::load(const std::string& path, Source& source) {
+std::vector<std::string> Plugins::load(const std::string& path, Source& source,
+                                       const PluginPermission* permission) {
   std::error_code failed;
   const fs::path file = fs::weakly_canonical(path, failed);
   if (failed || !fs::exists(file, failed))
@@ -62,9 +68,14 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source) 
   for (const PluginFile& known : files_)
     if (known.path == file)
       return {};
-  const auto hash = hash_of_file(file);
-  if (!hash)
-    return {"it cannot be read"};
+  const FileBytes read = read_plugin_file(file);
+  if (!read.problem.empty())
+    return {read.problem};
+  if (permission)
+    if (const std::string why = refusal(*permission, file, read.bytes); !why.empty())
+      return {not_opened(why, path)};
+  if (std::string problem = shared_object_problem(read.bytes); !problem.empty())
+    return {std::move(problem)};
   const OpenedPlugin opened = open_plugin(file);
   if (!opened.info)
     return {opened.problem};
@@ -88,7 +99,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source) 
   registries_ = std::move(registries);
   for (const ModelText& model : registrar.models())
     source.add_model(model.kind, model.name, origin, model.yaml);
-  files_.push_back({file, *hash});
+  files_.push_back({file, hash_of(read.bytes)});
   return {};
 }
 
@@ -99,7 +110,8 @@ void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& 
       diagnostics.error({"--plugin " + path, 0, 0}, std::move(problem));
 }
 
-void load_plugins(const Value& key, Plugins& plugins, Source& source, Diagnostics& diagnostics) {
+void load_plugins(const Value& key, const PluginPermission& permission, Plugins& plugins,
+                  Source& source, Diagnostics& diagnostics) {
   const auto load = [&](const Value& item) {
     if (!item.is_scalar())
       return diagnostics.error(item.where, "plugins: expected a file, got " + item.shown());
@@ -107,8 +119,8 @@ void load_plugins(const Value& key, Plugins& plugins, Source& source, Diagnostic
       return;
     // what --set names is meant as it was typed
     const bool typed = item.where.file.text().starts_with("--set ");
-    for (const std::string& problem :
-         plugins.load(typed ? item.text : relative_to(item.where.file.text(), item.text), source))
+    const std::string path = typed ? item.text : relative_to(item.where.file.text(), item.text);
+    for (const std::string& problem : plugins.load(path, source, &permission))
       diagnostics.error(item.where, fmt::format("plug-in {}: {}", quote(item.text), problem));
   };
   if (key.is_list())

@@ -10,6 +10,7 @@
 #include "scenario/plugin.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/source.hpp"
+#include "scenario/trust.hpp"
 
 namespace eyrie::scenario {
 
@@ -21,8 +22,10 @@ class Plugins {
 
   /// Loads a shared library: its nodes are then in registries(), its models in `source`. Gives
   /// every reason why it is refused; nothing of it is taken then. A file that is loaded already is
-  /// not loaded again.
-  [[nodiscard]] std::vector<std::string> load(const std::string& path, Source& source);
+  /// not loaded again. Its code runs then: `permission` is null if the user has typed its path,
+  /// otherwise it decides whether the file is opened.
+  [[nodiscard]] std::vector<std::string> load(const std::string& path, Source& source,
+                                              const PluginPermission* permission = nullptr);
 
   [[nodiscard]] const Registries& registries() const { return registries_; }
   /// In the order in which they were loaded.
@@ -37,7 +40,9 @@ class Plugins {
 void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics);
 /// Loads what `plugins:` of a document names: one file or a list, relative to the file that says
-/// so. Out of a bundle nothing is loaded: whoever replays has done that.
-void load_plugins(const Value& key, Plugins& plugins, Source& source, Diagnostics& diagnostics);
+/// so, as far as that is permitted. Out of a bundle nothing is loaded: whoever replays has done
+/// that.
+void load_plugins(const Value& key, const PluginPermission& permission, Plugins& plugins,
+                  Source& source, Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

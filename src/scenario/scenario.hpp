@@ -23,6 +23,7 @@
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
 #include "scenario/tree_change.hpp"
+#include "scenario/trust.hpp"
 #include "sim/order.hpp"
 #include "sim/simulation.hpp"
 #include "sim/world.hpp"
@@ -61,12 +62,14 @@ struct Scenario {
   [[nodiscard]] sim::World world(std::uint64_t seed) const;
 };
 
-/// What to load: a file, `path=value` overrides, and plug-ins besides those that the file names.
+/// What to load: a file, `path=value` overrides, and plug-ins that are opened whatever they are.
 struct LoadRequest {
   std::string file;
   std::vector<std::string> sets = {};
   std::vector<std::string> plugins = {};
   std::vector<TreeChange> changes = {};  ///< of trees; a run file does not keep them
+  /// Of the plug-ins that the file names besides: opening one runs its code. None without it.
+  PluginPermission may_open = {};
 };
 
 /// Reads, checks and builds. Throws ConfigError with every mistake that was found.

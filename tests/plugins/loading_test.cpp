@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file  Plug-ins are loaded, or refused with words; those of this folder are built for it.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/sha256.hpp"
 #include "support/plugin.hpp"
 #include "support/program.hpp"
 
@@ -103,7 +105,14 @@ TEST(PluginLoading, RefusesWhatIsNoPlugin) {
             Words{"it is not a shared library"});
   EXPECT_EQ(words_about(folder / "lonk.so"),
             Words{"there is no such file; did you mean 'long.so'?"});
-  EXPECT_EQ(words_about(folder.path()), Words{"it cannot be read"});
+  EXPECT_EQ(words_about(folder.path()), Words{"it is a folder, not a file"});
+  ASSERT_EQ(::mkfifo((folder / "fifo.so").c_str(), 0600), 0);
+  EXPECT_EQ(words_about(folder / "fifo.so"), Words{"it is a pipe, not a file"}) << "nobody waits";
+  EXPECT_EQ(words_about("/dev/zero"), Words{"it is a device, not a file"});
+  folder.write("huge.so", "");
+  std::filesystem::resize_file(folder / "huge.so", scenario::kLargestPlugin + (1 << 20));
+  EXPECT_EQ(words_about(folder / "huge.so"),
+            Words{"it is larger than 512 MB, the most that is read"});
 }
 
 TEST(PluginLoading, SurvivesAPluginThatFails) {
@@ -122,13 +131,20 @@ std::string small_scenario(const std::string& head, const std::string& aircraft 
          "altitude: 20000 ft, heading: 90 deg, speed: 450 kt}}}}\n";
 }
 
+/// What a test trusts: everything that it names.
+std::string everything(const std::string&, const std::string&) {
+  return {};
+}
+
 std::string load_error(std::map<std::string, std::string> files, Words plugins = {},
-                       Words sets = {}) {
+                       Words sets = {}, scenario::PluginPermission may_open = everything) {
   Source source = Source::disk(".");
   for (auto& [name, text] : files)
     source.add(name, text);
   try {
-    static_cast<void>(scenario::load({"small.yaml", sets, plugins}, std::move(source)));
+    static_cast<void>(scenario::load(
+        {.file = "small.yaml", .sets = sets, .plugins = plugins, .may_open = std::move(may_open)},
+        std::move(source)));
   } catch (const ConfigError& e) {
     return e.what();
   }
@@ -140,7 +156,8 @@ TEST(PluginScenario, NamesItsPluginsAndUsesTheirNodesAndModels) {
   source.add("small.yaml",
              small_scenario("plugins: [" + plugin("good") + ", " + plugin("broken") + "]\n",
                             "f16_without_radar"));
-  const auto loaded = scenario::load({"small.yaml"}, std::move(source));
+  const auto loaded =
+      scenario::load({.file = "small.yaml", .may_open = everything}, std::move(source));
   EXPECT_EQ(loaded->trees->size(), 1u);
   ASSERT_EQ(loaded->plugins.size(), 2u);
   EXPECT_EQ(loaded->plugins[0].path, plugin("good"));
@@ -158,6 +175,31 @@ TEST(PluginScenario, MayNameThemInMoreThanOnePlace) {
                         {"a.yaml", "plugins: " + plugin("good") + "\n"},
                         {"b.yaml", "plugins: [" + plugin("good") + "]\n"}}),
             "");
+}
+
+TEST(PluginScenario, OpensNothingThatNobodyAllowed) {
+  const std::string path = plugin("good");
+  const std::string named = small_scenario("plugins: " + path + "\n");
+  const std::string refused = fmt::format(
+      "it was not opened: it is not trusted; add '--plugin {}', or trust it with "
+      "'eyrie trust {}'",
+      path, path);
+  EXPECT_EQ(load_error({{"small.yaml", named}}, {}, {}, {}),
+            fmt::format("small.yaml:3:10: plug-in {}: {}", quote(path), refused));
+  // what was typed is opened, and may then be named
+  EXPECT_EQ(load_error({{"small.yaml", named}}, {path}, {}, {}), "");
+  // --set is no such permission: it may be what somebody else wrote
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("")}}, {}, {"plugins=" + path}, {}),
+            fmt::format("--set plugins={}:1:9: plug-in {}: {}", path, quote(path), refused));
+  // asked with the canonical path and what is in the file
+  std::vector<std::string> asked;
+  const auto ask = [&](const std::string& file, const std::string& sha256) {
+    asked = {file, sha256};
+    return std::string("not today");
+  };
+  EXPECT_NE(load_error({{"small.yaml", named}}, {}, {}, ask).find("not opened: not today; add"),
+            std::string::npos);
+  EXPECT_EQ(asked, (Words{path, scenario::sha256(read_text(path))}));
 }
 
 TEST(PluginScenario, IsToldWhereItsMistakeIs) {

@@ -35,13 +35,21 @@ class PluggedProgram : public testing::Test {
     std::filesystem::create_directory(folder / "dir/lib");
     std::filesystem::copy(plugin("good"), folder / "dir/lib/libgood.so");
   }
-  Ran fly() { return run_program(folder, {"fly", "dir/plugged.yaml", "--out", "run", "--json"}); }
+  /// The user trusts libgood.so as it is now.
+  void trust() { ASSERT_EQ(trusting({"trust", "dir/lib/libgood.so"}).code, 0); }
+  [[nodiscard]] Ran trusting(const std::vector<std::string>& arguments) const {
+    return run_program(folder, arguments, {.config = config.path()});
+  }
+  [[nodiscard]] Ran fly() const {
+    return trusting({"fly", "dir/plugged.yaml", "--out", "run", "--json"});
+  }
 
-  TempFolder folder;
+  TempFolder folder, config;
 };
 
 TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
-  EXPECT_EQ(run_program(folder, {"validate", "dir/plugged.yaml"}).out,
+  trust();
+  EXPECT_EQ(trusting({"validate", "dir/plugged.yaml"}).out,
             "dir/plugged.yaml: 1 aircraft in 1 flight, 1 tree\n");
   const Ran ran = fly();
   EXPECT_EQ(ran.code, 0) << ran.err;
@@ -51,7 +59,7 @@ TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
             std::filesystem::canonical(folder / "dir/lib/libgood.so").string());
   // an arbiter of a plug-in is traced as any other
   EXPECT_TRUE(std::filesystem::exists(folder / "run/debrief.html"));
-  const Ran why = run_program(folder, {"explain", "run", "--player", "eagle1", "--at", "1"});
+  const Ran why = trusting({"explain", "run", "--player", "eagle1", "--at", "1"});
   EXPECT_EQ(why.code, 0) << why.err;
   EXPECT_NE(why.out.find("> last_word"), std::string::npos) << why.out;
 }
@@ -63,7 +71,7 @@ TEST_F(PluggedProgram, TakesPluginsFromTheCommandLine) {
   EXPECT_EQ(run_program(folder, {"validate", "x.yaml"}).code, 2);
   EXPECT_EQ(run_program(folder, {"validate", "--plugin", plugin("good"), "x.yaml"}).code, 0);
   EXPECT_EQ(run_program(folder, {"fly", "--plugin", plugin("good"), "x.yaml", "--quiet"}).code, 0);
-  EXPECT_EQ(run_program(folder, {"replay", "runs/plugged-1"}).code, 0);
+  EXPECT_EQ(run_program(folder, {"replay", "runs/plugged-1", "--plugin", plugin("good")}).code, 0);
 }
 
 TEST_F(PluggedProgram, ListsTheOriginInEveryFormOfTheCatalog) {
@@ -111,7 +119,8 @@ TEST_F(PluggedProgram, RefusesWithWordsAndCode2) {
         std::pair{"unresolved", "it uses 'eyrie::pilot::nowhere(double)', which is nowhere"}}) {
     std::filesystem::copy(plugin(name), folder / "dir/lib/libgood.so",
                           std::filesystem::copy_options::overwrite_existing);
-    const Ran ran = run_program(folder, {"fly", "dir/plugged.yaml"});
+    trust();
+    const Ran ran = trusting({"fly", "dir/plugged.yaml"});
     EXPECT_EQ(ran.code, 2);
     EXPECT_TRUE(ran.err.starts_with("dir/plugged.yaml:3:11: plug-in 'lib/libgood.so': " +
                                     std::string(words)))
@@ -120,19 +129,22 @@ TEST_F(PluggedProgram, RefusesWithWordsAndCode2) {
 }
 
 TEST_F(PluggedProgram, ReplaysWithTheSamePluginFromAnywhere) {
+  trust();
   ASSERT_EQ(fly().code, 0);
   const TempFolder elsewhere;
-  const Ran ran = run_program(elsewhere, {"replay", folder / "run"}, {.home = "/nowhere"});
+  const Ran ran = run_program(elsewhere, {"replay", folder / "run"},
+                              {.home = "/nowhere", .config = config.path()});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_NE(ran.out.find(": the same, 250 steps"), std::string::npos) << ran.out;
 }
 
 TEST_F(PluggedProgram, ReplaysOnlyWithTheVeryFileOfTheRun) {
+  trust();
   ASSERT_EQ(fly().code, 0);
   const std::string file = std::filesystem::canonical(folder / "dir/lib/libgood.so");
   const auto expect = [&](std::vector<std::string> more, const std::string& words) {
     more.insert(more.begin(), {"replay", "run"});
-    const Ran ran = run_program(folder, more);
+    const Ran ran = trusting(more);
     EXPECT_EQ(ran.code, 2);
     EXPECT_EQ(ran.err, words + "\n");
   };

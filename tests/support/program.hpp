@@ -85,6 +85,7 @@ struct Ran {
 struct RunOptions {
   std::string home = source_root();                                   ///< EYRIE_HOME
   std::string viewer = source_root() + "/tests/support/viewer.html";  ///< EYRIE_VIEWER
+  std::string config = {};  ///< XDG_CONFIG_HOME; empty: there is none, and no HOME
   /// Bytes after which a write to a file fails, as on a full disk; 0: none.
   std::size_t file_size_limit = 0;
 };
@@ -106,6 +107,8 @@ struct RunOptions {
   std::vector<std::string> words{program_path()};
   std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C",
                                     "EYRIE_VIEWER=" + options.viewer};
+  if (!options.config.empty())
+    settings.push_back("XDG_CONFIG_HOME=" + options.config);
   if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
     words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
              std::to_string(options.file_size_limit / 512), words[0]};

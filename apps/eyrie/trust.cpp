@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+/// \file  trust: the plug-ins that scenarios and run files may name without --plugin.
+#include "scenario/trust.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+
+#include "commands.hpp"
+#include "core/diagnostics.hpp"
+#include "say.hpp"
+#include "scenario/plugin_file.hpp"
+#include "scenario/sha256.hpp"
+#include "scenario/shared_object.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+using scenario::TrustList;
+
+/// $XDG_CONFIG_HOME/eyrie/trusted-plugins, or below ~/.config; "" if the user has no such place.
+/// A relative path is none (XDG Base Directory Specification 0.8).
+std::string list_file() {
+  const auto absolute = [](const char* name) {
+    const char* set = std::getenv(name);
+    return set && *set == '/' ? fs::path(set) : fs::path();
+  };
+  if (const fs::path config = absolute("XDG_CONFIG_HOME"); !config.empty())
+    return config / "eyrie" / "trusted-plugins";
+  if (const fs::path home = absolute("HOME"); !home.empty())
+    return home / ".config" / "eyrie" / "trusted-plugins";
+  return {};
+}
+
+/// Two that change the list at once do so one after the other.
+class OneAtATime {
+ public:
+  explicit OneAtATime(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    std::error_code failed;
+    fs::create_directories(folder, failed);
+    folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder_ >= 0)  // where it cannot be locked, write() says what is wrong
+      static_cast<void>(::flock(folder_, LOCK_EX));
+  }
+  ~OneAtATime() {
+    if (folder_ >= 0)
+      ::close(folder_);
+  }
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
+
+ private:
+  int folder_ = -1;
+};
+
+int refuse_trust(std::string_view words) {
+  complain("eyrie: {}\n", lines(words));
+  return 2;
+}
+
+std::string canonical(const std::string& path) {
+  std::error_code failed;
+  const fs::path file = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  return failed ? path : file.string();
+}
+
+/// All of them or none.
+int add(TrustList& list, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const std::string file = canonical(path);
+    const scenario::FileBytes read = scenario::read_plugin_file(file);
+    std::string problem =
+        read.problem.empty() ? scenario::shared_object_problem(read.bytes) : read.problem;
+    if (problem.empty() && file.find_first_of("\n\r") != file.npos)
+      problem = "its path holds a line break";
+    if (!problem.empty())
+      return refuse_trust(fmt::format("trust {}: {}", scenario::shell_word(path), problem));
+    list.add({scenario::sha256(read.bytes), file});
+  }
+  return 0;
+}
+
+int remove(TrustList& list, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    std::vector<std::string> known;
+    for (const TrustList::Entry& entry : list.entries())
+      known.push_back(entry.path);
+    const std::string file = canonical(path);
+    if (!list.remove(file))
+      return refuse_trust(fmt::format("trust --remove {}: it is not trusted{}",
+                                      scenario::shell_word(path), did_you_mean(file, known)));
+  }
+  return 0;
+}
+
+int show(const TrustList& list) {
+  for (const TrustList::Entry& entry : list.entries()) {
+    const scenario::FileBytes read = scenario::read_plugin_file(entry.path);
+    const char* now = !read.problem.empty()                          ? "  (cannot be read now)"
+                      : scenario::sha256(read.bytes) != entry.sha256 ? "  (has changed)"
+                                                                     : "";
+    say("{}  {}{}\n", entry.sha256, scenario::shell_word(entry.path), now);
+  }
+  return 0;
+}
+
+}  // namespace
+
+scenario::PluginPermission trusted() {
+  return [list = std::shared_ptr<TrustList>()](const std::string& path,
+                                               const std::string& sha256) mutable -> std::string {
+    try {
+      if (!list)
+        list = std::make_shared<TrustList>(TrustList::read(list_file()));
+    } catch (const ConfigError& e) {
+      return e.diagnostics().text(1);
+    }
+    return list->why_not(path, sha256);
+  };
+}
+
+int trust(const TrustOptions& options) {
+  const std::string file = list_file();
+  if (file.empty())
+    return refuse_trust("neither XDG_CONFIG_HOME nor HOME is an absolute path: there is no list");
+  try {
+    if (options.list)
+      return show(TrustList::read(file));
+    const OneAtATime lock(file);
+    TrustList list = TrustList::read(file);
+    if (const int code =
+            options.remove.empty() ? add(list, options.add) : remove(list, options.remove))
+      return code;
+    list.write(file);
+  } catch (const ConfigError& e) {
+    return refuse_trust(e.diagnostics().text());
+  }
+  for (const std::string& path : options.add)
+    say("trusted: {}\n", scenario::shell_word(canonical(path)));
+  for (const std::string& path : options.remove)
+    say("no longer trusted: {}\n", scenario::shell_word(canonical(path)));
+  return 0;
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/trust.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+#include "core/diagnostics.hpp"
+#include "disk/read_file.hpp"
+#include "scenario/plugin_file.hpp"
+#include "scenario/sha256.hpp"
+
+namespace eyrie::scenario {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDigits = 64;
+constexpr std::string_view kBetween = "  ";
+
+bool is_digit(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+}
+bool is_control(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+}
+
+/// What is wrong with a line; empty if nothing is.
+std::string line_problem(std::string_view line) {
+  if (line.size() < kDigits || !std::all_of(line.begin(), line.begin() + kDigits, is_digit) ||
+      line.substr(kDigits, kBetween.size()) != kBetween)
+    return "expected a SHA-256 (64 small hexadecimal digits), two spaces and a path";
+  const std::string_view path = line.substr(kDigits + kBetween.size());
+  if (!path.starts_with('/') || std::any_of(path.begin(), path.end(), is_control))
+    return fmt::format("{} is not an absolute path", quote(path));
+  return {};
+}
+
+[[noreturn]] void cannot(const char* what, const std::string& file) {
+  throw std::runtime_error(fmt::format("cannot {} {}: {}", what, shell_word(file),
+                                       std::generic_category().message(errno)));
+}
+
+}  // namespace
+
+std::string refusal(const PluginPermission& permission, const std::string& path,
+                    std::string_view bytes) {
+  return permission ? permission(path, sha256(bytes)) : "it is not trusted";
+}
+
+std::string not_opened(std::string_view why, std::string_view path) {
+  const std::string word = shell_word(path);
+  return fmt::format("it was not opened: {}; add '--plugin {}', or trust it with 'eyrie trust {}'",
+                     why, word, word);
+}
+
+TrustList TrustList::read(const std::string& file) {
+  TrustList list;
+  constexpr std::size_t kLargest = 1 << 20;
+  const disk::FileRead read = disk::read_file(file, kLargest);
+  if (read.missing)
+    return list;
+  if (!read.problem.empty())
+    throw ConfigError({file, 0, 0}, read.problem);
+  struct stat is {};
+  if (::stat(file.c_str(), &is) != 0)
+    throw ConfigError({file, 0, 0}, "cannot be read");
+  if (is.st_uid != ::geteuid() && is.st_uid != 0)
+    throw ConfigError({file, 0, 0}, "belongs to somebody else; what it trusts is not trusted");
+  if ((is.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+    throw ConfigError({file, 0, 0},
+                      fmt::format("others may write to it; what it trusts is not trusted (chmod "
+                                  "go-w {})",
+                                  shell_word(file)));
+  Diagnostics wrong;
+  std::string_view rest = read.bytes;
+  for (int line = 1; !rest.empty(); ++line) {
+    const auto end = rest.find('\n');
+    const std::string_view text = rest.substr(0, end);
+    std::string problem = end == rest.npos ? "the line has no end" : line_problem(text);
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    if (problem.empty()) {
+      Entry entry{std::string(text.substr(0, kDigits)),
+                  std::string(text.substr(kDigits + kBetween.size()))};
+      const auto same = [&](const Entry& other) { return other.path == entry.path; };
+      if (std::none_of(list.entries_.begin(), list.entries_.end(), same)) {
+        list.add(std::move(entry));
+        continue;
+      }
+      problem = "this path stands there twice";
+    }
+    wrong.error({file, line, 1}, std::move(problem));
+  }
+  if (!wrong.ok())
+    throw ConfigError(wrong);
+  return list;
+}
+
+void TrustList::write(const std::string& file) const {
+  std::error_code failed;
+  const fs::path folder = fs::path(file).parent_path();
+  fs::create_directories(folder, failed);
+  if (failed)
+    throw std::runtime_error(
+        fmt::format("cannot make {}: {}", shell_word(folder.string()), failed.message()));
+  std::string text;
+  for (const Entry& entry : entries_)
+    text += fmt::format("{}{}{}\n", entry.sha256, kBetween, entry.path);
+
+  std::string part = file + ".XXXXXX";  // mode 0600
+  const int out = ::mkostemp(part.data(), O_CLOEXEC);
+  if (out < 0)
+    cannot("write", file);
+  const bool written =
+      ::write(out, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+      ::fsync(out) == 0;
+  if (::close(out) != 0 || !written || ::rename(part.c_str(), file.c_str()) != 0) {
+    const int error = errno;
+    ::unlink(part.c_str());
+    errno = error;
+    cannot("write", file);
+  }
+}
+
+std::string TrustList::why_not(const std::string& path, const std::string& sha256) const {
+  for (const Entry& entry : entries_)
+    if (entry.path == path)
+      return entry.sha256 == sha256 ? "" : "it has other bytes than when it was trusted";
+  return "it is not trusted";
+}
+
+void TrustList::add(Entry entry) {
+  remove(entry.path);
+  const auto after =
+      std::upper_bound(entries_.begin(), entries_.end(), entry,
+                       [](const Entry& a, const Entry& b) { return a.path < b.path; });
+  entries_.insert(after, std::move(entry));
+}
+
+bool TrustList::remove(std::string_view path) {
+  return std::erase_if(entries_, [&](const Entry& entry) { return entry.path == path; }) > 0;
+}
+
+}  // namespace eyrie::scenario

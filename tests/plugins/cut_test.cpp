@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+/// \file  Half of a shared library never reaches the dynamic linker, which it would kill.
+#include <gtest/gtest.h>
+
+#include "scenario/plugins.hpp"
+#include "scenario/shared_object.hpp"
+#include "support/plugin.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using scenario::shared_object_problem;
+
+TEST(SharedObject, IsTakenWhole) {
+  for (const char* name : {"good", "broken", "taken", "throwing", "foreign", "unresolved", "old"})
+    EXPECT_EQ(shared_object_problem(read_text(plugin(name))), "") << name;
+}
+
+TEST(SharedObject, IsRefusedCutAtAnyLength) {
+  const std::string whole = read_text(plugin("good"));
+  const std::string_view text = whole;
+  const auto refused = [&](std::size_t length) {
+    const std::string problem = shared_object_problem(text.substr(0, length));
+    EXPECT_TRUE(problem.starts_with("it is cut short") || problem == "it is not a shared library")
+        << length << ": " << problem;
+  };
+  for (std::size_t length = 0; length < 4096; ++length)
+    refused(length);
+  for (std::size_t i = 1; i <= 2000; ++i)
+    refused(whole.size() - i);
+  for (std::size_t i = 0; i < 1000; ++i)
+    refused(i * whole.size() / 1000);
+  EXPECT_EQ(shared_object_problem(whole + "x"), "");
+}
+
+/// The tables that the linker believes, byte by byte: whatever stands there, nobody reads beyond
+/// the file. The sanitizers watch.
+TEST(SharedObject, IsReadCarefully) {
+  std::string bytes = read_text(plugin("foreign"));
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++at)
+    for (const char value : {'\x00', '\x7f', '\xff'}) {
+      const char was = std::exchange(bytes[at], value);
+      refused += !shared_object_problem(bytes).empty();
+      bytes[at] = was;
+    }
+  EXPECT_GT(refused, 200u);
+}
+
+TEST(SharedObject, IsForThisMachine) {
+  std::string bytes = read_text(plugin("foreign"));
+  const auto with = [&](std::size_t at, char value) {
+    std::string other = bytes;
+    other[at] = value;
+    return shared_object_problem(other);
+  };
+  EXPECT_EQ(with(4, 1), "it was built for another kind of machine") << "32 bits";
+  EXPECT_EQ(with(18, 8), "it was built for another kind of machine") << "MIPS";
+  EXPECT_EQ(with(16, 1), "it is not a shared library") << "an object file";
+  EXPECT_EQ(with(16, 2), "it is not a shared library") << "a program";
+}
+
+TEST(SharedObject, CutShortDoesNotKillTheProgram) {
+  const TempFolder folder;
+  const std::string whole = read_text(plugin("good"));
+  for (std::size_t part = 1; part < 20; ++part) {
+    folder.write("cut.so", whole.substr(0, part * whole.size() / 20));
+    const Ran ran = run_program(folder, {"catalog", "--plugin", "cut.so"});
+    EXPECT_EQ(ran.code, 2) << part;
+    EXPECT_TRUE(ran.err.starts_with("--plugin cut.so: it is cut short: it has ")) << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::test
