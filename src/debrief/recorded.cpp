@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/assert.hpp"
+#include "core/printable.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -125,7 +126,7 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
     problems.push_back(
         fmt::format("recorded by {}, whose world has another layout than that of {}; fly it again "
                     "with that build",
-                    recorded.run.build, build));
+                    printable(recorded.run.build), build));
     return refused();
   }
   problems = false_claims(recorded.run, *scenario.simulation);

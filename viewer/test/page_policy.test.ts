@@ -60,7 +60,7 @@ reference: {latitude: 33 deg, longitude: -68 deg}
 until: 20 s
 data: {aircraft: {evil: {base: f15c, label: ${quoted(evil('model'))}}}}
 trees:
-  ${quoted(evil('tree'))}:
+  evil:
     sequencer:
       trees: {${quoted(evil('phase'))}: {selector: [{navigate: {name: ${quoted(evil('node'))}}}]}, other: navigate}
       start: ${quoted(evil('phase'))}
@@ -69,7 +69,7 @@ blue:
   flights:
     eagle:
       aircraft: evil
-      tree: ${quoted(evil('tree'))}
+      tree: evil
       players: [eagle1]
       start: {north: 0 nmi, east: 0 nmi, altitude: 20000 ft, heading: 90 deg, speed: 450 kt}
 `);
@@ -79,7 +79,7 @@ blue:
   await page.evaluate(() => window.eyrie!.store.set({ time: 10, playing: false }));
   await page.waitForFunction(() => document.querySelector('[data-player][data-step]')?.getAttribute('data-step'));
   const shown = await page.evaluate(() => document.body.textContent ?? '');
-  for (const where of ['name', 'model', 'tree', 'phase', 'node']) assert.ok(shown.includes(evil(where)), where);
+  for (const where of ['name', 'model', 'phase', 'node']) assert.ok(shown.includes(evil(where)), where);
   assert.equal(await page.locator('img').count(), 0);
   assert.equal(await page.evaluate(() => (window as { pwned?: string }).pwned), undefined);
   assert.deepEqual(complaints, []);
