@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+/// \file  Any texts as names in a Tacview file: a reader written to the published grammar reads the
+/// same objects and events whatever they are called, and the names themselves where nothing in them
+/// had to be replaced.
+#include <algorithm>
+#include <string>
+
+#include "core/printable.hpp"
+#include "fuzz/memory_file.hpp"
+#include "record/acmi.hpp"
+#include "support/acmi_reader.hpp"
+
+namespace {
+
+using namespace eyrie;
+using fuzz::demand;
+
+bool is_plain(const std::string& text, bool event = false) {
+  return is_printable(text) && text.find('\\') == text.npos &&
+         (!event || text.find('|') == text.npos);
+}
+
+/// It is there, as it was if that may be; nothing in it says more than a text.
+void expect_name(const std::string& read, const std::string& name) {
+  demand(!is_plain(name) || read == name);
+  demand(is_printable(read));
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  static_cast<void>(fuzz::flight());
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const test::Acmi plain(fuzz::written<record::AcmiWriter>());
+  fuzz::Texts texts(data, size);
+  fuzz::flight().rename(texts);
+  const test::Acmi file(fuzz::written<record::AcmiWriter>());
+
+  const scenario::Scenario& scenario = fuzz::flight().scenario();
+  demand(file.frames == plain.frames && file.globals.size() == plain.globals.size());
+  demand(file.globals.at("ReferenceLatitude") == plain.globals.at("ReferenceLatitude"));
+  expect_name(file.globals.at("Title"), scenario.spec.name);
+  demand(!is_plain(scenario.spec.help_text) ||
+         file.globals.at("Comments") == scenario.spec.help_text);
+  demand(file.objects.size() == plain.objects.size() && plain.objects.size() > 2);
+  for (const auto& [id, object] : file.objects) {
+    const test::AcmiObject& same = plain.objects.at(id);
+    demand(object.samples.size() == same.samples.size() && object.removed == same.removed);
+    if (id > scenario.roster.players.size())
+      continue;
+    const auto& player = scenario.roster.players[id - 1];
+    expect_name(object.last("CallSign"), player.name);
+    expect_name(object.last("Name"), player.label);
+    expect_name(object.last("Group"), scenario.roster.flights[player.flight].name);
+    demand(object.last("Label") == object.last("UbfWinner") + " " + object.last("UbfVote"));
+  }
+  demand(file.events.size() == plain.events.size() && plain.events.size() > 2);
+  for (std::size_t i = 0; i < file.events.size(); ++i) {
+    const test::AcmiEvent &event = file.events[i], &same = plain.events[i];
+    demand(event.type == same.type && event.time == same.time &&
+           event.parts.size() == same.parts.size());
+    demand(event.type == "Message" || event.parts == same.parts);
+    if (event.type == "Message") {
+      const auto id = std::stoul(event.parts.at(0), nullptr, 16);
+      const std::string& name = scenario.roster.players.at(id - 1).name;
+      demand(!is_plain(name, true) || event.parts.at(1).starts_with(name));
+    }
+  }
+  return 0;
+}
