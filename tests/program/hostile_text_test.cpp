@@ -10,6 +10,7 @@
 #include "core/printable.hpp"
 #include "record/run_file.hpp"
 #include "support/acmi_reader.hpp"
+#include "support/plugin.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::test {
@@ -251,6 +252,48 @@ TEST_F(HostileTexts, OfARunFileReachNoTerminalAndStopNoDebrief) {
     expect_clean(ran.out + ran.err, command[0]);
   }
   EXPECT_TRUE(std::filesystem::exists(folder / "page.html"));
+}
+
+TEST_F(HostileTexts, OfAPluginReachNoTerminal) {
+  const auto clean = [&](std::vector<std::string> command, bool flown = true) {
+    const Ran ran = run_program(folder, command);
+    EXPECT_TRUE(ran.code == 0 || (!flown && ran.code == 2)) << command[0] << ": " << ran.err;
+    expect_clean(ran.out + ran.err, command[0]);
+    return ran;
+  };
+  const std::string library = plugin("hostile");
+  for (const char* format : {"", "--markdown", "--json-schema"}) {
+    std::vector<std::string> command{"catalog", "--plugin", library};
+    if (*format)
+      command.push_back(format);
+    clean(std::move(command));
+  }
+  folder.write("odd.yaml", replaced(replaced(scenario_of(kPrintable), "{navigate: {vote: 20}}",
+                                             "{selector: [odd, {navigate: {vote: 20}}]}"),
+                                    "aircraft: odd\n", "aircraft: f16c\n"));
+  clean({"fly", "odd.yaml", "--plugin", library, "--out", "run"});
+  const Ran why = clean({"explain", "run", "--player", "eagle1", "--at", "3", "--plugin", library});
+  EXPECT_NE(why.out.find(R"(failed: \x1b[31mbecause,\x0a=1+1)"), std::string::npos) << why.out;
+  clean({"explain", "run", "--player", "eagle1", "--at", "3", "--json", "--plugin", library});
+  // its model has a label that no scenario may have
+  folder.write("odd.yaml",
+               replaced(scenario_of(kPrintable), "aircraft: odd\n", "aircraft: odd_fighter\n"));
+  clean({"fly", "odd.yaml", "--plugin", library, "--out", "odd"}, false);
+}
+
+/// The column in which the answers of a tree begin.
+TEST_F(HostileTexts, LeaveTheTablesStraight) {
+  Texts wide = kPrintable;
+  wide.node = "\xE9\xB7\xB2\xE9\xB7\xB2 \xC3\xA9t\xC3\xA9";
+  ASSERT_EQ(fly(wide).code, 0);
+  const std::string out =
+      run_program(folder, {"explain", "run", "--player", "eagle1", "--at", "1"}).out;
+  std::set<std::size_t> begins;
+  for (const std::string& line : split(out.substr(out.find("\ntree\n")), '\n'))
+    if (const auto at = line.find("  running, votes"); at != line.npos)
+      begins.insert(columns(line.substr(0, at)));
+  EXPECT_EQ(begins.size(), 1u) << out;
+  EXPECT_NE(out.find(wide.node), std::string::npos);
 }
 
 }  // namespace
