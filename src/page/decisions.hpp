@@ -62,20 +62,29 @@ struct StateRead {
 /// they blended), and of the state what conditions read.
 class Decisions {
  public:
+  /// Which decisions are kept; those of 0 steps are all.
+  struct Thinning {
+    double same = 0;   ///< steps until one that is as the last one was
+    double other = 0;  ///< steps until one that is not
+  };
+
   Decisions(ShapeBook& shapes, TextBook& texts) : shapes_(shapes), texts_(texts) {}
 
-  /// True if somebody else leads than at the decision before. `read` has the same fields each time.
+  /// True if it is kept and somebody else leads than in the one kept before. `read` has the same
+  /// fields each time.
   template <class Action>
   bool add(std::uint64_t step, std::size_t tree, const std::vector<debrief::Answer>& blank,
            ubf::NodeIndex leader, const ubf::Trace<Action>& trace,
-           const std::vector<StateRead>& read, bool thin, double period) {
+           const std::vector<StateRead>& read, const Thinning& thin) {
+    const auto since = static_cast<double>(step - last_step_);
+    if (shape_ >= 0 && since < thin.other)
+      return false;
     const std::int64_t shape = shapes_.number(tree, blank, leader, trace);
+    if (shape == shape_ && since < thin.same)
+      return false;
     const bool changed = tree != tree_ || leader != leader_;
     tree_ = tree;
     leader_ = leader;
-    // of a thinned run those are kept that are other ones, and one in a while
-    if (thin && shape == shape_ && static_cast<double>(step - last_step_) < period)
-      return changed;
     shape_ = shape;
     last_step_ = step;
     step_.add_rounded(static_cast<std::int64_t>(step));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "debrief/explainer.hpp"
@@ -17,10 +18,22 @@
 namespace eyrie::page {
 namespace {
 
-// s
-constexpr double kSights = 0.5, kThinnedSights = 5;
-constexpr double kThinnedDecisions = 1;
-constexpr double kMotion = 0.5, kThinnedMotion = 1;
+/// How often things are kept, in s.
+struct Periods {
+  double motion = 0.5, sights = 0.5;
+  double decisions = 0;        ///< that are as the last one was; 0: all
+  double other_decisions = 0;  ///< that are not
+};
+
+Periods periods(std::size_t players, double player_seconds, double plenty) {
+  if (players <= kManyPlayers && player_seconds <= plenty)
+    return {};
+  if (player_seconds <= plenty)
+    return {.motion = 1, .sights = 5, .decisions = 1};
+  const double slower = player_seconds / plenty;
+  return {
+      .motion = slower, .sights = 5 * slower, .decisions = slower, .other_decisions = slower / 10};
+}
 
 /// What one agent decided and saw.
 struct Agent {
@@ -47,15 +60,15 @@ class Platform {
 
   /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
   template <class See>
-  void decide(const team::Moment<State>& m, Agent& agent, bool thin, See see) {
+  void decide(const team::Moment<State>& m, Agent& agent, const Periods& periods, See see) {
     const std::uint16_t tree = m.state.agent.tree;
     const auto out = team::ask_again(trees_[tree], m, &trace_);
     for (StateRead& one : read_)
       one.value = ubf::StateFields<State>::all()[one.field].read(m.state);
-    const bool changed = agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader,
-                                             trace_, read_, thin, kThinnedDecisions / m.info.dt);
-    const double every = thin ? kThinnedSights : kSights;
-    if (changed || m.info.time() - agent.sights.last_time() > every - 1e-6)
+    const bool changed =
+        agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader, trace_, read_,
+                            {periods.decisions / m.info.dt, periods.other_decisions / m.info.dt});
+    if (changed || m.info.time() - agent.sights.last_time() > periods.sights - 1e-6)
       see(m.state);
   }
 
@@ -90,16 +103,18 @@ class Platform {
 
 class Writer {
  public:
-  explicit Writer(const debrief::Recorded& recorded)
+  Writer(const debrief::Recorded& recorded, double plenty)
       : recorded_(recorded),
         scenario_(*recorded.scenario),
-        thin_(scenario_.roster.players.size() > kManyPlayers),
+        periods_(periods(scenario_.roster.players.size(),
+                         static_cast<double>(scenario_.roster.players.size()) * recorded.until(),
+                         plenty)),
         shapes_(texts_),
         pilots_(*scenario_.trees, 0),
         drivers_(*scenario_.driver_trees, scenario_.trees->size()),
         pilot_system_(debrief::find_system<pilot::PilotSystem>(*scenario_.simulation)),
         driver_system_(debrief::find_system<driver::DriverSystem>(*scenario_.simulation)),
-        motions_(scenario_, thin_ ? kThinnedMotion : kMotion),
+        motions_(scenario_, periods_.motion),
         story_(scenario_, [this](const record::StoryLine& line) { tell(line); }) {
     for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i)
       agents_.push_back({Decisions(shapes_, texts_), Sights(scenario_, texts_)});
@@ -137,14 +152,14 @@ class Writer {
       if (scenario_.roster.players[i].platform == scenario::Platform::vehicle)
         driver_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
                                 [&](const team::Moment<driver::State>& m) {
-                                  drivers_.decide(m, agent, thin_, [&](const driver::State& s) {
+                                  drivers_.decide(m, agent, periods_, [&](const driver::State& s) {
                                     agent.sights.add(s);
                                   });
                                 });
       else
         pilot_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
                                [&](const team::Moment<pilot::State>& m) {
-                                 pilots_.decide(m, agent, thin_, [&](const pilot::State& s) {
+                                 pilots_.decide(m, agent, periods_, [&](const pilot::State& s) {
                                    agent.sights.add(s, radar_of(flight.after(), who));
                                  });
                                });
@@ -203,8 +218,8 @@ class Writer {
             {"dt", dt},
             {"duration", recorded_.until()},
             {"outcome", run.outcome},
-            {"decision_period", thin_ ? kThinnedDecisions : period},
-            {"thinned", thin_}};
+            {"decision_period", std::max(periods_.decisions, period)},
+            {"thinned", periods_.decisions > 0}};
   }
 
   [[nodiscard]] Json flights() const {
@@ -267,7 +282,7 @@ class Writer {
 
   const debrief::Recorded& recorded_;
   const scenario::Scenario& scenario_;
-  bool thin_;
+  Periods periods_;
   TextBook texts_;
   ShapeBook shapes_;
   Platform<pilot::State, pilot::Action> pilots_;
@@ -282,8 +297,8 @@ class Writer {
 
 }  // namespace
 
-std::string page_data(const debrief::Recorded& recorded, const Progress& progress) {
-  Writer writer(recorded);
+std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
+  Writer writer(recorded, plenty);
   return writer.fly(progress) ? writer.packed() : "";
 }
 

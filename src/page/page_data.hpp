@@ -11,13 +11,18 @@ namespace eyrie::page {
 /// Called with the simulated time (s) that has been flown again; false gives up.
 using Progress = std::function<bool(double)>;
 
-/// Flies the run again with tracing and packs what the page shows: base64 of a zlib stream, whose
-/// inside viewer/src/run/decode.ts describes. With more than kManyPlayers decisions are kept when
-/// they are other ones than before, and once a second, motions once a second, and what is seen
-/// every five seconds. Empty if `progress` gave up.
-[[nodiscard]] std::string page_data(const debrief::Recorded& recorded,
-                                    const Progress& progress = {});
-
+/// With more players than this decisions are kept when they are other ones than before, and once a
+/// second, motions once a second, and what is seen every five seconds.
 inline constexpr std::size_t kManyPlayers = 16;
+/// With more simulated time than this, summed over the players (s), all of that is kept so much
+/// less often that it stays as large as here; and of other decisions ten where one would be kept
+/// anyway.
+inline constexpr double kManyPlayerSeconds = 60'000;
+
+/// Flies the run again with tracing and packs what the page shows: base64 of a zlib stream, whose
+/// inside viewer/src/run/decode.ts describes. Empty if `progress` gave up. `plenty` is for tests.
+[[nodiscard]] std::string page_data(const debrief::Recorded& recorded,
+                                    const Progress& progress = {},
+                                    double plenty = kManyPlayerSeconds);
 
 }  // namespace eyrie::page

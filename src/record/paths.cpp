@@ -16,12 +16,25 @@ void Paths::keep(std::uint32_t id) {
   if (last.kept >= time_ && !path.points.empty())
     return;
   last.kept = time_;
+  if (path.points.size() >= most_)
+    halve(path, last);
   path.points.push_back({time_, scenario_.library->reference.to_geodetic(last.position)});
 }
 
+void Paths::halve(Path& path, Last& last) const {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < path.points.size(); i += 2)
+    path.points[kept++] = path.points[i];
+  path.points.resize(kept);
+  const std::uint64_t every = path.kind == Path::Kind::missile ? missiles_every_ : players_every_;
+  last.pause = 2 * std::max(last.pause, static_cast<double>(every) * dt_);
+}
+
 void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
-  last_[id.value].position = position;
-  if (keep_it || all_[id.value].points.empty())
+  Last& last = last_[id.value];
+  last.position = position;
+  const bool due = keep_it && time_ - last.kept > last.pause - 1e-6;
+  if (due || all_[id.value].points.empty())
     keep(id.value);
 }
 
@@ -62,6 +75,7 @@ void Paths::begin(const sim::World& world, double dt) {
   players_every_ = steps(1);
   missiles_every_ = steps(0.2);
   time_ = static_cast<double>(world.step()) * dt;
+  dt_ = dt;
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
     const auto& player = scenario_.roster.players[i];
     Path& path = all_[static_cast<std::uint32_t>(i + 1)];
@@ -101,6 +115,8 @@ void Paths::observe(const sim::World& world, const sim::StepInfo& info,
 }
 
 void Paths::finish(const sim::World& world) {
+  for (auto& [id, last] : last_)
+    last.pause = 0;  // the end is kept
   look(world, true, true);
 }
 

@@ -36,10 +36,13 @@ struct Path {
 };
 
 /// Watches a run: players every second, missiles five times a second, both also when they appear
-/// and when they are seen for the last time.
+/// and when they are seen for the last time. A path that comes to `most` points goes on with every
+/// other one of them, at half its rate: a day of a player takes no more memory than five hours.
 class Paths final : public sim::Observer {
  public:
-  explicit Paths(const scenario::Scenario& scenario) : scenario_(scenario) {}
+  static constexpr std::size_t kMost = 20'000;
+  explicit Paths(const scenario::Scenario& scenario, std::size_t most = kMost)
+      : scenario_(scenario), most_(most) {}
 
   void begin(const sim::World& world, double dt) override;
   void observe(const sim::World& world, const sim::StepInfo& info,
@@ -56,17 +59,20 @@ class Paths final : public sim::Observer {
   struct Last {
     Vec3 position;
     double kept = -1;  ///< s, when its last point was kept
+    double pause = 0;  ///< s, at least, between two points
   };
 
   void look(const sim::World& world, bool players, bool missiles);
   void see(PlayerId id, const Vec3& position, bool keep);
   void keep(std::uint32_t id);
+  void halve(Path& path, Last& last) const;
   void happened(const sim::Event& event);
   template <class Agent, class Trees>
   void lead(PlayerId id, const Agent& agent, const Trees& trees);
 
   const scenario::Scenario& scenario_;
-  double time_ = 0;
+  std::size_t most_;
+  double time_ = 0, dt_ = 0;
   std::uint64_t players_every_ = 50, missiles_every_ = 10;
   std::map<std::uint32_t, Path> all_;
   std::map<std::uint32_t, Last> last_;

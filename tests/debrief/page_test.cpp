@@ -163,6 +163,29 @@ INSTANTIATE_TEST_SUITE_P(Flown, PageData,
                                          Case{"convoy", "supply1", 200}),
                          [](const auto& flown) { return std::string(flown.param.player); });
 
+/// A run with ten times as much time as a page holds: everything is kept ten times less often, and
+/// the page says so.
+TEST(PageOfALongRun, IsAsLargeAsThatOfAShortOne) {
+  const debrief::Recorded recorded = test::recorded_flight("merge", 100);
+  const auto players = recorded.scenario->roster.players.size();
+  const std::string whole = page_data(recorded);
+  const std::string thinned = page_data(recorded, {}, 10 * static_cast<double>(players));
+  EXPECT_LT(thinned.size() * 3, whole.size());
+  const Reader page(thinned), all(whole);
+  EXPECT_EQ(page.document["about"]["thinned"], true);
+  EXPECT_EQ(page.document["about"]["decision_period"], 10);
+  EXPECT_EQ(all.document["about"]["thinned"], false);
+  for (std::size_t i = 0; i < players; ++i) {
+    const json& player = page.document["players"][i];
+    const auto steps = page.column(player["decisions"]["step"]);
+    EXPECT_GE(steps.size(), 10U);
+    for (std::size_t k = 1; k < steps.size(); ++k)
+      EXPECT_GE(steps[k] - steps[k - 1], 50) << "one second, a tenth of ten";
+    EXPECT_LE(page.column(player["motion"]["t"]).size(), 12U);
+    EXPECT_GT(all.column(all.document["players"][i]["decisions"]["step"]).size(), 900U);
+  }
+}
+
 TEST(Page, TakesRunsWhereTheViewerHasAPlaceForThem) {
   const std::vector<std::string> runs{"QQ==", "Qg=="};
   EXPECT_EQ(page_with("<p><!--%RUNS%--></p>", runs),
