@@ -29,6 +29,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND own_options -Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-maybe-uninitialized
                           -Wno-subobject-linkage -fpch-preprocess)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # std::stable_sort of libstdc++ 12 warns of itself
+  list(APPEND own_options -Wno-deprecated-declarations)
+endif()
 if(EYRIE_SANITIZE)
   list(APPEND own_options -fsanitize=${EYRIE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(eyrie_options INTERFACE $<BUILD_INTERFACE:-fsanitize=${EYRIE_SANITIZE}>)

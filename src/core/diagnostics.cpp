@@ -60,10 +60,14 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
   for (const std::string_view name : names) {
     if (name.empty() || name.size() > kLongestName)
       continue;
+    // as many edits as one is longer than the other it takes at least
+    const std::size_t longer = std::max(wrong.size(), name.size());
+    const std::size_t most = std::min(tolerance(wrong, name), best_distance - 1);
+    if (longer - std::min(wrong.size(), name.size()) > most)
+      continue;
     const std::size_t distance = edit_distance(wrong, name);
     // one edit in a name of one letter leaves nothing of it
-    const bool near = distance <= tolerance(wrong, name) && distance < name.size();
-    if (near && distance < best_distance) {
+    if (distance <= most && distance < name.size()) {
       best = name;
       best_distance = distance;
     }

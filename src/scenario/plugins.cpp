@@ -56,8 +56,11 @@ std::string nothing_there(const fs::path& path) {
 
 }  // namespace
 
-Plugins::Plugins()
-    : registries_{.pilots = pilot::make_registry(), .drivers = driver::make_registry()} {}
+Plugins::Plugins() {
+  static const auto own = std::make_shared<const Registries>(
+      Registries{.pilots = pilot::make_registry(), .drivers = driver::make_registry()});
+  registries_ = own;
+}
 
 std::vector<std::string> Plugins::load(const std::string& path, Source& source,
                                        const PluginPermission* permission) {
@@ -82,7 +85,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
 
   // into a copy, so that of a plug-in that is refused nothing stays
   const std::string origin = file.filename();
-  Registries registries = registries_;
+  Registries registries = *registries_;
   Registrar registrar(registries, origin);
   try {
     opened.info->add(registrar);
@@ -96,7 +99,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
     problems.push_back(std::move(problem));
   if (!problems.empty())
     return problems;
-  registries_ = std::move(registries);
+  registries_ = std::make_shared<const Registries>(std::move(registries));
   for (const ModelText& model : registrar.models())
     source.add_model(model.kind, model.name, origin, model.yaml);
   files_.push_back({file, hash_of(read.bytes)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The plug-ins of a scenario, and the nodes that there are with them.
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,12 +28,12 @@ class Plugins {
   [[nodiscard]] std::vector<std::string> load(const std::string& path, Source& source,
                                               const PluginPermission* permission = nullptr);
 
-  [[nodiscard]] const Registries& registries() const { return registries_; }
+  [[nodiscard]] const Registries& registries() const { return *registries_; }
   /// In the order in which they were loaded.
   [[nodiscard]] std::span<const PluginFile> files() const { return files_; }
 
  private:
-  Registries registries_;
+  std::shared_ptr<const Registries> registries_;  ///< shared until a plug-in is loaded
   std::vector<PluginFile> files_;
 };
 

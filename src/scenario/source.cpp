@@ -37,12 +37,21 @@ Source Source::bundle(std::map<std::string, std::string> files) {
   return s;
 }
 
+Source Source::shared(std::shared_ptr<const std::map<std::string, std::string>> all) {
+  Source s;
+  s.shared_ = std::move(all);
+  return s;
+}
+
 std::optional<std::string> Source::read(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
     return known->second;
   for (const auto& [key, model] : models_)
     if (name == plugin_name(model.origin, key))
       return files_[name] = model.text;
+  if (shared_)
+    if (const auto there = shared_->find(name); there != shared_->end())
+      return files_[name] = there->second;
   if (!from_disk_)
     return std::nullopt;
   // data/ stands below home whatever the working folder is; everything else is as the user wrote it
@@ -95,7 +104,7 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
       if (entry.path().extension() == ".yaml")
         names.push_back(entry.path().stem().string());
   } else {
-    for (const auto& [name, text] : files_)
+    for (const auto& [name, text] : shared_ ? *shared_ : files_)
       if (name.starts_with(folder) && name.ends_with(".yaml") &&
           name.find('/', folder.size()) == name.npos)
         names.push_back(name.substr(folder.size(), name.size() - folder.size() - 5));

@@ -3,6 +3,7 @@
 /// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,8 @@ class Source {
   [[nodiscard]] static Source disk(std::string home);
   /// Serves only these texts: a replay must not read what has changed on the disk since.
   [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);
+  /// The same of texts that many loads share; files() has those that were read.
+  [[nodiscard]] static Source shared(std::shared_ptr<const std::map<std::string, std::string>> all);
 
   /// The text of a file, or nothing when it is missing, unreadable or no file. Of a file larger
   /// than kLargest only so much that a parser sees that it is too large.
@@ -48,6 +51,7 @@ class Source {
   std::string home_;
   bool from_disk_ = false;
   std::map<std::string, std::string> files_;
+  std::shared_ptr<const std::map<std::string, std::string>> shared_;
 
   struct Model {
     std::string origin, text;

@@ -126,8 +126,10 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
       sound &= add_for(driver->second, spec, ground, air, both, diagnostics);
     if (pilot == pilots.end() && driver == drivers.end()) {
       Diagnostics in_air, on_ground;
-      const bool flies = air.add(spec, in_air), drives = ground.add(spec, on_ground);
-      sound = flies || drives;
+      // where nobody drives, what flies need not be tried on the ground
+      sound = air.add(spec, in_air);
+      if (both || !sound)
+        sound |= ground.add(spec, on_ground);
       if (!sound)
         diagnostics.merge(on_ground.count() < in_air.count() ? on_ground : in_air);
     }
