@@ -6,17 +6,40 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "core/diagnostics.hpp"
 #include "disk/failure.hpp"
 #include "disk/file_system.hpp"
+#include "disk/temporary.hpp"
 #include "interrupt.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
+namespace {
+
+/// Where no exception may pass, as in the destructors of a library: nothing half written is left,
+/// and a lack of memory is said as everywhere else.
+[[noreturn]] void last_words() {
+  disk::remove_temporaries_now();
+  try {
+    if (const std::exception_ptr error = std::current_exception())
+      std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view kWords = "eyrie: there is not enough memory\n";
+    static_cast<void>(!::write(STDERR_FILENO, kWords.data(), kWords.size()));
+    ::_exit(1);
+  } catch (...) {
+  }
+  std::abort();
+}
+
+}  // namespace
+
 std::string words_for(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error))
     return "there is not enough memory";
@@ -39,6 +62,7 @@ void open_standard_streams() {
 }
 
 int run_command(const std::function<int()>& command) {
+  std::set_terminate(last_words);
   int code = 1;
   std::string words;
   try {

@@ -50,14 +50,16 @@ class Pacer {
   Clock::time_point begin_;
 };
 
-void fly_to_the_end(scenario::Mission& mission, const FlyOptions& options, Timing& timing) {
+/// Or until it cannot be recorded any more.
+void fly_to_the_end(scenario::Mission& mission, const disk::Sink& file, const FlyOptions& options,
+                    Timing& timing) {
   const auto begun = Clock::now();
   Pacer pacer(mission.run().simulation().dt(), options.realtime.value_or(1));
   timing.paced = options.realtime.has_value();
   while (mission.step()) {
     if (interrupted())
       mission.stop();
-    if (mission.run().difference())
+    if (mission.run().difference() || !file.error().empty())
       mission.stop();
     if (timing.paced)
       pacer.wait(timing);
@@ -166,7 +168,7 @@ int fly(const FlyOptions& options) {
   }
 
   Timing timing;
-  fly_to_the_end(mission, options, timing);
+  fly_to_the_end(mission, run, options, timing);
   if (const auto& difference = mission.run().difference()) {
     complain("eyrie: the step is not deterministic: {}\n", difference->text());
     return 1;
@@ -183,9 +185,13 @@ int fly(const FlyOptions& options) {
   // the run is in its place, whatever becomes of its page
   if (options.debrief) {
     const std::string file = fmt::format("{}/{}", folder.path(), record::kRunFileName);
-    beside.page(write_page(
-        {.file = file, .run = record::read_run_file(file).run, .plugins = {}, .scenario = scenario},
-        fmt::format("{}/{}", folder.path(), record::kPageName)));
+    record::Decoded again = record::read_run_file(file);
+    if (again.error.empty())
+      beside.page(write_page(
+          {.file = file, .run = std::move(again.run), .plugins = {}, .scenario = scenario},
+          fmt::format("{}/{}", folder.path(), record::kPageName)));
+    else
+      beside.lost(fmt::format("{}: {}; there is no debrief page", file, again.error));
   }
   if (options.json)
     say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});

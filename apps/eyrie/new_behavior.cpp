@@ -2,20 +2,21 @@
 /// \file  new behavior NAME: a copy of examples/plugin under another name.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "disk/failure.hpp"
+#include "disk/output_folder.hpp"
+#include "disk/read_file.hpp"
+#include "interrupt.hpp"
 #include "say.hpp"
 #include "scenario/plugins.hpp"
 
@@ -102,27 +103,26 @@ std::string package() {
   return {};
 }
 
-/// Everything of `from` under the other name, into the folder `to`. Throws std::runtime_error.
-std::vector<std::string> copy_renamed(const fs::path& from, const fs::path& to,
-                                      const std::string& name) {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(from)) {
+/// The files of `from` under the other name: name -> text. Throws disk::Failed.
+std::map<std::string, std::string> renamed(const fs::path& from, const std::string& name) {
+  constexpr std::size_t kLargest = std::size_t{1} << 20;
+  std::map<std::string, std::string> files;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(from, failed)) {
     if (!entry.is_regular_file())
       continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
-    text = replaced(replaced(std::move(text), "dodge", name), "Dodge", camel(name));
+    disk::FileRead read = disk::read_file(entry.path(), kLargest);
+    if (!read.problem.empty())
+      throw disk::Failed(fmt::format("{} {}", entry.path().string(), read.problem));
+    std::string text =
+        replaced(replaced(std::move(read.bytes), "dodge", name), "Dodge", camel(name));
     if (const std::string prefix = package(); !prefix.empty())
       text = replaced(std::move(text), "$ENV{HOME}/eyrie", prefix);
-    names.push_back(replaced(entry.path().filename(), "dodge", name));
-    std::ofstream out(to / names.back(), std::ios::binary);
-    out << text;
-    out.close();
-    if (!in || !out)
-      throw std::runtime_error(fmt::format("cannot write '{}/{}'", name, names.back()));
+    files[replaced(entry.path().filename(), "dodge", name)] = std::move(text);
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  if (failed)
+    throw disk::Failed(fmt::format("cannot read {}: {}", disk::quoted(from), failed.message()));
+  return files;
 }
 
 }  // namespace
@@ -132,23 +132,21 @@ int new_behavior(const std::string& name) {
     complain("eyrie: {}\n", problem);
     return 2;
   }
-  // beside its place until it is complete
-  const fs::path part = fmt::format("{}.part-{}", name, ::getpid());
-  std::vector<std::string> files;
-  try {
-    fs::create_directory(part);
-    files = copy_renamed(fs::path(home()) / "examples" / "plugin", part, name);
-    fs::rename(part, name);
-  } catch (const std::exception& e) {
-    std::error_code ignored;
-    fs::remove_all(part, ignored);
-    const auto* disk = dynamic_cast<const fs::filesystem_error*>(&e);
-    complain("eyrie: {}\n", disk ? fmt::format("cannot make '{}': {}: {}", name,
-                                               disk->path1().string(), disk->code().message())
-                                 : e.what());
-    return 1;
+  const auto files = renamed(fs::path(home()) / "examples" / "plugin", name);
+  std::vector<const char*> names;
+  for (const auto& [file, text] : files)
+    names.push_back(file.c_str());
+  listen_for_interrupts();
+  disk::OutputFolder folder({.path = name, .names = names});
+  for (const auto& [file, text] : files) {
+    disk::Sink sink = folder.file(file.c_str());
+    sink.write(text);
+    if (!sink.close())
+      throw disk::Failed(sink.error());
   }
-  say("{}/: {}\n", name, fmt::format("{}", fmt::join(files, ", ")));
+  if (const std::string words = folder.commit(); !words.empty())
+    throw disk::Failed(words);
+  say("{}/: {}\n", name, fmt::format("{}", fmt::join(names, ", ")));
   if (package().empty())
     say("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);
   say("cd {} && cmake -B build && cmake --build build && ctest --test-dir build\n", name);

@@ -24,7 +24,7 @@ constexpr std::size_t kDigits = 16;
 /// What a signal handler needs to know of a temporary.
 struct Slot {
   std::atomic<bool> used = false;
-  int parent = -1, folder = -1;  // folder: below 0 for a file
+  int parent = -1, folder = -1;  // folder: below 0 for a file, or if it is not open yet
   Names names;
   std::array<char, 32> name{};
 };
@@ -57,26 +57,33 @@ bool is_temporary(std::string_view name) {
 
 Temporary::Temporary(const Place& place, Kind kind, Names names)
     : place_(place), names_(names), kind_(kind) {
+  for (std::size_t i = 0; i < slots.size() && slot_ < 0; ++i)
+    if (!slots[i].used) {
+      slots[i].parent = place.folder();
+      slots[i].folder = -1;
+      slots[i].names = names;
+      slot_ = static_cast<int>(i);
+    }
   constexpr int kTries = 100;
   for (int i = 0; i < kTries && !make(kind == Kind::folder ? 0700 : 0600); ++i) {
   }
-  if (!handle_)
-    cannot_make(place.path(), errno);
-  for (std::size_t i = 0; i < slots.size() && slot_ < 0; ++i)
-    if (Slot& slot = slots[i]; !slot.used) {
-      slot.parent = place.folder();
-      slot.folder = kind == Kind::folder ? handle() : -1;
-      slot.names = names;
-      std::memcpy(slot.name.data(), name_.c_str(), name_.size() + 1);
-      slot.used = true;
-      slot_ = static_cast<int>(i);
-    }
+  if (handle_)
+    return;
+  const int error = errno;
+  moved();
+  cannot_make(place.path(), error);
 }
 
 /// False to try it with another name.
 bool Temporary::make(mode_t mode) {
   const int folder = place_.folder();
   name_ = temporary_name();
+  Slot* const slot = slot_ < 0 ? nullptr : &slots[static_cast<std::size_t>(slot_)];
+  if (slot) {  // known before it is there, so that it is removed at every moment
+    slot->used = false;
+    std::memcpy(slot->name.data(), name_.c_str(), name_.size() + 1);
+    slot->used = true;
+  }
   if (kind_ == Kind::folder) {
     if (files().make_folder(folder, name_.c_str(), mode) != 0)
       return errno != EEXIST;
@@ -100,6 +107,8 @@ bool Temporary::make(mode_t mode) {
     files().remove(folder, name_.c_str(), AT_REMOVEDIR);
     errno = error;
   }
+  if (slot && kind_ == Kind::folder)
+    slot->folder = handle();
   return !lost;
 }
 
@@ -158,12 +167,10 @@ bool remove_temporaries_now() noexcept {
   for (Slot& slot : slots) {
     if (!slot.used)
       continue;
-    if (slot.folder < 0) {
-      ::unlinkat(slot.parent, slot.name.data(), 0);
-      continue;
-    }
-    for (const char* name : slot.names)
-      ::unlinkat(slot.folder, name, 0);
+    if (slot.folder >= 0)
+      for (const char* name : slot.names)
+        ::unlinkat(slot.folder, name, 0);
+    ::unlinkat(slot.parent, slot.name.data(), 0);  // one of the two: it is a file or a folder
     ::unlinkat(slot.parent, slot.name.data(), AT_REMOVEDIR);
   }
   return true;
