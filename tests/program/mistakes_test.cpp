@@ -291,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
               "The following argument was not expected: --bogus\n"
               "Run with --help for more information.\n"},
         Typed{"NoCommand", {}, "A subcommand is required\nRun with --help for more information.\n"},
-        Typed{"ReplayOfNothing", {"replay", "nowhere"}, "nowhere: cannot read the file\n"},
+        Typed{"ReplayOfNothing", {"replay", "nowhere"}, "nowhere: there is no such file\n"},
         Typed{"ReplayOfAForeignFile", {"replay", "x.yaml"}, "x.yaml: this is not a run file\n"}),
     [](const auto& test) { return std::string(test.param.name); });
 
