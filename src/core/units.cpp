@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/assert.hpp"
 #include "core/diagnostics.hpp"
 
 namespace eyrie {
@@ -248,6 +249,14 @@ std::string_view dimension_noun(Dimension dimension) {
 
 std::string_view dimension_example(Dimension dimension) {
   return kWords[static_cast<std::size_t>(dimension)].example;
+}
+
+// clang 16 calls what it has computed while compiling once more, which then comes nowhere near here
+void detail::this_is_not_the_symbol_of_an_si_unit() {
+  EYRIE_DEMAND(false, "the compiler has checked each symbol");
+}
+void detail::this_is_not_the_symbol_of_a_unit() {
+  EYRIE_DEMAND(false, "the compiler has checked each symbol");
 }
 
 const UnitInfo* find_unit(std::string_view symbol) {

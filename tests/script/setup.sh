@@ -41,7 +41,8 @@ echo \"built: \$*\"
 cd '$work/build'
 [ \$target != eyrie_package ] || { mkdir -p package/bin && echo >package/bin/eyrie; }
 printf '#!/bin/sh\necho \"flown: \$*\"\n' >bin/eyrie
-chmod +x bin/eyrie"
+chmod +x bin/eyrie
+touch .ninja_log"
 tool() {  # NAME TEXT
   printf '#!/bin/sh\n%s\n' "$2" >"$work/tools/$1"
   chmod +x "$work/tools/$1"
@@ -112,7 +113,7 @@ rm "$work/build/.program-stamp"
 packages libyaml-dev
 expect "a package that is missing" "$(run fly)" "*missing packages, not installed*"$'\n'"libyaml-dev"$'\n'"code 2"
 
-building='*eyrie: building program*built: -C * eyrie'$'\n''eyrie: built program in * s'
+building='*eyrie: building program*built: -C * eyrie*eyrie: built program in * s*'
 begin
 expect "a first build" "$(cat "$work/log")" "*eyrie: configuring$building"$'\n'"flown: validate built"$'\n'"code 0"
 expect "nothing is built twice" "$(run validate sweep)" "flown: validate sweep"$'\n'"code 0"
@@ -120,9 +121,15 @@ echo 1 >"$work/project/src/new.cpp"
 expect "what is new is built" "$(run validate sweep)" "$building"$'\n'"flown: validate sweep"$'\n'"code 0"
 expect "once" "$(run validate sweep)" "flown: validate sweep"$'\n'"code 0"
 echo 2 >"$work/project/src/new.cpp"
-touch -d '2 hours ago' "$work/project/src/new.cpp" "$work/old"
-tool ninja "[ ! project/src/new.cpp -nt old ] || echo newer; $ninja"
+touch -d '2 hours ago' "$work/project/src/new.cpp"
+tool ninja "[ ! project/src/new.cpp -nt build/.ninja_log ] || echo newer; $ninja"
 expect "what changed into something older is built, and Ninja sees it" "$(run validate)" "*newer*"$'\n'"flown: validate"*
+expect "once, too" "$(run validate sweep)" "flown: validate sweep"$'\n'"code 0"
+echo 3 >"$work/project/src/new.cpp"
+tool ninja "echo 44 >project/src/new.cpp; $ninja"
+expect "what is saved during a build" "$(run validate)" "$building"$'\n'"flown: validate"*
+tool ninja "[ ! project/src/new.cpp -nt build/.ninja_log ] || echo newer; $ninja"
+expect "is built again, and Ninja sees it" "$(run validate)" "*newer*"$'\n'"flown: validate"*
 expect "once, too" "$(run validate sweep)" "flown: validate sweep"$'\n'"code 0"
 rm "$work/project/src/new.cpp"
 expect "what is gone is built without it" "$(run validate)" "$building"$'\n'"flown: validate"*
