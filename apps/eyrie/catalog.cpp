@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "locate.hpp"
 #include "record/json_schema.hpp"
 #include "say.hpp"
 #include "scenario/catalog.hpp"
@@ -10,7 +11,10 @@
 namespace eyrie::app {
 
 int catalog(CatalogFormat format, const std::vector<std::string>& files) {
-  scenario::Source source = scenario::Source::disk(home());
+  const auto there = home_or_complain();
+  if (!there)
+    return 2;
+  scenario::Source source = scenario::Source::disk(*there);
   scenario::Plugins plugins;
   Diagnostics diagnostics;
   scenario::load_plugins(files, plugins, source, diagnostics);

@@ -69,8 +69,10 @@ int run_command(const std::function<int()>& command) {
     code = command();
   } catch (const std::exception& error) {
     words = words_for(error);
+    const auto* system = dynamic_cast<const std::system_error*>(&error);
     const bool mistake = dynamic_cast<const disk::Refused*>(&error) != nullptr ||
-                         dynamic_cast<const ConfigError*>(&error) != nullptr;
+                         dynamic_cast<const ConfigError*>(&error) != nullptr ||
+                         (system && system->code() == std::errc::filename_too_long);
     code = mistake ? 2 : 1;
   }
   if (!words.empty())

@@ -14,7 +14,7 @@ namespace eyrie::app {
 struct FlyOptions {
   std::string scenario;  ///< file, or the name of one in scenarios/; empty: the sweep
   std::optional<std::uint64_t> seed;
-  std::vector<std::string> sets, plugins;
+  std::vector<std::string> sets, plugins, includes;
   std::string out;    ///< folder; empty: runs/<scenario>-<seed>
   std::string until;  ///< quantity; empty: as the scenario says
   unsigned workers = 1;
@@ -25,7 +25,8 @@ struct FlyOptions {
 };
 
 int fly(const FlyOptions& options);
-int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins);
+int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins,
+             const std::vector<std::string>& includes);
 
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// \file  explain: a recorded run flown again, with every node's answer.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <optional>
+#include <set>
 
 #include "commands.hpp"
 #include "core/units.hpp"
@@ -20,12 +23,18 @@
 namespace eyrie::app {
 namespace {
 
+/// A number that begins with a digit: no sign, no inf.
 std::optional<double> plain(std::string_view text) {
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return failed == std::errc{} && end == text.data() + text.size() && value >= 0
+  const bool digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
+  return digit && failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
              ? std::optional(value)
              : std::nullopt;
+}
+bool whole(std::string_view text) {
+  return std::all_of(text.begin(), text.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 std::string small_letters(std::string text) {
@@ -59,13 +68,17 @@ class EventTimes final : public sim::Observer {
                std::span<const sim::Event> events) override {
     found_ = false;
     for (const sim::Event& e : events)
-      if ((e.who == who_ || e.whom == who_) &&
-          has_word(std::string(model::event_name(record::kind_of(e)))))
-        found_ = true;
+      if (e.who == who_ || e.whom == who_) {
+        const std::string name(model::event_name(record::kind_of(e)));
+        names_.insert(name);
+        found_ = found_ || has_word(name);
+      }
     story_.observe(world, info, events);
   }
   /// In the last step.
   [[nodiscard]] bool found() const { return found_; }
+  /// Of every event so far that the player had to do with.
+  [[nodiscard]] const std::set<std::string>& names() const { return names_; }
 
  private:
   [[nodiscard]] bool has_word(const std::string& text) const {
@@ -75,13 +88,23 @@ class EventTimes final : public sim::Observer {
   PlayerId who_;
   std::string word_;
   record::Story story_;
+  std::set<std::string> names_;
   bool found_ = false;
 };
 
 struct Found {
   std::vector<debrief::Decision> decisions;
   std::vector<debrief::Change> changes;
+  std::set<std::string> events;  ///< the names of those that the player had
+  double until = 0;              ///< s, when the player was last there
+
+  [[nodiscard]] bool nothing() const { return decisions.empty() && changes.empty(); }
 };
+
+bool is_there(const scenario::Scenario& scenario, const sim::World& world, PlayerId who) {
+  return world.row(scenario.aircraft.table, who) ||
+         (scenario.vehicles && world.row(scenario.vehicles->table, who));
+}
 
 Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted) {
   Found found;
@@ -97,6 +120,8 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
   std::optional<ubf::NodeIndex> leader;
   std::string label = "nobody";
   while (flight.time() < wanted.to && flight.step()) {
+    if (is_there(*recorded.scenario, flight.after(), who))
+      found.until = flight.time();
     if (!wanted.event.empty()) {
       if (auto decision = explain())
         last = std::move(decision);
@@ -135,7 +160,21 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
         break;
     }
   }
+  found.events = events.names();
   return found;
+}
+
+/// Why nothing was found.
+std::string nothing_text(const ExplainOptions& options, const Wanted& wanted, const Found& found) {
+  if (!wanted.event.empty())
+    return fmt::format(
+        "--event {}: {} had no such event in this run; it had {}", quote(wanted.event),
+        options.player,
+        found.events.empty() ? "none" : fmt::format("{}", fmt::join(found.events, ", ")));
+  if (wanted.from > found.until)
+    return fmt::format("{} made no decision from {} on: it was there until {}", options.player,
+                       record::clock_text(wanted.from), record::clock_text(found.until));
+  return fmt::format("{} made no decision in that time", options.player);
 }
 
 }  // namespace
@@ -153,14 +192,17 @@ std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
 
 std::optional<double> time_of(const std::string& text) {
   if (const auto colon = text.find(':'); colon != std::string::npos) {
-    const auto minutes = plain(std::string_view(text).substr(0, colon));
+    const std::string_view before = std::string_view(text).substr(0, colon);
+    const auto minutes = plain(before);
     const auto seconds = plain(std::string_view(text).substr(colon + 1));
-    return minutes && seconds ? std::optional(*minutes * 60 + *seconds) : std::nullopt;
+    return minutes && whole(before) && seconds && *seconds < 60
+               ? std::optional(*minutes * 60 + *seconds)
+               : std::nullopt;
   }
   if (const auto seconds = plain(text))
     return seconds;
   const auto quantity = parse_quantity(text, Dimension::time);
-  return quantity.error.empty() ? std::optional(quantity.value) : std::nullopt;
+  return quantity && quantity.value >= 0 ? std::optional(quantity.value) : std::nullopt;
 }
 
 int explain(const ExplainOptions& options) {
@@ -177,6 +219,12 @@ int explain(const ExplainOptions& options) {
              2;
     *place = *time;
   }
+  if (!options.to.empty() && wanted.to <= wanted.from)
+    return complain("--to {}: must be after --from\n", quote(options.to)), 2;
+  if (!options.event.empty() &&
+      std::none_of(options.event.begin(), options.event.end(),
+                   [](unsigned char c) { return std::isalpha(c) || c >= 0x80; }))
+    return complain("--event {}: expected a word, such as break\n", quote(options.event)), 2;
   wanted.once = !options.at.empty();
   const bool window = !options.from.empty() || !options.to.empty();
   wanted.changes =
@@ -189,6 +237,13 @@ int explain(const ExplainOptions& options) {
   const auto who = player_or_complain(roster, options.player);
   if (!who)
     return 2;
+
+  const double length =
+      static_cast<double>(recorded->last_step()) * recorded->scenario->simulation->dt();
+  if (wanted.from > length)
+    return complain("{} {}: the run ends at {}\n", wanted.once ? "--at" : "--from",
+                    quote(wanted.once ? options.at : options.from), record::clock_text(length)),
+           2;
 
   const Found found = look(*recorded, *who, wanted);
   if (options.csv) {
@@ -206,11 +261,10 @@ int explain(const ExplainOptions& options) {
           Composed{whole ? debrief::decision_text(found.decisions[i], roster)
                          : debrief::decision_line(found.decisions[i])});
   }
-  if (found.decisions.empty() && found.changes.empty()) {
-    complain("{} made no such decision\n", options.player);
-    return 1;
-  }
-  return 0;
+  if (!found.nothing())
+    return 0;
+  complain("{}\n", nothing_text(options, wanted, found));
+  return 2;
 }
 
 }  // namespace eyrie::app

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "disk/failure.hpp"
 #include "disk/output_folder.hpp"
@@ -85,7 +86,8 @@ record::RunFile run_file_of(const scenario::Scenario& s, std::uint64_t seed) {
 disk::FolderWish folder_of(const FlyOptions& options, const scenario::Scenario& scenario,
                            std::uint64_t seed) {
   const bool numbered = options.out.empty();
-  return {.path = numbered ? fmt::format("runs/{}-{}", scenario.spec.name, seed) : options.out,
+  return {.path = numbered ? fmt::format("runs/{}-{}", file_name_from(scenario.spec.name), seed)
+                           : options.out,
           .names = record::kRunFolderNames,
           .sign = record::kRunFileName,
           .replace = options.force,
@@ -132,15 +134,20 @@ int fly(const FlyOptions& options) {
   std::optional<double> until;
   if (!options.until.empty()) {
     const Parsed time = parse_quantity(options.until, Dimension::time);
-    if (!time || time.value <= 0) {
-      complain("--until: {}\n", time ? "must be after the start" : time.error);
+    if (!time) {
+      complain("--until: {}\n", time.error);
       return 2;
     }
     until = time.value;
   }
-  const auto scenario = load_or_complain(options.scenario, options.sets, options.plugins);
+  const auto scenario =
+      load_or_complain(options.scenario, options.sets, options.plugins, options.includes);
   if (!scenario)
     return 2;
+  if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt) {
+    complain("--until: {}\n", *problem);
+    return 2;
+  }
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);
 
   listen_for_interrupts();

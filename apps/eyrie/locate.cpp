@@ -44,6 +44,20 @@ std::string home() {
   return EYRIE_HOME_DEFAULT;
 }
 
+std::optional<std::string> home_or_complain() {
+  const std::string found = home();
+  std::error_code ignored;
+  if (fs::is_directory(fs::path(found) / "data", ignored))
+    return found;
+  const char* set = std::getenv("EYRIE_HOME");
+  if (set && *set)
+    complain("eyrie: EYRIE_HOME is {}, where there is no folder 'data'\n", quote_path(found));
+  else
+    complain("eyrie: {} has no folder 'data': set EYRIE_HOME to where Eyrie is\n",
+             quote_path(found));
+  return std::nullopt;
+}
+
 std::string viewer_file() {
   if (const char* set = std::getenv("EYRIE_VIEWER"))
     return set;
@@ -72,12 +86,20 @@ std::string scenario_file(const std::string& name) {
 
 std::shared_ptr<const scenario::Scenario> load_or_complain(
     const std::string& name, const std::vector<std::string>& sets,
-    const std::vector<std::string>& plugins) {
-  const std::string file = scenario_file(name);
+    const std::vector<std::string>& plugins, const std::vector<std::string>& includes) {
+  const auto there = home_or_complain();
+  if (!there)
+    return nullptr;
   std::error_code ignored;
+  for (const std::string& folder : includes)
+    if (!fs::is_directory(folder, ignored)) {
+      complain("eyrie: --allow-include {}: there is no such folder\n", quote_path(folder));
+      return nullptr;
+    }
+  const std::string file = scenario_file(name);
   if (!fs::is_regular_file(file, ignored)) {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(home()) / "scenarios", ignored))
+    for (const auto& entry : fs::directory_iterator(fs::path(*there) / "scenarios", ignored))
       if (entry.path().extension() == ".yaml")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
@@ -87,7 +109,7 @@ std::shared_ptr<const scenario::Scenario> load_or_complain(
   }
   try {
     return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
-                          scenario::Source::disk(home()));
+                          scenario::Source::disk(*there, includes));
   } catch (const ConfigError& e) {
     complain("{}\n", lines(e.diagnostics().text()));
     return nullptr;

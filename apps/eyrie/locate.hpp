@@ -2,6 +2,7 @@
 #pragma once
 /// \file  From what the user typed to a loaded scenario.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ void take_launch_zones();
 /// Loads it, or prints every mistake on stderr and gives null.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_or_complain(
     const std::string& name, const std::vector<std::string>& sets,
-    const std::vector<std::string>& plugins);
+    const std::vector<std::string>& plugins, const std::vector<std::string>& includes);
+
+/// The folder with data/ and scenarios/: EYRIE_HOME, or where this program is installed, or the one
+/// it was built from. Nothing after saying that it is not there.
+[[nodiscard]] std::optional<std::string> home_or_complain();
 
 }  // namespace eyrie::app

@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: MIT
 /// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
-#include <CLI/CLI.hpp>
-#include <charconv>
-#include <cstdint>
-#include <limits>
-#include <string>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "checks.hpp"
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/diagnostics.hpp"
+#include "core/printable.hpp"
 #include "locate.hpp"
+#include "say.hpp"
 
 namespace {
 
+using namespace eyrie;
 using namespace eyrie::app;
 
 /// What the user asked for, once the line is parsed.
@@ -23,29 +34,19 @@ struct Commands {
   DebriefOptions debrief;
   ExportOptions exported;
   std::string left, right;
-  std::vector<std::string> files, plugins;
+  std::vector<std::string> files, plugins, includes;
   TrustOptions trust;
   std::string name;
   bool markdown = false, json_schema = false;
 };
 
-/// Whole numbers from `least` to `most`. CLI11 takes "-1" for the largest number of all, and its
-/// own ranges have other words from version to version.
-auto whole_number(std::uint64_t least = 0,
-                  std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-  return [=](const std::string& text) {
-    std::uint64_t value = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
-                      value <= most;
-    return good ? std::string{}
-                : "must be a whole number from " + std::to_string(least) + " to " +
-                      std::to_string(most);
-  };
-}
-
 void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
   app->add_option("--plugin", plugins, help)->allow_extra_args(false);
+}
+void add_includes(CLI::App* app, std::vector<std::string>& folders) {
+  app->add_option("--allow-include", folders,
+                  "a folder that the scenario may include files from, besides its own")
+      ->allow_extra_args(false);
 }
 constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
 constexpr const char* kRunPluginHelp = "a plug-in of the run, which may be opened, where it is now";
@@ -58,6 +59,7 @@ void add_fly(CLI::App& app, Commands& c) {
       ->check(whole_number());
   fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
   add_plugins(fly, c.fly.plugins, kPluginHelp);
+  add_includes(fly, c.fly.includes);
   fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");
   fly->add_option("--workers", c.fly.workers, "threads that share the step; never the result")
@@ -70,7 +72,7 @@ void add_fly(CLI::App& app, Commands& c) {
   fly->add_option("--realtime", c.fly.realtime, "pace by the clock, times this factor")
       ->expected(0, 1)
       ->default_str("1")
-      ->check(CLI::PositiveNumber);
+      ->check(pace);
   fly->add_flag("--force", c.fly.force, "replace the folder given by --out");
   fly->add_flag("--quiet", c.fly.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", c.fly.debrief, "do not write the page debrief.html");
@@ -119,7 +121,7 @@ void add_what_if(CLI::App& app, Commands& c) {
   what_if->add_flag("--branch", o.branch,
                     "fly on from the first difference and compare how it ends");
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
-      ->check(whole_number(1, 100000));
+      ->check(whole_number(1, 100'000));
   what_if->add_flag("--json", o.json, "for tools");
   add_plugins(what_if, o.plugins, kRunPluginHelp);
 }
@@ -136,26 +138,17 @@ void add_debrief(CLI::App& app, Commands& c) {
   add_plugins(debrief, o.plugins, kRunPluginHelp);
 }
 
-ExportFormat format_named(const std::string& word) {
-  if (word == "czml")
-    return ExportFormat::czml;
-  if (word == "geojson")
-    return ExportFormat::geojson;
-  if (word == "decisions")
-    return ExportFormat::decisions;
-  throw CLI::ValidationError("--to", "must be czml, geojson or decisions, not '" + word + "'");
-}
-
 void add_export(CLI::App& app, Commands& c) {
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
   ExportOptions& o = c.exported;
   exported->add_option("run", o.run, "a run folder or its run file")->required();
   exported
       ->add_option_function<std::string>(
-          "--to", [&o](const std::string& word) { o.format = format_named(word); },
+          "--to", [&o](const std::string& name) { o.format = *format_named(name); },
           "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
           "player proposed)")
-      ->required();
+      ->required()
+      ->check(format_problem);
   exported->add_option("--player", o.player, "only this player's decisions");
   exported->add_option("--out", o.out,
                        "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
@@ -173,6 +166,77 @@ void add_trust(CLI::App& app, Commands& c) {
   add->excludes(remove)->excludes(list);
   remove->excludes(list);
   trust->require_option(1);
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+/// The subcommand that was meant, or null.
+const CLI::App* command_of(const CLI::App& app, std::span<char*> words) {
+  for (const CLI::App* command : commands_of(app))
+    if (words.size() > 1 && command->get_name() == words[1])
+      return command;
+  return nullptr;
+}
+
+/// A command or an option that there is not, with the nearest one; "" if that is not what is wrong.
+std::string unknown_text(const CLI::App& app, std::span<char*> words) {
+  std::vector<std::string> names;
+  if (const CLI::App* command = command_of(app, words)) {
+    for (const CLI::Option* option : command->get_options())
+      for (const std::string& name : option->get_lnames())
+        names.push_back("--" + name);
+    for (const std::string_view word : words.subspan(2)) {
+      const std::string_view name = word.substr(0, word.find('='));
+      if (word == "--")
+        break;
+      if (word.starts_with("--") && std::find(names.begin(), names.end(), name) == names.end())
+        return fmt::format("{} has no option {}{}", command->get_name(), quote(name),
+                           did_you_mean(name, names));
+    }
+    return "";
+  }
+  for (const CLI::App* command : commands_of(app))
+    names.push_back(command->get_name());
+  return words.size() > 1 && words[1][0] != '-'
+             ? fmt::format("there is no command {}{}", quote(words[1]),
+                           did_you_mean(words[1], names))
+             : "";
+}
+
+/// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.
+std::string empty_text(std::span<char*> words) {
+  std::string_view before;
+  for (const std::string_view word : words) {
+    const bool option = word.starts_with("--") && word != "--";
+    if (word.empty() || (option && word.ends_with('=')))
+      return option ? fmt::format("{} must not be empty", word.substr(0, word.size() - 1))
+             : before.starts_with("--") && before != "--"
+                 ? fmt::format("{} must not be empty", before)
+                 : "an argument must not be empty";
+    before = word;
+  }
+  return "";
+}
+
+/// Short, whatever was typed. The exit code.
+int refuse(const CLI::App& app, std::span<char*> words, std::string_view problem) {
+  constexpr std::size_t kLongest = 300;
+  complain("eyrie: {}\n{} --help says more\n",
+           printable(problem.substr(0, problem.find('\n')), kLongest),
+           command_of(app, words) ? fmt::format("eyrie {}", words[1]) : "eyrie");
+  return 2;
+}
+
+/// Help and version, or what is wrong with the line. The exit code.
+int say_mistake(const CLI::App& app, const CLI::ParseError& e, std::span<char*> words) {
+  std::ostringstream out, err;
+  if (app.exit(e, out, err) == 0) {
+    say("{}", Composed{out.str()});
+    return 0;
+  }
+  const std::string unknown = unknown_text(app, words);
+  return refuse(app, words, unknown.empty() ? e.what() : unknown);
 }
 
 int run(int argc, char** argv) {
@@ -193,6 +257,7 @@ int run(int argc, char** argv) {
   CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
   validate_cmd->add_option("files", c.files, "scenario files")->required();
   add_plugins(validate_cmd, c.plugins, kPluginHelp);
+  add_includes(validate_cmd, c.includes);
   CLI::App* catalog_cmd =
       app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
   auto* schema = catalog_cmd->add_flag("--json-schema", c.json_schema, "as a JSON schema");
@@ -211,11 +276,13 @@ int run(int argc, char** argv) {
       ->add_option("name", c.name, "what trees call it; also the name of the folder")
       ->required();
 
+  const std::span words(argv, static_cast<std::size_t>(argc));
   try {
+    if (const std::string problem = empty_text(words); !problem.empty())
+      return refuse(app, words, problem);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int code = app.exit(e);
-    return code == 0 ? 0 : 2;
+    return say_mistake(app, e, words);
   }
   take_launch_zones();
   if (app.got_subcommand("fly"))
@@ -231,7 +298,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand(diff_cmd))
     return diff(c.left, c.right, c.replay.json, c.plugins);
   if (app.got_subcommand(validate_cmd))
-    return validate(c.files, c.plugins);
+    return validate(c.files, c.plugins, c.includes);
   if (app.got_subcommand(replay_cmd))
     return replay(c.replay);
   if (app.got_subcommand("trust"))

@@ -17,6 +17,7 @@
 #include "disk/output_folder.hpp"
 #include "disk/read_file.hpp"
 #include "interrupt.hpp"
+#include "locate.hpp"
 #include "say.hpp"
 #include "scenario/plugins.hpp"
 
@@ -132,7 +133,10 @@ int new_behavior(const std::string& name) {
     complain("eyrie: {}\n", problem);
     return 2;
   }
-  const auto files = renamed(fs::path(home()) / "examples" / "plugin", name);
+  const auto there = home_or_complain();
+  if (!there)
+    return 2;
+  const auto files = renamed(fs::path(*there) / "examples" / "plugin", name);
   std::vector<const char*> names;
   for (const auto& [file, text] : files)
     names.push_back(file.c_str());

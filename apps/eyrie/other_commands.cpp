@@ -38,10 +38,11 @@ std::string players_text(const scenario::Scenario& scenario) {
 
 }  // namespace
 
-int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins) {
+int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins,
+             const std::vector<std::string>& includes) {
   int code = 0;
   for (const std::string& file : files) {
-    if (const auto scenario = load_or_complain(file, {}, plugins))
+    if (const auto scenario = load_or_complain(file, {}, plugins, includes))
       say("{}: {}, {}\n", scenario->file, players_text(*scenario),
           counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
     else

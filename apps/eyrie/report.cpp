@@ -104,6 +104,9 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   table(mission, tally);
   const double time = mission.run().time();
   say("{}\n", outcome_text(mission, tally));
+  if (const auto refused = mission.run().world().refused_births(); refused > 0)
+    say("no room in the world: {} {} could not be launched or born\n", refused,
+        refused == 1 ? "player" : "players");
   say("world hash {} after {} steps\n", hash_text(mission.run().world().hash()),
       mission.run().world().step());
   say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
@@ -126,6 +129,7 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
   j["wall_time_s"] = timing.wall;
   j["realtime_factor"] = timing.wall > 0 ? time / timing.wall : 0;
   j["hash"] = hash_text(mission.run().world().hash());
+  j["refused_births"] = mission.run().world().refused_births();
   j["phases"] = nlohmann::json::array();
   for (const auto& phase : tally.phases())
     j["phases"].push_back({{"flight", scenario.roster.flights[phase.flight].name},

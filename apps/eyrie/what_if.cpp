@@ -2,6 +2,8 @@
 /// \file  whatif: another tree or parameter for a recorded run; diff: two recorded runs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -125,6 +127,32 @@ Json parting_json(const std::optional<debrief::Parting>& parting) {
   return {{"time_s", parting->time}, {"step", parting->step}, {"text", parting->text}};
 }
 
+/// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".
+std::string_view part_of(std::string_view set) {
+  return set.substr(0, set.find_first_of(".="));
+}
+
+/// Says which overrides cannot be asked. The recorded states answer for other trees and for nothing
+/// else; what changes the flight itself is told by flights from the start, over seeds.
+void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& options,
+                 Diagnostics& wrong) {
+  constexpr std::array<std::string_view, 8> kFlown{"data", "environment", "blue",  "red",
+                                                   "ends", "orders",      "rates", "reference"};
+  for (const std::string& set : sets) {
+    const std::string_view part = part_of(set);
+    const Location where{"--set " + set, 1, 1};
+    if (part == "trees" || set.find('=') == std::string::npos)
+      continue;
+    if (std::find(kFlown.begin(), kFlown.end(), part) == kFlown.end())
+      wrong.error(where, fmt::format("whatif asks other trees; {} says nothing about decisions{}",
+                                     quote(part), did_you_mean(part, kFlown)));
+    else if (options.seeds == 0 || options.branch)
+      wrong.error(where, fmt::format("the recorded states do not tell what another {} would have "
+                                     "changed: use --seeds, without --branch",
+                                     quote(part)));
+  }
+}
+
 }  // namespace
 
 int what_if(const WhatIfOptions& options) {
@@ -140,9 +168,14 @@ int what_if(const WhatIfOptions& options) {
   if (!who)
     return 2;
   std::shared_ptr<const scenario::Scenario> other;
+  bool asks_trees = true;
   try {
     Diagnostics wrong;
     auto overrides = debrief::read_overrides(*recorded->scenario, *who, options.sets, wrong);
+    check_parts(overrides.sets, options, wrong);
+    asks_trees = overrides.sets.empty() || !overrides.changes.empty() ||
+                 std::any_of(overrides.sets.begin(), overrides.sets.end(),
+                             [](const std::string& set) { return part_of(set) == "trees"; });
     if (!wrong.ok())
       throw ConfigError(wrong);
     other = debrief::with_overrides(*recorded, overrides.sets, std::move(overrides.changes));
@@ -150,21 +183,23 @@ int what_if(const WhatIfOptions& options) {
     complain("{}\n", lines(e.diagnostics().text()));
     return 2;
   }
-  if (other->trees->size() != recorded->scenario->trees->size() ||
-      other->driver_trees->size() != recorded->scenario->driver_trees->size()) {
+  if (asks_trees && (other->trees->size() != recorded->scenario->trees->size() ||
+                     other->driver_trees->size() != recorded->scenario->driver_trees->size())) {
     complain("the change adds or removes a tree; change one that is there\n");
     return 2;
   }
 
-  const debrief::WhatIf result = debrief::what_if(*recorded, *other, *who, *from);
-  Json json{{"run", recorded->file},
-            {"player", options.player},
-            {"decisions", result.decisions},
-            {"different", result.different}};
-  if (result.first)
-    json["first"] = first_json(*result.first);
-  json["spans_s"] = result.spans;
-  if (!options.json) {
+  debrief::WhatIf result;
+  Json json{{"run", recorded->file}, {"player", options.player}};
+  if (asks_trees) {
+    result = debrief::what_if(*recorded, *other, *who, *from);
+    json["decisions"] = result.decisions;
+    json["different"] = result.different;
+    if (result.first)
+      json["first"] = first_json(*result.first);
+    json["spans_s"] = result.spans;
+  }
+  if (asks_trees && !options.json) {
     say("{}: {} of {} decisions would have been other ones\n", options.player, result.different,
         result.decisions);
     if (result.first) {

@@ -6,6 +6,7 @@
 ///   number    `2 nmi`; the unit is needed unless the parameter has none. Never NaN or infinity.
 ///   integer   `4`, never `4.0`            boolean   `true` or `false`, without quotes
 ///   choice    one of the names            list      `[...]`; Vec3 is a list of three
+///   text      what can be shown (text_problem() in core/text.hpp), at most kLongestText characters
 ///   group     a map; an empty one or nothing leaves the defaults
 ///   optional  as its type, or `null`
 ///   table     one variable:  {mach: [0, 0.9, 1.2], value: [0.02, 0.021, 0.04]}
@@ -26,6 +27,9 @@
 #include "core/value.hpp"
 
 namespace eyrie {
+
+/// Characters of a text for which nothing else is said.
+inline constexpr std::size_t kLongestText = 1000;
 
 namespace detail {
 

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "core/printable.hpp"
@@ -20,6 +21,8 @@ namespace eyrie {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
+/// Of what somebody else wrote, in one line of ours.
+constexpr std::size_t kLongestQuote = 60, kLongestPath = 200, kLongestLine = 1000;
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -89,37 +92,40 @@ const std::string* kept(std::string_view name) {
 FileName::FileName(std::string_view name) : name_(name.empty() ? nullptr : kept(name)) {}
 
 std::string Location::text() const {
+  const std::string name = printable(file.text(), kLongestPath);
   if (line <= 0)
-    return std::string(file.text());
+    return name;
   const std::string place = column > 0 ? fmt::format("{}:{}", line, column) : std::to_string(line);
-  return file.text().empty() ? "line " + place : fmt::format("{}:{}", file.text(), place);
+  return name.empty() ? "line " + place : fmt::format("{}:{}", name, place);
 }
 
 std::string Diagnostic::text() const {
   const std::string place = where.text();
   // names of files and keys stand in both, and whoever wrote the file chose them
-  return printable(place.empty() ? message : fmt::format("{}: {}", place, message));
+  return printable(place.empty() ? message : fmt::format("{}: {}", place, message), kLongestLine);
 }
 
 void Diagnostics::error(Location where, std::string message) {
-  found_.push_back({where, std::move(message)});
+  if (!full())
+    found_.push_back({where, std::move(message)});
+  ++count_;
 }
 
 void Diagnostics::merge(const Diagnostics& other) {
+  const std::size_t total = count_ + other.count_;
   const std::vector<Diagnostic> added = other.found_;  // a copy: `other` may be this
-  found_.insert(found_.end(), added.begin(), added.end());
+  for (const Diagnostic& one : added)
+    error(one.where, one.message);
+  count_ = total;
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {
   // the place of each mistake: its file by first appearance, line, column, and order of reporting
   using Place = std::tuple<std::size_t, int, int, std::size_t>;
-  std::vector<std::string_view> files;
+  std::unordered_map<std::string_view, std::size_t> files;
   std::vector<Place> places;
   for (const Diagnostic& d : found_) {
-    const auto file = std::find(files.begin(), files.end(), d.where.file.text());
-    const auto rank = static_cast<std::size_t>(file - files.begin());
-    if (file == files.end())
-      files.push_back(d.where.file.text());
+    const std::size_t rank = files.emplace(d.where.file.text(), files.size()).first->second;
     places.emplace_back(rank, d.where.line, d.where.column, places.size());
   }
   std::sort(places.begin(), places.end());
@@ -142,8 +148,10 @@ std::string Diagnostics::text(std::size_t limit) const {
   std::string result;
   for (std::size_t i = 0; i < printed; ++i)
     result += (i == 0 ? "" : "\n") + all[i].text();
-  if (printed < all.size())
-    result += fmt::format("{}... and {} more", printed == 0 ? "" : "\n", all.size() - printed);
+  const std::size_t dropped = count_ - found_.size();
+  if (printed < all.size() + dropped)
+    result +=
+        fmt::format("{}... and {} more", printed == 0 ? "" : "\n", all.size() - printed + dropped);
   return result;
 }
 
@@ -166,8 +174,11 @@ std::string did_you_mean(std::string_view wrong, std::span<const std::string> na
 }
 
 std::string quote(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  return "'" + printable(text, kLongest) + "'";
+  return "'" + printable(text, kLongestQuote) + "'";
+}
+
+std::string quote_path(std::string_view path) {
+  return "'" + printable(path, kLongestPath) + "'";
 }
 
 }  // namespace eyrie

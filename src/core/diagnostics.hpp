@@ -44,32 +44,36 @@ struct Diagnostic {
   Location where;
   std::string message;
 
-  /// "file:line:column: message", fit for a terminal as quote() is.
+  /// "file:line:column: message", fit for a terminal as quote() is, and of bounded length.
   [[nodiscard]] std::string text() const;
   bool operator==(const Diagnostic&) const = default;
 };
 
-/// Collects every mistake of a load, so that the user sees all of them in one go.
+/// Collects the mistakes of a load, so that the user sees all of them in one go. Of a file that
+/// makes more than anybody would read the rest is counted only.
 class Diagnostics {
  public:
   void error(Location where, std::string message);
   void merge(const Diagnostics& other);
 
-  [[nodiscard]] bool ok() const { return found_.empty(); }
+  [[nodiscard]] bool ok() const { return count_ == 0; }
   /// Mistakes reported so far, duplicates included.
-  [[nodiscard]] std::size_t count() const { return found_.size(); }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// Whether more need not be looked for.
+  [[nodiscard]] bool full() const { return count_ >= kKept; }
 
-  /// Without duplicates and in the order a reader meets them: files by first appearance, then line,
-  /// then column, then the order of reporting.
+  /// Those that were kept, without duplicates and in the order a reader meets them: files by first
+  /// appearance, then line, then column, then the order of reporting.
   [[nodiscard]] std::vector<Diagnostic> sorted() const;
 
   /// One line per mistake, without a final newline. Beyond `limit` lines: "... and 7 more".
   [[nodiscard]] std::string text(std::size_t limit = kPrinted) const;
 
-  static constexpr std::size_t kPrinted = 50;
+  static constexpr std::size_t kPrinted = 50, kKept = 1000;
 
  private:
   std::vector<Diagnostic> found_;
+  std::size_t count_ = 0;
 };
 
 /// The user's mistake, found while loading. what() is the text of the diagnostics.
@@ -92,5 +96,7 @@ class ConfigError : public std::runtime_error {
 
 /// The printable() text in single quotes; one that is longer than 60 characters is cut with "...".
 [[nodiscard]] std::string quote(std::string_view text);
+/// The same of the path of a file, which may be longer.
+[[nodiscard]] std::string quote_path(std::string_view path);
 
 }  // namespace eyrie

@@ -37,8 +37,9 @@ struct Range {
 [[nodiscard]] constexpr Range at_least(double low) {
   return {low};
 }
-[[nodiscard]] constexpr Range positive() {
-  return {0, std::numeric_limits<double>::infinity(), true};
+/// (0, high]
+[[nodiscard]] constexpr Range positive(double high = std::numeric_limits<double>::infinity()) {
+  return {0, high, true};
 }
 
 /// What an axis of a table is called in a file, and its unit.
@@ -72,7 +73,8 @@ struct Param {
     copy.is_required = true;
     return copy;
   }
-  /// A list must have that many items. Unit and range of a list are those of each item.
+  /// A list must have that many items, a text that many characters. Unit and range of a list are
+  /// those of each item.
   [[nodiscard]] constexpr Param items(std::size_t least, std::size_t most) const {
     Param copy = *this;
     copy.min_items = least;
@@ -146,8 +148,9 @@ struct ParamInfo {
   std::string default_text;  ///< as a file would write it; "" if required or a group
   std::string help;
   bool required = false;
-  bool optional = false;  ///< `null` is a value of it
-  std::size_t min_items = 0, max_items = std::numeric_limits<std::size_t>::max();
+  bool optional = false;      ///< `null` is a value of it
+  std::size_t min_items = 0;  ///< of a list; of a text: characters
+  std::size_t max_items = std::numeric_limits<std::size_t>::max();
   std::vector<std::string> choices;
   std::string type_name;  ///< of a group
   std::vector<TableAxis> axes;

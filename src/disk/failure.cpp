@@ -5,12 +5,13 @@
 
 #include <cerrno>
 
+#include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 
 namespace eyrie::disk {
 
 std::string quoted(const std::string& path) {
-  return fmt::format("'{}'", path);
+  return quote_path(path);
 }
 
 void cannot_make(const std::string& path, int error) {

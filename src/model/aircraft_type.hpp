@@ -51,19 +51,20 @@ struct AircraftType {
       "a type of aircraft: which models it is put together from";
   static constexpr auto params() {
     using A = AircraftType;
-    return std::tuple{param("label", &A::label, "name in the story and in Tacview").required(),
-                      param("airframe", &A::airframe, "how it flies").required(),
-                      param("dynamics", &A::dynamics, "by which equations of motion"),
-                      param("signature", &A::signature, "how big it looks to radar and eye"),
-                      param("infrared", &A::infrared, "how bright it is to an infrared seeker"),
-                      param("radar", &A::radar, "its radar"),
-                      param("rwr", &A::rwr, "its radar warning receiver"),
-                      param("visual", &A::visual, "the eyes of its crew"),
-                      param("iff", &A::iff, "its interrogator"),
-                      param("datalink", &A::datalink, "its datalink"),
-                      param("tracker", &A::tracker, "its tracker"),
-                      param("gun", &A::gun, "its gun"),
-                      param("stations", &A::stations, "what hangs under it, station by station")};
+    return std::tuple{
+        param("label", &A::label, "name in the story and in Tacview").items(1, 40).required(),
+        param("airframe", &A::airframe, "how it flies").required(),
+        param("dynamics", &A::dynamics, "by which equations of motion"),
+        param("signature", &A::signature, "how big it looks to radar and eye"),
+        param("infrared", &A::infrared, "how bright it is to an infrared seeker"),
+        param("radar", &A::radar, "its radar"),
+        param("rwr", &A::rwr, "its radar warning receiver"),
+        param("visual", &A::visual, "the eyes of its crew"),
+        param("iff", &A::iff, "its interrogator"),
+        param("datalink", &A::datalink, "its datalink"),
+        param("tracker", &A::tracker, "its tracker"),
+        param("gun", &A::gun, "its gun"),
+        param("stations", &A::stations, "what hangs under it, station by station")};
   }
 };
 

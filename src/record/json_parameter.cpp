@@ -5,6 +5,7 @@
 #include <limits>
 #include <string_view>
 
+#include "core/bind.hpp"
 #include "core/units.hpp"
 #include "scenario/param_text.hpp"
 
@@ -107,6 +108,15 @@ Json list(const ParamInfo& info) {
   return schema;
 }
 
+Json text(const ParamInfo& info) {
+  Json schema{{"type", "string"}};
+  if (info.min_items > 0)
+    schema["minLength"] = info.min_items;
+  if (info.max_items <= kLongestText)
+    schema["maxLength"] = info.max_items;
+  return schema;
+}
+
 Json shape(const ParamInfo& info, Required required) {
   switch (info.kind) {
     case ParamKind::number:
@@ -116,7 +126,7 @@ Json shape(const ParamInfo& info, Required required) {
     case ParamKind::boolean:
       return {{"type", "boolean"}};
     case ParamKind::text:
-      return {{"type", "string"}};
+      return text(info);
     case ParamKind::choice:
       return {{"enum", info.choices}};
     case ParamKind::list:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -49,6 +50,30 @@ TEST(Catalog, ExplainsEveryParameterOfEveryNodeAndModel) {
     EXPECT_FALSE(node.help.empty()) << node.name;
     check(node.name, node.parameters);
   }
+  for (const ModelKind& kind : catalog.models)
+    check(kind.folder, kind.parameters);
+}
+
+/// A number that may be as large as a computer can write is a mistake that nobody refuses.
+TEST(Catalog, BoundsEveryNumberOfEveryNodeAndModel) {
+  const Catalog catalog = shipped();
+  const auto check = [](const std::string& where, std::span<const ParamInfo> parameters) {
+    each_parameter(parameters, [&](const std::string& path, const ParamInfo& info) {
+      const ParamInfo& item = info.kind == ParamKind::list ? info.children.front() : info;
+      const bool holds_numbers = item.kind == ParamKind::number ||
+                                 item.kind == ParamKind::integer ||
+                                 item.kind == ParamKind::table1 || item.kind == ParamKind::table2;
+      EXPECT_TRUE(!holds_numbers ||
+                  (std::isfinite(item.limits.min) && std::isfinite(item.limits.max)))
+          << where << " " << path;
+    });
+  };
+  for (const FilePart& part : catalog.file)
+    check(part.name, part.parameters);
+  for (const ubf::NodeInfo& node : catalog.nodes)
+    check(node.name, node.parameters);
+  for (const ubf::NodeInfo& node : catalog.driver_nodes)
+    check(node.name, node.parameters);
   for (const ModelKind& kind : catalog.models)
     check(kind.folder, kind.parameters);
 }

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 #include <utility>
 
+#include "core/text.hpp"
 #include "scenario/yaml.hpp"
 
 namespace eyrie::scenario {
@@ -36,18 +38,37 @@ constexpr std::size_t kMostModels = 200;
 Value merged(Value base, const Value& over) {
   if (!base.is_map() || !over.is_map())
     return over;
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < base.entries.size(); ++i)
+    places.emplace(base.entries[i].key, i);
   for (const Value::Entry& e : over.entries) {
-    const auto there = std::find_if(base.entries.begin(), base.entries.end(),
-                                    [&](const Value::Entry& b) { return b.key == e.key; });
-    if (there == base.entries.end()) {
+    const auto [place, fresh] = places.emplace(e.key, base.entries.size());
+    if (fresh) {
       base.entries.push_back(e);
     } else {
-      there->value = merged(std::move(there->value), e.value);
-      there->where = e.where;
+      Value::Entry& there = base.entries[place->second];
+      there.value = merged(std::move(there.value), e.value);
+      there.where = e.where;
     }
   }
   base.where = over.where;
   return base;
+}
+
+/// Reports keys that a model gives twice. Whoever binds a model sees them too, but not when one
+/// that stands on another was merged with it before: then the last would win in silence.
+void refuse_duplicates(const Value& map, const std::string& path, Diagnostics& diagnostics) {
+  std::unordered_map<std::string_view, const Value::Entry*> first;
+  for (const Value::Entry& e : map.entries) {
+    const auto [earlier, fresh] = first.emplace(e.key, &e);
+    if (!fresh)
+      diagnostics.error(e.where, fmt::format("{}{} is given twice (first at line {})",
+                                             path.empty() ? "" : path + ": ", quote(e.key),
+                                             earlier->second->where.line));
+    refuse_duplicates(e.value, path.empty() ? e.key : path + "." + e.key, diagnostics);
+  }
+  for (std::size_t i = 0; i < map.items.size(); ++i)
+    refuse_duplicates(map.items[i], fmt::format("{}[{}]", path, i), diagnostics);
 }
 
 }  // namespace
@@ -86,18 +107,37 @@ void DataLoader::check_inline(const Value::Entry& kind) {
   if (!kind.value.is_map() && !kind.value.is_null())
     diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
                                                      kind.key, kind.value.shown()));
-  if (kind.value.entries.size() > kMostModels)
+  if (kind.value.entries.size() > kMostModels) {
     diagnostics_.error(kind.where, fmt::format("data.{}: {} models; a scenario has at most {} of a "
                                                "kind",
                                                kind.key, kind.value.entries.size(), kMostModels));
+    return;
+  }
   std::map<std::string_view, const Value::Entry*> known;
+  const std::vector<std::string> taken = source_.data_names(kind.key);
   for (const Value::Entry& model : kind.value.entries) {
     const auto [first, fresh] = known.emplace(model.key, &model);
     if (!fresh)
       diagnostics_.error(model.where,
                          fmt::format("{} {} is defined twice (also at {})", singular(kind.key),
                                      quote(model.key), first->second->where.text()));
+    else if (const auto problem = identifier_problem(model.key))
+      diagnostics_.error(model.where, fmt::format("data.{}: {}", kind.key, *problem));
+    else if (std::binary_search(taken.begin(), taken.end(), model.key))
+      diagnostics_.error(
+          model.where,
+          fmt::format("{0} '{1}' is there already ({2}): give yours another name; "
+                      "'base: {1}' takes over what it does not say",
+                      singular(kind.key), model.key, source_.data_name(kind.key, model.key)));
   }
+}
+
+void DataLoader::check_plugins(Source source, Diagnostics& diagnostics) {
+  model::Library scratch;
+  DataLoader loader(scratch, nullptr, source, diagnostics);
+  loader.only_checks_ = true;
+  for (const auto& [kind, name] : source.added_models())
+    loader.load_any(kind, name, {source.data_name(kind, name), 0, 0});
 }
 
 void DataLoader::load_any(std::string_view kind, const std::string& name, const Location& where) {
@@ -141,10 +181,12 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
 
   std::optional<Value> found;
   const Value* group = inline_ ? inline_->find(kind) : nullptr;
+  if (group && group->entries.size() > kMostModels)
+    return std::nullopt;  // said by check_inline()
   if (const Value* there = group ? group->find(name) : nullptr) {
     found = *there;
   } else if (const auto text =
-                 names_a_file(name) ? source_.read(source_.data_name(kind, name)) : std::nullopt) {
+                 is_identifier(name) ? source_.read(source_.data_name(kind, name)) : std::nullopt) {
     const std::size_t before = diagnostics_.count();
     Value v = parse_yaml(*text, source_.data_name(kind, name), diagnostics_);
     if (diagnostics_.count() != before)
@@ -160,7 +202,14 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
                                           did_you_mean(name, names)));
     return std::nullopt;
   }
-  if (const Value* base = found->find("base")) {
+  const Value* base = found->find("base");
+  if (base || chain.size() > 1) {
+    const std::size_t before = diagnostics_.count();
+    refuse_duplicates(*found, "", diagnostics_);
+    if (diagnostics_.count() != before)
+      return std::nullopt;
+  }
+  if (base) {
     if (!base->is_scalar()) {
       diagnostics_.error(base->where, "base: expected a name, got " + base->shown());
       return std::nullopt;
@@ -191,7 +240,8 @@ std::optional<std::uint16_t> DataLoader::load(model::Shelf<Model>& shelf, std::s
   if constexpr (requires { model.name = name; })
     model.name = name;
   if constexpr (requires { model.prepare(); })
-    model.prepare();
+    if (!only_checks_)
+      model.prepare();
   return shelf.add(name, std::move(model));
 }
 

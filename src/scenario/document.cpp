@@ -7,7 +7,11 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
+#include <map>
 #include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -18,6 +22,10 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kMergeable{"trees", "data", "plugins"};
 
+/// Far above what anybody needs: how deep includes include, how many files there are, and how many
+/// values in all of them.
+constexpr std::size_t kLongestChain = 50, kMostFiles = 1000, kMostValues = 500'000;
+
 Value* find(Value& map, std::string_view key) {
   for (Value::Entry& e : map.entries)
     if (e.key == key)
@@ -25,123 +33,213 @@ Value* find(Value& map, std::string_view key) {
   return nullptr;
 }
 
-/// Appends the entries of `from` to the map `into`, refusing what is there already.
-void merge_map(Value& into, const Value& from, std::string_view what, bool nested,
-               Diagnostics& diagnostics) {
-  for (const Value::Entry& e : from.entries) {
-    Value* there = find(into, e.key);
-    if (!there) {
-      into.entries.push_back(e);
-    } else if (nested && there->is_map() && e.value.is_map() && from.find_entry(e.key) == &e) {
-      merge_map(*there, e.value, what, false, diagnostics);
-    } else {
-      diagnostics.error(e.where, fmt::format("{} {} is defined twice (also at {})", what,
-                                             quote(e.key), there->where.text()));
-    }
-  }
+std::size_t values_in(const Value& v) {
+  std::size_t count = 1;
+  for (const Value& item : v.items)
+    count += values_in(item);
+  for (const Value::Entry& e : v.entries)
+    count += values_in(e.value);
+  return count;
 }
 
-class Includer {
+/// Adds what included files hold to the document. It remembers where each key stands, so that many
+/// files with many names cost no more than their sum.
+class Merger {
  public:
-  Includer(Source& source, Diagnostics& diagnostics) : source_(source), diagnostics_(diagnostics) {}
+  Merger(Value& document, Diagnostics& diagnostics)
+      : document_(document), diagnostics_(diagnostics) {}
 
-  Value load(const std::string& file, const Location& from) {
-    // "./a.yaml" and "a.yaml" are one file
-    const std::string same = std::filesystem::path(file).lexically_normal().generic_string();
-    if (const auto open = std::find(stack_.begin(), stack_.end(), same); open != stack_.end()) {
-      std::string chain;
-      for (auto f = open; f != stack_.end(); ++f)
-        chain += *f + " -> ";
-      diagnostics_.error(from, fmt::format("'{}' includes itself: {}{}", same, chain, same));
-      return {};
+  void add(Value package) {
+    std::unordered_map<std::string, int> first;
+    for (Value::Entry& e : package.entries) {
+      const auto [earlier, fresh] = first.emplace(e.key, e.where.line);
+      if (!fresh)
+        diagnostics_.error(e.where, fmt::format("{} is given twice (first at line {})",
+                                                quote(e.key), earlier->second));
+      else if (e.key != "include")
+        add_entry(std::move(e));
     }
-    const auto text = source_.read(file);
-    if (!text) {
-      diagnostics_.error(from, fmt::format("cannot read '{}'", file));
-      return {};
-    }
-    Value document = parse_yaml(*text, file, diagnostics_);
-    if (!document.is_map()) {
-      if (!document.is_null())
-        diagnostics_.error(document.where, "expected a map, got " + document.shown());
-      return {};
-    }
-    stack_.push_back(same);
-    const Value* found = document.find("include");
-    const Value include = found ? *found : Value{};
-    if (include.is_list()) {
-      for (const Value& item : include.items)
-        merge(document, item, file);
-    } else if (include.is_scalar()) {
-      merge(document, include, file);
-    } else if (found) {
-      diagnostics_.error(include.where,
-                         "include: expected a file or a list of files, got " + include.shown());
-    }
-    stack_.pop_back();
-    return document;
   }
 
  private:
-  void merge(Value& into, const Value& item, const std::string& file) {
-    if (!item.is_scalar()) {
-      diagnostics_.error(item.where, "include: expected a file, got " + item.shown());
-      return;
-    }
-    const std::string name = relative_to(file, item.text);
-    if (std::find(done_.begin(), done_.end(), name) != done_.end())
-      return;  // the same package through two ways is read once
-    const Value package = load(name, item.where);
-    done_.push_back(name);
-    for (const Value::Entry& e : package.entries) {
-      if (&package.find_entry(e.key)->value != &e.value)
-        diagnostics_.error(e.where,
-                           fmt::format("{} is given twice (first at line {})", quote(e.key),
-                                       package.find_entry(e.key)->where.line));
-      else if (e.key != "include")
-        merge_entry(into, e);
-    }
-  }
+  using Index = std::unordered_map<std::string, std::size_t>;
 
-  void merge_entry(Value& into, const Value::Entry& e) {
+  void add_entry(Value::Entry e) {
     if (std::find(kMergeable.begin(), kMergeable.end(), e.key) == kMergeable.end()) {
       diagnostics_.error(e.where,
                          fmt::format("an included file holds trees, data and plugins, not {}{}",
                                      quote(e.key), did_you_mean(e.key, kMergeable)));
       return;
     }
+    Value* there = find(document_, e.key);
     if (e.key == "plugins")
-      return merge_plugins(into, e);
+      return there ? add_plugins(*there, std::move(e.value))
+                   : document_.entries.push_back(std::move(e));
     if (!e.value.is_map() && !e.value.is_null()) {
       diagnostics_.error(e.value.where,
                          fmt::format("{}: expected a map, got {}", e.key, e.value.shown()));
       return;
     }
-    Value* there = find(into, e.key);
     if (!there)
-      into.entries.push_back(e);
+      document_.entries.push_back(std::move(e));
     else if (there->is_null())
-      *there = e.value;
+      *there = std::move(e.value);
     else if (there->is_map())  // otherwise whoever reads it says so
-      merge_map(*there, e.value, e.key == "data" ? "data" : "tree", e.key == "data", diagnostics_);
+      add_map(*there, std::move(e.value), e.key);
+  }
+
+  /// Appends the entries of `from` to the map `into`, refusing what is there already. `section`:
+  /// "trees", "data", or "data/radars".
+  void add_map(Value& into, Value from, const std::string& section) {
+    const bool kinds = section == "data";
+    Index& index = index_of(into, section);
+    std::unordered_set<std::string> seen;
+    for (Value::Entry& e : from.entries) {
+      const auto [place, fresh] = index.emplace(e.key, into.entries.size());
+      if (fresh) {
+        if (kinds)
+          seen.insert(e.key);
+        into.entries.push_back(std::move(e));
+        continue;
+      }
+      Value& there = into.entries[place->second].value;
+      if (kinds && there.is_map() && e.value.is_map() && seen.insert(e.key).second)
+        add_map(there, std::move(e.value), section + "/" + e.key);
+      else
+        diagnostics_.error(e.where, fmt::format("{} {} is defined twice (also at {})",
+                                                section == "trees" ? "tree" : "data", quote(e.key),
+                                                there.where.text()));
+    }
+  }
+  Index& index_of(const Value& map, const std::string& section) {
+    const auto [found, fresh] = indices_.try_emplace(section);
+    for (std::size_t i = 0; fresh && i < map.entries.size(); ++i)
+      found->second.emplace(map.entries[i].key, i);
+    return found->second;
   }
 
   /// One list of all; each item keeps its place, to which its path is relative.
-  static void merge_plugins(Value& into, const Value::Entry& e) {
-    Value* there = find(into, e.key);
-    if (!there)
-      return into.entries.push_back(e);
-    if (!there->is_list())
-      *there = Value::list({*there}, there->where);
-    if (e.value.is_list())
-      there->items.insert(there->items.end(), e.value.items.begin(), e.value.items.end());
+  static void add_plugins(Value& there, Value more) {
+    if (!there.is_list())
+      there = Value::list({there}, there.where);
+    if (more.is_list())
+      std::move(more.items.begin(), more.items.end(), std::back_inserter(there.items));
     else
-      there->items.push_back(e.value);
+      there.items.push_back(std::move(more));
+  }
+
+  Value& document_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Index> indices_;  ///< by section: where each key is
+};
+
+class Includer {
+ public:
+  Includer(Source& source, Diagnostics& diagnostics)
+      : source_(source), diagnostics_(diagnostics), merger_(document_, diagnostics) {}
+
+  Value load(const std::string& file) {
+    document_ = read(file, {file, 0, 0});
+    source_.confine_to_folder_of(file);
+    const Value* found = document_.find("include");
+    if (found)
+      follow(Value(*found), file, normal(file));
+    return std::move(document_);
+  }
+
+ private:
+  /// "./a.yaml" and "a.yaml" are one file.
+  static std::string normal(const std::string& file) {
+    return std::filesystem::path(file).lexically_normal().generic_string();
+  }
+
+  /// The document in a file; null after saying why there is none.
+  Value read(const std::string& file, const Location& from) {
+    const auto text = source_.read(file);
+    if (!text) {
+      diagnostics_.error(from, source_.is_outside(file)
+                                   ? fmt::format("{} is outside the folder of the scenario and "
+                                                 "the installation; --allow-include DIR allows it",
+                                                 quote_path(file))
+                                   : "cannot read " + quote_path(file));
+      return {};
+    }
+    const std::size_t before = diagnostics_.count();
+    Value document = parse_yaml(*text, file, diagnostics_);
+    if (diagnostics_.count() != before)
+      return {};
+    values_ += values_in(document);
+    if (values_ > kMostValues) {
+      stopped_ = true;
+      diagnostics_.error(from, fmt::format("with {} the scenario has more than {} values",
+                                           quote_path(file), kMostValues));
+      return {};
+    }
+    if (document.is_map())
+      return document;
+    diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
+                       "expected a map, got " + document.shown());
+    return {};
+  }
+
+  void follow(const Value& include, const std::string& file, const std::string& same) {
+    chain_.push_back(same);
+    if (include.is_list()) {
+      for (const Value& item : include.items)
+        one(item, file);
+    } else if (include.is_scalar()) {
+      one(include, file);
+    } else {
+      diagnostics_.error(include.where,
+                         "include: expected a file or a list of files, got " + include.shown());
+    }
+    chain_.pop_back();
+  }
+
+  void one(const Value& item, const std::string& file) {
+    if (stopped_)
+      return;
+    if (!item.is_scalar()) {
+      diagnostics_.error(item.where, "include: expected a file, got " + item.shown());
+      return;
+    }
+    const std::string name = relative_to(file, item.text), same = normal(name);
+    if (const auto open = std::find(chain_.begin(), chain_.end(), same); open != chain_.end()) {
+      std::string chain;
+      for (auto f = open; f != chain_.end(); ++f)
+        chain += *f + " -> ";
+      diagnostics_.error(item.where, fmt::format("'{}' includes itself: {}{}", same, chain, same));
+      return;
+    }
+    if (!known_.insert(same).second)
+      return;  // the same package through two ways is read once
+    if (known_.size() > kMostFiles || chain_.size() > kLongestChain) {
+      stopped_ = true;
+      diagnostics_.error(
+          item.where,
+          known_.size() > kMostFiles
+              ? fmt::format("a scenario includes at most {} files", kMostFiles)
+              : fmt::format("includes in includes, more than {} deep: {} -> {} -> ... -> {}",
+                            kLongestChain, quote_path(chain_[0]), quote_path(chain_[1]),
+                            quote_path(same)));
+      return;
+    }
+    Value package = read(name, item.where);
+    const Value* found = package.find("include");
+    const Value include = found ? *found : Value{};
+    merger_.add(std::move(package));
+    if (found)
+      follow(include, name, same);
   }
 
   Source& source_;
   Diagnostics& diagnostics_;
-  std::vector<std::string> stack_, done_;
+  Value document_;
+  Merger merger_;
+  std::vector<std::string> chain_;         ///< files that are being read, the scenario first
+  std::unordered_set<std::string> known_;  ///< included files
+  std::size_t values_ = 0;
+  bool stopped_ = false;  ///< a limit is said once
 };
 
 /// What a list item is called: its text, or the only key of a map.
@@ -163,11 +261,16 @@ std::vector<std::string> names_in(const Value& v) {
   return names;
 }
 
+/// What mistakes in an override carry for a file.
+std::string named(const std::string& text) {
+  return "--set " + text;
+}
+
 /// Moves every place in a parsed override to where the value stands in the --set text.
 void place_in_override(Value& v, const std::string& text, std::size_t offset) {
   auto move = [&](Location& where) {
     const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
-    where = {"--set " + text, std::max(where.line, 1), before + std::max(where.column, 1)};
+    where = {named(text), std::max(where.line, 1), before + std::max(where.column, 1)};
   };
   move(v.where);
   for (Value& item : v.items)
@@ -214,7 +317,7 @@ class Override {
 
  private:
   void error(std::size_t offset, const std::string& message) {
-    diagnostics_.error({"--set " + text_, 1, static_cast<int>(offset) + 1}, message);
+    diagnostics_.error({named(text_), 1, static_cast<int>(offset) + 1}, message);
   }
 
   /// The value below `at` that `key` names, or null after saying why there is none.
@@ -266,7 +369,7 @@ class Override {
   void put(Value& at, const std::string& key, std::size_t offset, Value value) {
     if (at.is_map() && !find(at, key))
       at.entries.push_back(
-          {key, {"--set " + text_, 1, static_cast<int>(offset) + 1}, std::move(value)});
+          {key, {named(text_), 1, static_cast<int>(offset) + 1}, std::move(value)});
     else if (Value* there = step(at, key, offset))
       *there = std::move(value);
   }
@@ -278,7 +381,7 @@ class Override {
 }  // namespace
 
 Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics) {
-  return Includer(source, diagnostics).load(file, {file, 0, 0});
+  return Includer(source, diagnostics).load(file);
 }
 
 void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics) {

@@ -10,11 +10,13 @@
 #include "driver/driver_system.hpp"
 #include "model/events.hpp"
 #include "model/flight/fly.hpp"
+#include "model/rates.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "pilot/pilot_system.hpp"
 #include "scenario/assemble.hpp"
 #include "scenario/data.hpp"
 #include "scenario/document.hpp"
+#include "scenario/mission.hpp"
 #include "scenario/place.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/plugins.hpp"
@@ -61,6 +63,8 @@ class Loader {
       flight(plan);
     for (const ConvoyPlan& plan : plans_.convoys)
       convoy(plan);
+    if (const auto problem = until_problem(out_->spec, out_->spec.until))
+      error(place(document_, "until"), "until: " + *problem);
     orders();
     stop_if_wrong();
     finish();
@@ -90,6 +94,8 @@ class Loader {
   }
 
   void models() {
+    if (!plugins_.files().empty())
+      DataLoader::check_plugins(source_, diagnostics_);
     DataLoader data(*library_, document_.find("data"), source_, diagnostics_);
     for (const ConvoyPlan& convoy : plans_.convoys)
       for (const VehiclePlan& player : convoy.players) {
@@ -253,7 +259,18 @@ class Loader {
       error(player.place("fuel"), fmt::format("fuel {:.0f} kg is more than a {} holds ({:.0f} kg)",
                                               begin.fuel, player.spec.aircraft, tanks));
     begin.bingo = player.spec.bingo.value_or(0.25 * tanks);
+    if (player.spec.bingo && begin.bingo >= begin.fuel)
+      error(player.place("bingo"),
+            fmt::format("bingo {:.0f} kg is not less than the fuel at the start ({:.0f} kg)",
+                        begin.bingo, begin.fuel));
     begin.rounds = player.spec.rounds;
+    const int drum = type.index.gun ? library_->guns[*type.index.gun].rounds : 0;
+    if (begin.rounds && *begin.rounds > drum)
+      error(player.place("rounds"),
+            type.index.gun ? fmt::format("{} rounds are more than the gun of a {} holds ({})",
+                                         *begin.rounds, player.spec.aircraft, drum)
+                           : fmt::format("a {} has no gun for {} rounds", player.spec.aircraft,
+                                         *begin.rounds));
     std::size_t station = 0;
     const auto hang = [&](const std::string& store, std::uint8_t count) {
       if (station >= model::kMaxStations)
@@ -280,8 +297,16 @@ class Loader {
     std::vector<std::string> players;
     for (const auto& p : out_->roster.players)
       players.push_back(p.name);
-    const Location where = place(document_, "orders");
+    const Value* list = document_.find("orders");
     for (const OrderSpec& order : out_->spec.orders) {
+      const auto index = static_cast<std::size_t>(&order - out_->spec.orders.data());
+      const Value& item = list->items[index];
+      const Location where = item.where;
+      if (order.at >= out_->spec.until)
+        error(place(item, "at"),
+              fmt::format("an order at {} is never given: the flight ends at {} (until)",
+                          exact_quantity(order.at, Dimension::time),
+                          exact_quantity(out_->spec.until, Dimension::time)));
       const auto who = out_->roster.find(order.player);
       if (!who)
         error(where, fmt::format("there is no player {}{}", quote(order.player),
@@ -308,8 +333,26 @@ class Loader {
     }
   }
 
+  /// Where a model in the scenario's own data says something; else where the rates stand.
+  Location place_in_data(std::string_view kind, std::string_view model,
+                         std::string_view parameter) const {
+    const Value* found = document_.find("data");
+    for (const std::string_view key : {kind, model, parameter}) {
+      const Value* next = found ? found->find(key) : nullptr;
+      if (!next && key != parameter)
+        return place(document_, "rates");
+      found = next ? next : found;
+    }
+    return found->where;
+  }
+
   void finish() {
     out_->library = library_;
+    for (const auto& [kind, model, parameter, problem] :
+         model::rate_problems(*library_, 1 / out_->spec.rates.kinematics))
+      error(place_in_data(kind, model, parameter),
+            fmt::format("data.{}.{}.{}: {}", kind, model, parameter, problem));
+    stop_if_wrong();
     const std::string problem = assemble(*out_, starts_, vehicle_starts_);
     if (!problem.empty()) {
       error(place(document_, "rates"), problem);

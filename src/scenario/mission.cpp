@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/mission.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,15 @@ std::string_view outcome_name(Outcome outcome) {
       return "stopped";
   }
   return "?";
+}
+
+std::optional<std::string> until_problem(const ScenarioSpec& spec, double until) {
+  const double step = 1 / spec.rates.kinematics;
+  if (until >= step && until <= kLongestFlight)
+    return std::nullopt;
+  const auto show = [](double time) { return exact_quantity(time, Dimension::time); };
+  return fmt::format("{} is outside [{}, {}]: from one step to the longest flight", show(until),
+                     show(step), show(kLongestFlight));
 }
 
 Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until,

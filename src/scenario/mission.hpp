@@ -3,6 +3,7 @@
 /// \file  One flight of a scenario, from its first world to its end.
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,10 @@ enum class Outcome : std::uint8_t {
   stopped,    ///< from outside
 };
 [[nodiscard]] std::string_view outcome_name(Outcome outcome);
+
+/// Why a flight cannot end at `until` (s), in words: before its first step is over, or later than
+/// any. Nothing if it can.
+[[nodiscard]] std::optional<std::string> until_problem(const ScenarioSpec& spec, double until);
 
 /// A sim::Run that knows when it is over.
 class Mission {

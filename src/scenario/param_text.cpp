@@ -81,6 +81,10 @@ std::string kind_text(const ParamInfo& info) {
 }
 
 std::string range_text(const ParamInfo& info) {
+  if (info.kind == ParamKind::text)
+    return info.max_items <= kLongestText
+               ? fmt::format("{} to {} characters", info.min_items, info.max_items)
+               : "";
   const Range& limits = info.limits;
   const auto show = [&](double x) { return exact_quantity(x, info.unit.dimension); };
   const bool low = std::isfinite(limits.min) && limits.min > -kLargestSaid;

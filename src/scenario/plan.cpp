@@ -17,9 +17,14 @@
 namespace eyrie::scenario {
 namespace {
 
-bool is_identifier(std::string_view name) {
-  return !name.empty() && name.front() >= 'a' && name.front() <= 'z' &&
-         std::all_of(name.begin(), name.end(), [](char c) {
+constexpr std::size_t kLongestGroup = 40;
+/// Flights and convoys; a row knows its own by 16 bits.
+constexpr std::size_t kMostGroups = 5000;
+
+/// Flights and convoys have one name in the file, in tables and in formats of other programs.
+bool is_group_name(std::string_view name) {
+  return !name.empty() && name.size() <= kLongestGroup && name.front() >= 'a' &&
+         name.front() <= 'z' && std::all_of(name.begin(), name.end(), [](char c) {
            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
          });
 }
@@ -122,15 +127,21 @@ class Reader {
 
   template <class Plan>
   void group(Plan plan, std::vector<Plan>& plans, const Value::Entry& entry, model::Side side) {
-    if (!is_identifier(entry.key) || (entry.key.back() >= '0' && entry.key.back() <= '9'))
+    if (!is_group_name(entry.key) || (entry.key.back() >= '0' && entry.key.back() <= '9'))
       return error(entry.where,
                    fmt::format("{} cannot name a {}: lower-case letters, digits and '_', with a "
-                               "letter first and no digit last",
-                               quote(entry.key), Plan::word));
+                               "letter first and no digit last, at most {} in all",
+                               quote(entry.key), Plan::word, kLongestGroup));
     const auto [known, fresh] = groups_.emplace(entry.key, entry.where);
     if (!fresh)
       return error(entry.where, fmt::format("{} '{}' is defined twice (also at {})", Plan::word,
                                             entry.key, known->second.text()));
+    if (groups_.size() > kMostGroups) {
+      if (groups_.size() == kMostGroups + 1)
+        error(entry.where,
+              fmt::format("a scenario has at most {} flights and convoys", kMostGroups));
+      return;
+    }
     plan.name = entry.key;
     plan.side = side;
     plan.where = entry.where;

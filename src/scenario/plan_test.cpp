@@ -150,7 +150,7 @@ TEST(Plan, RefusesNamesThatCannotNameAFlight) {
     EXPECT_EQ(read("blue: {flights: {" + name + ": {players: [x1]}}}\n").mistakes,
               "a:1:18: " + shown +
                   " cannot name a flight: lower-case letters, digits and '_', with a letter first "
-                  "and no digit last");
+                  "and no digit last, at most 40 in all");
   }
   EXPECT_EQ(read("blue: {flights: {f_2_x: {players: [f_2_x1]}}}\n").mistakes, "");
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
 #include "driver/catalog.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
@@ -32,7 +33,7 @@ std::vector<std::string> model_problems(const Registrar& added, const Source& so
     if (std::find(kinds.begin(), kinds.end(), model.kind) == kinds.end())
       problems.push_back(fmt::format("there is no kind of model {}{}", quote(model.kind),
                                      did_you_mean(model.kind, kinds)));
-    else if (!names_a_file(model.name))
+    else if (!is_identifier(model.name))
       problems.push_back(fmt::format("{} is no name for a model", quote(model.name)));
     else if (std::binary_search(names->second.begin(), names->second.end(), model.name))
       problems.push_back(fmt::format("there is already a model {} ({})", quote(model.name),

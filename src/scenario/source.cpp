@@ -24,9 +24,10 @@ std::string plugin_name(std::string_view origin, std::string_view key) {
 
 }  // namespace
 
-Source Source::disk(std::string home) {
+Source Source::disk(std::string home, std::vector<std::string> allowed) {
   Source s;
   s.home_ = std::move(home);
+  s.allowed_ = std::move(allowed);
   s.from_disk_ = true;
   return s;
 }
@@ -43,6 +44,39 @@ Source Source::shared(std::shared_ptr<const std::map<std::string, std::string>> 
   return s;
 }
 
+fs::path Source::place_of(const std::string& name) const {
+  // data/ stands below home whatever the working folder is; everything else is as the user wrote it
+  std::error_code failed;
+  if (const fs::path data = fs::path(home_) / name;
+      name.starts_with("data/") && fs::is_regular_file(data, failed))
+    return data;
+  return name;
+}
+
+void Source::confine_to_folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  std::vector<fs::path> folders{folder.empty() ? "." : folder, home_};
+  folders.insert(folders.end(), allowed_.begin(), allowed_.end());
+  roots_.clear();
+  for (const fs::path& one : folders) {
+    std::error_code failed;
+    if (const fs::path root = fs::canonical(one, failed); !failed)
+      roots_.push_back(root);
+  }
+  confined_ = from_disk_;
+}
+
+bool Source::is_outside(const std::string& name) const {
+  if (!confined_ || files_.contains(name))
+    return false;
+  std::error_code failed;
+  const fs::path path = fs::weakly_canonical(fs::absolute(place_of(name), failed), failed);
+  return failed || std::none_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+           return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first ==
+                  root.end();
+         });
+}
+
 std::optional<std::string> Source::read(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
     return known->second;
@@ -54,13 +88,9 @@ std::optional<std::string> Source::read(const std::string& name) {
       return files_[name] = there->second;
   if (!from_disk_)
     return std::nullopt;
-  // data/ stands below home whatever the working folder is; everything else is as the user wrote it
   std::error_code failed;
-  fs::path path = name;
-  if (const fs::path data = fs::path(home_) / name;
-      name.starts_with("data/") && fs::is_regular_file(data, failed))
-    path = data;
-  if (name.find('\0') != name.npos || !fs::is_regular_file(path, failed))
+  const fs::path path = place_of(name);
+  if (name.find('\0') != name.npos || !fs::is_regular_file(path, failed) || is_outside(name))
     return std::nullopt;
   // one more than anybody accepts, so that what is too large is refused and not cut
   const std::uintmax_t size = fs::file_size(path, failed);
@@ -87,6 +117,16 @@ void Source::add_model(std::string_view kind, std::string_view name, std::string
   models_[model_key(kind, name)] = {std::move(origin), std::move(text)};
 }
 
+std::vector<std::pair<std::string, std::string>> Source::added_models() const {
+  std::vector<std::pair<std::string, std::string>> models;
+  for (const auto& [key, model] : models_) {
+    const std::size_t slash = key.find('/');
+    models.emplace_back(key.substr(0, slash),
+                        key.substr(slash + 1, key.size() - slash - 1 - kYaml.size()));
+  }
+  return models;
+}
+
 std::optional<std::string> Source::origin(std::string_view kind, std::string_view name) const {
   const auto added = models_.find(model_key(kind, name));
   return added == models_.end() ? std::nullopt : std::optional(added->second.origin);
@@ -111,12 +151,6 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-bool names_a_file(std::string_view name) {
-  return !name.empty() && std::none_of(name.begin(), name.end(), [](char c) {
-    return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20;
-  });
 }
 
 std::string relative_to(std::string_view file, std::string_view name) {

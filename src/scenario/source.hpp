@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,15 +17,23 @@ namespace eyrie::scenario {
 /// File names are kept as the user wrote them, with '/' between folders.
 class Source {
  public:
-  /// Reads from the disk; names in data/ are looked up below `home`.
-  [[nodiscard]] static Source disk(std::string home);
+  /// Reads from the disk; names in data/ are looked up below `home`. `allowed` are folders that
+  /// includes may stand in besides those of confine_to_folder_of().
+  [[nodiscard]] static Source disk(std::string home, std::vector<std::string> allowed = {});
   /// Serves only these texts: a replay must not read what has changed on the disk since.
   [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);
   /// The same of texts that many loads share; files() has those that were read.
   [[nodiscard]] static Source shared(std::shared_ptr<const std::map<std::string, std::string>> all);
 
-  /// The text of a file, or nothing when it is missing, unreadable or no file. Of a file larger
-  /// than kLargest only so much that a parser sees that it is too large.
+  /// From now on only what stands below the folder of `file`, below `home` or below what is
+  /// allowed is read, symbolic links resolved. A scenario is often somebody else's: it must not
+  /// show what else is on the disk.
+  void confine_to_folder_of(const std::string& file);
+  /// Whether that is why there is no text.
+  [[nodiscard]] bool is_outside(const std::string& name) const;
+
+  /// The text of a file, or nothing when it is missing, unreadable, outside or no file. Of a file
+  /// larger than kLargest only so much that a parser sees that it is too large.
   [[nodiscard]] std::optional<std::string> read(const std::string& name);
   /// The name under which `data/<kind>/<name>.yaml`, or the model of a plug-in, is read.
   [[nodiscard]] std::string data_name(std::string_view kind, std::string_view name) const;
@@ -41,6 +50,9 @@ class Source {
   [[nodiscard]] std::optional<std::string> origin(std::string_view kind,
                                                   std::string_view name) const;
 
+  /// Kind and name of every model of a plug-in.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> added_models() const;
+
   /// Every file read so far: name -> text.
   [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
   [[nodiscard]] bool is_bundle() const { return !from_disk_; }
@@ -48,7 +60,13 @@ class Source {
   static constexpr std::size_t kLargest = std::size_t{16} << 20;
 
  private:
+  /// Where a name stands on the disk.
+  [[nodiscard]] std::filesystem::path place_of(const std::string& name) const;
+
   std::string home_;
+  std::vector<std::string> allowed_;
+  bool confined_ = false;
+  std::vector<std::filesystem::path> roots_;  ///< if it is confined
   bool from_disk_ = false;
   std::map<std::string, std::string> files_;
   std::shared_ptr<const std::map<std::string, std::string>> shared_;
@@ -58,9 +76,6 @@ class Source {
   };
   std::map<std::string, Model> models_;  ///< of plug-ins, by "<kind>/<name>.yaml"
 };
-
-/// Whether data/<kind>/<name>.yaml stays in its folder.
-[[nodiscard]] bool names_a_file(std::string_view name);
 
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);

@@ -14,6 +14,9 @@
 
 namespace eyrie::scenario {
 
+/// s, of simulated time: eleven days.
+inline constexpr double kLongestFlight = 1e6;
+
 /// When a run is over, besides `until`.
 enum class Ends : std::uint8_t {
   blue_home,  ///< every living blue aircraft is home and convoy arrived, or none lives
@@ -214,7 +217,9 @@ struct OrderSpec {
   static constexpr std::string_view help = "something asked of a player from outside, at a time";
   static constexpr auto params() {
     return std::tuple{
-        param("at", &OrderSpec::at, "s", range(0, 1e6), "simulated time").required(),
+        param("at", &OrderSpec::at, "s", range(0, kLongestFlight),
+              "simulated time, not after the scenario's end")
+            .required(),
         param("player", &OrderSpec::player, "who").required(),
         param("swap_tree", &OrderSpec::swap_tree, "the tree to fly or drive by from then on"),
         param("lose", &OrderSpec::lose,
@@ -233,13 +238,13 @@ struct ScenarioSpec {
   static constexpr auto params() {
     return std::tuple{
         param("eyrie", &ScenarioSpec::eyrie, range(1, 1), "version of the file format").required(),
-        param("name", &ScenarioSpec::name, "what the run is called").required(),
-        param("help", &ScenarioSpec::help_text, "one line on what it is for"),
+        param("name", &ScenarioSpec::name, "what the run is called").items(1, 100).required(),
+        param("help", &ScenarioSpec::help_text, "one line on what it is for").items(0, 500),
         param("reference", &ScenarioSpec::reference, "origin of the local frame").required(),
         param("seed", &ScenarioSpec::seed, "default seed of the draws"),
         param("rates", &ScenarioSpec::rates, "how often things happen"),
-        param("until", &ScenarioSpec::until, "s", range(0.02, 1e6),
-              "the run ends at the latest then"),
+        param("until", &ScenarioSpec::until, "s", range(0.001, kLongestFlight),
+              "the run ends at the latest then; at least one step"),
         param("ends", &ScenarioSpec::ends, "what else ends the run"),
         param("orders", &ScenarioSpec::orders, "orders from outside, carried out on time")};
   }

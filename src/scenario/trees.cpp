@@ -5,9 +5,15 @@
 
 #include <algorithm>
 #include <map>
+#include <unordered_map>
+
+#include "core/text.hpp"
 
 namespace eyrie::scenario {
 namespace {
+
+/// Far above what anybody writes; a player knows its tree by 16 bits.
+constexpr std::size_t kMostTrees = 2000;
 
 /// Somebody who uses a tree, and where that is said.
 struct User {
@@ -19,24 +25,30 @@ using Users = std::map<std::string, User>;  // by tree
 template <class Group>
 void note_users(const std::vector<Group>& groups, const std::vector<OrderSpec>& orders,
                 Users& users) {
+  std::unordered_multimap<std::string_view, const OrderSpec*> swaps;
+  for (const OrderSpec& order : orders)
+    if (order.swap_tree)
+      swaps.emplace(order.player, &order);
   for (const Group& group : groups)
     for (const auto& player : group.players) {
       users.emplace(player.spec.tree, User{player.name, player.place("tree")});
-      for (const OrderSpec& order : orders)
-        if (order.swap_tree && order.player == player.name)
-          users.emplace(*order.swap_tree, User{player.name, player.where});
+      const auto [first, last] = swaps.equal_range(player.name);
+      for (auto order = first; order != last; ++order)
+        users.emplace(*order->second->swap_tree, User{player.name, player.where});
     }
 }
 
 /// The trees by name, without those defined a second time.
 std::vector<ubf::NamedSpec> named_trees(const Value& map, Diagnostics& diagnostics) {
   std::vector<ubf::NamedSpec> named;
+  std::unordered_map<std::string_view, const Value*> known;
   for (const Value::Entry& e : map.entries) {
-    const auto same = std::find_if(named.begin(), named.end(),
-                                   [&](const ubf::NamedSpec& n) { return n.name == e.key; });
-    if (same != named.end())
-      diagnostics.error(e.where, fmt::format("tree '{}' is defined twice (also at {})", e.key,
-                                             same->value->where.text()));
+    const auto [same, fresh] = known.emplace(e.key, &e.value);
+    if (!fresh)
+      diagnostics.error(e.where, fmt::format("tree {} is defined twice (also at {})", quote(e.key),
+                                             same->second->where.text()));
+    else if (const auto problem = identifier_problem(e.key))
+      diagnostics.error(e.where, "trees: " + *problem);
     else
       named.push_back({e.key, &e.value});
   }
@@ -106,6 +118,12 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   note_users(plans.flights, orders, pilots);
   note_users(plans.convoys, orders, drivers);
 
+  if (map->entries.size() > kMostTrees) {
+    book.too_many_ = true;
+    diagnostics.error(map->where, fmt::format("trees: {} of them; a scenario has at most {}",
+                                              map->entries.size(), kMostTrees));
+    return book;
+  }
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
   Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named,
                                            "an aircraft", "pilot",           changes};
@@ -114,6 +132,8 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   const bool both = !plans.convoys.empty();
   for (const ubf::NamedSpec& spec : named) {
     book.names_.push_back(spec.name);
+    if (diagnostics.full())
+      continue;
     if (ubf::needs_arguments(*spec.value)) {
       book.templates_.push_back(spec.name);
       continue;
@@ -148,7 +168,7 @@ void TreeBook::missing(const std::string& name, const Location& where,
     diagnostics.error(where, fmt::format("tree {} needs arguments: fly a tree that refers to it "
                                          "with some",
                                          quote(name)));
-  else if (!has(broken_))
+  else if (!has(broken_) && !too_many_)
     diagnostics.error(
         where, fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names_)));
 }

@@ -49,6 +49,7 @@ class TreeBook {
   std::shared_ptr<driver::Trees> drivers_ = std::make_shared<driver::Trees>();
   std::vector<std::string> names_;
   std::vector<std::string> broken_;     ///< with mistakes, said already
+  bool too_many_ = false;               ///< said already
   std::vector<std::string> templates_;  ///< that need arguments
 };
 

@@ -220,8 +220,9 @@ class NodeReader {
                                    [&](const NamedSpec& named) { return named.name == name; });
     if (tree == trees_.end()) {
       std::vector<std::string> names;
-      for (const NamedSpec& named : trees_)
-        names.push_back(named.name);
+      if (!diagnostics_.full())
+        for (const NamedSpec& named : trees_)
+          names.push_back(named.name);
       error(reference->where,
             fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names)));
       return nullptr;

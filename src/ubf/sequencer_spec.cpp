@@ -12,6 +12,8 @@ namespace eyrie::ubf {
 namespace {
 
 constexpr std::string_view kAny = "any";
+/// Far above what anybody writes.
+constexpr std::size_t kMostTrees = 500;
 
 /// The names in one line of `transitions`.
 struct Link {
@@ -44,6 +46,11 @@ class Reading {
     if (!trees || !trees->is_map() || trees->entries.empty()) {
       diagnostics_.error(trees ? trees->where : spec_.where,
                          "sequencer needs 'trees', a map from names to nodes");
+      return;
+    }
+    if (trees->entries.size() > kMostTrees) {
+      diagnostics_.error(trees->where, fmt::format("{} trees; a sequencer has at most {}",
+                                                   trees->entries.size(), kMostTrees));
       return;
     }
     for (const Value::Entry& entry : trees->entries) {

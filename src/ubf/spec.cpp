@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "ubf/expression.hpp"
 
 namespace eyrie::ubf {
@@ -68,6 +69,10 @@ std::optional<std::string> label_problem(std::string_view label) {
     return "must not be empty";
   if (label.find_first_of("/[]") != label.npos)
     return fmt::format("{} must not contain '/', '[' or ']'", quote(label));
+  if (const auto held = text_problem(label))
+    return fmt::format("{} holds {}", quote(label), *held);
+  if (const std::size_t size = characters(label); size > kLongestLabel)
+    return fmt::format("{} has {} characters, at most {} fit", quote(label), size, kLongestLabel);
   return std::nullopt;
 }
 

@@ -74,8 +74,10 @@ struct NodeInfo {
 /// Splits a value into type and body, or reports why it is no node.
 [[nodiscard]] std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics);
 
-/// What is wrong with a label, in words: it must not be empty or hold what paths use ('/', '[',
-/// ']').
+/// Characters of a label.
+inline constexpr std::size_t kLongestLabel = 64;
+/// What is wrong with a label, in words: it must not be empty, hold what paths use ('/', '[', ']')
+/// or what cannot be shown (text_problem() in core/text.hpp), or be longer than that.
 [[nodiscard]] std::optional<std::string> label_problem(std::string_view label);
 
 /// Reads the label from a node's body, or reports what is wrong with it. Empty if there is none.

@@ -21,7 +21,4 @@ class Odd final : public pilot::Behavior {
   double course_ = 0;
 };
 
-EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) {
-  registrar.add<Odd>();
-  registrar.add_model("aircraft", "odd_fighter", "base: f16c\nlabel: \"F-16 \\e[8m\\n-1\"\n");
-})
+EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) { registrar.add<Odd>(); })

@@ -68,8 +68,55 @@ TEST(ExplainProgram, FindsTheDecisionsAtEventsByAWordOfTheStory) {
   EXPECT_EQ(ran.code, 0);
   EXPECT_TRUE(says(ran.out, R"(break_turn leads with 80)"));
   const Ran none = debriefed({"explain", "a", "--player", "bogey1", "--event", "ditch"});
-  EXPECT_EQ(none.code, 1);
-  EXPECT_EQ(none.err, "bogey1 made no such decision\n");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(says(none.err,
+                   "^--event 'ditch': bogey1 had no such event in this run; it had "
+                   "[a-z_, ]*launch[a-z_, ]*\n$"))
+      << none.err;
+}
+
+TEST(ExplainProgram, SaysHowLongTheRunIsWhenATimeIsNotInIt) {
+  const Ran at = debriefed({"explain", "a", "--player", "eagle2", "--at", "99:00"});
+  EXPECT_EQ(at.code, 2);
+  EXPECT_EQ(at.err, "--at '99:00': the run ends at 11:00.0\n");
+  const Ran from = debriefed({"explain", "a", "--player", "eagle2", "--from", "20 min"});
+  EXPECT_EQ(from.code, 2);
+  EXPECT_EQ(from.err, "--from '20 min': the run ends at 11:00.0\n");
+}
+
+TEST(WhatIfProgram, RefusesWhatTheRecordedStatesCannotTell) {
+  const auto ask = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"whatif", "a", "--player", "eagle2"});
+    return debriefed(more);
+  };
+  for (const char* set : {"seed=7", "until=1 s", "help=x", "name=x", "eyrie=1",
+                          "plugins=/etc/passwd", "include=x.yaml"}) {
+    const Ran ran = ask({"--set", set});
+    EXPECT_EQ(ran.code, 2) << set;
+    EXPECT_EQ(ran.out, "") << set;
+    EXPECT_TRUE(says(ran.err, "^--set " + std::string(set) + ":1:1: whatif asks other trees; '"))
+        << ran.err;
+  }
+  for (const char* set : {"orders=[]", "rates={kinematics: 50 Hz}", "environment={}",
+                          "blue.flights.eagle.bingo=1000 kg"})
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, {"--branch"}, {"--branch", "--seeds", "1"}}) {
+      std::vector<std::string> words{"--set", set};
+      words.insert(words.end(), more.begin(), more.end());
+      const Ran ran = ask(words);
+      EXPECT_EQ(ran.code, 2) << set;
+      EXPECT_EQ(ran.out, "") << set;
+      EXPECT_TRUE(says(ran.err, "use --seeds, without --branch\n$")) << ran.err;
+    }
+}
+
+TEST(WhatIfProgram, FliesWhatChangesTheFlightOverSeeds) {
+  const Ran ran = debriefed({"whatif", "a", "--player", "eagle2", "--set",
+                             "blue.flights.eagle.loadout=[]", "--seeds", "1", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const json all = json::parse(ran.out);
+  EXPECT_FALSE(all.contains("decisions")) << "the recorded states were not asked";
+  EXPECT_EQ(all["over_seeds"]["seeds"], 1);
 }
 
 TEST(ExplainProgram, GivesToolsTheSame) {

@@ -278,7 +278,7 @@ TEST_F(HostileTexts, OfAPluginReachNoTerminal) {
   // its model has a label that no scenario may have
   folder.write("odd.yaml",
                replaced(scenario_of(kPrintable), "aircraft: odd\n", "aircraft: odd_fighter\n"));
-  clean({"fly", "odd.yaml", "--plugin", library, "--out", "odd"}, false);
+  clean({"fly", "odd.yaml", "--plugin", plugin("hostile_model"), "--out", "odd"}, false);
 }
 
 /// The column in which the answers of a tree begin.

@@ -33,11 +33,11 @@ struct Engine {
   static constexpr auto params() {
     using E = Engine;
     return std::tuple{
-        param("military", &E::military, axis("mach", {}), axis("altitude", "m"), "N", positive(),
+        param("military", &E::military, axis("mach", {}), axis("altitude", "m"), "N", positive(1e7),
               "installed thrust of all engines at full power without afterburner")
             .required(),
         param("afterburner", &E::afterburner, axis("mach", {}), axis("altitude", "m"), "N",
-              positive(), "installed thrust of all engines with full afterburner")
+              positive(1e7), "installed thrust of all engines with full afterburner")
             .required(),
         param("idle_share", &E::idle_share, range(0, 1), "thrust at idle over military thrust"),
         param("military_tsfc", &E::military_tsfc, "kg/N/s", range(1e-6, 1e-3),

@@ -41,7 +41,7 @@ struct VehicleType {
   static constexpr auto params() {
     using V = VehicleType;
     return std::tuple{
-        param("label", &V::label, "name in the story and in Tacview").required(),
+        param("label", &V::label, "name in the story and in Tacview").items(1, 40).required(),
         param("wheelbase", &V::wheelbase, "m", range(0.5, 20), "from axle to axle"),
         param("top_speed", &V::top_speed, "m/s", range(1, 100), "drives no faster"),
         param("acceleration", &V::acceleration, "m/s2", range(0.1, 15), "the most it gathers"),

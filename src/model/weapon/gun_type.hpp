@@ -31,7 +31,7 @@ struct GunType {
   static constexpr auto params() {
     using G = GunType;
     return std::tuple{
-        param("label", &G::label, "name in the story").required(),
+        param("label", &G::label, "name in the story").items(1, 40).required(),
         param("rounds", &G::rounds, range(1, 10000), "in the drum").required(),
         param("rate", &G::rate, "Hz", range(0.1, 200), "rounds per second").required(),
         param("muzzle_velocity", &G::muzzle_velocity, "m/s", range(100, 3000),

@@ -20,9 +20,9 @@ struct InfraredSignature {
   static constexpr std::string_view help = "radiant intensity of an aircraft by aspect";
   static constexpr auto params() {
     using S = InfraredSignature;
-    return std::tuple{param("front", &S::front, positive(), "W/sr, nose on, military power"),
-                      param("side", &S::side, positive(), "W/sr, abeam, military power"),
-                      param("rear", &S::rear, positive(), "W/sr, tail on, military power"),
+    return std::tuple{param("front", &S::front, positive(1e6), "W/sr, nose on, military power"),
+                      param("side", &S::side, positive(1e6), "W/sr, abeam, military power"),
+                      param("rear", &S::rear, positive(1e6), "W/sr, tail on, military power"),
                       param("afterburner", &S::afterburner, range(1, 1000),
                             "factor on all of them with full afterburner")};
   }

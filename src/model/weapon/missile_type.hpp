@@ -32,11 +32,11 @@ struct Motor {
   static constexpr std::string_view help = "mass and thrust over the time since launch";
   static constexpr auto params() {
     return std::tuple{
-        param("mass", &Motor::mass, axis("time", "s"), "kg", positive(), "the whole missile")
+        param("mass", &Motor::mass, axis("time", "s"), "kg", positive(20e3), "the whole missile")
             .required(),
-        param("thrust", &Motor::thrust, axis("time", "s"), "N", at_least(0), "at sea level")
+        param("thrust", &Motor::thrust, axis("time", "s"), "N", range(0, 2e6), "at sea level")
             .required(),
-        param("nozzle_area", &Motor::nozzle_area, "m2", at_least(0),
+        param("nozzle_area", &Motor::nozzle_area, "m2", range(0, 1),
               "exit area: thrust grows by this times the lack of outside pressure")};
   }
 };
@@ -55,18 +55,18 @@ struct MissileAero {
   static constexpr auto params() {
     using A = MissileAero;
     return std::tuple{
-        param("reference_area", &A::reference_area, "m2", positive(), "of all coefficients")
+        param("reference_area", &A::reference_area, "m2", positive(10), "of all coefficients")
             .required(),
-        param("drag_power_on", &A::drag_power_on, axis("mach", {}), {}, positive(),
+        param("drag_power_on", &A::drag_power_on, axis("mach", {}), {}, positive(100),
               "zero-lift drag coefficient while the motor burns")
             .required(),
-        param("drag_power_off", &A::drag_power_off, axis("mach", {}), {}, positive(),
+        param("drag_power_off", &A::drag_power_off, axis("mach", {}), {}, positive(100),
               "zero-lift drag coefficient after burnout")
             .required(),
-        param("induced_drag", &A::induced_drag, axis("mach", {}), {}, at_least(0),
+        param("induced_drag", &A::induced_drag, axis("mach", {}), {}, range(0, 100),
               "k in C_D = C_D0 + k C_L^2")
             .required(),
-        param("greatest_lift", &A::greatest_lift, axis("mach", {}), {}, positive(),
+        param("greatest_lift", &A::greatest_lift, axis("mach", {}), {}, positive(1000),
               "lift coefficient at the greatest angle of attack")
             .required(),
         param("greatest_load_factor", &A::greatest_load_factor, range(1, 100), "g").required()};
@@ -84,8 +84,8 @@ struct Loft {
   static constexpr auto params() {
     return std::tuple{
         param("angle", &Loft::angle, "rad", range(0, 1), "above the line to the target"),
-        param("end_range", &Loft::end_range, "m", positive(), "nearer targets are aimed at"),
-        param("ceiling", &Loft::ceiling, "m", positive(), "never aims above this altitude")};
+        param("end_range", &Loft::end_range, "m", positive(500e3), "nearer targets are aimed at"),
+        param("ceiling", &Loft::ceiling, "m", positive(100e3), "never aims above this altitude")};
   }
 };
 
@@ -103,11 +103,11 @@ struct MissileGuidance {
     using G = MissileGuidance;
     return std::tuple{param("navigation_gain", &G::navigation_gain, range(1, 10),
                             "N: acceleration per closing speed and line-of-sight rate"),
-                      param("autopilot_lag", &G::autopilot_lag, "s", positive(),
+                      param("autopilot_lag", &G::autopilot_lag, "s", positive(10),
                             "first-order lag from wanted to achieved acceleration"),
-                      param("separation_time", &G::separation_time, "s", at_least(0),
+                      param("separation_time", &G::separation_time, "s", range(0, 60),
                             "flies straight for this long after launch"),
-                      param("link_interval", &G::link_interval, "s", positive(),
+                      param("link_interval", &G::link_interval, "s", positive(60),
                             "between midcourse updates from the shooter; null: it has no link"),
                       param("loft", &G::loft, "null: it never lofts")};
   }
@@ -125,10 +125,10 @@ struct Warhead {
   static constexpr auto params() {
     using W = Warhead;
     return std::tuple{
-        param("arming_time", &W::arming_time, "s", at_least(0), "after launch"),
-        param("fuze_range", &W::fuze_range, "m", positive(),
+        param("arming_time", &W::arming_time, "s", range(0, 60), "after launch"),
+        param("fuze_range", &W::fuze_range, "m", positive(1000),
               "fires at the closest approach to anybody nearer than this"),
-        param("lethal_radius", &W::lethal_radius, "m", positive(),
+        param("lethal_radius", &W::lethal_radius, "m", positive(1000),
               "miss distance at which the kill probability has fallen to 37 %"),
         param("best_kill", &W::best_kill, range(0, 1), "kill probability of a direct hit")};
   }
@@ -159,22 +159,23 @@ struct MissileType {
   static constexpr auto params() {
     using M = MissileType;
     return std::tuple{
-        param("label", &M::label, "name in the story").required(),
+        param("label", &M::label, "name in the story").items(1, 40).required(),
         param("motor", &M::motor, "mass and thrust").required(),
         param("aero", &M::aero, "lift and drag").required(),
         param("guidance", &M::guidance, "how it steers").required(),
         param("seeker", &M::seeker, "what it sees").required(),
         param("warhead", &M::warhead, "fuze and kill probability").required(),
-        param("greatest_time", &M::greatest_time, "s", positive(), "of flight: battery").required(),
-        param("least_speed", &M::least_speed, "m/s", positive(),
+        param("greatest_time", &M::greatest_time, "s", positive(1000), "of flight: battery")
+            .required(),
+        param("least_speed", &M::least_speed, "m/s", positive(1000),
               "slower it can not be steered and destroys itself")
             .required(),
-        param("release_interval", &M::release_interval, "s", at_least(0),
+        param("release_interval", &M::release_interval, "s", range(0, 600),
               "shortest time between two releases of one aircraft"),
-        param("launch_delay", &M::launch_delay, "s", at_least(0), "from release to launch"),
+        param("launch_delay", &M::launch_delay, "s", range(0, 60), "from release to launch"),
         param("ejection_speed", &M::ejection_speed, "m/s", range(0, 30),
               "away from the aircraft's belly; 0 from a rail"),
-        param("carriage_drag_area", &M::carriage_drag_area, "m2", at_least(0),
+        param("carriage_drag_area", &M::carriage_drag_area, "m2", range(0, 10),
               "drag area that one adds to the aircraft that carries it")};
   }
 };

@@ -23,8 +23,9 @@ struct FieldLimits {
   static constexpr std::string_view type_name = "limits";
   [[nodiscard]] static constexpr auto params() {
     constexpr Unit kUnit = std::get<I>(ActionTraits<Action>::fields).unit;
-    return std::tuple{param("min", &FieldLimits::min, kUnit, any(), "least value that passes"),
-                      param("max", &FieldLimits::max, kUnit, any(), "greatest value that passes")};
+    return std::tuple{
+        param("min", &FieldLimits::min, kUnit, range(-1e9, 1e9), "least value that passes"),
+        param("max", &FieldLimits::max, kUnit, range(-1e9, 1e9), "greatest value that passes")};
   }
   std::optional<double> min, max;
 };

@@ -36,9 +36,9 @@ class Commitment final : public WithMemory<Voting<State, Action>, CommitmentMemo
     return std::tuple_cat(
         std::tuple{param("margin", &Commitment::margin, range(0, 1000),
                          "by how much a rival's vote must be higher"),
-                   param("min_time", &Commitment::min_time, "s", at_least(0),
+                   param("min_time", &Commitment::min_time, "s", range(0, 1e6),
                          "how long a choice stands before a rival may replace it"),
-                   param("hold", &Commitment::hold, "s", at_least(0),
+                   param("hold", &Commitment::hold, "s", range(0, 1e6),
                          "how long the last proposal of a child that fell silent is kept up")},
         Voting<State, Action>::template vote_params<Commitment>());
   }

@@ -28,14 +28,15 @@ struct FieldAxis {
   [[nodiscard]] static constexpr auto params() {
     constexpr Unit kUnit = std::get<I>(ActionTraits<Action>::fields).unit;
     return std::tuple{
-        param("from", &FieldAxis::from, kUnit, any(), "the first candidate").required(),
-        param("to", &FieldAxis::to, kUnit, any(), "the last one; of a whole circle the first again")
+        param("from", &FieldAxis::from, kUnit, range(-1e9, 1e9), "the first candidate").required(),
+        param("to", &FieldAxis::to, kUnit, range(-1e9, 1e9),
+              "the last one; of a whole circle the first again")
             .required(),
         param("steps", &FieldAxis::steps, range(2, 360), "how many candidates").required(),
-        param("reach", &FieldAxis::reach, kUnit, positive(),
+        param("reach", &FieldAxis::reach, kUnit, positive(1e9),
               "what a child asks for is worth 1, and so far from it -1")
             .required(),
-        param("spread", &FieldAxis::spread, kUnit, at_least(0),
+        param("spread", &FieldAxis::spread, kUnit, range(0, 1e9),
               "standard deviation of what comes of a command (for utility)")};
   }
   double from = 0, to = 0, reach = 1, spread = 0;

@@ -26,7 +26,7 @@ class Inhibit final : public WithMemory<Voting<State, Action>, InhibitMemory> {
   static constexpr Kind kind = Kind::arbiter;
   static constexpr std::array<std::string_view, 2> slots{"by", "child"};
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("hold", &Inhibit::hold, "s", at_least(0),
+    return std::tuple_cat(std::tuple{param("hold", &Inhibit::hold, "s", range(0, 1e6),
                                            "how long the lower layer stays blocked afterwards")},
                           Voting<State, Action>::template vote_params<Inhibit>());
   }

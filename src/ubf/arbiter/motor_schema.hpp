@@ -31,7 +31,8 @@ class MotorSchema final : public Mixing<State, Action> {
                 .required(),
             param("magnitude", &MotorSchema::magnitude, "the field that is the vector's length")
                 .required(),
-            param("unit_vote", &MotorSchema::unit_vote, positive(), "a vote of this is a gain of 1")
+            param("unit_vote", &MotorSchema::unit_vote, positive(1000),
+                  "a vote of this is a gain of 1")
                 .required()},
         Voting<State, Action>::template vote_params<MotorSchema>());
   }

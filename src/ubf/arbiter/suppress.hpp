@@ -31,7 +31,7 @@ class Suppress final : public WithMemory<Voting<State, Action>, SuppressMemory<A
   static constexpr std::array<std::string_view, 2> slots{"by", "child"};
   [[nodiscard]] static constexpr auto params() {
     return std::tuple_cat(
-        std::tuple{param("hold", &Suppress::hold, "s", at_least(0),
+        std::tuple{param("hold", &Suppress::hold, "s", range(0, 1e6),
                          "how long the higher layer's last proposal goes on to replace")},
         Voting<State, Action>::template vote_params<Suppress>());
   }

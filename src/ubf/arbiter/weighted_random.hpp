@@ -29,7 +29,7 @@ class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRa
       "its vote";
   static constexpr Kind kind = Kind::arbiter;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("keep", &WeightedRandom::keep, "s", at_least(0),
+    return std::tuple_cat(std::tuple{param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
                                            "how long a draw stands; 0: draws in every tick")},
                           Voting<State, Action>::template vote_params<WeightedRandom>());
   }

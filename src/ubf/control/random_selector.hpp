@@ -29,7 +29,7 @@ class RandomSelector final : public WithMemory<Voting<State, Action>, RandomSele
   static constexpr Kind kind = Kind::control;
   static constexpr std::size_t kMaxChildren = 64;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("weights", &RandomSelector::weights, positive(),
+    return std::tuple_cat(std::tuple{param("weights", &RandomSelector::weights, positive(1e6),
                                            "one per child; none: all children alike")},
                           Voting<State, Action>::template vote_params<RandomSelector>());
   }

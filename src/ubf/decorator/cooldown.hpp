@@ -23,7 +23,7 @@ class Cooldown final : public WithMemory<Decorator<State, Action>, CooldownMemor
   static constexpr std::string_view help = "keeps a child that has ended from starting again";
   [[nodiscard]] static constexpr auto params() {
     return std::tuple{
-        param("duration", &Cooldown::duration, "s", positive(), "how long it stays shut")
+        param("duration", &Cooldown::duration, "s", positive(1e6), "how long it stays shut")
             .required()};
   }
   using WithMemory<Decorator<State, Action>, CooldownMemory>::WithMemory;

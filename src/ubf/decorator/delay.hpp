@@ -21,7 +21,7 @@ class Delay final : public WithMemory<Decorator<State, Action>, DelayMemory> {
   static constexpr std::string_view help = "waits before it asks its child";
   [[nodiscard]] static constexpr auto params() {
     return std::tuple{
-        param("duration", &Delay::duration, "s", positive(), "how long it waits").required()};
+        param("duration", &Delay::duration, "s", positive(1e6), "how long it waits").required()};
   }
   using WithMemory<Decorator<State, Action>, DelayMemory>::WithMemory;
 

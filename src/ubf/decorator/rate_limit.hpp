@@ -21,7 +21,7 @@ class RateLimit final : public WithMemory<Decorator<State, Action>, RateLimitMem
   static constexpr std::string_view type_name = "rate_limit";
   static constexpr std::string_view help = "keeps a child from beginning too often";
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple{param("period", &RateLimit::period, "s", positive(),
+    return std::tuple{param("period", &RateLimit::period, "s", positive(1e6),
                             "least time from one beginning to the next")
                           .required()};
   }

@@ -21,7 +21,8 @@ class Timeout final : public WithMemory<Decorator<State, Action>, TimeoutMemory>
   static constexpr std::string_view help = "fails and halts a child that runs for too long";
   [[nodiscard]] static constexpr auto params() {
     return std::tuple{
-        param("after", &Timeout::after, "s", positive(), "how long the child may run").required()};
+        param("after", &Timeout::after, "s", positive(1e6), "how long the child may run")
+            .required()};
   }
   using WithMemory<Decorator<State, Action>, TimeoutMemory>::WithMemory;
 

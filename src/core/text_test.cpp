@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "core/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/printable.hpp"
+
+namespace eyrie {
+namespace {
+
+using namespace std::string_literals;
+
+struct Named {
+  std::string text, folder;
+};
+
+/// Every one was a folder outside runs/, a surprise for a shell, or bytes that a terminal obeys.
+const std::vector<Named> kHostile{
+    {"sweep", "sweep"},
+    {"Sweep 4v2", "Sweep-4v2"},
+    {"", "run"},
+    {".", "run"},
+    {"..", "run"},
+    {"../../evil", "evil"},
+    {"/etc/passwd", "etc-passwd"},
+    {"-rf", "rf"},
+    {"--out", "out"},
+    {".hidden", "hidden"},
+    {"a/../b", "a-..-b"},
+    {"a\\b", "a-b"},
+    {"a\nb", "a-b"},
+    {"a\0b"s, "a-b"},
+    {"\x1b[31mred", "31mred"},
+    {"~", "run"},
+    {"$(reboot)", "reboot"},
+    {"a b\tc", "a-b-c"},
+    {"trailing. ", "trailing"},
+    {"ends...", "ends"},
+    {"übung", "bung"},
+    {"鷹", "run"},
+    {"\xff\xfe", "run"},
+    {"_", "_"},
+    {std::string(100'000, 'x'), std::string(64, 'x')},
+    {std::string(63, 'x') + "/y", std::string(63, 'x')},
+};
+
+TEST(FolderOfAName, IsACheckedIdentifierWhateverTheNameIs) {
+  for (const Named& one : kHostile)
+    EXPECT_EQ(file_name_from(one.text), one.folder) << printable(one.text, 80);
+}
+
+TEST(FolderOfAName, HoldsForRandomBytes) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text(random() % 100, '\0');
+    for (char& c : text)
+      c = static_cast<char>(random() % 4 ? random() % 256 : "./-~\\ "[random() % 6]);
+    const std::string name = file_name_from(text);
+    ASSERT_TRUE(is_identifier(name)) << printable(text, 200);
+    ASSERT_EQ(file_name_from(name), name);
+  }
+}
+
+TEST(Identifier, IsLettersDigitsAndThreeSigns) {
+  for (const char* good : {"a", "f15c", "R-77", "_x", "1l121", "aim9.m", "a_b-c.d"}) {
+    EXPECT_TRUE(is_identifier(good)) << good;
+    EXPECT_EQ(identifier_problem(good), std::nullopt);
+  }
+  for (const std::string& bad : {""s, "-x"s, ".x"s, ".."s, "a b"s, "a/b"s, "a:b"s, "ä"s, "a\n"s,
+                                 "a\0"s, std::string(65, 'a')})
+    EXPECT_FALSE(is_identifier(bad)) << printable(bad, 80);
+  EXPECT_EQ(identifier_problem("../x"),
+            "'../x' is no name: use letters, digits, '_', '-' and '.', a letter, a digit or '_' "
+            "first, at most 64 in all");
+}
+
+TEST(TextForPeople, SaysWhatItMustNotHold) {
+  EXPECT_EQ(text_problem(""), std::nullopt);
+  EXPECT_EQ(text_problem("Übung 4, 鷹 \U0001F985 <b>'\"\\"), std::nullopt);
+  EXPECT_EQ(text_problem("a\nb"), "a line break");
+  EXPECT_EQ(text_problem("a\rb"), "a line break");
+  EXPECT_EQ(text_problem("a\u2028b"), "a line break");
+  EXPECT_EQ(text_problem("a\0b"s), "the control character U+0000");
+  EXPECT_EQ(text_problem("a\x1b[31m"), "the control character U+001B");
+  EXPECT_EQ(text_problem("a\x7f"), "the control character U+007F");
+  EXPECT_EQ(text_problem("a\u009b"), "the control character U+009B");
+  EXPECT_EQ(text_problem("a\xff"), "the byte \\xff, which is not UTF-8");
+  EXPECT_EQ(text_problem("\xed\xa0\x80"), "the byte \\xed, which is not UTF-8");  // a surrogate
+  EXPECT_EQ(text_problem("a\u202Eb"), "the control character U+202E");
+  EXPECT_EQ(text_problem("a\u2066b"), "the control character U+2066");
+}
+
+TEST(TextForPeople, IsCountedInCharacters) {
+  EXPECT_EQ(characters(""), 0u);
+  EXPECT_EQ(characters("aä鷹\U0001F985"), 4u);
+  EXPECT_EQ(characters("a\xff\xff"), 3u);
+}
+
+}  // namespace
+}  // namespace eyrie

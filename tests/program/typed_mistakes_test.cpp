@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+/// \file  The user's mistakes on the command line, through the real program: exit code 2, a line or
+/// two of our own words, and nothing left on the disk.
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+#include "support/small_scenario.hpp"
+
+namespace eyrie::test {
+namespace {
+
+/// Mistakes in what was typed, with the good scenario.
+struct Typed {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* expected;  ///< stderr; without a line end: how it begins
+};
+
+void PrintTo(const Typed& t, std::ostream* out) {
+  *out << t.name;
+}
+
+class TypedMistakes : public testing::TestWithParam<Typed> {};
+
+TEST_P(TypedMistakes, AreSaidAndLeaveNothing) {
+  const TempFolder folder;
+  folder.write("x.yaml", kSmallScenario);
+  folder.write("full/file", "kept");
+  const Ran ran = run_program(folder, GetParam().arguments);
+  EXPECT_EQ(ran.code, 2);
+  const std::string expected = GetParam().expected;
+  const bool whole = expected.ends_with('\n');
+  EXPECT_EQ(whole ? ran.err : ran.err.substr(0, expected.size()), expected) << ran.err;
+  EXPECT_EQ(ran.out, "");
+  EXPECT_EQ(folder.everything(), (std::vector<std::string>{"full", "full/file", "x.yaml"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfTheCommandLine, TypedMistakes,
+    testing::Values(
+        Typed{"NoSuchScenario",
+              {"fly", "sweap"},
+              "eyrie: there is no scenario 'sweap'; did you mean 'sweep'?\n"},
+        Typed{"NoSuchFile",
+              {"fly", "nowhere/x.yaml"},
+              "eyrie: there is no scenario 'nowhere/x.yaml'\n"},
+        Typed{"SetWithoutValue",
+              {"fly", "x.yaml", "--set", "blue"},
+              "--set blue:1:1: expected path=value\n"},
+        Typed{"SetOfAnUnknownPath",
+              {"fly", "x.yaml", "--set", "blue.flights.egle.tree=cruise"},
+              "--set blue.flights.egle.tree=cruise:1:14: there is no 'egle' here; did you mean "
+              "'eagle'?\n"},
+        Typed{"SetOfAnUnknownKey",
+              {"fly", "x.yaml", "--set", "untill=3 s"},
+              "--set untill=3 s:1:1: scenario has no parameter 'untill'; did you mean 'until'?\n"},
+        Typed{
+            "SetWithTheWrongUnit",
+            {"fly", "x.yaml", "--set", "until=3 kg"},
+            "--set until=3 kg:1:7: until: expected a time such as '3 min', got '3 kg' (a mass)\n"},
+        Typed{"SetOfBrokenYaml",
+              {"fly", "x.yaml", "--set", "seed={"},
+              "--set seed={:1:6: not YAML: while parsing a flow node: did not find expected node "
+              "content\n"},
+        Typed{"TwoBadSets",
+              {"fly", "x.yaml", "--set", "blue", "--set", "=3"},
+              "--set blue:1:1: expected path=value\n--set =3:1:1: expected path=value\n"},
+        Typed{"UntilInTheWrongUnit",
+              {"fly", "x.yaml", "--until", "3 kg"},
+              "--until: expected a time such as '3 min', got '3 kg' (a mass)\n"},
+        Typed{"UntilTheStart", {"fly", "x.yaml", "--until", "0 s"}, "--until: 0 s is outside"},
+        Typed{"OutThatIsNotEmpty",
+              {"fly", "x.yaml", "--out", "full"},
+              "eyrie: 'full' exists already; name another folder or add --force\n"},
+        Typed{"OutThatIsAFile",
+              {"fly", "x.yaml", "--out", "x.yaml"},
+              "eyrie: 'x.yaml' is a file; only a folder is made or replaced\n"},
+        Typed{"NegativeSeed",
+              {"fly", "x.yaml", "--seed", "-1"},
+              "eyrie: --seed: must be a whole number from 0 to 18446744073709551615\n"
+              "eyrie fly --help says more\n"},
+        Typed{
+            "NoWorkers",
+            {"fly", "x.yaml", "--workers", "0"},
+            "eyrie: --workers: must be a whole number from 1 to 256\neyrie fly --help says more\n"},
+        Typed{
+            "TooManyWorkers",
+            {"fly", "x.yaml", "--workers", "257"},
+            "eyrie: --workers: must be a whole number from 1 to 256\neyrie fly --help says more\n"},
+        Typed{"ParanoidByHalves",
+              {"fly", "x.yaml", "--paranoid", "1.5"},
+              "eyrie: --paranoid: must be a whole number from 1 to 256\neyrie fly --help says "
+              "more\n"},
+        Typed{"UnknownOption",
+              {"fly", "x.yaml", "--bogus"},
+              "eyrie: fly has no option '--bogus'\neyrie fly --help says more\n"},
+        Typed{"NoCommand", {}, "eyrie: A subcommand is required\neyrie --help says more\n"},
+        Typed{"ReplayOfNothing", {"replay", "nowhere"}, "nowhere: there is no such file\n"},
+        Typed{"ReplayOfAForeignFile", {"replay", "x.yaml"}, "x.yaml: this is not a run file\n"},
+        Typed{"UnknownOptionThatIsNear",
+              {"fly", "x.yaml", "--sed", "7"},
+              "eyrie: fly has no option '--sed'; did you mean '--seed'?\neyrie fly --help says "
+              "more\n"},
+        Typed{"UnknownCommand",
+              {"flly", "x.yaml"},
+              "eyrie: there is no command 'flly'; did you mean 'fly'?\neyrie --help says more\n"},
+        Typed{"EmptyUntil",
+              {"fly", "x.yaml", "--until", ""},
+              "eyrie: --until must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyOut",
+              {"fly", "x.yaml", "--out", ""},
+              "eyrie: --out must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptySet",
+              {"fly", "x.yaml", "--set", ""},
+              "eyrie: --set must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyPlugin",
+              {"fly", "x.yaml", "--plugin", ""},
+              "eyrie: --plugin must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyAllowInclude",
+              {"fly", "x.yaml", "--allow-include", ""},
+              "eyrie: --allow-include must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyRealtime",
+              {"fly", "x.yaml", "--realtime", ""},
+              "eyrie: --realtime must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyRealtimeBehindAnEqualsSign",
+              {"fly", "x.yaml", "--realtime="},
+              "eyrie: --realtime must not be empty\neyrie fly --help says more\n"},
+        Typed{"EmptyScenario",
+              {"fly", ""},
+              "eyrie: an argument must not be empty\neyrie fly --help says more\n"},
+        Typed{"ValidateOfNothing",
+              {"validate", ""},
+              "eyrie: an argument must not be empty\neyrie validate --help says more\n"},
+        Typed{"EmptyAt",
+              {"explain", "r", "--player", "eagle1", "--at", ""},
+              "eyrie: --at must not be empty\neyrie explain --help says more\n"},
+        Typed{"EmptyEvent",
+              {"explain", "r", "--player", "eagle1", "--event", ""},
+              "eyrie: --event must not be empty\neyrie explain --help says more\n"},
+        Typed{"EmptyFrom",
+              {"explain", "r", "--player", "eagle1", "--from", ""},
+              "eyrie: --from must not be empty\neyrie explain --help says more\n"},
+        Typed{"EmptyTo",
+              {"explain", "r", "--player", "eagle1", "--to", ""},
+              "eyrie: --to must not be empty\neyrie explain --help says more\n"},
+        Typed{"EmptyPlayer",
+              {"explain", "r", "--player", ""},
+              "eyrie: --player must not be empty\neyrie explain --help says more\n"},
+        Typed{"EmptyPlayerOfAnExport",
+              {"export", "r", "--to", "czml", "--player", ""},
+              "eyrie: --player must not be empty\neyrie export --help says more\n"},
+        Typed{"EmptyRun",
+              {"replay", ""},
+              "eyrie: an argument must not be empty\neyrie replay --help says more\n"},
+        Typed{
+            "RealtimeNan",
+            {"fly", "x.yaml", "--realtime=nan"},
+            "eyrie: --realtime: must be a number from 0.001 to 1000\neyrie fly --help says more\n"},
+        Typed{
+            "RealtimeTiny",
+            {"fly", "x.yaml", "--realtime=1e-300"},
+            "eyrie: --realtime: must be a number from 0.001 to 1000\neyrie fly --help says more\n"},
+        Typed{
+            "RealtimeNegative",
+            {"fly", "x.yaml", "--realtime=-1"},
+            "eyrie: --realtime: must be a number from 0.001 to 1000\neyrie fly --help says more\n"},
+        Typed{
+            "RealtimeInfinite",
+            {"fly", "x.yaml", "--realtime=inf"},
+            "eyrie: --realtime: must be a number from 0.001 to 1000\neyrie fly --help says more\n"},
+        Typed{"ExportToAnUnknownFormat",
+              {"export", "r", "--to", "cmzl"},
+              "eyrie: --to: must be one of czml, geojson, decisions, got 'cmzl'; did you mean "
+              "'czml'?\neyrie export --help says more\n"},
+        Typed{"ExplainAtNegative",
+              {"explain", "r", "--player", "eagle1", "--at=-0:01"},
+              "--at '-0:01': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainAtSeconds",
+              {"explain", "r", "--player", "eagle1", "--at=1:99"},
+              "--at '1:99': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainAtInfinite",
+              {"explain", "r", "--player", "eagle1", "--at=inf"},
+              "--at 'inf': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainAtHalfAMinute",
+              {"explain", "r", "--player", "eagle1", "--at=1.5:00"},
+              "--at '1.5:00': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainAtWord",
+              {"explain", "r", "--player", "eagle1", "--at=noon"},
+              "--at 'noon': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainAtNegativeQuantity",
+              {"explain", "r", "--player", "eagle1", "--at=-5 min"},
+              "--at '-5 min': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainToInfinity",
+              {"explain", "r", "--player", "eagle1", "--to", "inf"},
+              "--to 'inf': expected a time such as 312.4, '5 min' or 5:12.4\n"},
+        Typed{"ExplainBackwards",
+              {"explain", "r", "--player", "eagle1", "--from", "5", "--to", "4"},
+              "--to '4': must be after --from\n"},
+        Typed{"ExplainAnEventThatIsNoWord",
+              {"explain", "r", "--player", "eagle1", "--event", "."},
+              "--event '.': expected a word, such as break\n"},
+        Typed{"UntilEndless", {"fly", "x.yaml", "--until", "1e308 s"}, "--until: "},
+        Typed{"UntilInfinite", {"fly", "x.yaml", "--until", "1e300 h"}, "--until: "},
+        Typed{"UntilNoStep", {"fly", "x.yaml", "--until", "1 ms"}, "--until: "},
+        Typed{"UntilBeyondAnyFlight", {"fly", "x.yaml", "--until", "1000001 s"}, "--until: "}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+/// Whatever is typed, what is said of it stays short and in our words.
+TEST(LongArguments, AreNotEchoedWhole) {
+  const TempFolder folder;
+  folder.write("x.yaml", kSmallScenario);
+  const std::string huge(100'000, 'x');
+  const std::vector<std::vector<std::string>> lines{
+      {huge},
+      {"fly", huge},
+      {"fly", "--" + huge},
+      {"fly", "x.yaml", huge},
+      {"fly", "x.yaml", "--until", huge},
+      {"fly", "x.yaml", "--seed", huge},
+      {"fly", "x.yaml", "--set", huge},
+      {"fly", "x.yaml", "--set", "name=" + huge},
+      {"fly", "x.yaml", "--set", huge + "=1"},
+      {"fly", "x.yaml", "--set", "blue." + huge + ".x=1"},
+      {"fly", "x.yaml", "--plugin", huge},
+      {"fly", "x.yaml", "--allow-include", huge},
+      {"fly", "x.yaml", "--realtime", huge},
+      {"fly", "x.yaml", "--out", huge},
+      {"fly", "x.yaml", "--out", huge, "--force"},
+      {"validate", huge},
+      {"replay", huge},
+      {"explain", huge, "--player", "eagle1"},
+      {"diff", huge, huge},
+      {"debrief", huge},
+      {"export", huge, "--to", "czml"},
+      {"export", "r", "--to", huge},
+      {"new", "behavior", huge},
+  };
+  for (const auto& words : lines) {
+    const Ran ran = run_program(folder, words);
+    const std::string which = words[0].substr(0, 20) + " " + words.back().substr(0, 20);
+    EXPECT_EQ(ran.code, 2) << which;
+    EXPECT_LT(ran.err.size(), 1000u) << which;
+    EXPECT_EQ(ran.err.find("filesystem"), std::string::npos) << which << ran.err;
+    EXPECT_EQ(ran.err.find("std::"), std::string::npos) << which << ran.err;
+  }
+  EXPECT_EQ(folder.everything(), std::vector<std::string>{"x.yaml"});
+}
+
+TEST(WrongHome, IsSaidToBeWrong) {
+  const TempFolder folder;
+  folder.write("x.yaml", kSmallScenario);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"fly", "x.yaml"},
+                                                {"validate", "x.yaml"},
+                                                {"catalog"},
+                                                {"new", "behavior", "mine"}}) {
+    const Ran ran = run_program(folder, words, {.home = "/nowhere"});
+    EXPECT_EQ(ran.code, 2) << words[0];
+    EXPECT_EQ(ran.err, "eyrie: EYRIE_HOME is '/nowhere', where there is no folder 'data'\n");
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::test
