@@ -26,7 +26,7 @@ begin() {
   touch "$work"/project/{CMakeLists.txt,CMakePresets.json}
   echo '{}' >"$work/project/viewer/package-lock.json"
   local tool
-  for tool in bash sh dirname readlink find cmp grep touch mkdir chmod cp rm cat mv nproc awk env flock head sed setsid sleep sort; do
+  for tool in bash sh dirname readlink find cmp grep touch mkdir chmod cp rm cat mv nproc awk env flock head sed setsid sleep sort timeout; do
     ln -s "$(command -v "$tool")" "$work/tools/$tool"
   done
   tool cmake 'echo "configured: $*"; touch '"$work/build/build.ninja"
@@ -49,7 +49,7 @@ tool() {  # NAME TEXT
 }
 run() {  # prints both streams, then the code
   (cd "$work" && env --default-signal=INT -i HOME="$work" PATH="$work/tools" EYRIE_BUILD_DIR="$work/build" \
-    EYRIE_NO_INSTALL="${EYRIE_NO_INSTALL-1}" setsid --wait bash project/eyrie "$@" 2>&1; echo "code $?")
+    EYRIE_NO_INSTALL="${EYRIE_NO_INSTALL-1}" timeout -k 1 100 setsid --wait bash project/eyrie "$@" 2>&1; echo "code $?")
 }
 await() {  # FILE: until something is in it
   local tries
@@ -152,6 +152,16 @@ expect "a checkout that has moved flies" "$(run validate)" "flown: validate"$'\n
 echo 4 >"$work/project/src/new.cpp"
 expect "and when something changes is built anew" "$(run validate)" "*moved*building anew*configuring*built: *flown: validate"$'\n'"code 0"
 expect "once as well" "$(run validate)" "flown: validate"$'\n'"code 0"
+
+# the tests and the page are built under one lock
+begin
+tool npm "$fetches"
+tool node 'echo page >"$2"'
+tool ctest 'echo "tested: $*"'
+tool ninja "sleep 0.2; $ninja"
+expect "tests" "$(run test -R Break)" \
+  "*built: -C * all*built tests*tested: --test-dir $work/build * -R Break"$'\n'"code 0"
+expect "with a page" "$(cat "$work/build/viewer/debrief.html")" page
 
 # help
 begin
