@@ -32,7 +32,8 @@ class Reading {
 
   SequencerSpec read() {
     const std::size_t before = diagnostics_.count();
-    read_trees();
+    if (!read_trees())
+      return std::move(result_);
     read_start();
     read_transitions();
     if (diagnostics_.count() == before)
@@ -41,17 +42,18 @@ class Reading {
   }
 
  private:
-  void read_trees() {
+  /// False if there are too many to look at the rest.
+  bool read_trees() {
     const Value* trees = spec_.body->find("trees");
     if (!trees || !trees->is_map() || trees->entries.empty()) {
       diagnostics_.error(trees ? trees->where : spec_.where,
                          "sequencer needs 'trees', a map from names to nodes");
-      return;
+      return true;
     }
     if (trees->entries.size() > kMostTrees) {
       diagnostics_.error(trees->where, fmt::format("{} trees; a sequencer has at most {}",
                                                    trees->entries.size(), kMostTrees));
-      return;
+      return false;
     }
     for (const Value::Entry& entry : trees->entries) {
       if (trees->find_entry(entry.key) != &entry)
@@ -62,6 +64,7 @@ class Reading {
         diagnostics_.error(entry.where, "the name of a tree " + *problem);
       result_.trees.emplace_back(entry.key, &entry.value);
     }
+    return true;
   }
   void read_start() {
     const Value* start = spec_.body->find("start");
