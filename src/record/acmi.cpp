@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include "core/angle.hpp"
 #include "record/acmi_text.hpp"
@@ -234,11 +235,15 @@ void AcmiWriter::write_lines() {
   }
   std::move(lines_.begin(), lines_.end(), std::back_inserter(lines));
   lines_.clear();
-  std::stable_sort(lines.begin(), lines.end(), [](const AcmiLine& a, const AcmiLine& b) {
-    return a.step != b.step ? a.step < b.step : a.kind < b.kind;
+  std::vector<const AcmiLine*> sorted;
+  for (const AcmiLine& line : lines)
+    sorted.push_back(&line);
+  std::sort(sorted.begin(), sorted.end(), [](const AcmiLine* a, const AcmiLine* b) {
+    return std::tuple(a->step, a->kind, a) < std::tuple(b->step, b->kind, b);
   });
   std::string text;
-  for (const AcmiLine& line : lines) {
+  for (const AcmiLine* at : sorted) {
+    const AcmiLine& line = *at;
     const std::string frame = fmt::format("#{:.2f}\n", static_cast<double>(line.step) * dt_);
     if (frame != written_frame_)
       text += written_frame_ = frame;
