@@ -181,10 +181,13 @@ int fly(const FlyOptions& options) {
     return 1;
   }
 
-  recorder.close(mission.run().orders(), outcome_text(mission, tally));
+  const std::string lost =
+      recorder.close(mission.run().orders(), outcome_text(mission, tally), interrupted());
   if (!run.close())
     throw disk::Failed(run.error());
   Beside beside(folder);
+  if (!lost.empty())
+    beside.lost(lost);
   beside.close(events, record::kEventsName);
   beside.close(flight, record::kFlightName);
   if (const std::string moved = folder.commit(); !moved.empty())

@@ -33,6 +33,9 @@ ssize_t FileSystem::read(int file, void* to, std::size_t size) {
 ssize_t FileSystem::write(int file, const void* from, std::size_t size) {
   return ::write(file, from, size);
 }
+int FileSystem::cut(int file, off_t size) {
+  return ::ftruncate(file, size) == 0 && ::lseek(file, size, SEEK_SET) == size ? 0 : -1;
+}
 int FileSystem::sync(int file) {
   return ::fsync(file);
 }

@@ -20,6 +20,8 @@ class FileSystem {
   virtual int open(int folder, const char* name, int flags, mode_t mode);
   virtual ssize_t read(int file, void* to, std::size_t size);
   virtual ssize_t write(int file, const void* from, std::size_t size);
+  /// Takes back what stands behind the first `size` bytes; the next write() goes there.
+  virtual int cut(int file, off_t size);
   /// Until what was written is on the disk.
   virtual int sync(int file);
   virtual int close(int file);

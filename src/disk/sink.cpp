@@ -44,7 +44,7 @@ void Sink::open(int folder, const std::string& name, int flags) {
 
 void Sink::write(std::string_view bytes) {
   size_ += bytes.size();
-  while (file_ >= 0 && !bytes.empty()) {
+  while (good() && !bytes.empty()) {
     const std::string_view part = bytes.substr(0, kBuffer - waiting_.size());
     waiting_ += part;
     bytes.remove_prefix(part.size());
@@ -53,22 +53,34 @@ void Sink::write(std::string_view bytes) {
   }
 }
 
-void Sink::flush() {
+bool Sink::flush() {
   std::string_view left = waiting_;
-  while (file_ >= 0 && !left.empty()) {
+  while (good() && !left.empty()) {
     const ssize_t written = files().write(file_, left.data(), left.size());
-    if (written > 0)
+    if (written > 0) {
       left.remove_prefix(static_cast<std::size_t>(written));
-    else if (written == 0 || errno != EINTR)
+      written_ += static_cast<std::uint64_t>(written);
+    } else if (written == 0 || errno != EINTR) {
       fail();
+    }
   }
   waiting_.clear();
+  return error_.empty();
+}
+
+bool Sink::cut(std::uint64_t size) {
+  flush();
+  if (file_ < 0 || size > written_ || files().cut(file_, static_cast<off_t>(size)) != 0)
+    return false;
+  size_ = written_ = size;
+  error_.clear();
+  return true;
 }
 
 bool Sink::close() {
   flush();
   // EINVAL: what is written to is no file of a disk
-  if (file_ >= 0 && files().sync(file_) != 0 && errno != EINVAL)
+  if (good() && files().sync(file_) != 0 && errno != EINVAL)
     fail();
   if (!release())
     fail();
@@ -76,8 +88,8 @@ bool Sink::close() {
 }
 
 void Sink::fail() {
-  error_ = fmt::format("cannot write '{}': {}", path_, words_of(errno));
-  release();
+  if (error_.empty())
+    error_ = fmt::format("cannot write '{}': {}", path_, words_of(errno));
 }
 
 }  // namespace eyrie::disk

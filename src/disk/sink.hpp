@@ -22,6 +22,11 @@ class Sink {
   Sink& operator=(const Sink&) = delete;
 
   void write(std::string_view bytes);
+  /// Nothing waits any more. False if anything was lost.
+  bool flush();
+  /// Takes back everything behind the first `size` bytes, and with it the failure, so that a
+  /// shorter end may find room. False if not even those were written.
+  bool cut(std::uint64_t size);
   /// Until everything is on the disk; then closes. False if anything was lost.
   bool close();
 
@@ -33,12 +38,12 @@ class Sink {
 
  private:
   void open(int folder, const std::string& name, int flags);
-  void flush();
+  [[nodiscard]] bool good() const { return file_ >= 0 && error_.empty(); }
   bool release();
   void fail();
 
   std::string path_, error_, waiting_;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0, written_ = 0;
   int file_ = -1;
   bool borrowed_ = false;
 };

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "record/run_file_writer.hpp"
 
+#include <fmt/format.h>
+
 namespace eyrie::record {
 namespace {
 constexpr std::size_t kChunk = 1 << 16;
-}
+constexpr std::size_t kEnds = 4;  // a chunk fails while the next one or two are waiting
+}  // namespace
 
 RunFileWriter::RunFileWriter(disk::Sink& sink, const RunFile& run) : sink_(sink) {
   sink_.write(encoder_.head(run));
@@ -17,14 +20,33 @@ void RunFileWriter::observe(const sim::World& world, const sim::StepInfo& info,
     write_chunk();
 }
 
-void RunFileWriter::close(std::span<const sim::Order> orders, std::string_view outcome) {
+std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string_view outcome,
+                                 bool shorter) {
   write_chunk();
   sink_.write(encoder_.tail(trail_.steps_per_second(), orders, outcome));
+  std::string lost;
+  for (; shorter && !sink_.flush() && !ends_.empty(); ends_.pop_back()) {
+    End& end = ends_.back();
+    const std::string error = sink_.error();
+    if (!sink_.cut(end.size))
+      continue;
+    sink_.write(end.encoder.tail(trail_.steps_per_second(), orders, outcome));
+    lost =
+        fmt::format("{}; the run is kept up to {} s", error, end.step / trail_.steps_per_second());
+  }
+  return sink_.error().empty() ? lost : "";
 }
 
 void RunFileWriter::write_chunk() {
-  if (const std::string spans = trail_.take(); !spans.empty())
-    sink_.write(encoder_.chunk(spans));
+  const std::string spans = trail_.take();
+  if (spans.empty())
+    return;
+  sink_.write(encoder_.chunk(spans));
+  if (!sink_.error().empty())
+    return;
+  ends_.push_back({sink_.size(), encoder_, trail_.last_step()});
+  if (ends_.size() > kEnds)
+    ends_.pop_front();
 }
 
 }  // namespace eyrie::record

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The run file written while the run is being flown.
+#include <deque>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "disk/sink.hpp"
 #include "record/run_file.hpp"
@@ -24,14 +25,24 @@ class RunFileWriter final : public sim::Observer {
   void finish(const sim::World& world) override { trail_.finish(world); }
 
   /// After finish(): the file is whole then. To be called once; the sink says whether it worked.
-  void close(std::span<const sim::Order> orders, std::string_view outcome);
+  /// With `shorter` the run ends earlier if not all of it could be written, and the words for that
+  /// are given; else "".
+  [[nodiscard]] std::string close(std::span<const sim::Order> orders, std::string_view outcome,
+                                  bool shorter);
 
  private:
+  /// Where the run could end in the file.
+  struct End {
+    std::uint64_t size = 0;
+    RunEncoder encoder;
+    std::uint64_t step = 0;
+  };
   void write_chunk();
 
   disk::Sink& sink_;
   RunEncoder encoder_;
   sim::TrailRecorder trail_;
+  std::deque<End> ends_;  ///< the last ones that were written, or will be if nothing fails
 };
 
 }  // namespace eyrie::record

@@ -37,6 +37,8 @@ class TrailRecorder final : public Observer {
     return {steps_per_second_, packer_.bytes(), mark_.step, mark_.hash};
   }
   [[nodiscard]] std::uint32_t steps_per_second() const { return steps_per_second_; }
+  /// World::step() at the last mark.
+  [[nodiscard]] std::uint64_t last_step() const { return mark_.step; }
   /// Whole spans that were not taken yet, for who writes them while the run is being flown.
   [[nodiscard]] const std::string& spans() const { return packer_.bytes(); }
   [[nodiscard]] std::string take() { return packer_.take(); }
