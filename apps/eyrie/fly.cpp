@@ -181,13 +181,14 @@ int fly(const FlyOptions& options) {
     return 1;
   }
 
-  const std::string lost =
-      recorder.close(mission.run().orders(), outcome_text(mission, tally), interrupted());
+  const std::string lost = recorder.close(mission.run().orders(), outcome_text(mission, tally));
   if (!run.close())
     throw disk::Failed(run.error());
   Beside beside(folder);
-  if (!lost.empty())
+  if (!lost.empty()) {
     beside.lost(lost);
+    folder.spare_old();
+  }
   beside.close(events, record::kEventsName);
   beside.close(flight, record::kFlightName);
   if (const std::string moved = folder.commit(); !moved.empty())

@@ -107,7 +107,7 @@ Put OutputFolder::put_in_place() {
   const int folder = place_.folder();
   if (!old_ || !place_.look())
     return put_new(folder, part_.name(), place_.name());
-  if (!unchanged())
+  if (!unchanged() || (spared_ && !old_->empty))
     return {Put::taken};
   if (!old_->empty)
     return put_instead(folder, part_.name(), place_.name(),
@@ -130,9 +130,11 @@ std::string OutputFolder::commit() {
     Put put = put_in_place();
     replaced = put.how == Put::done && old_ && !old_->empty;
     if (put.how != Put::done && !wish_.numbered)
-      words = put.how == Put::taken
-                  ? fmt::format("{} has been taken or changed in the meantime", quoted(path_))
-                  : fmt::format("cannot make {}: {}", quoted(path_), words_of(put.error));
+      words = put.how == Put::failed
+                  ? fmt::format("cannot make {}: {}", quoted(path_), words_of(put.error))
+              : spared_
+                  ? fmt::format("{} is as it was", quoted(path_))
+                  : fmt::format("{} has been taken or changed in the meantime", quoted(path_));
     for (int i = 2; put.how != Put::done; ++i) {
       const std::string name = fmt::format("{}.{}", place_.name(), i);
       put = put_new(place_.folder(), part, name);

@@ -28,6 +28,8 @@ class OutputFolder {
   [[nodiscard]] Sink file(const char* name) const;
   /// A file that is not to be in it after all.
   void drop(const char* name) const;
+  /// commit() shall replace nothing that is there: what was made is less than what was wanted.
+  void spare_old() { spared_ = true; }
   /// Where it is to be, and after commit() where it is.
   [[nodiscard]] const std::string& path() const { return path_; }
 
@@ -53,6 +55,7 @@ class OutputFolder {
   Place place_;
   std::string path_;
   std::optional<Old> old_;
+  bool spared_ = false;
   Temporary part_;
 };
 

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace eyrie::record {
 namespace {
-constexpr std::size_t kChunk = 1 << 16;
-constexpr std::size_t kEnds = 4;  // a chunk fails while the next one or two are waiting
+constexpr std::size_t kChunk = 1 << 12;
+constexpr std::size_t kEnds = 32;  // more than a sink holds back
 }  // namespace
 
 RunFileWriter::RunFileWriter(disk::Sink& sink, const RunFile& run) : sink_(sink) {
@@ -20,17 +22,18 @@ void RunFileWriter::observe(const sim::World& world, const sim::StepInfo& info,
     write_chunk();
 }
 
-std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string_view outcome,
-                                 bool shorter) {
+std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string_view outcome) {
   write_chunk();
   sink_.write(encoder_.tail(trail_.steps_per_second(), orders, outcome));
   std::string lost;
-  for (; shorter && !sink_.flush() && !ends_.empty(); ends_.pop_back()) {
+  for (; !sink_.flush() && !ends_.empty(); ends_.pop_back()) {
     End& end = ends_.back();
     const std::string error = sink_.error();
     if (!sink_.cut(end.size))
       continue;
-    sink_.write(end.encoder.tail(trail_.steps_per_second(), orders, outcome));
+    const auto later = std::find_if(orders.begin(), orders.end(),
+                                    [&](const sim::Order& o) { return o.step >= end.step; });
+    sink_.write(end.encoder.tail(trail_.steps_per_second(), {orders.begin(), later}, outcome));
     lost =
         fmt::format("{}; the run is kept up to {} s", error, end.step / trail_.steps_per_second());
   }

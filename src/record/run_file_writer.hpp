@@ -24,11 +24,10 @@ class RunFileWriter final : public sim::Observer {
   /// The run ends here, wherever that is.
   void finish(const sim::World& world) override { trail_.finish(world); }
 
-  /// After finish(): the file is whole then. To be called once; the sink says whether it worked.
-  /// With `shorter` the run ends earlier if not all of it could be written, and the words for that
-  /// are given; else "".
-  [[nodiscard]] std::string close(std::span<const sim::Order> orders, std::string_view outcome,
-                                  bool shorter);
+  /// After finish(): the file is whole then. To be called once; the sink says whether it worked. If
+  /// not everything could be written, the run ends where there is room for its end, and the words
+  /// for that are given; else "".
+  [[nodiscard]] std::string close(std::span<const sim::Order> orders, std::string_view outcome);
 
  private:
   /// Where the run could end in the file.

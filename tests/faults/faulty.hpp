@@ -43,6 +43,13 @@ class Faulty final : public disk::FileSystem {
     }
     return FileSystem::write(file, from, taken);
   }
+  int cut(int file, off_t size) override {
+    struct stat before {};
+    if (fails() || ::fstat(file, &before) != 0)
+      return -1;
+    room += before.st_size - size;
+    return FileSystem::cut(file, size);
+  }
   int sync(int file) override { return fails() ? -1 : FileSystem::sync(file); }
   int close(int file) override {
     const int closed = FileSystem::close(file);

@@ -262,7 +262,7 @@ std::string broken(const Try& t, const Fault& fault) {
     if (below(after, place) == below(d.before, place) ||
         without(after, ours) != without(d.before, ours))
       continue;
-    const bool early = signal != 0 || fault.file_size != 0;
+    const bool early = signal != 0 || fault.file_size != 0 || fault.files.room != INT64_MAX;
     const std::string wrong =
         no_whole_run(below(after, place), below(d.after, t.target), ground.path() / place, early);
     return wrong.empty() ? "" : say(wrong);
