@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -20,6 +21,8 @@
 #include "record/run_folder.hpp"
 #include "report.hpp"
 #include "say.hpp"
+#include "scenario/end_guard.hpp"
+#include "scenario/fault_text.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -174,41 +177,64 @@ int fly(const FlyOptions& options) {
     mission.run().attach(story);
   }
 
+  // when it has been flown
   Timing timing;
-  fly_to_the_end(mission, run, options, timing);
+  const auto keep = [&](bool with_page) {
+    const std::string lost = recorder.close(mission.run().orders(), outcome_text(mission, tally));
+    if (!run.close())
+      throw disk::Failed(run.error());
+    Beside beside(folder);
+    if (!lost.empty()) {
+      beside.lost(lost);
+      folder.spare_old();
+    }
+    beside.close(events, record::kEventsName);
+    beside.close(flight, record::kFlightName);
+    if (const std::string moved = folder.commit(); !moved.empty())
+      beside.lost(moved);
+    // the run is in its place, whatever becomes of its page
+    if (with_page) {
+      const std::string file = fmt::format("{}/{}", folder.path(), record::kRunFileName);
+      record::Decoded again = record::read_run_file(file);
+      if (again.error.empty())
+        beside.page(write_page(
+            {.file = file, .run = std::move(again.run), .plugins = {}, .scenario = scenario},
+            fmt::format("{}/{}", folder.path(), record::kPageName)));
+      else
+        beside.lost(fmt::format("{}: {}; there is no debrief page", file, again.error));
+    }
+    if (options.json)
+      say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
+    else
+      report.closing(mission, tally, timing, folder.path(), beside.written());
+    const sim::Fault* fault = mission.run().fault();
+    if (fault)
+      beside.lost(scenario::fault_text(*fault, scenario->roster, mission.run().simulation().dt()) +
+                  "; the run is kept up to there");
+    return beside.failed() ? 1 : 0;
+  };
+
+  {
+    // a plug-in that ends the program in a decision
+    const scenario::EndGuard guard(1, [&](const std::string& done) {
+      sim::Fault fault = scenario::fault_of_end(done);
+      if (!fault.player)
+        return complain("eyrie: {} and ended the program\n", done);
+      mission.fail(std::move(fault));
+      try {
+        mission.run().finish();
+        static_cast<void>(keep(false));
+      } catch (const std::exception& e) {
+        complain("eyrie: {}; {}\n", done, words_for(e));
+      }
+    });
+    fly_to_the_end(mission, run, options, timing);
+  }
   if (const auto& difference = mission.run().difference()) {
     complain("eyrie: the step is not deterministic: {}\n", difference->text());
     return 1;
   }
-
-  const std::string lost = recorder.close(mission.run().orders(), outcome_text(mission, tally));
-  if (!run.close())
-    throw disk::Failed(run.error());
-  Beside beside(folder);
-  if (!lost.empty()) {
-    beside.lost(lost);
-    folder.spare_old();
-  }
-  beside.close(events, record::kEventsName);
-  beside.close(flight, record::kFlightName);
-  if (const std::string moved = folder.commit(); !moved.empty())
-    beside.lost(moved);
-  // the run is in its place, whatever becomes of its page
-  if (options.debrief) {
-    const std::string file = fmt::format("{}/{}", folder.path(), record::kRunFileName);
-    record::Decoded again = record::read_run_file(file);
-    if (again.error.empty())
-      beside.page(write_page(
-          {.file = file, .run = std::move(again.run), .plugins = {}, .scenario = scenario},
-          fmt::format("{}/{}", folder.path(), record::kPageName)));
-    else
-      beside.lost(fmt::format("{}: {}; there is no debrief page", file, again.error));
-  }
-  if (options.json)
-    say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
-  else
-    report.closing(mission, tally, timing, folder.path(), beside.written());
-  return beside.failed() ? 1 : 0;
+  return keep(options.debrief);
 }
 
 }  // namespace eyrie::app

@@ -19,6 +19,7 @@
 #include "core/printable.hpp"
 #include "locate.hpp"
 #include "say.hpp"
+#include "scenario/end_guard.hpp"
 
 namespace {
 
@@ -315,5 +316,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   open_standard_streams();
+  const eyrie::scenario::EndGuard guard(
+      1, [](const std::string& done) { complain("eyrie: {} and ended the program\n", done); });
   return run_command([&] { return run(argc, argv); });
 }

@@ -11,6 +11,7 @@
 #include "record/json_text.hpp"
 #include "report.hpp"
 #include "say.hpp"
+#include "scenario/fault_text.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::app {
@@ -37,8 +38,13 @@ int replay(const ReplayOptions& options) {
   flight.attach(checker);
   for (const sim::Order& order : recorded.orders)
     EYRIE_DEMAND(flight.submit(order).empty(), "open() refuses such orders");
-  while (flight.world().step() < recorded.trail.last_step && !checker.done())
+  while (flight.world().step() < recorded.trail.last_step && !checker.done() && !flight.fault())
     flight.step();
+  if (const sim::Fault* fault = flight.fault()) {
+    complain("{}: it cannot be flown again: {}\n", file,
+             scenario::fault_text(*fault, scenario->roster, flight.simulation().dt()));
+    return 1;
+  }
   flight.finish();
 
   const auto& departure = checker.departure();

@@ -8,6 +8,7 @@
 
 #include "core/units.hpp"
 #include "record/json_text.hpp"
+#include "scenario/fault_text.hpp"
 
 namespace eyrie::app {
 using model::Side;
@@ -33,6 +34,9 @@ std::string outcome_text(const scenario::Mission& mission, const record::Tally& 
       break;
     case scenario::Outcome::time:
       text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
+      break;
+    case scenario::Outcome::fault:
+      text = fmt::format("a fault ended it at {}", record::clock_text(mission.run().time()));
       break;
     default:
       text = fmt::format("stopped at {}", record::clock_text(mission.run().time()));
@@ -144,6 +148,9 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                                                           {"home", s.home}};
   }
   j["outcome"] = scenario::outcome_name(mission.outcome());
+  if (const sim::Fault* fault = mission.run().fault())
+    j["fault"] =
+        scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());
   if (timing.paced)
     j["deadlines"] = {{"total", timing.deadlines},
                       {"missed", timing.missed},

@@ -10,6 +10,8 @@
 #include "core/assert.hpp"
 #include "core/printable.hpp"
 
+#include "scenario/fault_text.hpp"
+
 namespace eyrie::debrief {
 namespace {
 namespace fs = std::filesystem;
@@ -165,6 +167,10 @@ bool Reflight::step() {
   while (next_order_ < all.size() && all[next_order_].step == before_.step())
     orders_.push_back(all[next_order_++]);
   events_ = run_.step();
+  if (const sim::Fault* fault = run_.fault())
+    throw std::runtime_error(fmt::format(
+        "{}: it cannot be flown again: {}", recorded_.file,
+        scenario::fault_text(*fault, recorded_.scenario->roster, run_.simulation().dt())));
   demand_the_same();
   return true;
 }
@@ -173,7 +179,7 @@ void Reflight::demand_the_same() {
   if (!checker_.departure())
     return;
   // up to the next mark, which knows the field
-  while (!checker_.done() && run_.world().step() < recorded_.last_step())
+  while (!checker_.done() && !run_.fault() && run_.world().step() < recorded_.last_step())
     run_.step();
   throw std::runtime_error(fmt::format("{}: this is not the run that was recorded by {}: {}",
                                        recorded_.file, recorded_.run.build,

@@ -33,7 +33,8 @@ struct eyrie::EnumNames<eyrie::driver::Call> {
 template <>
 struct eyrie::ubf::ActionTraits<eyrie::driver::Action> {
   using A = driver::Action;
-  static constexpr auto fields = std::tuple{field<blend::Angle>("heading", &A::heading, "rad"),
-                                            field<blend::Mean>("speed", &A::speed, "m/s"),
-                                            field<blend::Strongest>("call", &A::call)};
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
+                 field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
+                 field<blend::Strongest>("call", &A::call)};
 };

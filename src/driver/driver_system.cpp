@@ -79,8 +79,10 @@ void DriverSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chu
 
     // decide
     ubf::TransitionLog log;
-    const Proposal decided = deciding_.ask(agent.tree, state, info, ids[row],
-                                           world.bytes(setup_.drivers.brain, row), log);
+    Proposal decided;
+    if (!deciding_.ask(agent.tree, state, info, ids[row], world.bytes(setup_.drivers.brain, row),
+                       log, decided, out)) [[unlikely]]
+      return;
 
     // act
     const Agent before = agent;

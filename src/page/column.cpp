@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/column.hpp"
 
+#include <algorithm>
 #include <cmath>
-
-#include "core/assert.hpp"
 
 namespace eyrie::page {
 namespace {
@@ -34,8 +33,8 @@ std::int64_t Column::rounded(double value) const {
   if (std::isnan(value))
     return kNothing;
   const double quanta = std::floor(value / quantum_ + 0.5);
-  EYRIE_DEMAND(std::fabs(quanta) < 9e15, "a number too large for its column");
-  return static_cast<std::int64_t>(quanta);
+  constexpr double kMost = 9e15;  // what is beyond is shown as the most
+  return static_cast<std::int64_t>(std::clamp(quanta, -kMost, kMost));
 }
 
 ColumnPlace ColumnBytes::put(const Column& column) {

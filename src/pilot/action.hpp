@@ -22,6 +22,7 @@ struct Follow {
   Vec3 offset;      ///< m, forward, right, down of the heading of who is followed
   friend constexpr bool operator==(const Follow&, const Follow&) = default;
 };
+[[nodiscard]] std::optional<ubf::ImplausiblePart> implausible_part(const Follow& follow);
 /// "2000 m behind, 1829 m left, 152 m below", for traces.
 [[nodiscard]] std::string to_text(const Follow& follow);
 
@@ -76,10 +77,10 @@ template <>
 struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
   using A = pilot::Action;
   static constexpr auto fields = std::tuple{
-      field<blend::Angle>("heading", &A::heading, "rad"),
-      field<blend::Mean>("altitude", &A::altitude, "m"),
-      field<blend::Mean>("speed", &A::speed, "m/s"),
-      field<blend::Mean>("load_factor", &A::load_factor),
+      field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
+      field<blend::Mean>("altitude", &A::altitude, "m", {-100e3, 100e3}),
+      field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
+      field<blend::Mean>("load_factor", &A::load_factor, "", {-100, 100}),
       field<blend::Agreed>("mode", &A::mode),
       field<blend::Agreed>("follow", &A::follow),
       field<blend::Agreed>("route", &A::route),

@@ -117,8 +117,10 @@ void PilotSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Chun
 
     // decide
     ubf::TransitionLog log;
-    const Proposal decided = deciding_.ask(agent.tree, state, info, ids[row],
-                                           world.bytes(setup_.pilots.brain, row), log);
+    Proposal decided;
+    if (!deciding_.ask(agent.tree, state, info, ids[row], world.bytes(setup_.pilots.brain, row),
+                       log, decided, out)) [[unlikely]]
+      return;
 
     // act
     const Agent before = agent;

@@ -11,6 +11,7 @@
 #include "driver/driver_system.hpp"
 #include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
+#include "model/motion_check.hpp"
 #include "model/sensor/sensor_system.hpp"
 #include "model/vehicle/drive.hpp"
 #include "model/vehicle/vehicle_system.hpp"
@@ -184,6 +185,10 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
   builder.add<model::GunSystem>(scenario.aircraft, scenario.library);
   builder.add<model::FlightSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::MotionCheck>(scenario.aircraft.table, scenario.aircraft.kinematics);
+  builder.add<model::MotionCheck>(scenario.missiles.table, scenario.missiles.kinematics);
+  if (scenario.vehicles)
+    builder.add<model::MotionCheck>(scenario.vehicles->table, scenario.vehicles->kinematics);
   builder.add<model::DamageSystem>(scenario.aircraft, scenario.vehicles);
   scenario.simulation = builder.build();
 

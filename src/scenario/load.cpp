@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "core/bind.hpp"
@@ -16,6 +18,7 @@
 #include "scenario/assemble.hpp"
 #include "scenario/data.hpp"
 #include "scenario/document.hpp"
+#include "scenario/end_guard.hpp"
 #include "scenario/mission.hpp"
 #include "scenario/place.hpp"
 #include "scenario/plan.hpp"
@@ -48,6 +51,12 @@ class Loader {
     if (const Value* v = document_.find("plugins"))
       load_plugins(*v, may_open_, plugins_, source_, diagnostics_);
     stop_if_wrong();
+    std::optional<EndGuard> guard;  // their nodes are made now
+    if (!plugins_.files().empty())
+      guard.emplace(2, [&](const std::string& done) {
+        fmt::print(stderr, "{}: {} while the scenario was being loaded\n", shell_word(out_->file),
+                   done);
+      });
     bind(out_->spec, document_, diagnostics_, kByHand);
     if (const Value* v = document_.find("environment"))
       environment(*v);

@@ -12,6 +12,13 @@ namespace eyrie::scenario {
 
 namespace {
 
+/// Code of plug-ins may do otherwise the second time.
+sim::RunOptions with_copies(sim::RunOptions options, const Scenario& scenario) {
+  if (!scenario.plugins.empty())
+    options.steps_per_copy = 1;
+  return options;
+}
+
 std::uint64_t step_at(double time, const Scenario& scenario) {
   return static_cast<std::uint64_t>(std::floor(time * scenario.spec.rates.kinematics + 0.5));
 }
@@ -32,6 +39,8 @@ std::string_view outcome_name(Outcome outcome) {
       return "time";
     case Outcome::stopped:
       return "stopped";
+    case Outcome::fault:
+      return "fault";
   }
   return "?";
 }
@@ -48,7 +57,7 @@ std::optional<std::string> until_problem(const ScenarioSpec& spec, double until)
 Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until,
                  bool any_home)
     : scenario_(std::move(scenario)),
-      run_(scenario_->simulation, std::move(start)),
+      run_(scenario_->simulation, std::move(start), with_copies({}, *scenario_)),
       until_(until),
       last_step_(step_at(until_, *scenario_)),
       convoys_(scenario_->library->flights.size()),
@@ -57,7 +66,7 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
 Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
                  std::optional<double> until, const sim::RunOptions& options)
     : scenario_(std::move(scenario)),
-      run_(scenario_->simulation, scenario_->world(seed), options),
+      run_(scenario_->simulation, scenario_->world(seed), with_copies(options, *scenario_)),
       until_(until.value_or(scenario_->spec.until)),
       last_step_(step_at(until_, *scenario_)),
       convoys_(scenario_->library->flights.size()) {
@@ -116,7 +125,12 @@ bool Mission::step() {
   outcome_ = judge();
   if (outcome_ != Outcome::running)
     return false;
-  for (const sim::Event& e : run_.step()) {
+  const auto events = run_.step();
+  if (run_.fault()) {
+    outcome_ = Outcome::fault;
+    return false;
+  }
+  for (const sim::Event& e : events) {
     const auto& roster = scenario_->roster;
     if (e.kind == sim::EventKind(model::EventKind::home) && roster.find(e.who))
       any_home_ |= roster.find(e.who)->side == model::Side::blue;

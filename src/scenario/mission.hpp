@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scenario/scenario.hpp"
@@ -20,6 +21,7 @@ enum class Outcome : std::uint8_t {
   red_lost,   ///< no red player lives
   time,       ///< `until` came first
   stopped,    ///< from outside
+  fault,      ///< the next step cannot be made: run().fault()
 };
 [[nodiscard]] std::string_view outcome_name(Outcome outcome);
 
@@ -45,6 +47,11 @@ class Mission {
 
   /// One step; false when the mission is over, and then no step was made.
   bool step();
+  /// Ends it before the step that is being made (sim::Run::fail).
+  void fail(sim::Fault fault) {
+    run_.fail(std::move(fault));
+    outcome_ = Outcome::fault;
+  }
   /// Ends it now.
   void stop() { outcome_ = Outcome::stopped; }
   /// Steps to the end, then tells the observers.

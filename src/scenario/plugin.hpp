@@ -96,7 +96,7 @@ inline constexpr std::uint32_t kPluginFormat = 1;
                                  sizeof(driver::Agent),    sizeof(model::Kinematics),
                                  sizeof(model::TrackFile), sizeof(model::DatalinkState),
                                  sizeof(model::Threats),   sizeof(model::Stores),
-                                 sizeof(model::Library)})
+                                 sizeof(model::Library),   sizeof(ubf::AnyTrace)})
     hash = (hash ^ size) * 0x100000001b3;
   return hash;
 }

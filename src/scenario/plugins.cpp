@@ -2,6 +2,7 @@
 #include "scenario/plugins.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -13,6 +14,7 @@
 #include "driver/catalog.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
+#include "scenario/end_guard.hpp"
 #include "scenario/shared_library.hpp"
 #include "scenario/shared_object.hpp"
 
@@ -80,6 +82,11 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
       return {not_opened(why, path)};
   if (std::string problem = shared_object_problem(read.bytes); !problem.empty())
     return {std::move(problem)};
+  // whoever ends the program in there is named
+  const EndGuard guard(2, [&](const std::string& done) {
+    fmt::print(stderr, "{}: {} while it was being opened\n", shell_word(path), done);
+  });
+  note_plugin(file);
   const OpenedPlugin opened = open_plugin(file);
   if (!opened.info)
     return {opened.problem};

@@ -3,13 +3,16 @@
 /// \file  What happened in a step, and where parallel phases write it down.
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
+#include "sim/fault.hpp"
 #include "sim/kind.hpp"
 
 namespace eyrie::sim {
@@ -51,6 +54,14 @@ class alignas(64) Outbox {
     events_.push_back(event);
   }
 
+  /// The step cannot be finished. The first fault of a chunk counts; it is the only thing in a step
+  /// that may allocate.
+  void fail(Fault fault) {
+    if (!fault_)
+      fault_ = std::make_unique<Fault>(std::move(fault));
+  }
+  [[nodiscard]] std::unique_ptr<Fault> take_fault() { return std::move(fault_); }
+
   [[nodiscard]] std::span<const Event> events() const { return events_; }
   /// How often emit() had to allocate since the outbox was made.
   [[nodiscard]] std::uint64_t growths() const { return growths_; }
@@ -59,6 +70,7 @@ class alignas(64) Outbox {
  private:
   std::vector<Event> events_;
   std::uint64_t growths_ = 0;
+  std::unique_ptr<Fault> fault_;
 };
 
 }  // namespace eyrie::sim

@@ -10,6 +10,8 @@ std::optional<Difference> Paranoid::step(World& world, Workspace& work,
                                          std::span<const Order> orders) {
   again_ = world;
   const std::span<const Event> events = simulation_.step(world, work, orders);
+  if (work.fault())
+    return std::nullopt;
   const std::span<const Event> events_again = simulation_.step(again_, second_, orders);
 
   if (!world.same_bytes(again_)) {

@@ -20,7 +20,9 @@ constexpr auto kLater = [](std::uint64_t step, const Order& order) { return step
 Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOptions& options)
     : simulation_(std::move(simulation)),
       world_(std::move(start)),
-      work_(*simulation_, options.workers) {
+      work_(*simulation_, options.workers),
+      copy_(world_),
+      steps_per_copy_(std::max<std::uint64_t>(options.steps_per_copy, 1)) {
   EYRIE_THROW_UNLESS(&world_.schema() == &simulation_->schema(),
                      "the world belongs to another simulation");
   if (options.paranoid_workers != 0)
@@ -34,7 +36,7 @@ void Run::attach(Observer& observer) {
 
 void Run::finish() {
   for (Observer* observer : observers_)
-    observer->finish(world_);
+    observer->finish(world());
 }
 
 std::string Run::submit(const Order& order) {
@@ -48,10 +50,18 @@ std::string Run::submit(const Order& order) {
   return {};
 }
 
+std::span<const Order> Run::orders_for(std::uint64_t step) const {
+  const auto first = std::lower_bound(orders_.begin(), orders_.end(), step, kEarlier);
+  const auto last = std::upper_bound(first, orders_.end(), step, kLater);
+  return {first, last};
+}
+
 std::span<const Event> Run::step() {
-  const auto first = std::lower_bound(orders_.begin(), orders_.end(), world_.step(), kEarlier);
-  const auto last = std::upper_bound(first, orders_.end(), world_.step(), kLater);
-  const std::span<const Order> orders(first, last);
+  if (fault_)
+    return {};
+  if (world_.step() - copy_.step() >= steps_per_copy_)
+    copy_ = world_;
+  const std::span<const Order> orders = orders_for(world_.step());
   const StepInfo info{.step = world_.step(), .seed = world_.seed(), .dt = simulation_->dt()};
 
   if (!paranoid_) {
@@ -59,15 +69,36 @@ std::span<const Event> Run::step() {
   } else if (auto found = paranoid_->step(world_, work_, orders); found && !difference_) {
     difference_ = std::move(found);
   }
+  if (work_.fault()) [[unlikely]] {
+    end_with(*work_.fault());
+    return {};
+  }
   for (Observer* observer : observers_)
     observer->observe(world_, info, work_.events());
   return work_.events();
+}
+
+void Run::end_with(Fault fault) {
+  // up to the last whole step, with nobody watching: they have seen these steps
+  while (copy_.step() < fault.step) {
+    simulation_->step(copy_, work_, orders_for(copy_.step()));
+    if (work_.fault())
+      break;
+  }
+  fault_ = std::move(fault);
+}
+
+void Run::fail(Fault fault) {
+  fault.step = copy_.step();
+  fault_ = std::move(fault);
 }
 
 void Run::restore(const World& world) {
   EYRIE_THROW_UNLESS(&world.schema() == &simulation_->schema(),
                      "the world belongs to another simulation");
   world_ = world;
+  copy_ = world;
+  fault_.reset();
 }
 
 }  // namespace eyrie::sim

@@ -21,6 +21,10 @@ struct RunOptions {
   unsigned workers = 1;
   /// Workers of the second step of every step (see Paranoid); 0 makes each step once.
   unsigned paranoid_workers = 0;
+  /// Steps between two copies of the world. After a fault the steps since the last copy are made
+  /// again, so that the run ends with its last whole step; where code takes part that may do
+  /// otherwise the second time, it is 1.
+  std::uint64_t steps_per_copy = 50;
 };
 
 /// Steps one world, feeds it its orders and shows every committed step to the observers. The
@@ -30,10 +34,11 @@ class Run {
   Run(std::shared_ptr<const Simulation> simulation, World start, const RunOptions& options = {});
 
   [[nodiscard]] const Simulation& simulation() const { return *simulation_; }
-  [[nodiscard]] const World& world() const { return world_; }
+  /// After the last whole step.
+  [[nodiscard]] const World& world() const { return fault_ ? copy_ : world_; }
   /// s
   [[nodiscard]] double time() const {
-    return static_cast<double>(world_.step()) * simulation_->dt();
+    return static_cast<double>(world().step()) * simulation_->dt();
   }
   [[nodiscard]] const Workspace& workspace() const { return work_; }
 
@@ -48,8 +53,13 @@ class Run {
   /// All orders accepted so far, by step.
   [[nodiscard]] std::span<const Order> orders() const { return orders_; }
 
-  /// One step; the events are good until the next one.
+  /// One step; the events are good until the next one. After a fault nothing happens any more.
   std::span<const Event> step();
+  /// Why the step after world() cannot be made; null if nothing is known against it.
+  [[nodiscard]] const Fault* fault() const { return fault_ ? &*fault_ : nullptr; }
+  /// The step that is being made ends here, with this fault: for whoever is called in the middle of
+  /// it because the program is about to end. Needs steps_per_copy = 1.
+  void fail(Fault fault);
   /// Rolls back (or forward) to another world of this simulation. Orders for its step and later
   /// will be applied (again).
   void restore(const World& world);
@@ -65,6 +75,12 @@ class Run {
   std::vector<Order> orders_;
   std::vector<Observer*> observers_;
   std::optional<Difference> difference_;
+  World copy_;  ///< of world_, at most steps_per_copy_ older
+  std::uint64_t steps_per_copy_;
+  std::optional<Fault> fault_;
+
+  [[nodiscard]] std::span<const Order> orders_for(std::uint64_t step) const;
+  void end_with(Fault fault);
 };
 
 }  // namespace eyrie::sim

@@ -40,6 +40,8 @@ std::uint64_t Workspace::growths() const {
 
 void Workspace::collect(std::size_t chunks) {
   for (std::size_t i = 0; i < chunks; ++i) {
+    if (auto fault = by_chunk_[i].take_fault(); fault && !fault_) [[unlikely]]
+      fault_ = std::move(fault);
     for (const Event& event : by_chunk_[i].events())
       events_.emit(event);
     by_chunk_[i].clear();
@@ -57,13 +59,18 @@ std::span<const Event> Simulation::step(World& world, Workspace& work,
                      "the workspace was made for another simulation");
   const StepInfo info{.step = world.step(), .seed = world.seed(), .dt = dt_};
   work.events_.clear();
+  work.fault_.reset();
 
   apply_orders(world, info, work, orders);
-  run(Phase::perceive, &System::perceive, world, info, work);
-  run(Phase::decide, &System::decide, world, info, work);
-  run(Phase::act, &System::act, world, info, work);
-  run(Phase::move, &System::move, world, info, work);
-  run(Phase::interact, &System::interact, world, info, work);
+  const bool whole = run(Phase::perceive, &System::perceive, world, info, work) &&
+                     run(Phase::decide, &System::decide, world, info, work) &&
+                     run(Phase::act, &System::act, world, info, work) &&
+                     run(Phase::move, &System::move, world, info, work) &&
+                     run(Phase::interact, &System::interact, world, info, work);
+  if (!whole) [[unlikely]] {
+    work.events_.clear();
+    return {};
+  }
   commit(world, info, work);
   ++world.header().step;
   return work.events();
@@ -79,7 +86,7 @@ void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& wor
   }
 }
 
-void Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
+bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
                      Workspace& work) const {
   for (const System* system : by_phase_[index_of(phase)]) {
     const std::uint32_t rows = world.rows(system->table());
@@ -87,7 +94,13 @@ void Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
       (system->*part)(world, info, Chunk{begin, end}, work.by_chunk_[chunk]);
     });
     work.collect(chunk_count(rows));
+    if (work.fault_) [[unlikely]] {
+      work.fault_->system = system->name();
+      work.fault_->step = info.step;
+      return false;
+    }
   }
+  return true;
 }
 
 void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {

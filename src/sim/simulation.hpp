@@ -35,6 +35,9 @@ class Workspace {
   [[nodiscard]] unsigned workers() const { return executor_.workers(); }
   /// The events of the last step, in (phase, system, row, emission) order, then secondary ones.
   [[nodiscard]] std::span<const Event> events() const { return events_.events(); }
+  /// Why the last step was not finished; null if it was. Of several faults of one system the first
+  /// in row order, so it is the same for any number of workers.
+  [[nodiscard]] const Fault* fault() const { return fault_.get(); }
   /// How often a step had to allocate because more happened than ever before.
   [[nodiscard]] std::uint64_t growths() const;
 
@@ -46,6 +49,7 @@ class Workspace {
   std::vector<Outbox> by_chunk_;
   Outbox emitted_;
   Outbox events_;
+  std::unique_ptr<Fault> fault_;
 };
 
 /// Everything that does not change: the schema, the systems in their order and the length of a
@@ -68,6 +72,8 @@ class Simulation {
   /// events of the step, good until the workspace is used again. The result depends on the world
   /// and the orders alone. `orders` are applied in the order given; each must name this step and
   /// a kind that has a handler (Run sees to it). A world of another schema throws std::logic_error.
+  /// If the step could not be finished, work.fault() says why, there are no events, and the world
+  /// is between two steps: only good for looking at.
   std::span<const Event> step(World& world, Workspace& work,
                               std::span<const Order> orders = {}) const;
 
@@ -79,7 +85,8 @@ class Simulation {
       : schema_(std::move(schema)), dt_(dt) {}
   void apply_orders(World& world, const StepInfo& info, Workspace& work,
                     std::span<const Order> orders) const;
-  void run(Phase phase, Part part, World& world, const StepInfo& info, Workspace& work) const;
+  /// False after a fault.
+  bool run(Phase phase, Part part, World& world, const StepInfo& info, Workspace& work) const;
   void commit(World& world, const StepInfo& info, Workspace& work) const;
 
   std::shared_ptr<const Schema> schema_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -17,48 +16,12 @@
 #include "sim/rate.hpp"
 #include "sim/schema.hpp"
 #include "sim/system.hpp"
+#include "team/blame.hpp"
+#include "team/moment.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/transition.hpp"
 
 namespace eyrie::team {
-
-/// What an agent perceived at a decision that is looked at again; good during the call that gets
-/// it.
-template <class State>
-struct Moment {
-  const State& state;
-  const sim::StepInfo& info;
-  double dt;  ///< s, from decision to decision
-  PlayerId who;
-  std::span<const std::byte> memory;  ///< of its tree, before the decision
-};
-template <class State>
-using UseMoment = std::function<void(const Moment<State>&)>;
-
-/// What a tree recommends at such a moment; works on `memory`, which is as large as it needs.
-template <class State, class Action>
-ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
-                                std::byte* memory, ubf::Trace<Action>* trace = nullptr) {
-  ubf::Proposal<Action> out;
-  tree.tick({.state = m.state,
-             .time = m.info.time(),
-             .dt = m.dt,
-             .step = m.info.step,
-             .seed = m.info.seed,
-             .player = m.who,
-             .memory = memory,
-             .trace = trace},
-            out);
-  return out;
-}
-/// The same on a copy of what the agent remembered then. Allocates.
-template <class State, class Action>
-ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
-                                ubf::Trace<Action>* trace = nullptr) {
-  std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
-  std::memcpy(slab.data(), m.memory.data(), m.memory.size());
-  return ask_again(tree, m, reinterpret_cast<std::byte*>(slab.data()), trace);
-}
 
 /// No tree: nobody decides.
 inline constexpr std::uint16_t kNoTree = ubf::kNone;
@@ -141,23 +104,37 @@ class Deciding {
   /// The first sequencer of a tree, kNone if it has none.
   [[nodiscard]] ubf::NodeIndex outermost(std::uint16_t tree) const { return outermost_[tree]; }
 
-  /// What a tree recommends in a state; works on `memory`.
-  [[nodiscard]] Proposal ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
-                             PlayerId who, std::span<std::byte> memory,
-                             ubf::TransitionLog& log) const {
+  /// What a tree recommends in a state; works on `memory`. False, and a fault in `out`, if a node
+  /// threw or recommended what means nothing: then nothing of it may be used.
+  [[nodiscard]] bool ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
+                         PlayerId who, std::span<std::byte> memory, ubf::TransitionLog& log,
+                         Proposal& decided, sim::Outbox& out) const {
     EYRIE_ASSERT(tree < trees_->size());
     EYRIE_ASSERT((*trees_)[tree].memory_bytes() <= memory.size());
-    Proposal decided;
-    (*trees_)[tree].tick({.state = state,
-                          .time = info.time(),
-                          .dt = period_ * info.dt,
-                          .step = info.step,
-                          .seed = info.seed,
-                          .player = who,
-                          .memory = memory.data(),
-                          .log = &log},
-                         decided);
-    return decided;
+    const KeptMemory before(memory.first((*trees_)[tree].memory_bytes()));
+    const Underway underway{who, info.step, info.time(), (*trees_)[tree].name()};
+    const UnderwayGuard guard(underway);
+    try {
+      (*trees_)[tree].tick({.state = state,
+                            .time = info.time(),
+                            .dt = period_ * info.dt,
+                            .step = info.step,
+                            .seed = info.seed,
+                            .player = who,
+                            .memory = memory.data(),
+                            .log = &log},
+                           decided);
+    } catch (...) {
+      out.fail(fault_of((*trees_)[tree], moment(state, info, who, before.bytes(memory)),
+                        exception_text(), exception_node()));
+      return false;
+    }
+    if (ubf::implausible_field(decided.action) < ubf::kFields<Action>) [[unlikely]] {
+      out.fail(fault_of((*trees_)[tree], moment(state, info, who, before.bytes(memory)), {},
+                        decided.leader, &decided));
+      return false;
+    }
+    return true;
   }
   /// The moment of a decision.
   [[nodiscard]] Moment<State> moment(const State& state, const sim::StepInfo& info, PlayerId who,

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An action described once: arbiters, traces, hashing and text all read this table.
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -18,6 +22,12 @@
 #include "ubf/memory.hpp"
 
 namespace eyrie::ubf {
+
+/// What a number may be at all. Beyond it, and for NaN, whoever recommends it has made a mistake.
+struct Plausible {
+  double least = std::numeric_limits<double>::lowest(), most = std::numeric_limits<double>::max();
+  [[nodiscard]] constexpr bool holds(double value) const { return value >= least && value <= most; }
+};
 
 /// One field of an action: what it is called, where it is, its SI unit, and how opinions about it
 /// are blended.
@@ -34,14 +44,27 @@ struct ActionField {
   std::string_view name;
   std::optional<T> Action::*member;
   Unit unit;
+  Plausible plausible{};
+
+  /// Whether what stands there means something. Of a value that is no number itself its own
+  /// `implausible_part(value)` says that, if there is such a function.
+  [[nodiscard]] constexpr bool is_plausible(const T& value) const {
+    if constexpr (is_real)
+      return plausible.holds(static_cast<double>(value));
+    else if constexpr (requires { implausible_part(value); })
+      return !implausible_part(value);
+    else
+      return true;
+  }
 };
 
 /// `field<blend::Angle>("heading", &Action::heading, "rad")`
 template <class Blend, class Action, class T>
 [[nodiscard]] consteval ActionField<Action, T, Blend> field(std::string_view name,
                                                             std::optional<T> Action::*member,
-                                                            Unit unit = {}) {
-  return {name, member, unit};
+                                                            Unit unit = {},
+                                                            Plausible plausible = {}) {
+  return {name, member, unit, plausible};
 }
 
 /// Specialise once per action type, with every field in order of declaration:
@@ -126,6 +149,40 @@ void set_number(Action& action, std::size_t field, std::optional<double> value) 
         action.*f.member =
             value ? std::optional(static_cast<typename Field::Value>(*value)) : std::nullopt;
   });
+}
+
+/// A part of a value that is not plausible.
+struct ImplausiblePart {
+  std::string_view name;
+  double value = 0;
+};
+/// The first field that is set to what means nothing, kFields if there is none.
+template <class Action>
+[[nodiscard]] constexpr std::size_t implausible_field(const Action& action) {
+  std::size_t first = kFields<Action>;
+  for_each_field<Action>([&](const auto& f, auto i) {
+    const auto& value = action.*f.member;
+    if (value && !f.is_plausible(*value) && first == kFields<Action>) [[unlikely]]
+      first = i;
+  });
+  return first;
+}
+/// "heading is nan rad", "follow.position is inf"
+template <class Action>
+[[nodiscard]] std::string implausible_text(const Action& action, std::size_t field) {
+  std::string text;
+  for_each_field<Action>([&](const auto& f, auto i) {
+    using Field = std::remove_cvref_t<decltype(f)>;
+    if (i != field || !(action.*f.member))
+      return;
+    if constexpr (Field::is_real)
+      text = fmt::format("{} is {}{}{}", f.name, *(action.*f.member),
+                         f.unit.si_symbol.empty() ? "" : " ", f.unit.si_symbol);
+    else if constexpr (requires { implausible_part(*(action.*f.member)); })
+      if (const auto part = implausible_part(*(action.*f.member)))
+        text = fmt::format("{}.{} is {}", f.name, part->name, part->value);
+  });
+  return text;
 }
 
 /// No field is set: no opinion.

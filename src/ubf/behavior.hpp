@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The nouns of the Unified Behavior Framework: state, action, vote, proposal, behavior.
+#include <fmt/format.h>
+
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +12,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -127,9 +131,36 @@ class BestSoFar {
   Proposal<Action>*best_, *next_;
 };
 
-/// A vote in [0, infinity), which NaN is not.
+namespace detail {
+/// The sign is not set, and it is neither infinite nor NaN.
+[[nodiscard]] constexpr bool is_plain_vote(float vote) {
+  return std::bit_cast<std::uint32_t>(vote) <= 0x7f7fffffU;
+}
+}  // namespace detail
+
+/// A vote in [0, infinity), which NaN is not. One comparison of bits: every node's vote is looked
+/// at (as two comparisons of numbers it was 15 % of a tick).
 [[nodiscard]] constexpr bool is_vote(float vote) {
-  return vote >= 0 && vote <= 3.402823466e38F;
+  return detail::is_plain_vote(vote) || vote == 0;
+}
+/// Of two votes the larger, as their bits are in the same order; what is no vote beats every vote,
+/// and so does -0. So who looks for the largest has to look only at what beats the others.
+[[nodiscard]] constexpr bool outvotes(float vote, float other) {
+  return std::bit_cast<std::uint32_t>(vote) > std::bit_cast<std::uint32_t>(other);
+}
+
+/// Thrown out of a tick whose node voted what is no vote. Whoever steps a simulation ends it there.
+class BadVote : public std::domain_error {
+ public:
+  BadVote(NodeIndex node, float vote)
+      : std::domain_error(fmt::format("vote is {}", vote)), node_(node) {}
+  [[nodiscard]] NodeIndex node() const { return node_; }
+
+ private:
+  NodeIndex node_;
+};
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_vote(NodeIndex node, float vote) {
+  throw BadVote(node, vote);
 }
 
 /// Everything a node may look at during one tick. Nothing in it outlives the tick.

@@ -42,18 +42,27 @@ class Composite : public Behavior<State, Action> {
   Status ask(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
     if (out.leader != kNone)  // somebody was asked into it; a fresh one is empty
       out.clear();
-    const Status status = ask_unwatched(child, t, out);
+    if (t.trace) [[unlikely]]
+      t.trace->asking(child.index_);
+    const Status status = child.tick(t, out);
+    if (status != Status::failure)
+      check_vote(child, out);
     name_leader(child, out);
     if (t.trace) [[unlikely]]
       record(*t.trace, child.index_, status, out);
     return status;
   }
-  /// What is left of ask() when `out` is known to be empty and nobody to watch; who leads is still
-  /// to be named.
-  Status ask_unwatched(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
-    const Status status = child.tick(t, out);
-    EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
-    return status;
+  /// What is no vote ends the tick (BadVote).
+  static void check_vote(const Node& child, const Proposal<Action>& out) {
+    if (!is_vote(out.vote)) [[unlikely]]
+      refuse_vote(child.index_, out.vote);
+  }
+  /// Whether a proposal that outvotes another is one: -0 abstains as 0 does.
+  [[nodiscard]] static bool is_heard(const Node& child, const Proposal<Action>& out) {
+    if (detail::is_plain_vote(out.vote)) [[likely]]
+      return true;
+    check_vote(child, out);
+    return false;
   }
   /// What came from a leaf is led by it.
   static void name_leader(const Node& child, Proposal<Action>& out) {
@@ -122,6 +131,7 @@ class Composite : public Behavior<State, Action> {
   [[gnu::noinline]] static void record(AnyTrace& trace, NodeIndex node, Status status,
                                        const Proposal<Action>& out) {
     Trace<Action>::of(trace).record(node, status, out);
+    trace.answered();
   }
 };
 

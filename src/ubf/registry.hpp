@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Names in files -> nodes. Every type is registered once, in one line.
+#include <exception>
 #include <map>
 #include <memory>
 #include <optional>
@@ -63,7 +64,13 @@ class Registry {
                                                  quote(name), bytes, kMaxMemory));
       return std::nullopt;
     }
-    return TreeType(name, std::move(root));
+    try {
+      return TreeType(name, std::move(root));
+    } catch (const std::exception& e) {
+      diagnostics.error(value.where,
+                        fmt::format("tree {} could not be laid out: {}", quote(name), e.what()));
+      return std::nullopt;
+    }
   }
 
   /// Every registered type, in the order of registration.
@@ -76,8 +83,16 @@ class Registry {
   /// For readers: the node that a spec describes, or null after reporting why there is none.
   [[nodiscard]] std::unique_ptr<Node> make(const NodeSpec& spec, Reader& reader) const {
     const auto found = by_name_.find(spec.type);
-    if (found != by_name_.end())
-      return entries_[found->second](spec, reader);
+    if (found != by_name_.end()) {
+      try {
+        return entries_[found->second](spec, reader);
+      } catch (const std::exception& e) {
+        reader.error(spec.where,
+                     fmt::format("node {} (of {}) could not be made: {}", quote(spec.type),
+                                 infos_[found->second].origin, e.what()));
+        return nullptr;
+      }
+    }
     std::vector<std::string_view> names{kTreeReference};
     for (const NodeInfo& info : infos_)
       names.push_back(info.name);

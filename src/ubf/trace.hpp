@@ -49,6 +49,7 @@ class Trace final : public AnyTrace {
     EYRIE_DEMAND(nodes <= rows_.size(), "a trace smaller than the tree");
     used_ = nodes;
     std::fill(reasons_.begin(), reasons_.end(), nullptr);
+    asked_.clear();
     for (Row& row : std::span(rows_.data(), used_)) {
       row.ticked = false;
       row.status = Status::failure;

@@ -51,7 +51,8 @@ class Tree {
       Trace<Action>::of(*t.trace).begin(size());
     out.clear();
     const Status status = root_->tick(t, out);
-    EYRIE_ASSERT(status == Status::failure || is_vote(out.vote));
+    if (!is_vote(out.vote) && status != Status::failure) [[unlikely]]
+      refuse_vote(0, out.vote);
     if (status == Status::failure || out.is_empty())
       out.clear();
     else if (out.leader == kNone)

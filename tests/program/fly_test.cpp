@@ -184,7 +184,7 @@ TEST(FlyOut, SaysThatAFolderCannotBeMade) {
 TEST(FlyOut, SaysThatTheDiskIsFullAndLeavesNothing) {
   const TempFolder folder;
   const Ran ran = run_program(folder, {"fly", "sweep", "--quiet", "--out", "here"},
-                              {.file_size_limit = 64 * 1024});
+                              {.file_size_limit = 16 * 1024});
   EXPECT_EQ(ran.code, 1);
   EXPECT_TRUE(has(ran.err, "^eyrie: cannot write 'here/run.eyrie': File too large\n$")) << ran.err;
   EXPECT_EQ(folder.everything(), Names{});

@@ -40,9 +40,11 @@ class WinnerTakesAll final : public Voting<State, Action> {
     BestSoFar<Action> best(out, other);
     const auto end = this->children_.end();
     for (auto child = this->children_.begin(); child != end; best.next().clear()) {
-      const Status answer = watched ? this->ask(**child, t, best.next())
-                                    : this->ask_unwatched(**child, t, best.next());
-      if (answer != Status::failure && best.next().vote > best.kept().vote) {
+      // unwatched, what is left of ask(): best.next() is empty, and only a leader is named
+      const Status answer =
+          watched ? this->ask(**child, t, best.next()) : (*child)->tick(t, best.next());
+      if (answer != Status::failure && outvotes(best.next().vote, best.kept().vote) &&
+          this->is_heard(**child, best.next())) {
         status = answer;
         if constexpr (watched)
           winner = child->get();

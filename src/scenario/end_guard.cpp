@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/end_guard.hpp"
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "scenario/plugin_file.hpp"
+#include "team/blame.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+std::atomic<EndGuard*> youngest = nullptr;
+
+/// Never destroyed: it is asked when everything else is.
+std::vector<std::string>& known_plugins() {
+  static auto* known = new std::vector<std::string>;
+  return *known;
+}
+
+/// The plug-in in whose code the program stands, as it is shown; "a plug-in" if it cannot be seen.
+std::string plugin_on_the_stack() {
+  std::array<void*, 256> calls;
+  const int depth = ::backtrace(calls.data(), static_cast<int>(calls.size()));
+  for (int i = 0; i < depth; ++i)
+    if (const std::string path = plugin_at(calls[static_cast<std::size_t>(i)]); !path.empty())
+      return shell_word(std::filesystem::path(path).filename().string());
+  return "somebody";
+}
+
+}  // namespace
+
+EndGuard::EndGuard(int code, LastWords last_words)
+    : code_(code),
+      last_words_(std::move(last_words)),
+      before_(youngest.exchange(this)),
+      terminate_before_(std::set_terminate(on_terminate)) {
+  // the last that is registered is the first that is called; one that finds no guard does nothing
+  static_cast<void>(std::atexit(on_exit));
+  static_cast<void>(std::at_quick_exit(on_quick_exit));
+}
+
+EndGuard::~EndGuard() {
+  youngest = before_;
+  std::set_terminate(terminate_before_);
+}
+
+void EndGuard::ended(const std::string& done) {
+  EndGuard* guard = youngest.exchange(nullptr);
+  if (!guard)
+    return;
+  guard->last_words_(plugin_on_the_stack() + " " + done);
+  std::fflush(nullptr);
+  ::_exit(guard->code_);
+}
+
+void EndGuard::on_exit() {
+  ended("called exit()");
+}
+void EndGuard::on_quick_exit() {
+  ended("called quick_exit()");
+}
+void EndGuard::on_terminate() {
+  ended(std::current_exception() ? team::exception_text() + ", which nobody could catch"
+                                 : "called std::terminate()");
+  std::abort();
+}
+
+void note_plugin(const std::string& path) {
+  known_plugins().push_back(path);
+}
+
+std::string plugin_at(const void* address) {
+  Dl_info info{};
+  if (!address || ::dladdr(address, &info) == 0 || !info.dli_fname)
+    return {};
+  const auto& known = known_plugins();
+  const auto found = std::find(known.begin(), known.end(), info.dli_fname);
+  return found == known.end() ? std::string() : *found;
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A decision that is looked at again: what the agent perceived and remembered then.
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/system.hpp"
+#include "ubf/tree.hpp"
+
+namespace eyrie::team {
+
+/// What an agent perceived at a decision that is looked at again; good during the call that gets
+/// it.
+template <class State>
+struct Moment {
+  const State& state;
+  const sim::StepInfo& info;
+  double dt;  ///< s, from decision to decision
+  PlayerId who;
+  std::span<const std::byte> memory;  ///< of its tree, before the decision
+};
+template <class State>
+using UseMoment = std::function<void(const Moment<State>&)>;
+
+/// What a tree recommends at such a moment; works on `memory`, which is as large as it needs.
+template <class State, class Action>
+ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
+                                std::byte* memory, ubf::Trace<Action>* trace = nullptr) {
+  ubf::Proposal<Action> out;
+  tree.tick({.state = m.state,
+             .time = m.info.time(),
+             .dt = m.dt,
+             .step = m.info.step,
+             .seed = m.info.seed,
+             .player = m.who,
+             .memory = memory,
+             .trace = trace},
+            out);
+  return out;
+}
+/// The same on a copy of what the agent remembered then. Allocates.
+template <class State, class Action>
+ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
+                                ubf::Trace<Action>* trace = nullptr) {
+  std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
+  std::memcpy(slab.data(), m.memory.data(), m.memory.size());
+  return ask_again(tree, m, reinterpret_cast<std::byte*>(slab.data()), trace);
+}
+
+}  // namespace eyrie::team
