@@ -9,6 +9,11 @@
 
 namespace pilot = eyrie::pilot;
 
+/// Apart, so that no compiler sees where it ends.
+[[gnu::noinline]] static void run_dry() {
+  throw std::runtime_error("no fuel");
+}
+
 class Misbehave final : public pilot::Behavior {
  public:
   static constexpr std::string_view type_name = "misbehave", help = "does what it must not";
@@ -63,7 +68,7 @@ class Misbehave final : public pilot::Behavior {
       case 32:
         std::terminate();
       case 33:
-        []() noexcept { throw std::runtime_error("no fuel"); }();
+        []() noexcept { run_dry(); }();
         break;
       default:
         break;
