@@ -46,13 +46,16 @@ double Pursue::clearance(const State& s) const {
 }
 
 void Pursue::follow(const State& s, const Seen& target, double altitude, Action& action) const {
+  const Vec3 velocity = s.velocity_of(target);
+  // who stands has no heading: follow him from where we are
+  const double heading = bearing_of(norm2(velocity) > 0 ? velocity : target.ned);
   const Follow follow{.position = model::position_at(*target.track, s.time),
                       .velocity = target.track->velocity,
                       .time = s.time,
                       .offset = {-behind_, 0, 0}};
   const model::FollowOrder order{.position = follow.position,
                                  .velocity = follow.velocity,
-                                 .lead_heading = bearing_of(s.velocity_of(target)),
+                                 .lead_heading = heading,
                                  .offset = follow.offset,
                                  .altitude = altitude};
   const model::Guidance fly =

@@ -64,6 +64,16 @@ TEST(Pursue, HandsAFollowedTargetToTheAutopilot) {
   EXPECT_EQ(d.action().follow->time, desk.time);
 }
 
+TEST(Pursue, FollowsWhoStandsFromWhereItIs) {
+  for (const double east : {-9000.0, 9000.0})
+    for (const double zero : {0.0, -0.0}) {
+      Desk desk;
+      desk.track({9000, east, 0}).velocity = {zero, zero, zero};
+      const double heading = *decide("{pursue: {mode: follow}}", desk).action().heading;
+      EXPECT_NEAR(angle_between(0, heading), std::copysign(kPi / 4, east), 0.01);
+    }
+}
+
 TEST(Pursue, CranksToTheSideOfItsNoseWhileItsMissileFlies) {
   for (const double side : {-1.0, 1.0}) {
     Desk desk;
