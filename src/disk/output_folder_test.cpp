@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "disk/output_folder.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +11,8 @@
 #include <string>
 
 #include "disk/failure.hpp"
+#include "disk/file_system.hpp"
+#include "disk/temporary.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::disk {
@@ -43,6 +46,38 @@ std::string refusal(const FolderWish& asked) {
     return "";
   } catch (const Refused& e) {
     return e.what();
+  }
+}
+
+/// Somebody looks for abandoned folders at the worst moments.
+class Tidied final : public FileSystem {
+ public:
+  explicit Tidied(bool before_open) : before_open_(before_open) {}
+  int make_folder(int folder, const char* name, mode_t mode) override {
+    const int made = FileSystem::make_folder(folder, name, mode);
+    if (before_open_ && is_temporary(name) && left_-- > 0)
+      FileSystem::remove(folder, name, AT_REMOVEDIR);
+    return made;
+  }
+  int open(int folder, const char* name, int flags, mode_t mode) override {
+    const int file = FileSystem::open(folder, name, flags, mode);
+    if (!before_open_ && is_temporary(name) && left_-- > 0)
+      FileSystem::remove(folder, name, AT_REMOVEDIR);
+    return file;
+  }
+
+ private:
+  bool before_open_;
+  int left_ = 3;
+};
+
+TEST(OutputFolder, IsMadeThoughItsPartIsTakenForAbandoned) {
+  for (const bool before_open : {true, false}) {
+    const test::TempFolder folder;
+    Tidied tidied(before_open);
+    const Instead instead(tidied);
+    EXPECT_EQ(make(wish(folder, "run"), "x"), "");
+    EXPECT_EQ(test::read_text(folder / "run/sign"), "x");
   }
 }
 

@@ -94,12 +94,13 @@ bool Temporary::make(mode_t mode) {
     if (!handle_)
       return errno != EEXIST;
   }
-  // whoever looks for abandoned ones may have been faster than the lock
+  // whoever looks for abandoned ones may have been faster, than the lock or even than open()
   struct stat there {};
   const bool lost =
-      handle_ &&
-      ((files().lock(handle()) != 0 && errno == EWOULDBLOCK) ||
-       (files().status(folder, name_.c_str(), there, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT));
+      handle_ ? (files().lock(handle()) != 0 && errno == EWOULDBLOCK) ||
+                    (files().status(folder, name_.c_str(), there, AT_SYMLINK_NOFOLLOW) != 0 &&
+                     errno == ENOENT)
+              : errno == ENOENT;
   if (lost)
     handle_ = {};
   if (!handle_ && !lost) {
