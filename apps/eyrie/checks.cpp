@@ -27,7 +27,8 @@ std::function<std::string(const std::string&)> whole_number(std::uint64_t least,
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
                       value <= most;
-    return good ? std::string{} : fmt::format("must be a whole number from {} to {}", least, most);
+    return good ? std::string{}
+                : fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
   };
 }
 
@@ -37,7 +38,8 @@ std::string pace(const std::string& text) {
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = failed == std::errc{} && end == text.data() + text.size() &&
                     value >= kSlowest && value <= kFastest;
-  return good ? std::string{} : fmt::format("must be a number from {} to {}", kSlowest, kFastest);
+  return good ? std::string{}
+              : fmt::format("{} is no number from {} to {}", quote(text), kSlowest, kFastest);
 }
 
 std::optional<ExportFormat> format_named(std::string_view name) {

@@ -103,9 +103,6 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
 }
 
 int debrief_page(const DebriefOptions& options) {
-  const disk::FileRead shell = viewer();
-  if (!shell.problem.empty())
-    throw disk::Failed(shell.problem);
   std::vector<debrief::Recorded> runs;
   for (const std::string& run : options.runs) {
     auto opened = open_or_complain(run, options.plugins);
@@ -120,6 +117,9 @@ int debrief_page(const DebriefOptions& options) {
           : options.out;
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || options.out.empty());
+  const disk::FileRead shell = viewer();  // behind the mistakes of the user
+  if (!shell.problem.empty())
+    throw disk::Failed(shell.problem);
   std::vector<std::string> data;
   for (const debrief::Recorded& run : runs) {
     data.push_back(data_of(run));

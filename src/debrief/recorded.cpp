@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 #include "core/assert.hpp"
 #include "core/printable.hpp"
@@ -101,11 +102,14 @@ std::vector<std::string> false_claims(const record::RunFile& run,
 Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build,
             const scenario::PluginPermission& may_open) {
   Recorded recorded;
-  recorded.file = fs::is_directory(path) ? (fs::path(path) / "run.eyrie").string() : path;
+  std::error_code ignored;
+  recorded.file = fs::is_directory(path, ignored) ? (fs::path(path) / "run.eyrie").string() : path;
   std::vector<std::string> problems;
   const auto refused = [&] {
+    constexpr std::size_t kWhole = 300;  // a longer path is shortened
+    const std::string file = recorded.file.size() > kWhole ? quote(recorded.file) : recorded.file;
     for (std::string& problem : problems)
-      problem = fmt::format("{}: {}", recorded.file, problem);
+      problem = fmt::format("{}: {}", file, problem);
     return Opened{std::nullopt, std::move(problems)};
   };
   record::Decoded decoded = record::read_run_file(recorded.file);
