@@ -87,15 +87,15 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
     fmt::print(stderr, "{}: {} while it was being opened\n", shell_word(path), done);
   });
   note_plugin(file);
-  const OpenedPlugin opened = open_plugin(file);
-  if (!opened.info)
-    return {opened.problem};
-
   // into a copy, so that of a plug-in that is refused nothing stays
   const std::string origin = file.filename();
   Registries registries = *registries_;
   Registrar registrar(registries, origin);
+  OpenedPlugin opened;
   try {
+    opened = open_plugin(file);  // some systems let through what a static object throws
+    if (!opened.info)
+      return {opened.problem};
     opened.info->add(registrar);
   } catch (const std::exception& e) {
     return {fmt::format("it failed while it was adding: {}", e.what())};

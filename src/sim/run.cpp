@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/assert.hpp"
@@ -22,7 +23,10 @@ Run::Run(std::shared_ptr<const Simulation> simulation, World start, const RunOpt
       world_(std::move(start)),
       work_(*simulation_, options.workers),
       copy_(world_),
-      steps_per_copy_(std::max<std::uint64_t>(options.steps_per_copy, 1)) {
+      steps_per_copy_(std::max<std::uint64_t>(options.steps_per_copy, 1)),
+      numbers_(simulation_->schema()),
+      steps_per_check_(
+          static_cast<std::uint64_t>(std::clamp(std::nearbyint(1 / simulation_->dt()), 1.0, 1e9))) {
   EYRIE_THROW_UNLESS(&world_.schema() == &simulation_->schema(),
                      "the world belongs to another simulation");
   if (options.paranoid_workers != 0)
@@ -73,6 +77,12 @@ std::span<const Event> Run::step() {
     end_with(*work_.fault());
     return {};
   }
+  if (world_.step() % steps_per_check_ == 0)
+    if (auto fault = numbers_.find(world_)) [[unlikely]] {
+      fault->step = info.step;
+      end_with(std::move(*fault));
+      return {};
+    }
   for (Observer* observer : observers_)
     observer->observe(world_, info, work_.events());
   return work_.events();

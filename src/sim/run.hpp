@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "sim/difference.hpp"
+#include "sim/fault.hpp"
+#include "sim/number_check.hpp"
 #include "sim/order.hpp"
 #include "sim/paranoid.hpp"
 #include "sim/simulation.hpp"
@@ -77,6 +79,8 @@ class Run {
   std::optional<Difference> difference_;
   World copy_;  ///< of world_, at most steps_per_copy_ older
   std::uint64_t steps_per_copy_;
+  NumberCheck numbers_;
+  std::uint64_t steps_per_check_;  ///< in one simulated second
   std::optional<Fault> fault_;
 
   [[nodiscard]] std::span<const Order> orders_for(std::uint64_t step) const;

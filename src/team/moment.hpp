@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A decision that is looked at again: what the agent perceived and remembered then.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <span>
 #include <vector>
@@ -47,7 +47,7 @@ template <class State, class Action>
 ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
                                 ubf::Trace<Action>* trace = nullptr) {
   std::vector<std::uint64_t> slab((m.memory.size() + 7) / 8);
-  std::memcpy(slab.data(), m.memory.data(), m.memory.size());
+  std::copy(m.memory.begin(), m.memory.end(), reinterpret_cast<std::byte*>(slab.data()));
   return ask_again(tree, m, reinterpret_cast<std::byte*>(slab.data()), trace);
 }
 
