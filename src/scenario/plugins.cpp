@@ -6,6 +6,7 @@
 #include <exception>
 #include <filesystem>
 #include <map>
+#include <new>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -97,6 +98,8 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
     if (!opened.info)
       return {opened.problem};
     opened.info->add(registrar);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& e) {
     return {fmt::format("it failed while it was adding: {}", e.what())};
   } catch (...) {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -66,6 +67,8 @@ class Registry {
     }
     try {
       return TreeType(name, std::move(root));
+    } catch (const std::bad_alloc&) {  // nobody's mistake
+      throw;
     } catch (const std::exception& e) {
       diagnostics.error(value.where,
                         fmt::format("tree {} could not be laid out: {}", quote(name), e.what()));
@@ -86,6 +89,8 @@ class Registry {
     if (found != by_name_.end()) {
       try {
         return entries_[found->second](spec, reader);
+      } catch (const std::bad_alloc&) {  // nobody's mistake
+        throw;
       } catch (const std::exception& e) {
         reader.error(spec.where,
                      fmt::format("node {} (of {}) could not be made: {}", quote(spec.type),
