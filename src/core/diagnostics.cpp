@@ -28,8 +28,9 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Optimal string alignment distance; both texts are at most kLongestName long.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+/// Optimal string alignment distance, or something above `most` as soon as it is known to exceed
+/// that; both texts are at most kLongestName long.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
   std::array<std::array<std::size_t, kLongestName + 1>, 3> rows{};
   std::iota(rows[0].begin(), rows[0].end(), 0u);
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -45,6 +46,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
       if (swapped)
         row[j] = std::min(row[j], before[j - 2] + 1);
     }
+    // an edit that swaps two letters reaches over one row, no further
+    if (const auto end = static_cast<std::ptrdiff_t>(b.size()) + 1;
+        *std::min_element(row.begin(), row.begin() + end) > most &&
+        *std::min_element(above.begin(), above.begin() + end) >= most)
+      return most + 1;
   }
   return rows[a.size() % 3][b.size()];
 }
@@ -68,7 +74,7 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
     const std::size_t most = std::min(tolerance(wrong, name), best_distance - 1);
     if (longer - std::min(wrong.size(), name.size()) > most)
       continue;
-    const std::size_t distance = edit_distance(wrong, name);
+    const std::size_t distance = edit_distance(wrong, name, most);
     // one edit in a name of one letter leaves nothing of it
     if (distance <= most && distance < name.size()) {
       best = name;
