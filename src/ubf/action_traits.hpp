@@ -67,7 +67,7 @@ template <class Blend, class Action, class T>
   return {name, member, unit, plausible};
 }
 
-/// Specialise once per action type, with every field in order of declaration:
+/// Specialise once per action type, which is a struct of optionals, with every field once:
 ///   template <> struct ActionTraits<Action> {
 ///     static constexpr auto fields = std::tuple{field<blend::Angle>("heading", ...), ...};
 ///   };
@@ -95,17 +95,30 @@ template <class Action>
   return names;
 }
 
-/// Whether the table lists the whole struct: its optionals, laid out in that order, are as large as
-/// the action itself. Whoever forgets a field is told by the compiler.
+/// Whether the table lists the whole struct: each field once, and no member beside them. Members
+/// are counted by initialising an action with a value for every field listed and one more.
 template <class Action>
 [[nodiscard]] consteval bool fields_cover_action() {
-  std::size_t end = 0, alignment = 1;
-  for_each_field<Action>([&](const auto& f, auto) {
-    using Slot = std::optional<typename std::remove_cvref_t<decltype(f)>::Value>;
-    end = (end + alignof(Slot) - 1) / alignof(Slot) * alignof(Slot) + sizeof(Slot);
-    alignment = alignof(Slot) > alignment ? alignof(Slot) : alignment;
-  });
-  return (end + alignment - 1) / alignment * alignment == sizeof(Action);
+  return std::apply(
+      []<class... F>(const F&... f) {
+        const auto times_listed = [&](const auto& wanted) {
+          const auto is_it = [&]<class G>(const G& other) {
+            if constexpr (std::is_same_v<decltype(wanted.member), decltype(other.member)>)
+              return wanted.member == other.member;
+            else
+              return false;
+          };
+          return (std::size_t{0} + ... + (is_it(f) ? 1 : 0));
+        };
+        constexpr bool kEnough = requires {
+          Action{std::optional<typename F::Value>{}...};
+        };
+        constexpr bool kMore = requires {
+          Action{std::optional<typename F::Value>{}..., {}};
+        };
+        return kEnough && !kMore && (true && ... && (times_listed(f) == 1));
+      },
+      ActionTraits<Action>::fields);
 }
 
 /// Empties every field. Writes the flags alone, which is cheaper than assigning a fresh Action.
@@ -183,6 +196,19 @@ template <class Action>
         text = fmt::format("{}.{} is {}", f.name, part->name, part->value);
   });
   return text;
+}
+
+/// "heading is no plausible number", in words that stay.
+template <class Action>
+[[nodiscard]] const char* implausible_reason(std::size_t field) {
+  static const auto kReasons = [] {
+    std::array<std::string, kFields<Action>> reasons;
+    for_each_field<Action>([&](const auto& f, auto i) {
+      reasons[i] = fmt::format("{} is no plausible number", f.name);
+    });
+    return reasons;
+  }();
+  return kReasons[field].c_str();
 }
 
 /// No field is set: no opinion.

@@ -14,6 +14,20 @@ struct Forgetful {
   std::optional<double> heading;
   std::optional<float> speed;
 };
+/// One that it forgets would fit into the padding behind the others.
+struct Padded {
+  std::optional<double> heading;
+  std::optional<bool> fire, flare;
+};
+/// One that is listed twice, in place of another.
+struct Doubled {
+  std::optional<bool> fire, flare;
+};
+/// A member that is no optional.
+struct Plain {
+  std::optional<double> heading;
+  bool urgent = false;
+};
 
 }  // namespace eyrie::ubf::testing
 
@@ -21,6 +35,23 @@ template <>
 struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Forgetful> {
   static constexpr auto fields =
       std::tuple{field<blend::Angle>("heading", &testing::Forgetful::heading, "rad")};
+};
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Padded> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("heading", &testing::Padded::heading, "rad"),
+                 field<blend::Strongest>("fire", &testing::Padded::fire)};
+};
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Doubled> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Strongest>("fire", &testing::Doubled::fire),
+                 field<blend::Strongest>("flare", &testing::Doubled::fire)};
+};
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Plain> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("heading", &testing::Plain::heading, "rad")};
 };
 
 namespace eyrie::ubf::testing {
@@ -38,6 +69,9 @@ TEST(ActionTraits, KnowsTheFieldsInOrder) {
 TEST(ActionTraits, NoticesAForgottenField) {
   EXPECT_TRUE(fields_cover_action<Action>());
   EXPECT_FALSE(fields_cover_action<Forgetful>());
+  EXPECT_FALSE(fields_cover_action<Padded>()) << "in tail padding";
+  EXPECT_FALSE(fields_cover_action<Doubled>());
+  EXPECT_FALSE(fields_cover_action<Plain>());
 }
 
 TEST(ActionTraits, ClearsEveryField) {

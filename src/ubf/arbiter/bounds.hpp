@@ -33,7 +33,8 @@ struct FieldLimits {
 }  // namespace detail
 
 /// What an action must keep to. A field without limits, and one that is not set, passes. Limits
-/// include their ends, in SI; those of a direction are an arc from `min` clockwise to `max`.
+/// include their ends, in SI; those of a direction are an arc from `min` clockwise to `max`,
+/// which is all of the circle if `max` is a turn or more above `min`.
 template <class Action>
 class Bounds {
  public:
@@ -42,10 +43,12 @@ class Bounds {
     std::optional<double> min, max;
 
     [[nodiscard]] bool given() const { return min || max; }
+    /// Of a direction: as from 0 to 360 degrees.
+    [[nodiscard]] bool is_circle() const { return *max - *min >= kTau - 1e-9; }
     template <class Field>
     [[nodiscard]] bool contain(double x) const {
       if constexpr (Field::is_direction)
-        return wrap_tau(x - *min) <= wrap_tau(*max - *min);
+        return x == x && (is_circle() || wrap_tau(x - *min) <= wrap_tau(*max - *min));
       else
         return (!min || x >= *min) && (!max || x <= *max) && x == x;
     }

@@ -7,7 +7,54 @@
 #include "ubf/arbiter/testing_cues.hpp"
 
 namespace eyrie::ubf::testing {
+
+/// An order as a flag.
+struct Launch {
+  std::optional<bool> release{};
+};
+
+}  // namespace eyrie::ubf::testing
+
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::ubf::testing::Launch> {
+  static constexpr auto fields =
+      std::tuple{field<blend::Strongest>("release", &testing::Launch::release)};
+};
+
+namespace eyrie::ubf::testing {
 namespace {
+
+/// Says a flag with a vote.
+class Launcher final : public Behavior<int, Launch> {
+ public:
+  static constexpr std::string_view type_name = "launcher";
+  Launcher(bool release, float vote) : release_(release), vote_(vote) {}
+  Status tick(const Tick<int>&, Proposal<Launch>& out) const override {
+    out.action.release = release_;
+    out.vote = vote_;
+    return kRunning;
+  }
+
+ private:
+  bool release_;
+  float vote_;
+};
+
+TEST(PaperFusion, LaunchesIfAHighlyVotedProposalSaysSoWhateverAStrongerOneSays) {
+  const auto release = [](float no, float yes) {
+    auto paper = make<PaperFusion<int, Launch>>(make<Launcher>(false, no),  //
+                                                make<Launcher>(true, yes));
+    paper->high_vote = 50;
+    const Tree<int, Launch> tree("launch", std::move(paper));
+    Proposal<Launch> out;
+    EXPECT_EQ(tree.tick({.state = 0}, out), kRunning);
+    return out.action.release;
+  };
+  EXPECT_EQ(release(90, 60), true);
+  EXPECT_EQ(release(60, 90), true);
+  EXPECT_EQ(release(90, 49), false) << "not voted highly enough";
+  EXPECT_EQ(release(49, 49), std::nullopt);
+}
 
 using Paper = PaperFusion<State, Action>;
 

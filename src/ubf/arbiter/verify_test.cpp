@@ -53,6 +53,23 @@ TEST(Verify, FailsWithoutAFallbackWhenNobodyPasses) {
   EXPECT_TRUE(robot.out.is_empty());
 }
 
+TEST(Verify, LetsEveryDirectionPassWithinAWholeCircle) {
+  for (const double least : {0.0, -kPi, 1.0}) {
+    auto node = make<Verified>(probes(1));
+    EXPECT_EQ(node->bounds.set("heading", least, least + kTau), "");
+    Robot robot(std::move(node));
+    for (const double heading : {0.0, 1.5, 3.2, 6.2, -2.0}) {
+      robot.cue(0) = {kRunning, 9, {.heading = heading}};
+      EXPECT_EQ(robot.tick(), kRunning) << heading;
+    }
+  }
+  Robot file(
+      build("{verify: {bounds: {heading: {min: 0 deg, max: 360 deg}}, children: "
+            "[{probe: {cue: 0}}]}}"));
+  file.cue(0) = {kRunning, 9, {.heading = radians(90)}};
+  EXPECT_EQ(file.tick(), kRunning);
+}
+
 TEST(Verify, LetsAFieldPassThatIsNotSet) {
   Robot robot(verify(1));
   robot.cue(0) = {kRunning, 9, {.heading = 1}};

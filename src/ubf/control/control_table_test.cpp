@@ -89,7 +89,9 @@ class Reference {
     if (type_ == "for_each_strongest")
       return now_.leader == kNobody ? kFailure : says_[now_.leader];
     if (type_ == "parallel")
-      return count(kSuccess) >= a_ ? kSuccess : count(kFailure) >= b_ ? kFailure : kRunning;
+      return count(kSuccess) >= a_                                          ? kSuccess
+             : count(kFailure) >= b_ || count(kFailure) > says_.size() - a_ ? kFailure
+                                                                            : kRunning;
     return count(kRunning) ? kRunning : count(kFailure) >= a_ ? kFailure : kSuccess;
   }
   Status branch() {

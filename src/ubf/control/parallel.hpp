@@ -5,12 +5,12 @@
 namespace eyrie::ubf {
 
 /// Asks every child in every tick. Succeeds when at least `success_count` of them answer success,
-/// else fails when at least `failure_count` answer failure, else is running: if both thresholds are
-/// reached in one tick, success wins. When it ends, children that are still running forget. What
-/// goes up is merged field by field, as per_field does, from all children that did not fail, those
-/// without a vote included; a failing parallel proposes nothing.
-/// The paper's section II.A asks for more than the threshold, we for at least, as Colledanchise and
-/// Ogren, Behavior Trees in Robotics and AI (2018), algorithm 3.
+/// else fails when at least `failure_count` answer failure, or so many that success is out of
+/// reach, else is running: if both thresholds are reached in one tick, success wins. When it ends,
+/// children that are still running forget. What goes up is merged field by field, as per_field
+/// does, from all children that did not fail, those without a vote included; a failing parallel
+/// proposes nothing. The paper's section II.A asks for more than the threshold, we for at least, as
+/// Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 3.
 template <class State, class Action>
 class Parallel final : public Voting<State, Action> {
  public:
@@ -70,9 +70,12 @@ class Parallel final : public Voting<State, Action> {
     return count == 1 ? "is 1 child" : fmt::format("are {} children", count);
   }
   [[nodiscard]] Status verdict(std::size_t successes, std::size_t failures) const {
-    if (successes >= success_count.value_or(static_cast<std::uint32_t>(this->children_.size())))
+    const std::size_t enough = success_count.value_or(this->children_.size());
+    if (successes >= enough)
       return Status::success;
-    return failures >= failure_count ? Status::failure : Status::running;
+    return failures >= failure_count || failures + enough > this->children_.size()
+               ? Status::failure
+               : Status::running;
   }
   void end(const Tick<State>& t, std::uint64_t running) const {
     for (std::size_t i = 0; i < this->children_.size(); ++i) {

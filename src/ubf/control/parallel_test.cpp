@@ -36,16 +36,19 @@ TEST(Parallel, LetsSuccessWinWhenBothThresholdsAreReachedInOneTick) {
   EXPECT_EQ(robot.tick(), kSuccess);
 }
 
-TEST(Parallel, GoesOnWhenEveryChildHasEndedWithoutReachingAThreshold) {
-  Robot robot(parallel(3, 3, 2));
-  robot.say(0, kSuccess);
+TEST(Parallel, FailsWhenSuccessIsOutOfReach) {
+  Robot robot(parallel(3, 2, 3));
+  robot.say(0, kRunning);
   robot.say(1, kSuccess);
   robot.say(2, kFailure);
-  EXPECT_EQ(robot.tick(), kRunning);
+  EXPECT_EQ(robot.tick(), kRunning) << "the first may still make it two";
+  robot.say(1, kFailure);
+  EXPECT_EQ(robot.tick(), kFailure);
+  EXPECT_EQ(robot.halts("root/probe[0]"), 1);
 }
 
 TEST(Parallel, MergesFieldByFieldFromTheHighestVote) {
-  Robot robot(parallel(3, 3, 2));
+  Robot robot(parallel(3, 2, 2));
   robot.cue(0) = {kRunning, 2, {.heading = 1, .altitude = 100}};
   robot.cue(1) = {kSuccess, 3, {.heading = 2}};
   robot.cue(2) = {kFailure, 9, {.heading = 3, .release = 1}};

@@ -12,8 +12,8 @@ enum class Choose : std::uint8_t { strongest, first };
 /// looks at that one; the highest vote goes up, the earlier of equals, or with `choose: first` the
 /// first that does not fail. Fails if every one does, or there is none. No behavior below it may
 /// remember anything, for which thing is the third may change from tick to tick: the child starts
-/// anew each time. In a trace the child shows what
-/// it answered for the thing that was chosen, or else for the last one.
+/// anew each time. What is drawn for one thing is drawn anew for the next. In a trace the child
+/// shows what it answered for the thing that was chosen, or else for the last one.
 ///   for_each: {over: hostiles, child: {guard: {when: range < 10 nmi, child: pursue}}}
 template <class State, class Action>
 class ForEach final : public Decorator<State, Action> {
@@ -45,7 +45,7 @@ class ForEach final : public Decorator<State, Action> {
     if (count == 0)
       return Status::failure;
     State state = t.state;
-    const Tick<State> inner = t.in(state);
+    Tick<State> inner = t.in(state);
     Status status = Status::failure;
     std::size_t chosen = count;
     Scratch<Action> other;
@@ -53,6 +53,7 @@ class ForEach final : public Decorator<State, Action> {
     float highest = 0;
     for (std::size_t i = 0; i < count; ++i) {
       list_->look_at(state, i);
+      inner.seed = seed_of(t.seed, i);
       const Status answer = this->ask(this->child(), inner, best.next());
       this->forget(this->child(), inner);
       if (answer == Status::failure)
@@ -70,6 +71,7 @@ class ForEach final : public Decorator<State, Action> {
       return Status::failure;
     if (t.trace) [[unlikely]] {
       list_->look_at(state, chosen);
+      inner.seed = seed_of(t.seed, chosen);
       this->ask(this->child(), inner, best.next());
       this->forget(this->child(), inner);
     }
@@ -95,6 +97,14 @@ class ForEach final : public Decorator<State, Action> {
   }
 
  private:
+  /// For what is drawn at one of the things: another number than at the others, also in a loop
+  /// within a loop (the finalizer of SplitMix64: Steele et al., OOPSLA 2014).
+  [[nodiscard]] static constexpr std::uint64_t seed_of(std::uint64_t seed, std::size_t thing) {
+    std::uint64_t z = seed + (thing + 1) * 0x9e3779b97f4a7c15U;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
   /// The name of a node below that remembers, or "".
   static std::string_view remembering(const typename ForEach::Node& node) {
     if (node.remembers())

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
@@ -20,6 +22,19 @@ class Glance final : public Node {
     out.vote = t.state.cues[0].vote;
     return t.state.range > 100 ? Status::failure : t.state.cues[0].status;
   }
+};
+
+/// Votes for each thing what it draws.
+class Gambler final : public Node {
+ public:
+  static constexpr std::string_view type_name = "gambler";
+  static constexpr std::string_view help = "draws";
+  Status tick(const RobotTick& t, RobotProposal& out) const override {
+    out.action.altitude = draw(t).uniform();
+    drawn.push_back(*out.action.altitude);
+    return kRunning;
+  }
+  mutable std::vector<double> drawn;
 };
 
 Robot looking_at(std::vector<double> things, Choose choose) {
@@ -60,6 +75,30 @@ TEST(ForEach, AsksAnewForEveryThing) {
   EXPECT_EQ(robot.tick(), kRunning);
   EXPECT_EQ(robot.out.vote, 50);
   EXPECT_EQ(robot.slab, std::vector<std::byte>(robot.slab.size())) << "nothing is left behind";
+}
+
+TEST(ForEach, DrawsAnewForEveryThing) {
+  auto inner = make<ForEach<State, Action>>(make<Gambler>());
+  inner->go_over(StateLists<State>::all().front());
+  auto outer = make<ForEach<State, Action>>(std::move(inner));
+  outer->go_over(StateLists<State>::all().front());
+  Robot robot(std::move(outer));
+  robot.state.thing_count = 3;
+  const auto& gambler = static_cast<const Gambler&>(robot.tree.node(2));
+  std::vector<std::byte> slab(robot.tree.memory_bytes());
+  const auto drawn_at = [&](std::uint64_t step) {
+    gambler.drawn.clear();
+    robot.tree.tick({.state = robot.state, .step = step, .memory = slab.data()}, robot.out);
+    return gambler.drawn;
+  };
+  const std::vector<double> drawn = drawn_at(1);
+  ASSERT_EQ(drawn.size(), 9u);
+  EXPECT_EQ(std::set<double>(drawn.begin(), drawn.end()).size(), 9u);
+  EXPECT_EQ(drawn_at(1), drawn) << "the same step draws the same";
+  EXPECT_NE(drawn_at(2), drawn);
+  robot.tick();
+  EXPECT_EQ(robot.row("root/for_each/gambler").proposal.action.altitude, robot.out.action.altitude)
+      << "the trace shows what was drawn for the chosen one";
 }
 
 TEST(ForEach, FailsWithoutThingsAndIfEveryOneFails) {

@@ -51,7 +51,7 @@ const parallel: Maker = ({ success_count, failure_count }) => (children, out) =>
     out.vote = Math.max(out.vote, child.vote);
   }
   merge_fields(children, out, is_active);
-  out.status = successes >= enough ? 'success' : failures >= too_many ? 'failure' : 'running';
+  out.status = successes >= enough ? 'success' : failures >= too_many || failures + enough > children.length ? 'failure' : 'running';
   return kDone;
 };
 
