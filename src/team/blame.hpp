@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Whose fault it was that a decision came to nothing: the node that threw, or that first
-/// recommended what means nothing.
+/// \file  Whose fault it was that a decision came to nothing.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -54,66 +53,32 @@ class KeptMemory {
   std::byte kept_[kMost];  // not cleared: that costs more than what is used
 };
 
-/// The exception that is being handled: "threw: no fuel", "votes what means nothing: vote is nan".
+/// The exception that is being handled: "threw: no fuel".
 [[nodiscard]] std::string exception_text();
-/// Which node it names; kNone if it is none of ours.
-[[nodiscard]] ubf::NodeIndex exception_node();
 
-/// The deepest node that set a field to what means nothing, along whom it came from.
+/// The node that threw: the tree is asked again, with a trace. Of one that does otherwise the
+/// second time nothing is known.
 template <class State, class Action>
-[[nodiscard]] ubf::NodeIndex origin_of(const ubf::Tree<State, Action>& tree,
-                                       const ubf::Trace<Action>& trace, std::size_t field) {
-  const auto wrong = [&](ubf::NodeIndex node) {
-    bool found = false;
-    ubf::for_each_field<Action>([&](const auto& f, auto i) {
-      const auto& value = trace.row(node).proposal.action.*f.member;
-      found |= i == field && trace.row(node).ticked && value && !f.is_plausible(*value);
-    });
-    return found;
-  };
-  ubf::NodeIndex node = 0;
-  for (bool deeper = true; deeper;) {
-    deeper = false;
-    const ubf::NodeIndex from = trace.row(node).supplier[field];
-    for (const auto& child : tree.node(node).children()) {
-      const bool supplies = from >= child->index() && from < child->end_index();
-      if (!wrong(child->index()) || (from != node && !supplies))
-        continue;
-      node = child->index();
-      deeper = true;
-      break;
-    }
-  }
-  return node;
-}
-
-/// Asks again, with a trace, to find the node; `node` is what is known of it. `thrown` are the
-/// words of an exception; without them `decided` holds what means nothing. Of a node that answers
-/// otherwise the second time only the tree is known, or who led.
-template <class State, class Action>
-[[gnu::noinline, gnu::cold]] sim::Fault fault_of(const ubf::Tree<State, Action>& tree,
-                                                 const Moment<State>& moment, std::string thrown,
-                                                 ubf::NodeIndex node,
-                                                 const ubf::Proposal<Action>* decided = nullptr) {
-  const std::size_t field =
-      decided ? ubf::implausible_field(decided->action) : ubf::kFields<Action>;
+[[gnu::noinline, gnu::cold]] ubf::NodeIndex who_threw(const ubf::Tree<State, Action>& tree,
+                                                      const Moment<State>& moment) {
   ubf::Trace<Action> trace(tree.size());
   try {
     static_cast<void>(ask_again(tree, moment, &trace));
-    if (decided)
-      node = origin_of(tree, trace, field);
   } catch (...) {
-    if (node == ubf::kNone)
-      node = trace.unanswered().empty() ? ubf::NodeIndex{0} : trace.unanswered().back();
+    return trace.unanswered().empty() ? ubf::NodeIndex{0} : trace.unanswered().back();
   }
+  return ubf::kNone;
+}
+
+template <class State, class Action>
+[[gnu::noinline, gnu::cold]] sim::Fault fault_of(const ubf::Tree<State, Action>& tree, PlayerId who,
+                                                 std::string what, ubf::NodeIndex node) {
   const bool known = node < tree.size();
-  return {.player = moment.who,
+  return {.player = who,
           .agent = known ? fmt::format("{} of tree '{}'", tree.path(node), tree.name())
                          : fmt::format("a node of tree '{}'", tree.name()),
           .node = known ? &typeid(tree.node(node)) : nullptr,
-          .what = decided ? "recommends what means nothing: " +
-                                ubf::implausible_text(decided->action, field)
-                          : std::move(thrown)};
+          .what = std::move(what)};
 }
 
 }  // namespace eyrie::team

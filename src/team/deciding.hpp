@@ -105,7 +105,8 @@ class Deciding {
   [[nodiscard]] ubf::NodeIndex outermost(std::uint16_t tree) const { return outermost_[tree]; }
 
   /// What a tree recommends in a state; works on `memory`. False, and a fault in `out`, if a node
-  /// threw or recommended what means nothing: then nothing of it may be used.
+  /// threw or answered what means nothing: then nothing of it may be used. A tree takes such a node
+  /// as one that failed; a run is ended, because whoever reads its results could not see that.
   [[nodiscard]] bool ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
                          PlayerId who, std::span<std::byte> memory, ubf::TransitionLog& log,
                          Proposal& decided, sim::Outbox& out) const {
@@ -114,6 +115,7 @@ class Deciding {
     const KeptMemory before(memory.first((*trees_)[tree].memory_bytes()));
     const Underway underway{who, info.step, info.time(), (*trees_)[tree].name()};
     const UnderwayGuard guard(underway);
+    ubf::Mistake mistake;
     try {
       (*trees_)[tree].tick({.state = state,
                             .time = info.time(),
@@ -122,16 +124,17 @@ class Deciding {
                             .seed = info.seed,
                             .player = who,
                             .memory = memory.data(),
-                            .log = &log},
+                            .log = &log,
+                            .mistake = &mistake},
                            decided);
     } catch (...) {
-      out.fail(fault_of((*trees_)[tree], moment(state, info, who, before.bytes(memory)),
-                        exception_text(), exception_node()));
+      out.fail(
+          fault_of((*trees_)[tree], who, exception_text(),
+                   who_threw((*trees_)[tree], moment(state, info, who, before.bytes(memory)))));
       return false;
     }
-    if (ubf::implausible_field(decided.action) < ubf::kFields<Action>) [[unlikely]] {
-      out.fail(fault_of((*trees_)[tree], moment(state, info, who, before.bytes(memory)), {},
-                        decided.leader, &decided));
+    if (mistake.node != ubf::kNone) [[unlikely]] {
+      out.fail(fault_of((*trees_)[tree], who, std::move(mistake.what), mistake.node));
       return false;
     }
     return true;

@@ -12,7 +12,6 @@
 #include <new>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -47,7 +46,7 @@ enum class Kind : std::uint8_t { behavior, condition, arbiter, control, decorato
 }
 
 /// An action together with how strongly it is recommended. The vote is finite and not negative; a
-/// vote of 0 abstains from every arbiter.
+/// vote of 0 abstains from every arbiter. A proposal that means nothing is a failure (Mistake).
 template <class Action>
 struct Proposal {
   Action action{};
@@ -149,19 +148,12 @@ namespace detail {
   return std::bit_cast<std::uint32_t>(vote) > std::bit_cast<std::uint32_t>(other);
 }
 
-/// Thrown out of a tick whose node voted what is no vote. Whoever steps a simulation ends it there.
-class BadVote : public std::domain_error {
- public:
-  BadVote(NodeIndex node, float vote)
-      : std::domain_error(fmt::format("vote is {}", vote)), node_(node) {}
-  [[nodiscard]] NodeIndex node() const { return node_; }
-
- private:
-  NodeIndex node_;
+/// An answer that means nothing: a vote that is none, or a field that is NaN, infinite or beyond
+/// what is plausible. Whoever gives it is taken to have failed.
+struct Mistake {
+  NodeIndex node = kNone;
+  std::string what;  ///< "votes what means nothing: vote is nan"
 };
-[[noreturn, gnu::cold, gnu::noinline]] inline void refuse_vote(NodeIndex node, float vote) {
-  throw BadVote(node, vote);
-}
 
 /// Everything a node may look at during one tick. Nothing in it outlives the tick.
 template <class State>
@@ -175,12 +167,37 @@ struct Tick {
   std::byte* memory = nullptr;   ///< this agent's slab, laid out by the tree
   AnyTrace* trace = nullptr;     ///< null when nobody watches
   TransitionLog* log = nullptr;  ///< null when nobody listens
+  Mistake* mistake = nullptr;    ///< takes the first of the tick; null when nobody listens
 
   /// The same tick of an agent that looks at another state.
   [[nodiscard]] Tick in(const State& other) const {
-    return {other, time, dt, step, seed, player, memory, trace, log};
+    return {other, time, dt, step, seed, player, memory, trace, log, mistake};
   }
 };
+
+/// Whether an answer means something. Fields are looked at where they come from, that is as long as
+/// nobody leads.
+template <class Action>
+[[nodiscard]] bool fields_mean_something(const Proposal<Action>& proposal) {
+  return proposal.leader != kNone || implausible_field(proposal.action) == kFields<Action>;
+}
+
+namespace detail {
+/// Says whose answer means nothing, and why.
+template <class State, class Action>
+[[gnu::cold, gnu::noinline]] void note_mistake(const Tick<State>& t, NodeIndex node,
+                                               const Proposal<Action>& out) {
+  const std::size_t field = implausible_field(out.action);
+  const bool votes = is_vote(out.vote);
+  if (t.trace)
+    t.trace->because(
+        node, votes ? implausible_reason<Action>(field) : "its vote is no finite number from 0 up");
+  if (t.mistake && t.mistake->node == kNone)
+    *t.mistake = {node,
+                  votes ? "recommends what means nothing: " + implausible_text(out.action, field)
+                        : fmt::format("votes what means nothing: vote is {}", out.vote)};
+}
+}  // namespace detail
 
 template <class State, class Action>
 class Tree;

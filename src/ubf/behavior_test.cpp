@@ -73,22 +73,5 @@ TEST(Behavior, DrawsAreAFunctionOfSeedPlayerStepAndNode) {
   EXPECT_NE(drawn(1, 2, 3, 2), value);
 }
 
-TEST(BadVote, IsRefusedInEveryBuildAndNamesItsNode) {
-  Robot robot(make<WinnerTakesAll<State, Action>>(probes(2)));
-  robot.say(0, kRunning, 5);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  for (const float vote : {std::numeric_limits<float>::quiet_NaN(), -1.0F, kInfinity}) {
-    robot.say(1, kRunning, vote);
-    try {
-      robot.tick();
-      ADD_FAILURE() << vote;
-    } catch (const BadVote& bad) {
-      EXPECT_EQ(bad.node(), 2) << "the second child";
-    }
-  }
-  robot.say(1, kFailure, kInfinity);  // what a failure leaves is ignored
-  robot.tick();
-}
-
 }  // namespace
 }  // namespace eyrie::ubf::testing

@@ -38,30 +38,38 @@ class Composite : public Behavior<State, Action> {
 
  protected:
   /// Asks a child for its proposal. Everything goes through here: what arrives in `out` is emptied
-  /// first, and the answer is checked and traced.
+  /// first, and the answer is checked and traced. An answer that means nothing is a failure.
   Status ask(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
     if (out.leader != kNone)  // somebody was asked into it; a fresh one is empty
       out.clear();
     if (t.trace) [[unlikely]]
       t.trace->asking(child.index_);
-    const Status status = child.tick(t, out);
-    if (status != Status::failure)
-      check_vote(child, out);
+    Status status = child.tick(t, out);
+    if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
+        [[unlikely]]
+      status = refuse(child, t, out, status);
     name_leader(child, out);
     if (t.trace) [[unlikely]]
       record(*t.trace, child.index_, status, out);
     return status;
   }
-  /// What is no vote ends the tick (BadVote).
-  static void check_vote(const Node& child, const Proposal<Action>& out) {
-    if (!is_vote(out.vote)) [[unlikely]]
-      refuse_vote(child.index_, out.vote);
+  /// Takes a child whose answer means nothing as one that failed; what was going on in it forgets.
+  [[gnu::cold, gnu::noinline]] Status refuse(const Node& child, const Tick<State>& t,
+                                             Proposal<Action>& out, Status answered) const {
+    detail::note_mistake(t, child.index_, out);
+    if (answered == Status::running)
+      halt(child, t);
+    out.clear();
+    return Status::failure;
   }
-  /// Whether a proposal that outvotes another is one: -0 abstains as 0 does.
-  [[nodiscard]] static bool is_heard(const Node& child, const Proposal<Action>& out) {
-    if (detail::is_plain_vote(out.vote)) [[likely]]
+  /// Whether a proposal that outvotes another one counts: -0 abstains as 0 does.
+  [[nodiscard]] bool is_heard(const Node& child, const Tick<State>& t, Proposal<Action>& out,
+                              Status answered) const {
+    const bool meant = fields_mean_something(out);
+    if (detail::is_plain_vote(out.vote) && meant) [[likely]]
       return true;
-    check_vote(child, out);
+    if (!meant || !is_vote(out.vote))
+      refuse(child, t, out, answered);
     return false;
   }
   /// What came from a leaf is led by it.

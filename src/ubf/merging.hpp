@@ -170,7 +170,8 @@ class Mixing : public Voting<State, Action> {
   [[nodiscard]] bool stands() const noexcept final { return true; }
 
  protected:
-  /// Asks every child into `next`; `use(child, next)` those that neither fail nor abstain.
+  /// Asks every child into `next`; `use(child, next)` those that neither fail nor abstain. If it
+  /// answers false, the child has failed after all.
   template <class Use>
   StrongestChild ask_voters(const Tick<State>& t, Proposal<Action>& next, Use use) const {
     StrongestChild strongest;
@@ -178,8 +179,13 @@ class Mixing : public Voting<State, Action> {
       const Status answer = this->ask(*child, t, next);
       if (answer == Status::failure || next.vote == 0)
         continue;
+      if constexpr (std::is_same_v<decltype(use(*child, next)), bool>) {
+        if (!use(*child, next))
+          continue;
+      } else {
+        use(*child, next);
+      }
       strongest.add(next, answer);
-      use(*child, next);
     }
     return strongest;
   }

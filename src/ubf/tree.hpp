@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ class Tree {
 
   static_assert(std::is_trivially_copyable_v<Action>, "an action is a value");
   static_assert(fields_cover_action<Action>(),
-                "ActionTraits<Action>::fields must list every field, in order of declaration");
+                "ActionTraits<Action>::fields must list every member of the action once");
 
   /// Refuses (std::logic_error) a null root, a node without the children it needs or with
   /// parameters that contradict each other, and a tree beyond kMaxNodes, kMaxDepth or kMaxMemory.
@@ -50,9 +51,16 @@ class Tree {
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).begin(size());
     out.clear();
-    const Status status = root_->tick(t, out);
-    if (!is_vote(out.vote) && status != Status::failure) [[unlikely]]
-      refuse_vote(0, out.vote);
+    Status status = root_->tick(t, out);
+    if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
+        [[unlikely]] {
+      detail::note_mistake(t, 0, out);
+      if (memory_bytes())
+        std::memset(t.memory, 0, memory_bytes());
+      if (t.trace)
+        Trace<Action>::of(*t.trace).halted(0, root_->end_index());
+      status = Status::failure;
+    }
     if (status == Status::failure || out.is_empty())
       out.clear();
     else if (out.leader == kNone)

@@ -35,17 +35,20 @@ class OverGrid : public Mixing<State, Action> {
     FieldMerge<Action> merge;
     Scratch<Action> scratch;
     all.strongest =
-        this->ask_voters(t, scratch.get(), [&](const auto& child, const Proposal<Action>& next) {
+        this->ask_voters(t, scratch.get(), [&](const auto& child, Proposal<Action>& next) {
           const auto weight = static_cast<double>(next.vote);
           double farthest = 1;  // from no opinion
           if (const auto* appraiser = child.appraiser()) {
             farthest = appraise(*appraiser, t, weight, sums);
+            if (farthest - farthest != 0) [[unlikely]]  // not finite
+              return refuse_worth(child, t, next);
             all.any = true;
           } else {
             all.any |= near_what_is_asked(next.action, weight, sums);
           }
           all.rounding += kRounding * weight * farthest;
           merge.add(next, out.action);
+          return true;
         });
     return all;
   }
@@ -77,20 +80,36 @@ class OverGrid : public Mixing<State, Action> {
     const auto best = std::find_if(sums.begin(), end, [&](double sum) { return sum >= enough; });
     return static_cast<std::size_t>(best - sums.begin());
   }
-  /// Returns the greatest worth, or the smallest if that is farther from 0, without its sign.
+  /// Returns the greatest worth, or the smallest if that is farther from 0, without its sign. If
+  /// one of them is not finite, that is returned and nothing is added.
   double appraise(const Appraiser<State, Action>& appraiser, const Tick<State>& t, double weight,
                   Sums& sums) const {
     Scratch<Action> candidate;
+    Sums worths;
     double farthest = 0;
     Action& action = candidate.get().action;
     for (std::size_t i = 0; i < grid.size(); ++i) {
       grid.set(i, action);
-      const double worth = appraiser.appraise(t, action);
-      EYRIE_ASSERT(worth - worth == 0);  // finite
-      sums[i] += weight * worth;
-      farthest = std::fmax(farthest, std::fabs(worth));
+      worths[i] = appraiser.appraise(t, action);
+      if (worths[i] - worths[i] != 0) [[unlikely]]
+        return worths[i];
+      farthest = std::fmax(farthest, std::fabs(worths[i]));
     }
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      sums[i] += weight * worths[i];
     return farthest;
+  }
+  [[gnu::cold, gnu::noinline]] bool refuse_worth(const typename OverGrid::Node& child,
+                                                 const Tick<State>& t,
+                                                 Proposal<Action>& next) const {
+    if (t.mistake && t.mistake->node == kNone)
+      *t.mistake = {child.index(), "appraises a candidate with what is no finite number"};
+    next.clear();
+    if (t.trace) {
+      t.trace->because(child.index(), "what it says of a candidate is no finite number");
+      Trace<Action>::of(*t.trace).record(child.index(), Status::failure, next);
+    }
+    return false;
   }
   /// A plain proposal votes for what is near it, in the mean over the fields that it sets.
   bool near_what_is_asked(const Action& action, double weight, Sums& sums) const {

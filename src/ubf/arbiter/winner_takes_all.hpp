@@ -44,7 +44,7 @@ class WinnerTakesAll final : public Voting<State, Action> {
       const Status answer =
           watched ? this->ask(**child, t, best.next()) : (*child)->tick(t, best.next());
       if (answer != Status::failure && outvotes(best.next().vote, best.kept().vote) &&
-          this->is_heard(**child, best.next())) {
+          this->is_heard(**child, t, best.next(), answer)) {
         status = answer;
         if constexpr (watched)
           winner = child->get();
