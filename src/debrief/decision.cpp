@@ -50,8 +50,10 @@ std::string words(const Answer& answer) {
     return "not asked";
   if (answer.status == ubf::Status::failure)
     return answer.why.empty() ? "failed" : "failed: " + answer.why;
-  return answer.vote > 0 ? fmt::format("{}, votes {:g}", ubf::to_text(answer.status), answer.vote)
-                         : std::string(ubf::to_text(answer.status));
+  std::string text(ubf::to_text(answer.status));
+  if (answer.vote > 0)
+    text += fmt::format(", votes {:g}", answer.vote);
+  return answer.why.empty() ? text : fmt::format("{} ({})", text, answer.why);
 }
 
 std::string why_not(const Decision& now, ubf::NodeIndex before) {

@@ -29,7 +29,7 @@ struct Answer {
   ubf::Status status = ubf::Status::failure;
   float vote = 0;
   std::uint16_t halts = 0;    ///< how often it was made to forget
-  std::string why;            ///< it failed; "" if it did not say
+  std::string why;            ///< it failed, or what its vote followed: "range 0.53"; may be ""
   std::vector<Value> action;  ///< the fields that it set
 };
 

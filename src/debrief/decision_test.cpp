@@ -77,7 +77,10 @@ TEST(Decision, SaysWhatANodeAnswered) {
   EXPECT_EQ(words(node), "failed: no target");
   node.status = Status::running;
   node.vote = 40.5F;
+  node.why.clear();
   EXPECT_EQ(words(node), "running, votes 40.5");
+  node.why = "range 0.81";
+  EXPECT_EQ(words(node), "running, votes 40.5 (range 0.81)");
 }
 
 TEST(Decision, SaysHowAFieldWasWon) {

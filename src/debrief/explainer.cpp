@@ -20,8 +20,9 @@ std::vector<Value> values_of(const Action& action) {
   return values;
 }
 
-template <class Action>
-std::vector<Answer> answers(std::vector<Answer> all, const ubf::Trace<Action>& trace) {
+template <class State, class Action>
+std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Action>& tree,
+                            const ubf::Trace<Action>& trace) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto index = static_cast<ubf::NodeIndex>(i);
     const auto& row = trace.row(index);
@@ -31,7 +32,10 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Trace<Action>& t
     answer.vote = row.proposal.vote;
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
-    if (!row.ticked || row.status != ubf::Status::failure)
+    const ubf::VoteCurve* curve = tree.node(index).vote_curve();
+    if (row.ticked && row.status != ubf::Status::failure && curve)
+      answer.why = curve->text(trace.scores(index), ubf::state_field_infos<State>());
+    else if (!row.ticked || row.status != ubf::Status::failure)
       answer.why.clear();
     else if (const char* why = trace.why(index))
       answer.why = why;
@@ -136,7 +140,7 @@ Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action
   d.tree = tree.name();
   d.vote = out.vote;
   d.leader = out.leader;
-  d.nodes = answers(blank, trace);
+  d.nodes = answers(blank, tree, trace);
   d.action = contest(d.nodes, trace);
   d.state = state_values(m.state);
   d.perceived = perceived(m.state, scenario);

@@ -25,7 +25,7 @@ template <class State, class Action>
                      {"depth", answer.depth},
                      {"params", arbiter_params(node)},
                      {"remembers", node.remembers()}});
-    if (node.appraiser())
+    if (node.appraiser() || (node.vote_curve() && !answer.is_leaf))
       nodes.back()["appraises"] = true;
   }
   return {{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}};

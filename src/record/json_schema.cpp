@@ -40,9 +40,36 @@ bool has(const ubf::NodeInfo& node, std::string_view key) {
   return std::find(node.child_keys.begin(), node.child_keys.end(), key) != node.child_keys.end();
 }
 
+/// A vote that follows the state, in the place of a number (ubf/vote_curve.hpp).
+Json vote_curve() {
+  const Json end{{"type", Json::array({"string", "number"})}};
+  const Json one{{"of", {{"type", "string"}}},
+                 {"from", end},
+                 {"to", end},
+                 {"curve", {{"enum", enum_names<ubf::Curve>()}}}};
+  const Json item{{"type", "object"},
+                  {"properties", one},
+                  {"required", Json::array({"of"})},
+                  {"additionalProperties", false}};
+  Json all = one;
+  all["most"] = all["least"] = {{"type", "number"}};
+  all["product"] = list_of(item);
+  return {{"type", "object"},
+          {"properties", std::move(all)},
+          {"oneOf", Json::array({{{"required", Json::array({"of"})}},
+                                 {{"required", Json::array({"product"})}}})},
+          {"additionalProperties", false}};
+}
+
 /// Parameters and label, not yet children.
 Json node_map(const ubf::NodeInfo& node) {
   Json map = map_schema(node.parameters);
+  if (map["properties"].contains("vote")) {
+    Json& vote = map["properties"]["vote"];
+    const std::string help = vote.value("description", "");
+    vote = any_of(std::move(vote), vote_curve());
+    vote["description"] = help;
+  }
   map["properties"][std::string(ubf::kLabelKey)] = {
       {"type", "string"},
       {"pattern", kLabel},

@@ -24,6 +24,7 @@
 #include "ubf/any_trace.hpp"
 #include "ubf/memory.hpp"
 #include "ubf/transition.hpp"
+#include "ubf/vote_curve.hpp"
 
 namespace eyrie::ubf {
 
@@ -223,6 +224,13 @@ class Behavior {
   /// Recommends an action for this tick. `out` arrives empty; what is left in it when the answer
   /// is `failure` is ignored. Must not allocate, throw, lock or look at a clock.
   virtual Status tick(const Tick<State>& t, Proposal<Action>& out) const = 0;
+  /// What it recommends, with the share of its vote that the state gives it. For parents.
+  Status decide(const Tick<State>& t, Proposal<Action>& out) const {
+    const Status status = tick(t, out);
+    if (vote_curve_) [[unlikely]]
+      weigh(t, out);
+    return status;
+  }
 
   [[nodiscard]] virtual std::span<const std::unique_ptr<Behavior>> children() const noexcept {
     return {};
@@ -264,6 +272,12 @@ class Behavior {
     kind_ = kind;
   }
 
+  /// How its vote follows the state; null if it does not.
+  [[nodiscard]] const VoteCurve* vote_curve() const noexcept { return vote_curve_.get(); }
+  void set_vote_curve(VoteCurve curve) {
+    vote_curve_ = std::make_unique<const VoteCurve>(std::move(curve));
+  }
+
   /// The value of the parameter `vote` of a behavior that was read from a file, for debriefs;
   /// nothing if it has none, and for what was made without a file.
   [[nodiscard]] std::optional<float> vote_given() const noexcept { return vote_given_; }
@@ -288,10 +302,20 @@ class Behavior {
   template <class, class>
   friend class Composite;
 
+  [[gnu::noinline]] void weigh(const Tick<State>& t, Proposal<Action>& out) const {
+    VoteCurve::Scores scores{};
+    const StateField<State>* fields = StateFields<State>::all().data();
+    out.vote *= static_cast<float>(
+        vote_curve_->share([&](std::uint32_t i) { return fields[i].read(t.state); }, scores));
+    if (t.trace)
+      t.trace->weighed(index_, scores);
+  }
+
   NodeIndex index_ = 0, end_index_ = 1;
   bool stands_ = false;
   Kind kind_ = Kind::behavior;
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
+  std::unique_ptr<const VoteCurve> vote_curve_;
   std::optional<float> vote_given_;
   std::string_view type_ = "behavior";
   std::string label_;

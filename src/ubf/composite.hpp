@@ -44,7 +44,7 @@ class Composite : public Behavior<State, Action> {
       out.clear();
     if (t.trace) [[unlikely]]
       t.trace->asking(child.index_);
-    Status status = child.tick(t, out);
+    Status status = child.decide(t, out);
     if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
         [[unlikely]]
       status = refuse(child, t, out, status);

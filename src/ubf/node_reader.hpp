@@ -18,6 +18,7 @@
 #include "ubf/spec.hpp"
 #include "ubf/subtree.hpp"
 #include "ubf/tree.hpp"
+#include "ubf/vote_param.hpp"
 
 namespace eyrie::ubf {
 
@@ -117,6 +118,9 @@ class NodeReader {
       const Value whole = with_pending<B>(*spec.body);
       return make_node<B>({spec.type, spec.where, &whole});
     }
+    if (has_vote<B>())
+      if (const Value* vote = spec.body->find("vote"); vote && vote->is_map())
+        return make_voting<B>(spec, *vote);
     const std::size_t before = diagnostics_.count();
     auto node = ubf::make<B>();
     node->set_label(read_label(*spec.body, diagnostics_));
@@ -132,7 +136,9 @@ class NodeReader {
       node->read_words(*spec.body, *this);
     if (diagnostics_.count() != before)
       return nullptr;
-    note_vote(*node);
+    if constexpr (!std::derived_from<B, Composite<State, Action>>)
+      if (const auto vote = vote_of(*node))
+        node->set_vote_given(*vote);
     if (const std::string problem = node->problem(); !problem.empty()) {
       error(spec.where, problem);
       return nullptr;
@@ -141,16 +147,29 @@ class NodeReader {
   }
 
  private:
-  /// Of a behavior: its parameter `vote`, if it has a plain one.
+  /// A node whose vote follows the state (ubf/vote_curve.hpp).
   template <class B>
-  static void note_vote(B& node) {
-    const auto note = [&](const auto& param) {
-      if constexpr (std::is_same_v<typename std::remove_cvref_t<decltype(param)>::member_type,
-                                   float>)
-        if (param.name == "vote")
-          node.set_vote_given(node.*param.member);
-    };
-    std::apply([&](const auto&... param) { (note(param), ...); }, B::params());
+  [[nodiscard]] Child make_voting(const NodeSpec& spec, const Value& text) {
+    std::optional<VoteCurve> curve = read_vote(
+        text, fields_, [&](const Value& name) { return field(name); }, diagnostics_);
+    Value whole = *spec.body;
+    std::erase_if(whole.entries, [](const Value::Entry& e) { return e.key == "vote"; });
+    if (const Value* most = text.find("most"))
+      whole.entries.push_back(entry("vote", *most));
+    Child node = make_node<B>({spec.type, spec.where, &whole});
+    if (!curve || !node)
+      return nullptr;
+    const std::optional<float> most = vote_of(static_cast<const B&>(*node));
+    if (curve->least > 0 && !(most && curve->least <= static_cast<double>(*most))) {
+      error(text.where, most ? fmt::format("vote: 'least' is {}, above the full vote of {}",
+                                           curve->least, *most)
+                             : "vote: 'least' needs 'most' beside it");
+      return nullptr;
+    }
+    if (most && *most > 0)
+      curve->least /= static_cast<double>(*most);
+    node->set_vote_curve(std::move(*curve));
+    return node;
   }
   [[nodiscard]] bool within_limits(const Location& where) {
     if (depth_ >= kMaxDepth) {

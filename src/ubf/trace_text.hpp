@@ -64,6 +64,8 @@ template <class State, class Action>
     line = fmt::format("{:<32} {}", line, row.ticked ? to_text(row.status) : "-");
     if (row.proposal.vote > 0)
       line += fmt::format(" {:g}", row.proposal.vote);
+    if (const VoteCurve* curve = tree.node(index).vote_curve(); curve && row.ticked)
+      line += fmt::format(" ({})", curve->text(trace.scores(index), state_field_infos<State>()));
     if (row.halts)
       line += " halted";
     const char* separator = ": ";

@@ -51,7 +51,7 @@ class Tree {
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).begin(size());
     out.clear();
-    Status status = root_->tick(t, out);
+    Status status = root_->decide(t, out);
     if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
         [[unlikely]] {
       detail::note_mistake(t, 0, out);

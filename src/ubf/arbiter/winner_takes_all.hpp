@@ -42,7 +42,7 @@ class WinnerTakesAll final : public Voting<State, Action> {
     for (auto child = this->children_.begin(); child != end; best.next().clear()) {
       // unwatched, what is left of ask(): best.next() is empty, and only a leader is named
       const Status answer =
-          watched ? this->ask(**child, t, best.next()) : (*child)->tick(t, best.next());
+          watched ? this->ask(**child, t, best.next()) : (*child)->decide(t, best.next());
       if (answer != Status::failure && outvotes(best.next().vote, best.kept().vote) &&
           this->is_heard(**child, t, best.next(), answer)) {
         status = answer;
