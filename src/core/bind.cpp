@@ -71,10 +71,6 @@ std::string prefix(std::string_view path) {
   return path.empty() ? "" : fmt::format("{}: ", path);
 }
 
-std::string place(const Location& where) {
-  return where.line > 0 ? fmt::format("at line {}", where.line) : "elsewhere";
-}
-
 }  // namespace
 
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
@@ -89,22 +85,11 @@ bool check_keys(const Value& map, std::string_view type_name, std::string_view p
   }
   std::vector<std::string_view> allowed(names.begin(), names.end());
   allowed.insert(allowed.end(), also_allowed.begin(), also_allowed.end());
-  std::vector<const Value::Entry*> first(allowed.size(), nullptr);
-  for (const Value::Entry& entry : map.entries) {
-    const auto known = std::find(allowed.begin(), allowed.end(), entry.key);
-    if (known == allowed.end()) {
+  for (const Value::Entry& entry : map.entries)
+    if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end())
       diagnostics.error(entry.where,
                         fmt::format("{}{} has no parameter {}{}", prefix(path), type_name,
                                     quote(entry.key), did_you_mean(entry.key, allowed)));
-      continue;
-    }
-    const Value::Entry*& earlier = first[static_cast<std::size_t>(known - allowed.begin())];
-    if (!earlier)
-      earlier = &entry;
-    else
-      diagnostics.error(entry.where, fmt::format("{}{} is given twice (first {})", prefix(path),
-                                                 quote(entry.key), place(earlier->where)));
-  }
   return true;
 }
 

@@ -271,10 +271,8 @@ TEST(Bind, CollectsEveryMistakeAtItsOwnPlace) {
   Diagnostics found;
   const Value document =
       map({entry("danger_rang", "2 nmi", {"f.yaml", 2, 1}), entry("vote", "-4", {"f.yaml", 3, 7}),
-           entry("vote", "4", {"f.yaml", 4, 7}), entry("vote", "5", {"f.yaml", 5, 7}),
            entry("home", map({entry("speed", "0 kt", {"f.yaml", 6, 10})}, 6)),
            entry("routes", list({list({map({entry("altitude", text("-1 m", 7, 20)),
-                                            entry("altitude", text("1 m", 8, 20)),
                                             entry("altitud", text("1 m", 8, 30))},
                                            7)})},
                                 7)),
@@ -284,12 +282,9 @@ TEST(Bind, CollectsEveryMistakeAtItsOwnPlace) {
       found.text(),
       "f.yaml:2:1: break_turn has no parameter 'danger_rang'; did you mean 'danger_range'?\n"
       "f.yaml:3:7: vote: -4 is outside [0, 1000]\n"
-      "f.yaml:4:7: 'vote' is given twice (first at line 3)\n"
-      "f.yaml:5:7: 'vote' is given twice (first at line 3)\n"
       "f.yaml:6:1: home: waypoint needs the parameter 'altitude'\n"
       "f.yaml:6:10: home.speed: 0 kt is not positive\n"
       "f.yaml:7:20: routes[0][0].altitude: -1 m is outside [0 m, 20 km]\n"
-      "f.yaml:8:20: routes[0][0]: 'altitude' is given twice (first at line 7)\n"
       "f.yaml:8:30: routes[0][0]: waypoint has no parameter 'altitud'; did you mean 'altitude'?\n"
       "f.yaml:9:3: tanker: expected a map, got 'none'");
   EXPECT_EQ(out.tanker.has_value(), false);

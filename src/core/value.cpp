@@ -2,8 +2,21 @@
 #include "core/value.hpp"
 
 #include <algorithm>
+#include <set>
+
+#include "core/assert.hpp"
 
 namespace eyrie {
+namespace {
+
+[[maybe_unused]] bool differ(const std::vector<Value::Entry>& entries) {
+  std::set<std::string_view> keys;
+  for (const Value::Entry& entry : entries)
+    keys.insert(entry.key);
+  return keys.size() == entries.size();
+}
+
+}  // namespace
 
 Value Value::null(Location where) {
   Value value;
@@ -32,6 +45,7 @@ Value Value::list(std::vector<Value> items, Location where) {
 }
 
 Value Value::map(std::vector<Entry> entries, Location where) {
+  EYRIE_ASSERT(differ(entries));
   Value value = null(where);
   value.kind = Kind::map;
   value.entries = std::move(entries);

@@ -22,7 +22,7 @@ struct Value {
   bool quoted = false;         ///< scalar: written in quotes
   std::string tag;             ///< the document's own type tag, usually empty
   std::vector<Value> items;    ///< list
-  std::vector<Entry> entries;  ///< map: in file order, duplicates kept so that binders refuse them
+  std::vector<Entry> entries;  ///< map: in file order, no key twice
 
   [[nodiscard]] static Value null(Location where = {});
   [[nodiscard]] static Value scalar(std::string text, Location where = {});

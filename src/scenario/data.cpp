@@ -55,22 +55,6 @@ Value merged(Value base, const Value& over) {
   return base;
 }
 
-/// Reports keys that a model gives twice. Whoever binds a model sees them too, but not when one
-/// that stands on another was merged with it before: then the last would win in silence.
-void refuse_duplicates(const Value& map, const std::string& path, Diagnostics& diagnostics) {
-  std::unordered_map<std::string_view, const Value::Entry*> first;
-  for (const Value::Entry& e : map.entries) {
-    const auto [earlier, fresh] = first.emplace(e.key, &e);
-    if (!fresh)
-      diagnostics.error(e.where, fmt::format("{}{} is given twice (first at line {})",
-                                             path.empty() ? "" : path + ": ", quote(e.key),
-                                             earlier->second->where.line));
-    refuse_duplicates(e.value, path.empty() ? e.key : path + "." + e.key, diagnostics);
-  }
-  for (std::size_t i = 0; i < map.items.size(); ++i)
-    refuse_duplicates(map.items[i], fmt::format("{}[{}]", path, i), diagnostics);
-}
-
 }  // namespace
 
 std::vector<std::string_view> DataLoader::kinds() {
@@ -101,9 +85,6 @@ void DataLoader::check_inline(const Value::Entry& kind) {
                                                did_you_mean(kind.key, kKinds)));
     return;
   }
-  if (const Value::Entry* first = inline_->find_entry(kind.key); first != &kind)
-    diagnostics_.error(kind.where, fmt::format("data: '{}' is given twice (first at line {})",
-                                               kind.key, first->where.line));
   if (!kind.value.is_map() && !kind.value.is_null())
     diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
                                                      kind.key, kind.value.shown()));
@@ -113,15 +94,9 @@ void DataLoader::check_inline(const Value::Entry& kind) {
                                                kind.key, kind.value.entries.size(), kMostModels));
     return;
   }
-  std::map<std::string_view, const Value::Entry*> known;
   const std::vector<std::string> taken = source_.data_names(kind.key);
   for (const Value::Entry& model : kind.value.entries) {
-    const auto [first, fresh] = known.emplace(model.key, &model);
-    if (!fresh)
-      diagnostics_.error(model.where,
-                         fmt::format("{} {} is defined twice (also at {})", singular(kind.key),
-                                     quote(model.key), first->second->where.text()));
-    else if (const auto problem = identifier_problem(model.key))
+    if (const auto problem = identifier_problem(model.key))
       diagnostics_.error(model.where, fmt::format("data.{}: {}", kind.key, *problem));
     else if (std::binary_search(taken.begin(), taken.end(), model.key))
       diagnostics_.error(
@@ -203,12 +178,6 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
     return std::nullopt;
   }
   const Value* base = found->find("base");
-  if (base || chain.size() > 1) {
-    const std::size_t before = diagnostics_.count();
-    refuse_duplicates(*found, "", diagnostics_);
-    if (diagnostics_.count() != before)
-      return std::nullopt;
-  }
   if (base) {
     if (!base->is_scalar()) {
       diagnostics_.error(base->where, "base: expected a name, got " + base->shown());

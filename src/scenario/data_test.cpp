@@ -194,10 +194,6 @@ TEST(Data, RefusesKindsAndShapesThatThereAreNot) {
             "s:1:1: data has no kind 'radar'; did you mean 'radars'?");
   EXPECT_EQ(Loading(Files{}, "radars: [x]\n").mistakes(),
             "s:1:9: data.radars: expected a map of names, got a list");
-  EXPECT_EQ(Loading(Files{}, "radars: {}\nradars: {}\n").mistakes(),
-            "s:2:1: data: 'radars' is given twice (first at line 1)");
-  EXPECT_EQ(Loading(Loading::shipped(), "guns: {a: {base: m61}, a: {base: m61}}\n").mistakes(),
-            "s:1:24: gun 'a' is defined twice (also at s:1:8)");
   EXPECT_EQ(Loading(Files{}, "guns: {a: 5}\n").mistakes(), "s:1:11: gun: expected a map, got '5'");
   EXPECT_EQ(Loading(Files{}, "guns: {a: {base: [m61]}}\n").mistakes(),
             "s:1:18: base: expected a name, got a list");

@@ -50,15 +50,9 @@ class Merger {
       : document_(document), diagnostics_(diagnostics) {}
 
   void add(Value package) {
-    std::unordered_map<std::string, int> first;
-    for (Value::Entry& e : package.entries) {
-      const auto [earlier, fresh] = first.emplace(e.key, e.where.line);
-      if (!fresh)
-        diagnostics_.error(e.where, fmt::format("{} is given twice (first at line {})",
-                                                quote(e.key), earlier->second));
-      else if (e.key != "include")
+    for (Value::Entry& e : package.entries)
+      if (e.key != "include")
         add_entry(std::move(e));
-    }
   }
 
  private:
@@ -93,17 +87,14 @@ class Merger {
   void add_map(Value& into, Value from, const std::string& section) {
     const bool kinds = section == "data";
     Index& index = index_of(into, section);
-    std::unordered_set<std::string> seen;
     for (Value::Entry& e : from.entries) {
       const auto [place, fresh] = index.emplace(e.key, into.entries.size());
       if (fresh) {
-        if (kinds)
-          seen.insert(e.key);
         into.entries.push_back(std::move(e));
         continue;
       }
       Value& there = into.entries[place->second].value;
-      if (kinds && there.is_map() && e.value.is_map() && seen.insert(e.key).second)
+      if (kinds && there.is_map() && e.value.is_map())
         add_map(there, std::move(e.value), section + "/" + e.key);
       else
         diagnostics_.error(e.where, fmt::format("{} {} is defined twice (also at {})",
@@ -166,7 +157,7 @@ class Includer {
     }
     const std::size_t before = diagnostics_.count();
     Value document = parse_yaml(*text, file, diagnostics_);
-    if (diagnostics_.count() != before)
+    if (document.is_null() && diagnostics_.count() != before)
       return {};
     values_ += values_in(document);
     if (values_ > kMostValues) {

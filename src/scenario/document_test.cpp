@@ -105,7 +105,7 @@ TEST(Document, RefusesIncludesThatAreNoFileNames) {
 TEST(Document, RefusesNamesThatAreDefinedTwice) {
   EXPECT_EQ(load({{"dir/a.yaml", "include: [b.yaml, c.yaml]\ntrees: {t: navigate}\n"},
                   {"dir/b.yaml", "trees: {t: egress, u: egress}\n"},
-                  {"dir/c.yaml", "trees: {u: navigate}\ndata: {guns: {g: {}}, guns: {h: {}}}\n"}})
+                  {"dir/c.yaml", "trees: {u: navigate}\n"}})
                 .mistakes,
             "dir/b.yaml:1:9: tree 't' is defined twice (also at dir/a.yaml:2:12)\n"
             "dir/c.yaml:1:9: tree 'u' is defined twice (also at dir/b.yaml:1:23)");
@@ -113,7 +113,7 @@ TEST(Document, RefusesNamesThatAreDefinedTwice) {
                   {"dir/b.yaml", "data: {guns: {g: {}}, radars: {}, radars: {}}\n"}})
                 .mistakes,
             "dir/b.yaml:1:15: data 'g' is defined twice (also at dir/a.yaml:2:18)\n"
-            "dir/b.yaml:1:35: data 'radars' is defined twice (also at dir/b.yaml:1:31)");
+            "dir/b.yaml:1:35: 'radars' is given twice (first at line 1)");
   EXPECT_EQ(load({{"dir/a.yaml", "include: b.yaml\n"},
                   {"dir/b.yaml", "trees: {t: navigate}\ntrees: {u: navigate}\n"}})
                 .mistakes,

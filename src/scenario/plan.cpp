@@ -68,9 +68,6 @@ class Reader {
       if (std::find(kKeys.begin(), kKeys.end(), e.key) == kKeys.end())
         error(e.where,
               fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, kKeys)));
-      else if (&map->find_entry(e.key)->value != &e.value)
-        error(e.where, fmt::format("{}: '{}' is given twice (first at line {})", key, e.key,
-                                   map->find_entry(e.key)->where.line));
 
     std::optional<PlaceSpec> home;
     Location home_where;

@@ -197,8 +197,6 @@ TEST(Plan, RefusesSidesWithoutAnything) {
             "a:1:7: blue: expected a map of flights, got nothing");
   EXPECT_EQ(read("blue: {flights: {}}\n").mistakes,
             "a:1:17: blue: expected a map of flights, got a map");
-  EXPECT_EQ(read("blue:\n  flights: {eagle: {players: [eagle1]}}\n  flights: {}\n").mistakes,
-            "a:3:3: blue: 'flights' is given twice (first at line 2)");
 }
 
 TEST(Plan, ReadsConvoysOfVehicles) {

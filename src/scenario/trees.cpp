@@ -38,16 +38,11 @@ void note_users(const std::vector<Group>& groups, const std::vector<OrderSpec>& 
     }
 }
 
-/// The trees by name, without those defined a second time.
+/// The trees by name.
 std::vector<ubf::NamedSpec> named_trees(const Value& map, Diagnostics& diagnostics) {
   std::vector<ubf::NamedSpec> named;
-  std::unordered_map<std::string_view, const Value*> known;
   for (const Value::Entry& e : map.entries) {
-    const auto [same, fresh] = known.emplace(e.key, &e.value);
-    if (!fresh)
-      diagnostics.error(e.where, fmt::format("tree {} is defined twice (also at {})", quote(e.key),
-                                             same->second->where.text()));
-    else if (const auto problem = identifier_problem(e.key))
+    if (const auto problem = identifier_problem(e.key))
       diagnostics.error(e.where, "trees: " + *problem);
     else
       named.push_back({e.key, &e.value});

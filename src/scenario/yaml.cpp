@@ -9,6 +9,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,8 @@ std::string text_of(const yaml_char_t* text) {
 /// are made where they stay: a list or map does not grow while something inside it is open.
 class Builder {
  public:
-  Builder(FileName file, const YamlLimits& limits) : file_(file), limits_(limits) {}
+  Builder(FileName file, const YamlLimits& limits, Diagnostics& diagnostics)
+      : file_(file), limits_(limits), diagnostics_(diagnostics) {}
 
   Value take() { return std::move(root_); }
   [[nodiscard]] bool has_document() const { return documents_ > 0; }
@@ -49,8 +51,10 @@ class Builder {
       case YAML_MAPPING_START_EVENT:
         open(e, Value::Kind::map, e.data.mapping_start.tag, e.data.mapping_start.anchor);
         break;
-      case YAML_SEQUENCE_END_EVENT:
       case YAML_MAPPING_END_EVENT:
+        refuse_duplicates(*open_.back().value);
+        [[fallthrough]];
+      case YAML_SEQUENCE_END_EVENT:
         remember(open_.back().anchor, *open_.back().value);
         open_.pop_back();
         break;
@@ -99,6 +103,17 @@ class Builder {
     map.has_key = true;
     map.key = std::move(text);
     map.key_where = where;
+  }
+  /// The first stays, so that nobody above meets a key twice.
+  void refuse_duplicates(Value& map) {
+    std::unordered_map<std::string, int> first;
+    std::erase_if(map.entries, [&](const Value::Entry& e) {
+      const auto [earlier, fresh] = first.emplace(e.key, e.where.line);
+      if (!fresh)
+        diagnostics_.error(e.where, fmt::format("{} is given twice (first at line {})",
+                                                quote(e.key), earlier->second));
+      return !fresh;
+    });
   }
   [[noreturn]] static void refuse_key(const Location& where, const Value& shown) {
     throw Refused{where, "a key must be a plain word, not " + shown.shown()};
@@ -206,6 +221,7 @@ class Builder {
 
   FileName file_;
   YamlLimits limits_;
+  Diagnostics& diagnostics_;
   Value root_;
   std::vector<Open> open_;
   std::map<std::string, Value> anchors_;
@@ -283,7 +299,7 @@ Value parse_yaml(std::string_view text, std::string_view name, Diagnostics& diag
     return {};
   }
   try {
-    Builder builder(file, limits);
+    Builder builder(file, limits, diagnostics);
     Parser(text).feed(builder);
     if (!builder.has_document())
       throw Refused{top, "the file is empty"};

@@ -15,9 +15,9 @@ std::string mistakes(std::string_view text, const YamlLimits& limits = {}) {
   return d.text();
 }
 
-TEST(Yaml, KeepsOrderPlacesQuotesAndDuplicates) {
+TEST(Yaml, KeepsOrderPlacesAndQuotes) {
   Diagnostics d;
-  const Value v = parse_yaml("b: 1\na: ['2', x]\nb: 3\n", "a.yaml", d);
+  const Value v = parse_yaml("b: 1\na: ['2', x]\nc: 3\n", "a.yaml", d);
   ASSERT_TRUE(d.ok()) << d.text();
   ASSERT_EQ(v.entries.size(), 3u);
   EXPECT_EQ(v.entries[0].key, "b");
@@ -26,6 +26,22 @@ TEST(Yaml, KeepsOrderPlacesQuotesAndDuplicates) {
   EXPECT_TRUE(list.items[0].quoted);
   EXPECT_FALSE(list.items[1].quoted);
   EXPECT_EQ(list.items[1].where, (Location{"a.yaml", 2, 10}));
+}
+
+TEST(Yaml, RefusesAKeyThatAMapGivesTwiceAndReadsTheRest) {
+  Diagnostics d;
+  const Value v =
+      parse_yaml("b: 1\na: &x {b: 2, c: [{k: 1, k: 2, k: 3}],\n  b: 4}\n'b': 5\nagain: *x\nB: 6\n",
+                 "a.yaml", d);
+  EXPECT_EQ(d.text(),
+            "a.yaml:2:25: 'k' is given twice (first at line 2)\n"
+            "a.yaml:2:31: 'k' is given twice (first at line 2)\n"
+            "a.yaml:3:3: 'b' is given twice (first at line 2)\n"
+            "a.yaml:4:1: 'b' is given twice (first at line 1)");
+  ASSERT_EQ(v.entries.size(), 4u);
+  EXPECT_EQ(v.find("b")->text, "1");
+  EXPECT_EQ(v.find("again")->entries.size(), 2u);
+  EXPECT_EQ(v.find("again")->find("b")->text, "2");
 }
 
 TEST(Yaml, ExpandsAliases) {

@@ -56,9 +56,7 @@ class Reading {
       return false;
     }
     for (const Value::Entry& entry : trees->entries) {
-      if (trees->find_entry(entry.key) != &entry)
-        diagnostics_.error(entry.where, fmt::format("tree {} is given twice", quote(entry.key)));
-      else if (entry.key == kAny)
+      if (entry.key == kAny)
         diagnostics_.error(entry.where, "a tree cannot be called 'any'");
       else if (const auto problem = label_problem(entry.key))
         diagnostics_.error(entry.where, "the name of a tree " + *problem);

@@ -52,8 +52,6 @@ TEST(SequencerSpec, AnswersUnknownTreesWithTheNearestName) {
 }
 
 TEST(SequencerSpec, RefusesNamesOfTreesThatDoNotWork) {
-  EXPECT_EQ(sequencer_mistakes("{start: a, trees: {a: x, a: y}}"),
-            "test.yaml:1:26: tree 'a' is given twice");
   EXPECT_EQ(sequencer_mistakes("{start: any, trees: {any: x}}"),
             "test.yaml:1:22: a tree cannot be called 'any'");
   EXPECT_EQ(sequencer_mistakes("{start: a/b, trees: {a/b: x}}"),

@@ -137,8 +137,8 @@ Arguments declared(std::string_view name, const Value& tree, Diagnostics& diagno
       diagnostics.error(e.where,
                         "a parameter cannot be called 'fields': a reference renames "
                         "state fields under that key");
-    else if (!arguments.emplace(e.key, Argument{e.value.is_null() ? nullptr : &e.value}).second)
-      diagnostics.error(e.where, fmt::format("parameter {} is declared twice", quote(e.key)));
+    else
+      arguments.emplace(e.key, Argument{e.value.is_null() ? nullptr : &e.value});
   }
   return arguments;
 }
@@ -153,14 +153,10 @@ std::vector<FieldRename> read_renames(const Value& value, Diagnostics& diagnosti
     return renames;
   }
   for (const Value::Entry& e : value.entries) {
-    const bool twice = std::any_of(renames.begin(), renames.end(),
-                                   [&](const FieldRename& r) { return r.from == e.key; });
     if (!e.value.is_scalar())
       diagnostics.error(e.value.where,
                         fmt::format("fields: {}: expected the name of a state field, got {}",
                                     quote(e.key), e.value.shown()));
-    else if (twice)
-      diagnostics.error(e.where, fmt::format("fields: {} is renamed twice", quote(e.key)));
     else
       renames.push_back({e.key, e.value.text});
   }
@@ -214,18 +210,14 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
                                  const Location& where, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.count();
   Arguments arguments = declared(name, tree, diagnostics);
-  std::vector<std::string_view> seen;
   for (const Value::Entry* e : given) {
     const auto parameter = arguments.find(e->key);
     if (parameter == arguments.end())
       diagnostics.error(e->where,
                         fmt::format("tree {} has no parameter {}{}", quote(name), quote(e->key),
                                     did_you_mean(e->key, names_of(arguments))));
-    else if (std::find(seen.begin(), seen.end(), e->key) != seen.end())
-      diagnostics.error(e->where, fmt::format("{} is given twice", quote(e->key)));
     else
       parameter->second.value = &e->value;
-    seen.push_back(e->key);
   }
   for (const auto& [parameter, argument] : arguments)
     if (!argument.value)

@@ -93,8 +93,6 @@ TEST(Subtree, MistakesAreSaidWithTheirPlace) {
             "test.yaml:1:29: tree 'engage' has no parameter 'voet'; did you mean 'vote'?");
   EXPECT_EQ(mistakes("{tree: {engage: {near: 1 m, vote: many}}}", trees),
             "test.yaml:1:35: vote: expected a plain number such as '0.5', got 'many'");
-  EXPECT_EQ(mistakes("{tree: {engage: {near: 1 m, near: 2 m}}}", trees),
-            "test.yaml:1:29: 'near' is given twice");
   EXPECT_EQ(mistakes("{tree: {plain: {vote: 3}}}", trees),
             "test.yaml:1:17: tree 'plain' has no parameter 'vote'");
   EXPECT_EQ(mistakes("{tree: idle}", trees),

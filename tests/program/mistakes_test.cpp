@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"name: small",
                   "name: small\ndata: {missiles: {a: {base: r77, warhead: {best_kill: 1, "
                   "best_kill: 0.5}}}}"}},
-                "x.yaml:3:58: warhead: 'best_kill' is given twice (first at line 3)\n"},
+                "x.yaml:3:58: 'best_kill' is given twice (first at line 3)\n"},
         Mistake{"UnknownKeyInAModelThatNobodyFlies",
                 {{"name: small", "name: small\ndata: {missiles: {a: {base: r77, colour: red}}}"}},
                 "x.yaml:3:34: missile has no parameter 'colour'\n"},
