@@ -125,7 +125,6 @@ namespace {
 static_assert(Described<Everything> && !Described<double> && !Described<Callsign>);
 static_assert(enum_name(Turn::slice) == "slice");
 static_assert(enum_name(static_cast<Turn>(7)) == "");
-static_assert(enum_value<Turn>("level") == Turn::level && !enum_value<Turn>("Level"));
 
 // what takes no unit or range does not compile with one
 template <class Member>

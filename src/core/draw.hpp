@@ -10,22 +10,17 @@ namespace eyrie {
 /// What a draw is for. The numbers are part of every recorded run: a new purpose takes a new
 /// number, an old one keeps its own for ever. At most 255.
 enum class Stream : std::uint8_t {
-  radar = 0,         ///< is the target detected in this look?
-  radar_noise = 1,   ///< error of a measurement
-  seeker = 2,        ///< a missile's own sensor
-  fuze = 3,          ///< does the fuze work?
-  lethality = 4,     ///< does the warhead kill?
-  iff = 5,           ///< is the interrogation answered?
-  visual = 6,        ///< is it seen by eye?
-  gun = 7,           ///< dispersion and hits of a burst
-  behavior = 8,      ///< choices of a pilot
-  rwr = 9,           ///< error of a bearing
-  datalink = 10,     ///< is the message lost?
-  dynamics = 11,     ///< gusts
-  environment = 12,  ///< weather
-  identification = 13,
-  reliability = 14,   ///< does a store work when released?
-  scenario = 15,      ///< starting conditions drawn at load
+  radar = 0,          ///< is the target detected in this look?
+  radar_noise = 1,    ///< error of a measurement
+  seeker = 2,         ///< a missile's own sensor
+  fuze = 3,           ///< does the fuze work?
+  lethality = 4,      ///< does the warhead kill?
+  iff = 5,            ///< is the interrogation answered?
+  visual = 6,         ///< is it seen by eye?
+  gun = 7,            ///< dispersion and hits of a burst
+  behavior = 8,       ///< choices of a pilot
+  rwr = 9,            ///< error of a bearing
+  datalink = 10,      ///< is the message lost?
   visual_noise = 16,  ///< error of a pilot's estimate
   test = 255,         ///< for tests and examples
 };

@@ -23,11 +23,9 @@ static_assert(static_cast<int>(Stream::seeker) == 2 && static_cast<int>(Stream::
 static_assert(static_cast<int>(Stream::lethality) == 4 && static_cast<int>(Stream::iff) == 5);
 static_assert(static_cast<int>(Stream::visual) == 6 && static_cast<int>(Stream::gun) == 7);
 static_assert(static_cast<int>(Stream::behavior) == 8 && static_cast<int>(Stream::rwr) == 9);
-static_assert(static_cast<int>(Stream::datalink) == 10 && static_cast<int>(Stream::dynamics) == 11);
-static_assert(static_cast<int>(Stream::environment) == 12);
-static_assert(static_cast<int>(Stream::identification) == 13);
-static_assert(static_cast<int>(Stream::reliability) == 14);
-static_assert(static_cast<int>(Stream::scenario) == 15 && static_cast<int>(Stream::test) == 255);
+static_assert(static_cast<int>(Stream::datalink) == 10);
+static_assert(static_cast<int>(Stream::visual_noise) == 16 &&
+              static_cast<int>(Stream::test) == 255);
 static_assert(std::is_trivially_copyable_v<Draw>);
 
 constexpr int kMany = 200'000;

@@ -4,7 +4,6 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -31,14 +30,6 @@ template <NamedEnum E>
     if (named == value)
       return name;
   return "";
-}
-
-template <NamedEnum E>
-[[nodiscard]] constexpr std::optional<E> enum_value(std::string_view text) {
-  for (const auto& [name, named] : EnumNames<E>::names)
-    if (name == text)
-      return named;
-  return std::nullopt;
 }
 
 /// All names of an enum, in the order of its table.

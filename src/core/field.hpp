@@ -13,7 +13,7 @@
 ///   };
 ///   static_assert(fields_cover_row<Fuel>());
 ///
-/// field() takes scalars, enums, ids, Vec3, Quat, Mat3, nested rows, and arrays (std or C) of
+/// field() takes scalars, enums, ids, Vec3, Mat3, nested rows, and arrays (std or C) of
 /// these. Arrays of scalars stay one field with a count; all else becomes one field per scalar,
 /// with names such as "position.x" or "tracks[3].range".
 #include <array>

@@ -100,13 +100,6 @@ struct Parts<Vec3> {
   }
 };
 template <>
-struct Parts<Quat> {
-  static constexpr auto list() {
-    return std::array{std::pair{".w", &Quat::w}, std::pair{".x", &Quat::x},
-                      std::pair{".y", &Quat::y}, std::pair{".z", &Quat::z}};
-  }
-};
-template <>
 struct Parts<Mat3> {
   static constexpr auto list() {
     return std::array{std::pair{".row_x", &Mat3::row_x}, std::pair{".row_y", &Mat3::row_y},

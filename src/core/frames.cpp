@@ -84,7 +84,7 @@ Geodetic Reference::to_geodetic(const Vec3& local) const {
 }
 
 Vec3 Reference::to_local(const Geodetic& place) const {
-  const Vec3 exact = from_ecef(ecef_of(place));
+  const Vec3 exact = from_ecef_ * (ecef_of(place) - origin_ecef_);
   return {snap(exact.x), snap(exact.y), snap(exact.z)};
 }
 

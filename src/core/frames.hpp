@@ -49,14 +49,8 @@ class Reference {
   /// millimetre are the same place.
   [[nodiscard]] Vec3 to_local(const Geodetic& place) const;
 
-  /// Positions, Earth-centred and Earth-fixed, metres.
+  /// A position, Earth-centred and Earth-fixed, metres.
   [[nodiscard]] Vec3 to_ecef(const Vec3& local) const { return origin_ecef_ + to_ecef_ * local; }
-  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const {
-    return from_ecef_ * (ecef - origin_ecef_);
-  }
-  /// Directions: velocities, accelerations.
-  [[nodiscard]] Vec3 rotate_to_ecef(const Vec3& local) const { return to_ecef_ * local; }
-  [[nodiscard]] Vec3 rotate_from_ecef(const Vec3& ecef) const { return from_ecef_ * ecef; }
 
   /// Height above the ellipsoid and the geodetic axes at a place, for altitudes from -10 km to
   /// 1000 km. On the Earth's axis (within 2^-10 m) north and east are those of the reference's
