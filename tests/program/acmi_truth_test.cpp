@@ -3,48 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
 
 #include "core/angle.hpp"
 #include "record/acmi.hpp"
 #include "support/acmi_reader.hpp"
 #include "support/flight.hpp"
 #include "support/program.hpp"
+#include "support/truth.hpp"
+#include "support/wgs84.hpp"
 
 namespace eyrie::test {
 namespace {
-
-/// Everybody's samples, as often as the writer takes them.
-class Truth final : public sim::Observer {
- public:
-  struct At {
-    double time = 0;
-    model::Kinematics k;
-  };
-  explicit Truth(const scenario::Scenario& scenario) : scenario_(scenario) {}
-
-  void observe(const sim::World& world, const sim::StepInfo& info,
-               std::span<const sim::Event>) override {
-    const double time = info.time() + info.dt;
-    if (world.step() % 10 == 0) {
-      look(world, time, scenario_.aircraft.table, scenario_.aircraft.kinematics);
-      if (scenario_.vehicles)
-        look(world, time, scenario_.vehicles->table, scenario_.vehicles->kinematics);
-    }
-    if (world.step() % 5 == 0)
-      look(world, time, scenario_.missiles.table, scenario_.missiles.kinematics);
-  }
-  [[nodiscard]] const std::map<std::uint32_t, std::vector<At>>& all() const { return all_; }
-
- private:
-  template <class Column>
-  void look(const sim::World& world, double time, TableId table, Column column) {
-    for (std::size_t i = 0; i < world.rows(table); ++i)
-      all_[world.ids(table)[i].value].push_back({time, world.rows(column)[i]});
-  }
-  const scenario::Scenario& scenario_;
-  std::map<std::uint32_t, std::vector<At>> all_;
-};
 
 struct Recording {
   std::shared_ptr<const scenario::Scenario> scenario;
@@ -72,28 +41,85 @@ struct Recording {
 /// The tolerances of the writer and half of the last decimal that is written.
 constexpr double kMeters = 3 + 0.02, kDegrees = 1.5 + 0.05 + 1e-6;
 
+/// Longitude and latitude in the file are relative to its reference.
+Place place_of(const AcmiSample& sample, const Place& reference) {
+  return {sample.fields[0] + reference.longitude, sample.fields[1] + reference.latitude,
+          sample.fields[2]};
+}
+Place reference_of(const Acmi& file) {
+  return {acmi_number(file.globals.at("ReferenceLongitude")),
+          acmi_number(file.globals.at("ReferenceLatitude")), 0};
+}
+
 void expect_true(const Recording& r) {
-  const Reference& reference = r.scenario->library->reference;
-  const double longitude = acmi_number(r.file.globals.at("ReferenceLongitude"));
-  const double latitude = acmi_number(r.file.globals.at("ReferenceLatitude"));
+  const Place reference = reference_of(r.file);
   std::size_t compared = 0;
   for (const auto& [id, samples] : r.truth.all()) {
     const auto object = r.file.objects.find(id);
     ASSERT_NE(object, r.file.objects.end()) << id;
     for (const Truth::At& truth : samples) {
-      const auto read = object->second.at(truth.time).fields;
-      const Vec3 place = reference.to_local({.latitude = radians(read[1] + latitude),
-                                             .longitude = radians(read[0] + longitude),
-                                             .altitude = read[2]});
-      ASSERT_LE(norm(place - truth.k.position), kMeters) << id << " at " << truth.time;
+      const AcmiSample read = object->second.at(truth.time);
+      const auto [north, east, down] = ned_between(reference, place_of(read, reference));
+      ASSERT_LE(norm(Vec3{north, east, down} - truth.k.position), kMeters)
+          << id << " at " << truth.time;
       const double angles[] = {truth.k.roll, truth.k.pitch, truth.k.heading};
       for (std::size_t i = 0; i < 3; ++i)
-        ASSERT_LE(std::fabs(std::remainder(read[3 + i] - degrees(angles[i]), 360)), kDegrees)
+        ASSERT_LE(std::fabs(std::remainder(read.fields[3 + i] - degrees(angles[i]), 360)), kDegrees)
             << id << " at " << truth.time << ", angle " << i;
       ++compared;
     }
   }
   EXPECT_GT(compared, 500u);
+}
+
+/// Where it goes at a moment: degrees from north to the right, and upward.
+struct Course {
+  double heading = 0, climb = 0;
+};
+Course course_of(const AcmiObject& object, const Place& reference, double time) {
+  const auto [north, east, down] = ned_between(place_of(object.at(time - 0.5), reference),
+                                               place_of(object.at(time + 0.5), reference));
+  return {degrees(std::atan2(east, north)), degrees(std::atan2(-down, std::hypot(north, east)))};
+}
+
+/// An aircraft flies nose first, and turns towards the wing that is down. So a sign that is wrong
+/// in the file, in the state or in both shows.
+TEST(AcmiTruth, PointsWhereItFliesAndBanksIntoTheTurn) {
+  const Recording r(load_scenario("sweep"), 14 * 60);
+  const Place reference = reference_of(r.file);
+  std::size_t looked = 0, turning = 0, banked_into_it = 0, climbing = 0, nose_follows = 0;
+  for (const auto& [id, object] : r.file.objects) {
+    if (object.last("Type") != "Air+FixedWing")
+      continue;
+    const double end = object.removed.value_or(14 * 60) - 2;
+    for (double time = 2; time < end; ++time) {
+      const auto fields = object.at(time).fields;
+      const double roll = std::remainder(fields[3], 360), pitch = fields[4];
+      const Course course = course_of(object, reference, time);
+      if (std::fabs(course.climb) < 45) {
+        ++looked;
+        ASSERT_LT(std::fabs(std::remainder(fields[5] - course.heading, 360)), 35)
+            << object.last("CallSign") << " at " << time;
+      }
+      if (std::fabs(course.climb) > 15) {
+        ++climbing;
+        nose_follows += pitch * course.climb > 0;
+      }
+      const double turn = std::remainder(course_of(object, reference, time + 1).heading -
+                                             course_of(object, reference, time - 1).heading,
+                                         360);
+      if (std::fabs(turn) < 2 || std::fabs(roll) < 20 || std::fabs(roll) > 80 ||
+          std::fabs(course.climb) > 30)
+        continue;
+      ++turning;
+      banked_into_it += turn * roll > 0;
+    }
+  }
+  EXPECT_GT(looked, 2000u);
+  EXPECT_GT(turning, 200u);
+  EXPECT_GT(banked_into_it, turning * 9 / 10);
+  EXPECT_GT(climbing, 20u);
+  EXPECT_GT(nose_follows, climbing * 9 / 10);
 }
 
 TEST(AcmiTruth, HoldsInAFightWithMissiles) {
