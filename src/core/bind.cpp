@@ -73,6 +73,21 @@ std::string prefix(std::string_view path) {
 
 }  // namespace
 
+ParamInfo brief_info(const ParamLine& line, std::string_view path) {
+  ParamInfo info;
+  info.name = path.empty() ? std::string(line.name) : fmt::format("{}.{}", path, line.name);
+  info.unit = line.unit;
+  info.limits = line.limits;
+  info.help = line.help;
+  info.required = line.is_required;
+  info.min_items = line.min_items;
+  info.max_items = line.max_items;
+  for (const TableAxis& axis : line.axes)
+    if (!axis.name.empty())
+      info.axes.push_back(axis);
+  return info;
+}
+
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics) {

@@ -33,7 +33,7 @@ inline constexpr std::size_t kLongestText = 1000;
 
 namespace detail {
 
-/// Reports a map that is none, unknown keys and duplicates. False if there is nothing to read.
+/// Reports a map that is none, and unknown keys. False if there is nothing to read.
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics);
@@ -133,24 +133,23 @@ void read(T& out, const Value& value, const ParamInfo& info, Diagnostics& diagno
   }
 }
 
+/// What the map gives for one parameter. Made once per type of member, not per parameter.
+template <class Member>
+void bind_one(Member& out, const ParamLine& line, const Value& map, std::string_view type_name,
+              std::string_view path, Diagnostics& diagnostics) {
+  if (const Value* value = map.find(line.name))
+    read(out, *value, brief_info(line, path), diagnostics);
+  else if (line.is_required)
+    report_missing(map, type_name, path, line.name, diagnostics);
+}
+
 template <Described T>
 void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& diagnostics,
                 std::span<const std::string_view> also_allowed) {
   const auto bind_all = [&](const auto&... param) {
     const std::array<std::string_view, sizeof...(param)> names{param.name...};
-    if (!check_keys(map, T::type_name, path, names, also_allowed, diagnostics))
-      return;
-    [[maybe_unused]] const auto bind_one = [&](const auto& one) {
-      if (const Value* value = map.find(one.name)) {
-        ParamInfo info = brief_info(one);
-        if (!path.empty())
-          info.name = std::string(path) + "." + info.name;
-        read(out.*one.member, *value, info, diagnostics);
-      } else if (one.is_required) {
-        report_missing(map, T::type_name, path, one.name, diagnostics);
-      }
-    };
-    (bind_one(param), ...);
+    if (check_keys(map, T::type_name, path, names, also_allowed, diagnostics))
+      (bind_one(out.*param.member, param, map, T::type_name, path, diagnostics), ...);
   };
   std::apply(bind_all, T::params());
 }
@@ -158,7 +157,7 @@ void bind_group(T& out, const Value& map, std::string_view path, Diagnostics& di
 }  // namespace detail
 
 /// Reads every parameter of `out` that `map` gives. A map may also have the keys `also_allowed`,
-/// which someone else reads. Reports unknown, duplicate and missing keys, wrong kinds, units and
+/// which someone else reads. Reports unknown and missing keys, wrong kinds, units and
 /// ranges; a parameter with a mistake keeps its value (a list as a whole, a group parameter by
 /// parameter). True if nothing was wrong.
 ///

@@ -33,8 +33,11 @@ namespace eyrie {
 template <Described T>
 [[nodiscard]] std::vector<ParamInfo> parameters(const T& defaults) {
   std::vector<ParamInfo> result;
-  std::apply([&](const auto&... param) { (result.push_back(detail::info(param, defaults)), ...); },
-             T::params());
+  std::apply(
+      [&](const auto&... param) {
+        (result.push_back(detail::info(param, defaults.*param.member)), ...);
+      },
+      T::params());
   return result;
 }
 

@@ -28,7 +28,7 @@ requires std::default_initializable<T>
   std::string mistakes = detail::info_mistakes(T::type_name, infos);
   Diagnostics diagnostics;
   const auto bind_one = [&](const auto& param) {
-    const ParamInfo info = detail::info(param, object);
+    const ParamInfo info = detail::info(param, object.*param.member);
     const Value map = detail::default_map(std::span(&info, 1));
     for (const Value::Entry& entry : map.entries)
       detail::read(object.*param.member, entry.value, info, diagnostics);

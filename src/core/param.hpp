@@ -52,20 +52,24 @@ struct TableAxis {
   return {name, unit};
 }
 
-/// One line of a description: made by param(), refined by required() and items().
-template <class Class, class Member>
-struct Param {
-  using class_type = Class;
-  using member_type = Member;
-
+/// What a line of a description says, whatever type the member has.
+struct ParamLine {
   std::string_view name;
-  Member Class::*member;
   Unit unit;
   Range limits;
   std::string_view help;
   bool is_required = false;
   std::size_t min_items = 0, max_items = std::numeric_limits<std::size_t>::max();
-  std::array<TableAxis, 2> axes{};
+  std::array<TableAxis, 2> axes{};  ///< of a table
+};
+
+/// One line of a description: made by param(), refined by required() and items().
+template <class Class, class Member>
+struct Param : ParamLine {
+  using class_type = Class;
+  using member_type = Member;
+
+  Member Class::*member;
 
   /// The file must give it.
   [[nodiscard]] constexpr Param required() const {
@@ -87,32 +91,32 @@ struct Param {
 template <class Class, detail::TakesUnit Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Unit unit, Range limits, std::string_view help) {
-  return {name, member, unit, limits, help};
+  return {{name, unit, limits, help}, member};
 }
 /// A number of which every finite value is right.
 template <class Class, detail::TakesUnit Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Unit unit, std::string_view help) {
-  return {name, member, unit, {}, help};
+  return {{name, unit, {}, help}, member};
 }
 /// A plain number within a range.
 template <class Class, detail::TakesRange Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    Range limits, std::string_view help) {
-  return {name, member, {}, limits, help};
+  return {{name, {}, limits, help}, member};
 }
 /// What has neither unit nor range: switches, texts, choices, groups.
 template <class Class, class Member>
 [[nodiscard]] constexpr Param<Class, Member> param(std::string_view name, Member Class::*member,
                                                    std::string_view help) {
-  return {name, member, {}, {}, help};
+  return {{name, {}, {}, help}, member};
 }
 /// A table over one variable; unit and range are those of its values.
 template <class Class>
 [[nodiscard]] constexpr Param<Class, Table1> param(std::string_view name, Table1 Class::*member,
                                                    TableAxis x, Unit unit, Range limits,
                                                    std::string_view help) {
-  Param<Class, Table1> result{name, member, unit, limits, help};
+  Param<Class, Table1> result{{name, unit, limits, help}, member};
   result.axes[0] = x;
   return result;
 }
@@ -121,7 +125,7 @@ template <class Class>
 [[nodiscard]] constexpr Param<Class, Table2> param(std::string_view name, Table2 Class::*member,
                                                    TableAxis row, TableAxis column, Unit unit,
                                                    Range limits, std::string_view help) {
-  Param<Class, Table2> result{name, member, unit, limits, help};
+  Param<Class, Table2> result{{name, unit, limits, help}, member};
   result.axes = {row, column};
   return result;
 }

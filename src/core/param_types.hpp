@@ -2,8 +2,6 @@
 #pragma once
 /// \file  Which C++ types a parameter may have, and what each looks like in a reference. Include
 /// core/describe.hpp.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <concepts>
@@ -45,23 +43,9 @@ concept HasDescribeHook = requires(ParamInfo& info, const T& value) {
   describe_value(info, value);
 };
 
-/// What binding needs to know; the rest of ParamInfo is for references.
-template <class Class, class Member>
-ParamInfo brief_info(const Param<Class, Member>& param) {
-  ParamInfo info;
-  info.name = param.name;
-  info.unit = param.unit;
-  info.limits = param.limits;
-  info.help = param.help;
-  info.required = param.is_required;
-  info.min_items = param.min_items;
-  info.max_items = param.max_items;
-  if constexpr (std::is_same_v<Member, Table1>)
-    info.axes = {param.axes[0]};
-  if constexpr (std::is_same_v<Member, Table2>)
-    info.axes = {param.axes[0], param.axes[1]};
-  return info;
-}
+/// What binding needs to know; the rest of ParamInfo is for references. `path` is where the
+/// parameter's group stands.
+[[nodiscard]] ParamInfo brief_info(const ParamLine& line, std::string_view path = {});
 
 /// Fills kind, choices and children from the type.
 template <class T>
@@ -113,7 +97,7 @@ std::string value_text(const T& value, const ParamInfo& info) {
   } else if constexpr (std::is_same_v<T, bool>) {
     return value ? "true" : "false";
   } else if constexpr (std::is_integral_v<T>) {
-    return fmt::format("{}", +value);
+    return std::to_string(+value);
   } else if constexpr (std::is_floating_point_v<T>) {
     return exact_quantity(value, info.unit.dimension);
   } else if constexpr (std::is_same_v<T, std::string>) {
@@ -132,8 +116,8 @@ std::string value_text(const T& value, const ParamInfo& info) {
   }
 }
 
-template <class Class, class Member, class T>
-ParamInfo info(const Param<Class, Member>& param, const T& defaults);
+template <class Member>
+ParamInfo info(const ParamLine& line, const Member& value);
 
 /// Fills the children of a group, looking through optionals and lists.
 template <class T>
@@ -148,17 +132,19 @@ void describe_children(ParamInfo& info, const T* value) {
   } else if constexpr (Described<T>) {
     const T fresh = value ? *value : T{};
     std::apply(
-        [&](const auto&... param) { (info.children.push_back(detail::info(param, fresh)), ...); },
+        [&](const auto&... param) {
+          (info.children.push_back(detail::info(param, fresh.*param.member)), ...);
+        },
         T::params());
   }
 }
 
-template <class Class, class Member, class T>
-ParamInfo info(const Param<Class, Member>& param, const T& defaults) {
-  ParamInfo result = brief_info(param);
+/// Made once per type of member, not per parameter.
+template <class Member>
+ParamInfo info(const ParamLine& line, const Member& value) {
+  ParamInfo result = brief_info(line);
   describe_type<Member>(result);
-  const Member& value = defaults.*param.member;
-  if (!param.is_required)
+  if (!line.is_required)
     result.default_text = value_text(value, result);
   describe_children<Member>(result, &value);
   return result;

@@ -11,7 +11,6 @@
 #include "model/library.hpp"
 #include "scenario/data.hpp"
 #include "scenario/spec.hpp"
-#include "ubf/standard_nodes.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -104,10 +103,8 @@ Catalog make_catalog(const Source& source, const Plugins& plugins) {
   const auto nodes = plugins.registries().pilots.catalog();
   result.nodes.assign(nodes.begin(), nodes.end());
   result.fields = ubf::state_field_infos<pilot::State>();
-  driver::Registry standard;
-  ubf::add_standard_nodes(standard);
   for (const ubf::NodeInfo& node : plugins.registries().drivers.catalog())
-    if (!standard.find(node.name))
+    if (!node.standard)
       result.driver_nodes.push_back(node);
   result.driver_fields = ubf::state_field_infos<driver::State>();
   using namespace model;

@@ -115,7 +115,10 @@ class NodeReader {
         return make_node<B>({spec.type, spec.where, &whole});
       }
     if (!pending_.empty()) {
-      const Value whole = with_pending<B>(*spec.body);
+      std::string_view only;
+      if constexpr (requires { B::slots; })
+        only = B::slots.size() == 1 && is_child_alone<B>(*spec.body) ? B::slots.front() : "";
+      const Value whole = with_pending(*spec.body, only);
       return make_node<B>({spec.type, spec.where, &whole});
     }
     if (has_vote<B>())
@@ -207,18 +210,15 @@ class NodeReader {
     pending_.clear();
     return node;
   }
-  /// A body with the changes of parameters put in.
-  template <class B>
-  [[nodiscard]] Value with_pending(const Value& body) {
+  /// A body with the changes of parameters put in; under `slot`, if it is that child alone.
+  [[nodiscard]] Value with_pending(const Value& body, std::string_view slot) {
     Value whole = body;
-    if (body.is_null()) {
+    if (body.is_null())
       whole = Value::map({}, body.where);
-    } else if (body.is_list()) {
+    else if (body.is_list())
       whole = Value::map({entry("children", body)}, body.where);
-    } else if constexpr (requires { B::slots; }) {
-      if (B::slots.size() == 1 && is_child_alone<B>(body))
-        whole = Value::map({entry(std::string(B::slots.front()), body)}, body.where);
-    }
+    else if (!slot.empty())
+      whole = Value::map({entry(std::string(slot), body)}, body.where);
     for (const NodeChange* change : std::exchange(pending_, {})) {
       const auto there = std::find_if(whole.entries.begin(), whole.entries.end(),
                                       [&](const Value::Entry& e) { return e.key == change->key; });

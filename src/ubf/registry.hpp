@@ -36,16 +36,20 @@ class Registry {
   void add(std::string origin = "eyrie") {
     EYRIE_THROW_UNLESS(B::type_name != kTreeReference && !find(B::type_name),
                        "two types of node have the same name");
-    by_name_.emplace(B::type_name, entries_.size());
-    infos_.push_back({.name = std::string(B::type_name),
-                      .kind = ubf::kind_of<B>(),
-                      .help = std::string(B::help),
-                      .parameters = parameters<B>(),
-                      .child_keys = child_keys_of<B>(),
-                      .text_key = text_key_of<B>(),
-                      .origin = std::move(origin)});
-    entries_.push_back(
+    add({.name = std::string(B::type_name),
+         .kind = ubf::kind_of<B>(),
+         .help = std::string(B::help),
+         .parameters = parameters<B>(),
+         .child_keys = child_keys_of<B>(),
+         .text_key = text_key_of<B>(),
+         .origin = std::move(origin)},
         [](const NodeSpec& spec, Reader& reader) { return reader.template make_node<B>(spec); });
+  }
+
+  /// What was added so far comes with the library, for every kind of platform.
+  void mark_standard() {
+    for (NodeInfo& info : infos_)
+      info.standard = true;
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
@@ -108,6 +112,12 @@ class Registry {
 
  private:
   using Maker = std::unique_ptr<Node> (*)(const NodeSpec&, Reader&);
+
+  void add(NodeInfo info, Maker maker) {
+    by_name_.emplace(info.name, entries_.size());
+    infos_.push_back(std::move(info));
+    entries_.push_back(maker);
+  }
 
   template <class B>
   [[nodiscard]] static std::vector<std::string> child_keys_of() {

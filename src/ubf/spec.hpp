@@ -68,7 +68,8 @@ struct NodeInfo {
   std::vector<std::string> child_keys;
   /// The parameter whose value may stand alone, as in `holds: range < 10 nmi`; empty for none.
   std::string text_key;
-  std::string origin;  ///< who registered it: "eyrie", or a plug-in
+  std::string origin;     ///< who registered it: "eyrie", or a plug-in
+  bool standard = false;  ///< comes with the library, for every kind of platform
 };
 
 /// Splits a value into type and body, or reports why it is no node.

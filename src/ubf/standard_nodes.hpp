@@ -84,6 +84,7 @@ void add_standard_nodes(Registry<State, Action>& registry) {
   registry.template add<RateLimit<State, Action>>();
   registry.template add<Delay<State, Action>>();
   registry.template add<ForEach<State, Action>>();
+  registry.mark_standard();
 }
 
 }  // namespace eyrie::ubf
