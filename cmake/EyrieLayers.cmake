@@ -42,8 +42,7 @@ function(eyrie_layer name)
     if(name MATCHES "^(pilot|scenario|record|debrief|page)$")  # which load missiles
       eyrie_takes_launch_zones(${name}_test)
     endif()
-    gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST
-                         WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} PROPERTIES TIMEOUT 300)
+    eyrie_suites(${name}_test ${name} 300)
   endif()
 endfunction()
 

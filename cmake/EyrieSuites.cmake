@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+# eyrie_suites(TARGET PREFIX SECONDS [ENVIRONMENT NAME=VALUE...])
+# One test of CTest per suite of a GoogleTest executable, PREFIX.SUITE: what the tests of a suite share is made once, and
+# `ctest -R Suite` finds them. CTest itself asks the executable for its suites, by reading this file in script mode.
+if(DEFINED EYRIE_SUITES_OF)
+  execute_process(COMMAND ${EYRIE_SUITES_OF} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
+  if(failed)
+    add_test(${EYRIE_SUITES_PREFIX}.NOT_BUILT ${EYRIE_SUITES_OF})
+  endif()
+  string(REGEX MATCHALL "\n[A-Za-z0-9_/]+\\." suites "\n${listed}")
+  foreach(suite IN LISTS suites)
+    string(REGEX REPLACE "[\n.]" "" suite ${suite})
+    add_test(${EYRIE_SUITES_PREFIX}.${suite} ${EYRIE_SUITES_OF} --gtest_brief=1 --gtest_filter=${suite}.*)
+    set_tests_properties(${EYRIE_SUITES_PREFIX}.${suite} PROPERTIES ${EYRIE_SUITES_PROPERTIES})
+  endforeach()
+  return()
+endif()
+
+function(eyrie_suites target prefix seconds)
+  cmake_parse_arguments(PARSE_ARGV 3 ARG "" "" "ENVIRONMENT")
+  set(include ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+  file(GENERATE OUTPUT ${include} CONTENT "set(EYRIE_SUITES_OF \"$<TARGET_FILE:${target}>\")
+set(EYRIE_SUITES_PREFIX ${prefix})
+set(EYRIE_SUITES_PROPERTIES TIMEOUT ${seconds} WORKING_DIRECTORY \"${CMAKE_SOURCE_DIR}\" ENVIRONMENT \"${ARG_ENVIRONMENT}\")
+include(\"${CMAKE_SOURCE_DIR}/cmake/EyrieSuites.cmake\")
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${include})
+endfunction()
