@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -15,6 +14,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/mutex.hpp"
 #include "core/printable.hpp"
 
 namespace eyrie {
@@ -86,7 +86,7 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
 
 /// The one copy of a name.
 const std::string* kept(std::string_view name) {
-  static std::mutex mutex;
+  static Mutex mutex;
   static auto& names = *new std::set<std::string, std::less<>>;  // outlives whoever names a file
   const std::lock_guard lock(mutex);
   const auto known = names.find(name);

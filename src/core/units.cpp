@@ -2,6 +2,10 @@
 #include "core/units.hpp"
 
 #include <fmt/format.h>
+#include <version>
+#ifndef __cpp_lib_to_chars  // libc++ 19
+#include <fast_float/fast_float.h>
+#endif
 
 #include <algorithm>
 #include <charconv>
@@ -229,8 +233,12 @@ Lexed lex_number(std::string_view text) {
     result.failure = Lexed::Failure::not_a_number;
     return result;
   }
-  const auto [end, error] =
-      std::from_chars(digits.data(), digits.data() + digits.size(), result.number);
+#ifdef __cpp_lib_to_chars
+  using std::from_chars;
+#else
+  using fast_float::from_chars;  // the same bits: both round to the nearest
+#endif
+  const auto [end, error] = from_chars(digits.data(), digits.data() + digits.size(), result.number);
   if (error != std::errc{})
     result.failure = Lexed::Failure::beyond_double;
   result.rest = digits.substr(static_cast<std::size_t>(end - digits.data()));

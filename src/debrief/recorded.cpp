@@ -4,9 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
-#include <system_error>
 
 #include "core/assert.hpp"
 #include "core/printable.hpp"
@@ -15,64 +13,8 @@
 
 namespace eyrie::debrief {
 namespace {
-namespace fs = std::filesystem;
 
 constexpr double kLongestRun = 1e6;  // s, as scenarios allow
-
-/// Why a plug-in of the run cannot be used; empty if it can. `unasked`: the run file alone names
-/// it.
-std::string plugin_problem(const scenario::PluginFile& plugin, const std::string& file,
-                           bool unasked, const scenario::PluginPermission& may_open) {
-  const std::string shown = scenario::shell_word(file);
-  const std::string name = scenario::shell_word(fs::path(plugin.path).filename().string());
-  std::error_code failed;
-  if (unasked && !fs::path(file).is_absolute())
-    return fmt::format(
-        "the run needs the plug-in {}, at no absolute path; --plugin says where it "
-        "is",
-        shown);
-  if (!fs::exists(file, failed))
-    return fmt::format(
-        "the run needs the plug-in {}, which is not there; --plugin says where it "
-        "is now",
-        shown);
-  const scenario::FileBytes read = scenario::read_plugin_file(file);
-  if (!read.problem.empty())
-    return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);
-  if (unasked)
-    if (const std::string why =
-            scenario::refusal(may_open, fs::weakly_canonical(file, failed).string(), read.bytes);
-        !why.empty())
-      return fmt::format("the run needs the plug-in {}: {}", shown,
-                         scenario::not_opened(why, file));
-  if (scenario::hash_of(read.bytes) != plugin.hash)
-    return fmt::format("{} is not the {} of the run: it has other bytes", shown, name);
-  return {};
-}
-
-/// Where the plug-ins of a run are, in its order: a file of that name among `given`, or else where
-/// the run file says, if that one may be opened. What is missing, another one or not of the run is
-/// a problem.
-std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<std::string> given,
-                                      const scenario::PluginPermission& may_open,
-                                      std::vector<std::string>& problems) {
-  std::vector<std::string> found;
-  for (const scenario::PluginFile& plugin : run.plugins) {
-    const auto typed = std::find_if(given.begin(), given.end(), [&](const std::string& file) {
-      return fs::path(file).filename() == fs::path(plugin.path).filename();
-    });
-    const bool unasked = typed == given.end();
-    found.push_back(unasked ? plugin.path : *typed);
-    if (!unasked)
-      given.erase(typed);
-    if (auto problem = plugin_problem(plugin, found.back(), unasked, may_open); !problem.empty())
-      problems.push_back(std::move(problem));
-  }
-  for (const std::string& file : given)
-    problems.push_back(
-        fmt::format("the run has no plug-in {}", quote(fs::path(file).filename().string())));
-  return found;
-}
 
 /// What the file says of its flight and no flight of its scenario can have: more time than any,
 /// other orders.
@@ -99,45 +41,22 @@ std::vector<std::string> false_claims(const record::RunFile& run,
 
 }  // namespace
 
-Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build,
-            const scenario::PluginPermission& may_open) {
-  Recorded recorded;
-  std::error_code ignored;
-  recorded.file = fs::is_directory(path, ignored) ? (fs::path(path) / "run.eyrie").string() : path;
-  std::vector<std::string> problems;
-  const auto refused = [&] {
-    constexpr std::size_t kWhole = 300;  // a longer path is shortened
-    const std::string file = recorded.file.size() > kWhole ? quote(recorded.file) : recorded.file;
-    for (std::string& problem : problems)
-      problem = fmt::format("{}: {}", file, problem);
-    return Opened{std::nullopt, std::move(problems)};
-  };
-  record::Decoded decoded = record::read_run_file(recorded.file);
-  if (!decoded.error.empty()) {
-    problems.push_back(decoded.error);
-    return refused();
-  }
-  recorded.run = std::move(decoded.run);
-  recorded.plugins = find_plugins(recorded.run, std::move(plugins), may_open, problems);
-  if (!problems.empty())
-    return refused();
+Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
+            std::string_view build) {
+  Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr};
   try {
     recorded.scenario = with_overrides(recorded, {});
   } catch (const ConfigError& e) {
-    problems.push_back("this build refuses the scenario inside:\n" + e.diagnostics().text());
-    return refused();
+    return {std::nullopt, {"this build refuses the scenario inside:\n" + e.diagnostics().text()}};
   }
   const auto& scenario = *recorded.scenario;
-  if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash) {
-    problems.push_back(
-        fmt::format("recorded by {}, whose world has another layout than that of {}; fly it again "
-                    "with that build",
-                    printable(recorded.run.build), build));
-    return refused();
-  }
-  problems = false_claims(recorded.run, *scenario.simulation);
-  if (!problems.empty())
-    return refused();
+  if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash)
+    return {std::nullopt,
+            {fmt::format("recorded by {}, whose world has another layout than that of {}; fly it "
+                         "again with that build",
+                         printable(recorded.run.build), build)}};
+  if (auto problems = false_claims(recorded.run, *scenario.simulation); !problems.empty())
+    return {std::nullopt, std::move(problems)};
   return {std::move(recorded), {}};
 }
 

@@ -43,6 +43,11 @@ struct Opened {
 [[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
                           std::string_view build, const scenario::PluginPermission& may_open = {});
 
+/// The same of a run that was read already and whose plug-ins are at hand; `file` is its name in
+/// what is said of it, and stands before no problem.
+[[nodiscard]] Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
+                          std::string_view build);
+
 /// The scenario of a run with more overrides (`path=value`) and changes of trees. Throws
 /// ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> with_overrides(

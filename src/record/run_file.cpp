@@ -111,6 +111,18 @@ bool operator==(const RunFile& a, const RunFile& b) {
          a.trail == b.trail && same_bytes(a.orders, b.orders) && a.outcome == b.outcome;
 }
 
+RunFile run_file_of(const scenario::Scenario& s, std::uint64_t seed, std::string build) {
+  RunFile run;
+  run.build = std::move(build);
+  run.scenario = s.file;
+  run.files = s.files;
+  run.sets = s.sets;
+  run.seed = seed;
+  run.layout_hash = s.simulation->schema().layout_hash();
+  run.plugins = s.plugins;
+  return run;
+}
+
 std::string RunEncoder::head(const RunFile& run) {
   Writer w;
   w.raw(kMagic.data(), kMagic.size());

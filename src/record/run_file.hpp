@@ -10,6 +10,7 @@
 
 #include "core/hash.hpp"
 #include "scenario/plugin_file.hpp"
+#include "scenario/scenario.hpp"
 #include "sim/order.hpp"
 #include "sim/trail.hpp"
 
@@ -36,6 +37,10 @@ struct RunFile {
 
   friend bool operator==(const RunFile& a, const RunFile& b);
 };
+
+/// What is known of a run before it is flown by a program that calls itself `build`.
+[[nodiscard]] RunFile run_file_of(const scenario::Scenario& scenario, std::uint64_t seed,
+                                  std::string build);
 
 /// The bytes of a run file, part by part, so that it can be written while the run is being flown:
 /// magic "EYRIERUN", version, byte-order mark and what is known before; the trail in chunks, each

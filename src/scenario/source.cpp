@@ -2,10 +2,7 @@
 #include "scenario/source.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
 #include <utility>
 
 namespace eyrie::scenario {
@@ -24,14 +21,6 @@ std::string plugin_name(std::string_view origin, std::string_view key) {
 
 }  // namespace
 
-Source Source::disk(std::string home, std::vector<std::string> allowed) {
-  Source s;
-  s.home_ = std::move(home);
-  s.allowed_ = std::move(allowed);
-  s.from_disk_ = true;
-  return s;
-}
-
 Source Source::bundle(std::map<std::string, std::string> files) {
   Source s;
   s.files_ = std::move(files);
@@ -44,37 +33,13 @@ Source Source::shared(std::shared_ptr<const std::map<std::string, std::string>> 
   return s;
 }
 
-fs::path Source::place_of(const std::string& name) const {
-  // data/ stands below home whatever the working folder is; everything else is as the user wrote it
-  std::error_code failed;
-  if (const fs::path data = fs::path(home_) / name;
-      name.starts_with("data/") && fs::is_regular_file(data, failed))
-    return data;
-  return name;
-}
-
 void Source::confine_to_folder_of(const std::string& file) {
-  const fs::path folder = fs::path(file).parent_path();
-  std::vector<fs::path> folders{folder.empty() ? "." : folder, home_};
-  folders.insert(folders.end(), allowed_.begin(), allowed_.end());
-  roots_.clear();
-  for (const fs::path& one : folders) {
-    std::error_code failed;
-    if (const fs::path root = fs::canonical(one, failed); !failed)
-      roots_.push_back(root);
-  }
-  confined_ = from_disk_;
+  if (folders_)
+    folders_->confine_to_folder_of(file);
 }
 
 bool Source::is_outside(const std::string& name) const {
-  if (!confined_ || files_.contains(name))
-    return false;
-  std::error_code failed;
-  const fs::path path = fs::weakly_canonical(fs::absolute(place_of(name), failed), failed);
-  return failed || std::none_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
-           return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first ==
-                  root.end();
-         });
+  return folders_ && !files_.contains(name) && folders_->is_outside(name);
 }
 
 std::optional<std::string> Source::read(const std::string& name) {
@@ -86,23 +51,9 @@ std::optional<std::string> Source::read(const std::string& name) {
   if (shared_)
     if (const auto there = shared_->find(name); there != shared_->end())
       return files_[name] = there->second;
-  if (!from_disk_)
-    return std::nullopt;
-  std::error_code failed;
-  const fs::path path = place_of(name);
-  if (name.find('\0') != name.npos || !fs::is_regular_file(path, failed) || is_outside(name))
-    return std::nullopt;
-  // one more than anybody accepts, so that what is too large is refused and not cut
-  const std::uintmax_t size = fs::file_size(path, failed);
-  std::ifstream in(path, std::ios::binary);
-  if (failed || !in)
-    return std::nullopt;
-  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, kLargest + 1)), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad())
-    return std::nullopt;
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  files_[name] = text;
+  auto text = folders_ ? folders_->read(name) : std::nullopt;
+  if (text)
+    files_[name] = *text;
   return text;
 }
 
@@ -138,11 +89,9 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
   for (const auto& [key, model] : models_)
     if (key.starts_with(below))
       names.push_back(key.substr(below.size(), key.size() - below.size() - kYaml.size()));
-  if (from_disk_) {
-    std::error_code failed;
-    for (const auto& entry : fs::directory_iterator(fs::path(home_) / folder, failed))
-      if (entry.path().extension() == ".yaml")
-        names.push_back(entry.path().stem().string());
+  if (folders_) {
+    for (std::string& name : folders_->names_in(folder))
+      names.push_back(std::move(name));
   } else {
     for (const auto& [name, text] : shared_ ? *shared_ : files_)
       if (name.starts_with(folder) && name.ends_with(".yaml") &&

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -55,19 +54,23 @@ class Source {
 
   /// Every file read so far: name -> text.
   [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
-  [[nodiscard]] bool is_bundle() const { return !from_disk_; }
+  [[nodiscard]] bool is_bundle() const { return !folders_; }
 
   static constexpr std::size_t kLargest = std::size_t{16} << 20;
 
- private:
-  /// Where a name stands on the disk.
-  [[nodiscard]] std::filesystem::path place_of(const std::string& name) const;
+  /// Where files are looked for that were not given as texts.
+  class Folders {
+   public:
+    virtual ~Folders() = default;
+    virtual void confine_to_folder_of(const std::string& file) = 0;
+    [[nodiscard]] virtual bool is_outside(const std::string& name) const = 0;
+    [[nodiscard]] virtual std::optional<std::string> read(const std::string& name) const = 0;
+    /// The names of the YAML files in a folder below home, without their ending.
+    [[nodiscard]] virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
+  };
 
-  std::string home_;
-  std::vector<std::string> allowed_;
-  bool confined_ = false;
-  std::vector<std::filesystem::path> roots_;  ///< if it is confined
-  bool from_disk_ = false;
+ private:
+  std::shared_ptr<Folders> folders_;  ///< if it reads from the disk
   std::map<std::string, std::string> files_;
   std::shared_ptr<const std::map<std::string, std::string>> shared_;
 

@@ -7,12 +7,12 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "core/mutex.hpp"
 #include "model/weapon/launch_zone.hpp"
 
 namespace eyrie::model {
@@ -48,7 +48,7 @@ class KeptZones {
   Table keep(std::string key, Table table);
   Table fly(const MissileType& type);
 
-  mutable std::mutex mutex_;
+  mutable Mutex mutex_;
   std::map<std::string, Table> tables_;
   std::deque<const std::string*> order_;  ///< keys of tables_, the oldest first
   std::map<std::string, Offer> offers_;

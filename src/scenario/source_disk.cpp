@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <utility>
+
+#include "scenario/source.hpp"
+
+namespace eyrie::scenario {
+namespace fs = std::filesystem;
+namespace {
+
+class Disk final : public Source::Folders {
+ public:
+  Disk(std::string home, std::vector<std::string> allowed)
+      : home_(std::move(home)), allowed_(std::move(allowed)) {}
+
+  void confine_to_folder_of(const std::string& file) override {
+    const fs::path folder = fs::path(file).parent_path();
+    std::vector<fs::path> folders{folder.empty() ? "." : folder, home_};
+    folders.insert(folders.end(), allowed_.begin(), allowed_.end());
+    roots_.clear();
+    for (const fs::path& one : folders) {
+      std::error_code failed;
+      if (const fs::path root = fs::canonical(one, failed); !failed)
+        roots_.push_back(root);
+    }
+    confined_ = true;
+  }
+
+  bool is_outside(const std::string& name) const override {
+    if (!confined_)
+      return false;
+    std::error_code failed;
+    const fs::path path = fs::weakly_canonical(fs::absolute(place_of(name), failed), failed);
+    return failed || std::none_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
+             return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first ==
+                    root.end();
+           });
+  }
+
+  std::optional<std::string> read(const std::string& name) const override {
+    std::error_code failed;
+    const fs::path path = place_of(name);
+    if (name.find('\0') != name.npos || !fs::is_regular_file(path, failed) || is_outside(name))
+      return std::nullopt;
+    // one more than anybody accepts, so that what is too large is refused and not cut
+    const std::uintmax_t size = fs::file_size(path, failed);
+    std::ifstream in(path, std::ios::binary);
+    if (failed || !in)
+      return std::nullopt;
+    std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(size, Source::kLargest + 1)),
+                     '\0');
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (in.bad())
+      return std::nullopt;
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    return text;
+  }
+
+  std::vector<std::string> names_in(const std::string& folder) const override {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const auto& entry : fs::directory_iterator(fs::path(home_) / folder, failed))
+      if (entry.path().extension() == ".yaml")
+        names.push_back(entry.path().stem().string());
+    return names;
+  }
+
+ private:
+  /// data/ stands below home whatever the working folder is; everything else is as the user wrote
+  /// it.
+  [[nodiscard]] fs::path place_of(const std::string& name) const {
+    std::error_code failed;
+    if (const fs::path data = fs::path(home_) / name;
+        name.starts_with("data/") && fs::is_regular_file(data, failed))
+      return data;
+    return name;
+  }
+
+  std::string home_;
+  std::vector<std::string> allowed_;
+  bool confined_ = false;
+  std::vector<fs::path> roots_;  ///< if it is confined
+};
+
+}  // namespace
+
+Source Source::disk(std::string home, std::vector<std::string> allowed) {
+  Source s;
+  s.folders_ = std::make_shared<Disk>(std::move(home), std::move(allowed));
+  return s;
+}
+
+}  // namespace eyrie::scenario
