@@ -129,9 +129,10 @@ std::vector<Perceived> perceived(const driver::State& s, const scenario::Scenari
 
 template <class State, class Action>
 Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action>& tree,
-                     ubf::Trace<Action>& trace, const std::vector<Answer>& blank,
-                     const scenario::Scenario& scenario) {
-  const auto out = team::ask_again(tree, m, &trace);
+                     const ubf::Tree<State, Action>& flown, ubf::Trace<Action>& trace,
+                     const std::vector<Answer>& blank, const scenario::Scenario& scenario) {
+  auto memory = team::memory_for(tree, flown, m);
+  const auto out = team::ask_again(tree, m, reinterpret_cast<std::byte*>(memory.data()), &trace);
   Decision d;
   d.status = trace.row(0).status;
   d.step = m.info.step;
@@ -149,15 +150,16 @@ Decision decision_of(const team::Moment<State>& m, const ubf::Tree<State, Action
 
 }  // namespace
 
-Explainer::Explainer(const scenario::Scenario& scenario)
+Explainer::Explainer(const scenario::Scenario& scenario, const scenario::Scenario& asked)
     : scenario_(scenario),
+      asked_(asked),
       pilots_(find_system<pilot::PilotSystem>(*scenario.simulation)),
       drivers_(find_system<driver::DriverSystem>(*scenario.simulation)),
-      pilot_trace_(scenario.trees->max_size()),
-      driver_trace_(scenario.driver_trees->max_size()) {
-  for (const auto& tree : *scenario.trees)
+      pilot_trace_(asked.trees->max_size()),
+      driver_trace_(asked.driver_trees->max_size()) {
+  for (const auto& tree : *asked.trees)
     pilot_nodes_.push_back(unanswered(tree));
-  for (const auto& tree : *scenario.driver_trees)
+  for (const auto& tree : *asked.driver_trees)
     driver_nodes_.push_back(unanswered(tree));
 }
 
@@ -168,14 +170,14 @@ std::optional<Decision> Explainer::explain(const sim::World& before, const sim::
   if (player && player->platform == scenario::Platform::vehicle && drivers_)
     drivers_->revisit(before, after, who, orders, [&](const team::Moment<driver::State>& m) {
       const auto tree = m.state.agent.tree;
-      decision = decision_of(m, (*scenario_.driver_trees)[tree], driver_trace_, driver_nodes_[tree],
-                             scenario_);
+      decision = decision_of(m, (*asked_.driver_trees)[tree], (*scenario_.driver_trees)[tree],
+                             driver_trace_, driver_nodes_[tree], scenario_);
     });
   else
     pilots_->revisit(before, after, who, orders, [&](const team::Moment<pilot::State>& m) {
       const auto tree = m.state.agent.tree;
-      decision =
-          decision_of(m, (*scenario_.trees)[tree], pilot_trace_, pilot_nodes_[tree], scenario_);
+      decision = decision_of(m, (*asked_.trees)[tree], (*scenario_.trees)[tree], pilot_trace_,
+                             pilot_nodes_[tree], scenario_);
     });
   return decision;
 }

@@ -14,7 +14,9 @@ namespace eyrie::debrief {
 /// Looks at decisions of one scenario again. Not for two threads at once.
 class Explainer {
  public:
-  explicit Explainer(const scenario::Scenario& scenario);
+  explicit Explainer(const scenario::Scenario& scenario) : Explainer(scenario, scenario) {}
+  /// Of what `asked`, the scenario with other trees, would have decided there.
+  Explainer(const scenario::Scenario& scenario, const scenario::Scenario& asked);
 
   /// Nothing if that agent had no decision due in the step, has no tree, or left the run in it.
   [[nodiscard]] std::optional<Decision> explain(const sim::World& before, const sim::World& after,
@@ -27,6 +29,7 @@ class Explainer {
 
  private:
   const scenario::Scenario& scenario_;
+  const scenario::Scenario& asked_;
   const pilot::PilotSystem* pilots_ = nullptr;
   const driver::DriverSystem* drivers_ = nullptr;
   pilot::Trace pilot_trace_;

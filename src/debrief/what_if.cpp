@@ -50,18 +50,6 @@ std::vector<Changed> changes(const Action& flown, const Action& other) {
   return all;
 }
 
-/// Whether two trees remember the same things in the same places.
-template <class Tree>
-bool remember_alike(const Tree& a, const Tree& b) {
-  if (a.size() != b.size() || a.memory_bytes() != b.memory_bytes())
-    return false;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a.node(static_cast<ubf::NodeIndex>(i)).type() !=
-        b.node(static_cast<ubf::NodeIndex>(i)).type())
-      return false;
-  return true;
-}
-
 /// Asks two trees about the same states; the second keeps a memory of its own.
 template <class State, class Action>
 class Comparison {
@@ -76,10 +64,7 @@ class Comparison {
     const auto& other = other_[index];
     if (index != tree_) {
       tree_ = index;
-      slab_.assign(other.memory_bytes() / 8 + 1, 0);
-      if (remember_alike(flown, other))
-        std::copy_n(m.memory.begin(), other.memory_bytes(),
-                    reinterpret_cast<std::byte*>(slab_.data()));
+      slab_ = team::memory_for(other, flown, m);
     }
     const auto was = team::ask_again(flown, m);
     const auto would = team::ask_again(other, m, reinterpret_cast<std::byte*>(slab_.data()));
@@ -94,6 +79,8 @@ class Comparison {
                const team::Moment<State>& m, const ubf::Proposal<Action>& was,
                const ubf::Proposal<Action>& would) {
     ++result_.decisions;
+    result_.steps.push_back(m.info.step);
+    result_.leaders.push_back(would.leader);
     std::vector<Changed> fields = changes(was.action, would.action);
     const bool same = fields.empty();
     if (!same) {

@@ -33,6 +33,8 @@ struct WhatIf {
   std::uint64_t decisions = 0;  ///< looked at
   std::uint64_t different = 0;  ///< whose action would have been another one
   std::optional<Otherwise> first;
+  std::vector<std::uint64_t> steps;     ///< of the world, by decision
+  std::vector<ubf::NodeIndex> leaders;  ///< who would have led then; kNone for nobody
   /// Times (s) from the first to the last of decisions in a row that would have been different.
   std::vector<std::pair<double, double>> spans;
 };

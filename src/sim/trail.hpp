@@ -25,6 +25,10 @@ struct HashTrail {
 /// Reads packed spans to their end. Nothing if there are none, or they are not those of a trail.
 [[nodiscard]] std::optional<HashTrail> trail_of(std::string spans, std::uint32_t steps_per_second);
 
+/// The same with hashes alone, a twentieth of the bytes: it tells that and when worlds part, not in
+/// which field.
+[[nodiscard]] HashTrail without_digests(const HashTrail& trail);
+
 /// Records a trail: at the beginning a mark, every 0.1 s a fold, every second (after an hour: every
 /// ten) and at the end a mark. Hashing runs at some 10 GB/s.
 class TrailRecorder final : public Observer {

@@ -122,6 +122,22 @@ TEST(TrailChecker, NamesTheSpanOfStepsAndWhatIsWrongInTheNextDigest) {
             "the worlds part between steps 90 and 95; " + departure.where->text());
 }
 
+TEST(TrailChecker, SaysWhenWithoutDigestsAndNotWhere) {
+  const HashTrail whole = recorded(), light = without_digests(whole);
+  EXPECT_LT(light.spans.size(), whole.spans.size());
+  EXPECT_EQ(light.last_hash, whole.last_hash);
+  TrailChecker same(light);
+  fly_under(same);
+  EXPECT_FALSE(same.departure());
+  TrailChecker checker(light);
+  fly_under(checker, kSteps, 92);
+  ASSERT_TRUE(checker.departure());
+  EXPECT_TRUE(checker.done());
+  EXPECT_EQ(checker.departure()->step, 95u);
+  EXPECT_FALSE(checker.departure()->where);
+  EXPECT_EQ(checker.departure()->reason, "the worlds part between steps 90 and 95");
+}
+
 TEST(TrailChecker, SeesWhatHappensBetweenTheLastFoldAndTheEnd) {
   const HashTrail trail = recorded(118);
   TrailChecker checker(trail);

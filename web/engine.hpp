@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Eyrie in a page: what can be asked of it there. The same natively, where it is tested.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "debrief/explainer.hpp"
+#include "debrief/recorded.hpp"
+#include "record/story.hpp"
+#include "scenario/mission.hpp"
+#include "web/messages.hpp"
+
+namespace eyrie::web {
+
+/// One scenario or run at a time. A scenario is loaded and flown, and is then a run as one that was
+/// opened: it can be looked at in any step, explained, questioned and flown on otherwise. Whoever
+/// asks for what is not there, such as a moment before anything was loaded, gets BadRequest; a
+/// mistake in a text is a ConfigError, a run that is not flown as it was recorded a
+/// std::runtime_error.
+class Engine {
+ public:
+  /// Told s of simulated time now and then during long answers.
+  using Progress = std::function<void(double)>;
+  explicit Engine(Progress progress = {}) : progress_(std::move(progress)) {}
+
+  /// What trees may be made of.
+  [[nodiscard]] static NodeTypes node_types();
+  /// Every mistake in a scenario and its files.
+  [[nodiscard]] static Problems validate(const Texts& texts);
+  /// Reads a scenario: fly() then begins at its start.
+  About load(const Load& load);
+  /// On with what was loaded, or with a branch. When it is over it has become a run.
+  Flown fly(const Until& until);
+  /// The run file of what was flown to its end.
+  [[nodiscard]] std::string run_file() const;
+  /// Opens a run file.
+  About open(std::string_view run_file);
+
+  /// The run once more from its start to its end, every hash compared with the recorded ones,
+  /// packed for the page (page::page_bytes); seek() is quick from then on.
+  std::string page();
+  /// Goes to a step of the run.
+  Moment seek(const Step& step);
+  /// A table of the world there.
+  [[nodiscard]] Rows rows(const Table& table) const;
+  /// What a player decided in the step that follows.
+  Decided explain(const Who& who);
+  /// What it would have decided there with other trees.
+  Decided decide(const Otherwise& otherwise);
+  /// What it would have decided during the whole run, its states being what they were.
+  [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise) const;
+  /// How the run would have ended, flown on from there with other trees and models.
+  [[nodiscard]] debrief::Outcome branch(const Branch& branch) const;
+
+ private:
+  [[nodiscard]] const debrief::Recorded& run() const;
+  [[nodiscard]] PlayerId player(const std::string& name) const;
+  [[nodiscard]] std::shared_ptr<const scenario::Scenario> other(
+      const std::string& player, const std::vector<std::string>& sets) const;
+  About about(const scenario::Scenario& scenario, std::uint64_t seed, std::string build,
+              double until) const;
+  void keep(const sim::World& world);
+  /// The worlds around the step that follows seek(), and its orders.
+  struct Around {
+    sim::World before, after;
+    std::vector<sim::Order> orders;
+  };
+  [[nodiscard]] Around around() const;
+
+  Progress progress_;
+  // what is being flown
+  struct Flight;
+  struct FlightDeleter {
+    void operator()(Flight* flight) const;
+  };
+  std::unique_ptr<Flight, FlightDeleter> flight_;
+  // what was
+  std::optional<debrief::Recorded> recorded_;
+  std::string file_;
+  std::vector<sim::World> kept_;  ///< worlds of the run, by step
+  std::optional<sim::World> here_;
+};
+
+}  // namespace eyrie::web

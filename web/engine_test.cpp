@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "web/engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "scenario/data.hpp"
+#include "support/small_scenario.hpp"
+#include "web/questions.hpp"
+
+namespace eyrie::web {
+namespace {
+
+/// The texts of a scenario beside what is in data/.
+Texts texts_of(const std::string& scenario) {
+  Texts texts{.files = {{"small.yaml", scenario}}, .scenario = "small.yaml", .sets = {}};
+  auto disk = scenario::Source::disk(".");
+  for (const std::string_view kind : scenario::DataLoader::kinds())
+    for (const std::string& name : disk.data_names(kind))
+      texts.files[disk.data_name(kind, name)] = disk.read(disk.data_name(kind, name)).value();
+  return texts;
+}
+
+Json asked(Engine& engine, const Json& request, std::string* bytes = nullptr) {
+  std::string none;
+  return Json::parse(answer(engine, request.dump(), bytes ? *bytes : none));
+}
+
+/// The small scenario, flown to its end.
+Engine flown(const std::vector<test::Change>& changes = {}) {
+  Engine engine;
+  engine.load({.texts = texts_of(test::changed_scenario(changes)), .seed = {}, .until = {}});
+  engine.fly({});
+  return engine;
+}
+
+TEST(WebEngine, FliesToTheWorldThatAMissionFliesTo) {
+  Engine engine;
+  const About about =
+      engine.load({.texts = texts_of(test::kSmallScenario), .seed = "7", .until = {}});
+  EXPECT_EQ(about.players.size(), 2u);
+  EXPECT_EQ(about.players[1].name, "eagle2");
+  const Flown half = engine.fly({.until = 1.0});
+  EXPECT_EQ(half.step, 50u);
+  EXPECT_EQ(half.outcome, "running");
+  const Flown whole = engine.fly({});
+  EXPECT_EQ(whole.outcome, "time");
+
+  scenario::Mission mission(
+      scenario::load({"small.yaml"},
+                     scenario::Source::bundle(texts_of(test::kSmallScenario).files)),
+      7);
+  mission.fly();
+  EXPECT_EQ(whole.hash, fmt::format("{:#018x}", mission.run().world().hash()));
+}
+
+TEST(WebEngine, OpensTheRunFileThatItWroteAndVerifiesIt) {
+  Engine first = flown();
+  const std::string file = first.run_file();
+  Engine second;
+  EXPECT_EQ(second.open(file).until, 2.0);
+  EXPECT_FALSE(second.page().empty());
+  EXPECT_EQ(second.run_file(), file);
+
+  std::string damaged = file;
+  damaged[damaged.size() / 2] ^= 1;
+  EXPECT_THROW(second.open(damaged), BadRequest);
+}
+
+TEST(WebEngine, GoesToAnyStepForthAndBack) {
+  Engine engine = flown();
+  const Moment late = engine.seek({.step = 97});
+  const Moment early = engine.seek({.step = 3});
+  EXPECT_EQ(early.step, 3u);
+  EXPECT_NE(early.hash, late.hash);
+  engine.page();  // keeps worlds on the way
+  EXPECT_EQ(engine.seek({.step = 97}).hash, late.hash);
+  EXPECT_THROW(engine.seek({.step = 101}), BadRequest);
+}
+
+TEST(WebEngine, GivesTheRowsOfATable) {
+  Engine engine = flown();
+  engine.seek({.step = 100});
+  const Rows rows = engine.rows({.table = "aircraft"});
+  EXPECT_EQ(rows.ids, (std::vector<std::uint64_t>{1, 2}));
+  const auto column = [&](std::string_view name) {
+    for (const Column& one : rows.columns)
+      if (one.name == name)
+        return one;
+    ADD_FAILURE() << name;
+    return Column{};
+  };
+  const Column east = column("kinematics.position.y");
+  EXPECT_EQ(east.unit, "m");
+  EXPECT_NEAR(east.values.at(0), 2 * 480 * 0.514444, 2);  // 480 kt eastward for 2 s
+  EXPECT_THROW(static_cast<void>(engine.rows({.table = "aircrafts"})), BadRequest);
+}
+
+/// The first step from `from` on in which the player decides.
+Decided decision_after(Engine& engine, std::uint64_t from, const char* player) {
+  for (std::uint64_t step = from;; ++step) {
+    engine.seek({.step = step});
+    if (auto decided = engine.explain({.player = player}); decided.decision)
+      return decided;
+  }
+}
+
+TEST(WebEngine, ExplainsWhatWasDecidedAndWhatOtherTreesWouldHave) {
+  Engine engine = flown();
+  const Decided as_flown = decision_after(engine, 40, "eagle1");
+  EXPECT_EQ(as_flown.decision->tree, "cruise");
+  EXPECT_EQ(as_flown.decision->nodes.at(as_flown.decision->leader).label, "navigate");
+  EXPECT_FLOAT_EQ(as_flown.decision->vote, 10);
+  const Decided other =
+      engine.decide({.player = "eagle1", .sets = {"root/navigate.vote=30"}, .from = {}});
+  EXPECT_FLOAT_EQ(other.decision->vote, 30);
+  EXPECT_EQ(other.decision->step, as_flown.decision->step);
+  EXPECT_THROW(static_cast<void>(engine.explain({.player = "eagle3"})), BadRequest);
+}
+
+TEST(WebEngine, SaysHowManyDecisionsOtherTreesWouldHaveChanged) {
+  Engine engine = flown();
+  const auto same = engine.what_if({.player = "eagle1", .sets = {}, .from = {}});
+  EXPECT_EQ(same.decisions, 20u);  // 10 Hz for 2 s
+  EXPECT_EQ(same.different, 0u);
+  EXPECT_EQ(same.leaders.size(), 20u);
+  const auto slower =
+      engine.what_if({.player = "eagle1", .sets = {"root/navigate=egress"}, .from = 1.0});
+  EXPECT_EQ(slower.decisions, 10u);
+  EXPECT_EQ(slower.different, 10u);
+  EXPECT_EQ(slower.first->flown, "navigate");
+}
+
+TEST(WebEngine, FliesOnOtherwiseFromAMoment) {
+  Engine engine = flown({{"until: 2 s", "until: 4 s"}});
+  engine.seek({.step = 50});
+  const auto outcome =
+      engine.branch({.sets = {"root/navigate.vote=30"}, .player = "eagle1", .until = 3.0});
+  EXPECT_EQ(outcome.outcome, "time");
+  EXPECT_DOUBLE_EQ(outcome.time, 3.0);
+}
+
+TEST(WebEngine, SaysWhatTreesAreMadeOf) {
+  const NodeTypes types = Engine::node_types();
+  const auto find = [](const auto& all, std::string_view name) {
+    return *std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  };
+  const NodeType fusion = find(types.aircraft, "paper_fusion");
+  EXPECT_EQ(fusion.kind, "arbiter");
+  EXPECT_TRUE(fusion.takes_children);
+  EXPECT_EQ(find(fusion.parameters, "high_vote").max, 1000);
+  EXPECT_FALSE(find(types.vehicle, "navigate").takes_children);
+}
+
+TEST(WebQuestions, AreAnsweredInJsonAndRefusedInWords) {
+  Engine engine;
+  EXPECT_EQ(asked(engine, {{"ask", "seak"}, {"step", 1}})["error"],
+            "there is no question 'seak'; did you mean 'seek'?");
+  EXPECT_EQ(asked(engine, {{"ask", "seek"}})["error"], "step is missing");
+  EXPECT_EQ(asked(engine, {{"ask", "seek"}, {"step", 1}, {"stop", 2}})["error"],
+            "there is no stop");
+  EXPECT_EQ(asked(engine, {{"ask", "seek"}, {"step", -1}})["error"],
+            "step: expected a whole number from 0 to 2^53");
+  EXPECT_EQ(asked(engine, {{"ask", "seek"}, {"step", 1}})["error"],
+            "there is no run: open one, or fly to the end");
+  EXPECT_EQ(asked(engine, {{"ask", "fly"}})["error"], "nothing was loaded that could be flown");
+  EXPECT_TRUE(asked(engine, Json::array()).contains("error"));
+  std::string none;
+  EXPECT_TRUE(Json::parse(answer(engine, "{\"ask\":", none)).contains("error"));
+}
+
+TEST(WebQuestions, NameEveryMistakeOfATextWithItsPlace) {
+  Engine engine;
+  const Json answered = asked(
+      engine, {{"ask", "validate"},
+               {"files", {{"a.yaml", test::changed_scenario({{"tree: cruise", "tree: cruse"}})}}},
+               {"scenario", "a.yaml"}});
+  const std::string all = answered.dump();
+  EXPECT_NE(all.find("did you mean 'cruise'?"), std::string::npos) << all;
+  EXPECT_NE(all.find("\"file\":\"a.yaml\",\"line\":"), std::string::npos) << all;
+}
+
+TEST(WebQuestions, AreDeclaredInTypeScript) {
+  const std::string file = "viewer/src/engine/questions.ts";
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (text == declarations())
+    return;
+  std::ofstream("questions.ts.new", std::ios::binary) << declarations();
+  ADD_FAILURE() << file << " is not what the questions are: put questions.ts.new in its place";
+}
+
+}  // namespace
+}  // namespace eyrie::web

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "web/questions.hpp"
+
+#include <array>
+#include <new>
+
+namespace eyrie::web {
+namespace {
+
+/// How one question is answered and declared.
+struct Question {
+  std::string_view name, help;
+  Json (*answer)(Engine& engine, const Json& request, std::string& bytes);
+  std::string (*declare)(std::map<std::string, std::string>& declared);
+};
+
+template <class Request>
+Request read(const Json& json) {
+  Request request;
+  from_json(json, request, "");
+  return request;
+}
+
+template <class Request, class Answer>
+std::string declared(std::map<std::string, std::string>& all, std::string_view with = "") {
+  std::string parameter;
+  if constexpr (!std::same_as<Request, Nothing>)
+    parameter = "request: " + typescript<Request>(all);
+  if (!with.empty())
+    parameter += parameter.empty() ? std::string(with) : fmt::format(", {}", with);
+  return fmt::format("({}): Promise<{}>", parameter, typescript<Answer>(all));
+}
+
+/// A question whose request and answer are JSON alone.
+template <class Request, class Answer, auto kAsk>
+constexpr Question question(std::string_view name, std::string_view help) {
+  return {name, help,
+          [](Engine& engine, const Json& json, std::string& bytes) {
+            bytes.clear();
+            const Answer answer = std::invoke(kAsk, engine, read<Request>(json));
+            return to_json(answer);
+          },
+          [](std::map<std::string, std::string>& all) { return declared<Request, Answer>(all); }};
+}
+
+/// A question whose answer is bytes.
+template <auto kAsk>
+constexpr Question bytes_question(std::string_view name, std::string_view help) {
+  return {
+      name, help,
+      [](Engine& engine, const Json& json, std::string& bytes) {
+        static_cast<void>(read<Nothing>(json));
+        bytes = std::invoke(kAsk, engine);
+        return to_json(Size{bytes.size()});
+      },
+      [](std::map<std::string, std::string>&) -> std::string { return "(): Promise<Uint8Array>"; }};
+}
+
+NodeTypes node_types(Engine&, const Nothing&) {
+  return Engine::node_types();
+}
+Problems validate(Engine&, const Texts& texts) {
+  return Engine::validate(texts);
+}
+
+const std::array kQuestions{
+    question<Nothing, NodeTypes, node_types>("node_types", "What trees may be made of."),
+    question<Texts, Problems, validate>("validate", "Every mistake in a scenario and its files."),
+    question<Load, About, &Engine::load>("load", "Reads a scenario; fly() begins at its start."),
+    question<Until, Flown, &Engine::fly>(
+        "fly", "On with what was loaded; when it is over it has become a run."),
+    bytes_question<&Engine::run_file>("run_file", "The run file of what was flown to its end."),
+    Question{"open", "Opens a run file.",
+             [](Engine& engine, const Json& json, std::string& bytes) {
+               static_cast<void>(read<Nothing>(json));
+               const About about = engine.open(bytes);
+               bytes.clear();
+               return to_json(about);
+             },
+             [](std::map<std::string, std::string>& all) {
+               return declared<Nothing, About>(all, "run_file: Uint8Array");
+             }},
+    bytes_question<&Engine::page>(
+        "page",
+        "The run once more from start to end, every hash compared with the recorded ones; what "
+        "src/run/decode.ts reads."),
+    question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
+    question<Table, Rows, &Engine::rows>("rows", "A table of the world there."),
+    question<Who, Decided, &Engine::explain>("explain",
+                                             "What a player decided in the step that follows."),
+    question<Otherwise, Decided, &Engine::decide>(
+        "decide", "What it would have decided there with other trees."),
+    question<Otherwise, debrief::WhatIf, &Engine::what_if>(
+        "what_if",
+        "What it would have decided during the whole run, its states being what they were."),
+    question<Branch, debrief::Outcome, &Engine::branch>(
+        "branch", "How the run would have ended, flown on from there with other trees and models."),
+};
+
+Json error_json(const std::string& message) {
+  return {{"error", message}};
+}
+
+Json ask(Engine& engine, std::string_view text, std::string& bytes) {
+  Json request = Json::parse(text, nullptr, false);
+  const auto name = request.is_object() ? request.find("ask") : request.end();
+  if (!request.is_object() || name == request.end() || !name->is_string())
+    throw BadRequest("expected {\"ask\": QUESTION, ...}");
+  const std::string wanted = name->get<std::string>();
+  request.erase("ask");
+  std::vector<std::string> names;
+  for (const Question& question : kQuestions) {
+    if (question.name == wanted)
+      return question.answer(engine, request, bytes);
+    names.emplace_back(question.name);
+  }
+  throw BadRequest("there is no question " + quote(wanted) + did_you_mean(wanted, names));
+}
+
+}  // namespace
+
+std::string answer(Engine& engine, std::string_view request, std::string& bytes) {
+  Json result;
+  try {
+    result = ask(engine, request, bytes);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const ConfigError& e) {
+    result = error_json(e.what());
+    Problems problems;
+    for (const Diagnostic& one : e.diagnostics().sorted())
+      problems.problems.push_back(
+          {std::string(one.where.file.text()), one.where.line, one.where.column, one.message});
+    result.update(to_json(problems));
+  } catch (const std::exception& e) {
+    result = error_json(e.what());
+  }
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string declarations() {
+  std::map<std::string, std::string> declared;
+  std::string questions;
+  for (const Question& question : kQuestions)
+    questions += fmt::format("  /** {} */\n  {}{};\n", question.help, question.name,
+                             question.declare(declared));
+  std::string text =
+      "// SPDX-License-Identifier: MIT\n"
+      "// Made from web/messages.hpp and web/questions.cpp: a test writes what has changed.\n\n";
+  for (const auto& [name, declaration] : declared)
+    text += declaration + "\n";
+  return text +
+         "/** Numbers are SI, times s of simulated time. A question that cannot be answered is "
+         "rejected with an EngineError. */\nexport interface Engine {\n" +
+         questions + "}\n";
+}
+
+}  // namespace eyrie::web
