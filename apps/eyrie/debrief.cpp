@@ -66,16 +66,22 @@ disk::FileRead viewer() {
   return read;
 }
 
-std::string data_of(const debrief::Recorded& recorded) {
+/// The engine in the page flies the run again; columns it is where that cannot be. Without data if
+/// it was interrupted.
+page::PageRun data_of(const debrief::Recorded& recorded, const disk::FileRead& shell,
+                      bool columns) {
+  if (!columns && recorded.plugins.empty() && page::has_engine(shell.bytes))
+    return page::run_for_page(recorded.run);
   Counter counter(recorded.until());
-  return page::page_data(recorded, [&](double time) {
-    counter.at(time);
+  std::string data = page::page_data(recorded, [&](const debrief::Reflight& flight) {
+    counter.at(flight.time());
     return !interrupted();
   });
+  return {.columns = true, .data = std::move(data)};
 }
 
 /// The page with the data of its runs. Throws disk::Failed if that cannot be.
-std::string page_of(const disk::FileRead& shell, std::span<const std::string> data) {
+std::string page_of(const disk::FileRead& shell, std::span<const page::PageRun> data) {
   std::string page = page::page_with(shell.bytes, data);
   if (page.empty())
     throw disk::Failed(
@@ -91,8 +97,8 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
     return {.failed = !shell.missing, .problem = shell.problem};
   try {
     disk::OutputFile out(file, false);
-    const std::string data = data_of(recorded);
-    if (data.empty())
+    const page::PageRun data = data_of(recorded, shell, false);
+    if (data.data.empty())
       return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
     out.sink().write(page_of(shell, {&data, 1}));
     out.commit();
@@ -120,10 +126,10 @@ int debrief_page(const DebriefOptions& options) {
   const disk::FileRead shell = viewer();  // behind the mistakes of the user
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
-  std::vector<std::string> data;
+  std::vector<page::PageRun> data;
   for (const debrief::Recorded& run : runs) {
-    data.push_back(data_of(run));
-    if (data.back().empty()) {
+    data.push_back(data_of(run, shell, options.columns));
+    if (data.back().data.empty()) {
       complain("eyrie: interrupted, nothing was written\n");
       return 1;
     }

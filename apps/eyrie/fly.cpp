@@ -72,19 +72,6 @@ void fly_to_the_end(scenario::Mission& mission, const disk::Sink& file, const Fl
   timing.wall = std::chrono::duration<double>(Clock::now() - begun).count();
 }
 
-/// What is known of a run before it is flown.
-record::RunFile run_file_of(const scenario::Scenario& s, std::uint64_t seed) {
-  record::RunFile run;
-  run.build = version_text();
-  run.scenario = s.file;
-  run.files = s.files;
-  run.sets = s.sets;
-  run.seed = seed;
-  run.layout_hash = s.simulation->schema().layout_hash();
-  run.plugins = s.plugins;
-  return run;
-}
-
 /// The folder of the run: the one that was asked for, or the next free one in runs/.
 disk::FolderWish folder_of(const FlyOptions& options, const scenario::Scenario& scenario,
                            std::uint64_t seed) {
@@ -165,7 +152,7 @@ int fly(const FlyOptions& options) {
   record::Tally tally(*scenario);
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter acmi(*scenario, flight);
-  record::RunFileWriter recorder(run, run_file_of(*scenario, seed));
+  record::RunFileWriter recorder(run, record::run_file_of(*scenario, seed, version_text()));
   record::Story story(*scenario, [&](const record::StoryLine& line) { report.line(line); });
   scenario::Mission mission(scenario, seed, until,
                             {.workers = options.workers, .paranoid_workers = options.paranoid});

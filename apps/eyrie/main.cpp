@@ -136,6 +136,8 @@ void add_debrief(CLI::App& app, Commands& c) {
       ->expected(1, 2);
   debrief->add_option("--out", o.out, "the file (default: debrief.html beside the first run)");
   debrief->add_flag("--force", o.force, "replace the file given by --out");
+  debrief->add_flag("--columns", o.columns,
+                    "put what was recorded into the page, not the engine that flies it again");
   add_plugins(debrief, o.plugins, kRunPluginHelp);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/assert.hpp"
+#include "page/page_data.hpp"
 
 namespace eyrie::page {
 
@@ -34,6 +35,11 @@ std::string base64(std::string_view bytes) {
       out.push_back(k <= there ? kDigits[three >> (18 - 6 * k) & 63] : '=');
   }
   return out;
+}
+
+std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
+  const std::string bytes = page_bytes(recorded, progress, plenty);
+  return bytes.empty() ? "" : base64(deflated(bytes));
 }
 
 }  // namespace eyrie::page

@@ -9,7 +9,6 @@
 #include "debrief/explainer.hpp"
 #include "page/decisions.hpp"
 #include "page/motions.hpp"
-#include "page/packed.hpp"
 #include "page/sights.hpp"
 #include "page/tree_json.hpp"
 #include "record/json_text.hpp"
@@ -128,7 +127,7 @@ class Writer {
     constexpr std::uint64_t kTell = 512;  // steps
     while (flight.step()) {
       look(flight);
-      if (progress && flight.after().step() % kTell == 0 && !progress(flight.time()))
+      if (progress && flight.after().step() % kTell == 0 && !progress(flight))
         return false;
     }
     motions_.finish(flight.after());
@@ -141,7 +140,7 @@ class Writer {
     std::string all;
     for (int shift = 0; shift < 32; shift += 8)
       all.push_back(static_cast<char>(document.size() >> shift & 255));
-    return base64(deflated(all + document + bytes.bytes()));
+    return all + document + bytes.bytes();
   }
 
  private:
@@ -297,7 +296,7 @@ class Writer {
 
 }  // namespace
 
-std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
+std::string page_bytes(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
   Writer writer(recorded, plenty);
   return writer.fly(progress) ? writer.packed() : "";
 }

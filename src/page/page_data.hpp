@@ -8,8 +8,8 @@
 
 namespace eyrie::page {
 
-/// Called with the simulated time (s) that has been flown again; false gives up.
-using Progress = std::function<bool(double)>;
+/// Called now and then while the run is flown again; false gives up.
+using Progress = std::function<bool(const debrief::Reflight&)>;
 
 /// With more players than this decisions are kept when they are other ones than before, and once a
 /// second, motions once a second, and what is seen every five seconds.
@@ -19,8 +19,12 @@ inline constexpr std::size_t kManyPlayers = 16;
 /// anyway.
 inline constexpr double kManyPlayerSeconds = 60'000;
 
-/// Flies the run again with tracing and packs what the page shows: base64 of a zlib stream, whose
-/// inside viewer/src/run/decode.ts describes. Empty if `progress` gave up. `plenty` is for tests.
+/// Flies the run again with tracing and gives what the page shows, as viewer/src/run/decode.ts
+/// describes it. Empty if `progress` gave up. `plenty` is for tests.
+[[nodiscard]] std::string page_bytes(const debrief::Recorded& recorded,
+                                     const Progress& progress = {},
+                                     double plenty = kManyPlayerSeconds);
+/// The same as a page without the engine carries it: base64 of a zlib stream.
 [[nodiscard]] std::string page_data(const debrief::Recorded& recorded,
                                     const Progress& progress = {},
                                     double plenty = kManyPlayerSeconds);

@@ -187,16 +187,24 @@ TEST(PageOfALongRun, IsAsLargeAsThatOfAShortOne) {
 }
 
 TEST(Page, TakesRunsWhereTheViewerHasAPlaceForThem) {
-  const std::vector<std::string> runs{"QQ==", "Qg=="};
+  const std::vector<PageRun> runs{{.columns = true, .data = "QQ=="},
+                                  {.columns = false, .data = "Qg=="}};
   EXPECT_EQ(page_with("<p><!--%RUNS%--></p>", runs),
             "<p><script type=\"application/x-eyrie-run\">QQ==</script>\n"
-            "<script type=\"application/x-eyrie-run\">Qg==</script>\n</p>");
+            "<script type=\"application/x-eyrie-run-file\">Qg==</script>\n</p>");
   EXPECT_EQ(page_with("<p></p>", runs), "");
+}
+
+TEST(Page, CarriesARunFileThatFliesAsTheRunDid) {
+  const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
+  const PageRun light = run_for_page(recorded.run);
+  EXPECT_LT(light.data.size(), 200'000u);
+  EXPECT_FALSE(has_engine("<p></p>"));
 }
 
 TEST(PageData, GivesUpWhenItsProgressSaysSo) {
   const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
-  EXPECT_EQ(page_data(recorded, [](double) { return false; }), "");
+  EXPECT_EQ(page_data(recorded, [](const debrief::Reflight&) { return false; }), "");
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 /** Opens the runs that stand in the page and shows them. */
 import { render } from 'preact';
 import { run_clock } from './clock.ts';
-import { decode } from './run/decode.ts';
+import { start } from './engine/engine.ts';
+import { EngineError } from './engine/module.ts';
+import { decode, unpack } from './run/decode.ts';
 import type { Run } from './run/run.ts';
 import type { SceneHandle } from './scene/scene.ts';
 import { first_view, Store, type View } from './store.ts';
@@ -34,14 +36,46 @@ function put_theme({ theme }: Pick<View, 'theme'>): void {
   document.documentElement.dataset.theme = theme;
 }
 
+const kDamaged = 'the data of the run is damaged or incomplete';
+
 /** What went wrong while unpacking is of no use to anybody, except that it did. */
 async function unpacked(script: Element): Promise<Run> {
   try {
-    return await decode(script.textContent ?? '');
+    return decode(await unpack(script.textContent ?? ''));
   } catch (error) {
     if (error instanceof Error && error.constructor === Error) throw error;
-    throw new Error('the data of the run is damaged or incomplete', { cause: error });
+    throw new Error(kDamaged, { cause: error });
   }
+}
+
+const share = new Map<Element, number>();
+function tell(script: Element, done: number, host: HTMLElement): void {
+  share.set(script, done);
+  const all = [...share.values()];
+  const percent = Math.floor((100 * all.reduce((a, b) => a + b, 0)) / all.length);
+  const words = host.querySelector('#opening');
+  if (words) words.textContent = `Flying the run again: ${percent} %`;
+}
+
+/** Flies a run file again, which compares every hash with the recorded one. */
+async function flown(script: Element, module: Promise<WebAssembly.Module>, host: HTMLElement): Promise<Run> {
+  share.set(script, 0);
+  let until = Infinity;
+  const engine = start(await module, (time) => tell(script, time / until, host));
+  try {
+    const file = await unpack(script.textContent ?? '');
+    until = (await engine.open(file)).until ?? Infinity;
+    return { ...decode(await engine.page()), engine };
+  } catch (error) {
+    if (error instanceof EngineError) throw error;
+    throw new Error(kDamaged, { cause: error });
+  }
+}
+
+async function engine_module(): Promise<WebAssembly.Module> {
+  const script = document.querySelector('script[type="application/x-eyrie-engine"]');
+  if (!script) throw new Error('there is no engine in this page that could fly its run');
+  return WebAssembly.compile(await unpack(script.textContent ?? ''));
 }
 
 function ready(pages: Page[], scene: SceneHandle): void {
@@ -53,11 +87,13 @@ function ready(pages: Page[], scene: SceneHandle): void {
 
 async function open(host: HTMLElement): Promise<void> {
   put_theme(first_view(0));
-  const scripts = [...document.querySelectorAll('script[type="application/x-eyrie-run"]')];
+  const scripts = [...document.querySelectorAll('script[type="application/x-eyrie-run"], script[type="application/x-eyrie-run-file"]')];
+  const is_file = (script: Element) => script.getAttribute('type') === 'application/x-eyrie-run-file';
   if (!scripts.length) throw new Error('there is no run in this page; ./eyrie debrief RUN writes one with a run');
   if (scripts.length > kMostRuns) throw new Error(`there are ${scripts.length} runs in this page, and it shows ${kMostRuns} at most`);
   await painted();
-  const runs = await Promise.all(scripts.map(unpacked));
+  const module = scripts.some(is_file) ? engine_module() : null;
+  const runs = await Promise.all(scripts.map((script) => (module && is_file(script) ? flown(script, module, host) : unpacked(script))));
   if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
   const pages = pages_of(runs);
   const [first, second] = pages as [Page, Page | undefined];

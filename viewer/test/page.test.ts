@@ -156,8 +156,11 @@ describe('what if', { skip: kNoPage }, () => {
   }
   /** The attributes of the answer, and the command for the terminal that it shows. */
   async function answer() {
-    await page.waitForFunction(() => Boolean(document.querySelector<HTMLElement>('[data-decisions]')?.dataset['decisions']));
-    const told = await page.$eval('[data-decisions]', (e) => ({ ...(e as HTMLElement).dataset }));
+    await page.waitForFunction(() => {
+      const { asked, answered } = document.querySelector<HTMLElement>('.what-if')!.dataset;
+      return asked !== '' && asked === answered;
+    });
+    const told = await page.$eval('.what-if', (e) => ({ ...(e as HTMLElement).dataset }));
     return { told, command: (await page.textContent('.command code'))! };
   }
   async function compare(): Promise<void> {
@@ -173,31 +176,55 @@ describe('what if', { skip: kNoPage }, () => {
   before(async () => page && select('eagle2'));
   after(async () => page?.evaluate(() => document.querySelector<HTMLElement>('.what-if header button')?.click()));
 
+  const choose = (type: string) => page.selectOption('select[aria-label="Arbiter of bvr"]', type);
+  /** As a person does it, who then goes on. */
+  async function write(name: string, value: string): Promise<void> {
+    await page.fill(`input[aria-label="${name} in words"]`, value);
+    await page.press(`input[aria-label="${name} in words"]`, 'Tab');
+  }
   test('another arbiter answers as the program does', { skip: kNoProgram }, async () => {
     await look_at('root/bvr');
-    for (const type of ['winner_takes_all', 'fusion', 'motor_schema', 'paper_fusion', 'priority', 'vote_grid', 'utility', 'verify']) {
-      await page.selectOption('select[aria-label="Arbiter of bvr"]', type);
+    for (const type of ['winner_takes_all', 'fusion', 'priority', 'weighted_random']) {
+      await choose(type);
       await compare();
     }
-    await page.selectOption('select[aria-label="bounds.field"]', 'altitude');
-    await page.fill('input[aria-label="bounds.altitude.max in numbers"]', '29000');
+    await choose('paper_fusion');
+    await write('high_vote', '50');
+    await compare();
+    await choose('verify');
+    await write('bounds', '{altitude: {max: 29000 ft}}');
     await compare();
     await shoot(page, 'what-if-verify');
-    await page.selectOption('select[aria-label="Arbiter of bvr"]', 'commitment');
-    for (const [name, value] of [['margin', '20'], ['min_time', '5'], ['hold', '3']] as const) {
-      await page.fill(`input[aria-label="${name} in numbers"]`, value);
+    await choose('commitment');
+    for (const [name, value] of [['margin', '20'], ['min_time', '5 s'], ['hold', '3 s']] as const) {
+      await write(name, value);
       await compare();
     }
-    await page.selectOption('select[aria-label="Arbiter of bvr"]', 'fusion');
-    await page.selectOption('select[aria-label="top"]', '2');
+  });
+  test('another vote, and another parameter of a behavior, answer as the program does', { skip: kNoProgram }, async () => {
+    await page.click('.what-if header button');
+    await look_at('root/bvr/follow_lead');
+    await write('vote', '45');
+    await compare();
+    await page.click('.what-if header button');
+    await look_at('root/bvr/survive/break_turn');
+    await write('danger_range', '9 nmi');
     await compare();
     await shoot(page, 'what-if');
   });
-  test('another vote answers as the program does', { skip: kNoProgram }, async () => {
+  test('a mistake is answered in the words of the terminal', { skip: kNoProgram }, async () => {
     await page.click('.what-if header button');
     await look_at('root/bvr/follow_lead');
-    await page.fill('input[aria-label="vote of follow_lead in numbers"]', '45');
-    await compare();
+    await write('vote', '45 nmi');
+    await answer();
+    assert.match((await page.textContent('.what-if .caution'))!, /vote: .*nmi/);
+  });
+  test('flies on from now with the change, and says how it ends', { skip: kNoProgram }, async () => {
+    await write('vote', '45');
+    await answer();
+    await page.click('.future button');
+    await page.waitForSelector('.future [data-outcome]');
+    assert.match((await page.textContent('.future'))!, /as flown.*blue home at 27:09.*with it from 10:00/s);
   });
   test('is as flown again after a reset', async () => {
     await page.click('.what-if header button');
@@ -292,7 +319,7 @@ describe('a page that cannot show its run says so in words', { skip: kNoPage }, 
   let folder: string;
   before(() => (folder = mkdtempSync(join(tmpdir(), 'eyrie-page-'))));
   after(() => rmSync(folder, { recursive: true, force: true }));
-  const kRun = /(<script type="application\/x-eyrie-run">)([^<]*)(<\/script>)/;
+  const kRun = /(<script type="application\/x-eyrie-run(?:-file)?">)([^<]*)(<\/script>)/;
 
   async function words_of(change: (data: string) => string): Promise<string> {
     const file = join(folder, 'page.html');

@@ -6,6 +6,7 @@ import { mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { worker_text } from '../worker_text.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const wanted = process.argv.slice(2);
@@ -19,6 +20,7 @@ try {
   await build({
     entryPoints: names.map((f) => join(here, f)), outdir: out, outExtension: { '.js': '.mjs' }, bundle: true, platform: 'node', format: 'esm',
     target: 'node18', jsx: 'automatic', jsxImportSource: 'preact', sourcemap: 'inline', logLevel: 'warning', external: ['playwright-core'],
+    plugins: [worker_text({})],
   });
   const files = names.map((f) => join(out, basename(f).replace(/\.ts$/, '.mjs')));
   const { status } = spawnSync(process.execPath, ['--enable-source-maps', '--test', ...files], { stdio: 'inherit', env: { ...process.env, EYRIE_VIEWER_FOLDER: dirname(here) } });

@@ -3,7 +3,7 @@
 import type { Player, Run, StoryLine } from '../src/run/run.ts';
 import { first_view, Store, type View } from '../src/store.ts';
 import { make_page, type Page } from '../src/ui/page.ts';
-import { leaf, node, run_of, type Said } from './decide_run.ts';
+import { leaf, node, run_of, type Said } from './words_run.ts';
 
 export const kTree = node('root', 'winner_takes_all', [leaf('break'), leaf('pursue'), leaf('navigate')]);
 export const kPursues: Record<string, Said> = {

@@ -5,6 +5,7 @@ import { test } from 'node:test';
 import { resample } from '../src/ui/series.ts';
 import { fill_of, leader_colors, leader_spans, spans_of } from '../src/ui/spans.ts';
 import { layout_tree } from '../src/ui/tree_layout.ts';
+import { command_of, sets_of } from '../src/ask/change.ts';
 import { ask } from '../src/ui/what_if_answer.ts';
 import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
 
@@ -44,12 +45,13 @@ test('of a tree what is not open is counted, and rows do not overlap', () => {
 });
 
 test('questions add up node by node, and what is as flown is asked no more', () => {
-  const page = page_of(kRun);
-  ask(page, 0, 1, { vote: 30 });
-  ask(page, 0, 0, { type: 'fusion' });
-  ask(page, 0, 0, { params: { top: 2 } });
-  assert.deepEqual(page.changes.get(), [{ tree: 0, node: 1, vote: 30 }, { tree: 0, node: 0, type: 'fusion', params: { top: 2 } }]);
-  ask(page, 0, 0, { type: undefined, params: undefined });
-  ask(page, 0, 1, { vote: undefined });
-  assert.deepEqual(page.changes.get(), []);
+  const { run, changes } = page_of(kRun);
+  ask(changes, { tree: 0, node: 1, params: { vote: '30' } });
+  ask(changes, { tree: 0, node: 0, type: 'fusion', params: { top: '2' } });
+  assert.deepEqual(sets_of(run, 0, changes.get()), ['root/break.vote=30', 'root=fusion', 'root.top=2']);
+  assert.equal(command_of(run, 0, changes.get()),
+    "eyrie whatif RUN --player eagle2 --set 'root/break.vote=30' --set 'root=fusion' --set 'root.top=2'");
+  ask(changes, { tree: 0, node: 0, params: {} });
+  ask(changes, { tree: 0, node: 1, params: {} });
+  assert.deepEqual(changes.get(), []);
 });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /**
- * From the data in the page to a Run. src/page of the program writes it:
+ * From the data of the page to a Run. src/page writes it, in the program or in the engine of the page:
  *
- *   base64( deflate( u32 length of the document | document (JSON) | columns ) )
+ *   u32 length of the document | document (JSON) | columns
  *
  * A column stands in the document as [offset, count, quantum, order] and in the columns as `count`
  * numbers, each a zigzag varint: the value over `quantum`, rounded, as its `order`-th difference. The
@@ -261,11 +261,15 @@ export function run_of(document: Document, columns: Columns): Run {
 }
 
 /** Of what stands in the page. Throws an Error with words if it is no run, or of another format. */
-export async function decode(base64: string): Promise<Run> {
+/** base64 of a zlib stream, as the program puts it into the page. */
+export async function unpack(base64: string): Promise<Uint8Array<ArrayBuffer>> {
   const packed = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const length = new DataView(bytes.buffer).getUint32(0, true);
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+export function decode(bytes: Uint8Array): Run {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const document = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as Document;
   return run_of(document, new Columns(bytes.subarray(4 + length)));
 }

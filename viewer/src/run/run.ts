@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** A recorded run as the page holds it in memory. SI units and radians throughout, time in seconds. */
+import type { Engine } from '../engine/questions.ts';
 
 export type Side = 'blue' | 'red' | 'none';
 
@@ -280,6 +281,8 @@ export interface Run {
   platforms: Record<PlayerKind, Platform>;
   texts: string[];
   story: StoryLine[];
+  /** Who flew it again and can be asked; none if the page has its columns only. */
+  engine?: Engine;
 }
 
 /** The index of the last time that is not after `t`; -1 if all are. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Where two runs part: the first decision of a player that is another one, the first story line that only one has. */
-import { value_text } from '../decide/text.ts';
+import { value_text } from '../words/text.ts';
 import type { Player, Run } from '../run/run.ts';
 import { label_of, path_of } from './spans.ts';
 

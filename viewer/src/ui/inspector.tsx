@@ -2,7 +2,7 @@
 /** The decision of the selected player at the time of the page: tree, action, what it saw, and what if. */
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
-import { why_not } from '../decide/contest.ts';
+import { why_not } from '../words/contest.ts';
 import type { Player, Run } from '../run/run.ts';
 import { jump, step_decision, step_leader } from './actions.ts';
 import { Fields } from './fields.tsx';

@@ -9,7 +9,7 @@ import { use_page, type Page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';
 import { use_cell, use_view } from './use.ts';
-import { use_answer } from './what_if_answer.ts';
+import { use_answer, would_lead } from './what_if_answer.ts';
 
 /** CSS pixels: a single decision can be seen in a run of half an hour. */
 const kNarrowest = 1.5;
@@ -113,8 +113,8 @@ export function LeaderRow({ player, label, cut }: { player: Player; label?: stri
 export function WhatIfRow({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const answer = use_answer();
-  const spans = useMemo(() => answer && spans_of(page.run, player, (i) => answer.leader[i]!), [page, player, answer]);
+  const answer = use_answer()?.value;
+  const spans = useMemo(() => answer && spans_of(page.run, player, would_lead(player, answer)), [page, player, answer]) ?? null;
   use_tip('what if', 'would be', spans);
   if (!changes.length || !answer || !spans) return null;
   return (
@@ -127,11 +127,12 @@ export function WhatIfRow({ player }: { player: Player }) {
 /** What the colours mean, for one player. */
 export function Legend({ player }: { player: Player }) {
   const page = use_page();
-  const answer = use_answer();
+  const answer = use_answer()?.value;
   const labels = useMemo(() => {
     const led = leader_spans(page.run, player).map((span) => span.label);
     const shape = player.decisions.shape;
-    const would = answer ? Array.from(answer.leader, (node, i) => label_of(page.run, page.run.shapes[shape[i]!]!.tree, node)) : [];
+    const node_at = answer && would_lead(player, answer);
+    const would = node_at ? Array.from(shape, (s, i) => label_of(page.run, page.run.shapes[s]!.tree, node_at(i))) : [];
     return [...new Set([...led, ...would])];
   }, [page, player, answer]);
   return (

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
-import { answer_words } from '../decide/contest.ts';
-import { value_text } from '../decide/text.ts';
-import { flown_text, is_grouped } from '../decide/units.ts';
-import { arbiters_for, with_param, type ArbiterChoice, type ParamChoice } from '../decide/what_if.ts';
-import type { ActionField, Player, Run, Shape, Tree } from '../run/run.ts';
+import type { Change } from '../ask/change.ts';
+import type { Parameter } from '../engine/questions.ts';
+import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
+import { answer_words } from '../words/contest.ts';
+import { value_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
-import { ask, change_of } from './what_if_answer.ts';
+import { ask, change_of, use_node_types } from './what_if_answer.ts';
 
 interface Looked {
   player: Player;
@@ -36,99 +36,89 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
-type Params = Tree['nodes'][number]['params'];
-
-function params_text(params: Params, fields: readonly ActionField[]): string {
-  const words = (name: string, value: Params[string]): string =>
-    Array.isArray(value) ? value.map((one) => (typeof one === 'object' ? `“${one.that}”` : one)).join(' ') : flown_text(name, value, fields);
-  return Object.entries(params).map(([name, value]) => `${param_words(name)} ${words(name, value)}`).join(', ');
+/** A value of the tree as it was flown; "" if the page does not know it. */
+function flown_text(value: TreeNode['params'][string] | undefined): string {
+  if (value === undefined) return '';
+  return Array.isArray(value) ? value.map((one) => (typeof one === 'object' ? `“${one.that}”` : one)).join(' ') : String(value);
 }
 
-/** "altitude min" for "bounds.altitude.min". */
-function param_words(name: string): string {
-  return name.split('.').slice(is_grouped(name) ? 1 : 0).join(' ');
+interface EditProps {
+  parameter: Parameter;
+  /** What is asked; undefined: as flown. */
+  value: string | undefined;
+  flown: string;
+  onChange: (value: string | undefined) => void;
 }
 
-interface SliderProps {
-  name: string;
-  unit?: string;
-  min: number;
-  max: number;
-  value: number;
-  onChange: (value: number) => void;
-}
-
-function Slider({ name, unit, min, max, value, onChange }: SliderProps) {
-  const put = (text: string): void => {
-    const number = Number(text);
-    if (text !== '' && Number.isFinite(number)) onChange(Math.min(Math.max(number, min), max));
-  };
-  return (
-    <label class="slider"><span>{unit ? `${param_words(name)}, ${unit}` : param_words(name)}</span>
-      <input type="range" min={min} max={max} step="1" value={value} aria-label={name}
-        onInput={(event) => put(event.currentTarget.value)} />
-      <input type="number" min={min} max={max} step="any" value={value} aria-label={`${name} in numbers`}
-        onInput={(event) => put(event.currentTarget.value)} />
-    </label>
-  );
-}
-
-function Param({ param, value, onChange }: { param: ParamChoice; value: string | number; onChange: (value: string | number) => void }) {
-  const { name, unit, values } = param;
-  if (!Array.isArray(values)) return <Slider name={name} unit={unit} min={values.min} max={values.max} value={Number(value)} onChange={onChange} />;
-  return (
-    <label class="choice"><span>{param_words(name)}</span>
-      <select aria-label={name} value={String(value)} onChange={(event) => onChange(values[event.currentTarget.selectedIndex]!)}>
-        {values.map((one) => <option key={one} value={String(one)}>{one}</option>)}
-      </select>
-    </label>
-  );
-}
-
-function AskArbiter({ choices, tree, node, label }: { choices: ArbiterChoice[]; tree: number; node: number; label: string }) {
-  const page = use_page();
-  const change = change_of(use_cell(page.changes), tree, node);
-  const flown = choices[0]!;
-  const now = choices.find(({ type }) => type === change?.type) ?? flown;
-  const put = (type: string): void => {
-    const chosen = choices.find((choice) => choice.type === type)!;
-    // some arbiters are none without their parameters
-    const params = Object.fromEntries(chosen.params.map(({ name, value }) => [name, value]));
-    ask(page, tree, node, chosen === flown ? { type: undefined, params: undefined } : { type, params });
-  };
-  return (
-    <>
-      <label class="choice"><span>arbiter</span>
-        <select aria-label={`Arbiter of ${label}`} value={now.type} onChange={(event) => put(event.currentTarget.value)}>
-          {choices.map(({ type }) => <option key={type} value={type}>{type}{type === flown.type ? ' (as flown)' : ''}</option>)}
+/** A slider where there is a span without a unit, and words where there is none: the engine reads them as a file's. */
+function Edit({ parameter, value, flown, onChange }: EditProps) {
+  const { name, kind, unit, help, min, max, choices, standard } = parameter;
+  const put = (text: string): void => onChange(text === '' || text === flown ? undefined : text);
+  const words = kind === 'flag' ? ['false', 'true'] : choices;
+  if (words.length)
+    return (
+      <label class="choice" title={help}><span>{name}</span>
+        <select aria-label={name} value={value ?? flown} onChange={(event) => put(event.currentTarget.value)}>
+          {[...new Set([value ?? flown, ...words])].map((one) => <option key={one} value={one}>{one || 'as flown'}</option>)}
         </select>
       </label>
-      {now.params.map((param) => (
-        <Param key={param.name} param={param} value={change?.params?.[param.name] ?? param.value}
-          onChange={(value) => ask(page, tree, node,
-            { params: with_param(page.run, page.run.trees[tree]!, node, now.type, change?.params ?? {}, param.name, value) })} />
-      ))}
-    </>
+    );
+  const range = min != null && max != null ? `${min} to ${max}${unit && ` ${unit}`}` : '';
+  return (
+    <label class="slider" title={[help, range].filter(Boolean).join('; ')}><span>{name}</span>
+      {kind === 'number' && !unit && min != null && max != null && (
+        <input type="range" min={min} max={Math.min(max, 100)} step="1" value={Number(value ?? (flown || standard))} aria-label={name}
+          onInput={(event) => put(event.currentTarget.value)} />
+      )}
+      <input type="text" value={value ?? flown} placeholder={standard} aria-label={`${name} in words`}
+        onChange={(event) => put(event.currentTarget.value.trim())} />
+    </label>
   );
 }
 
-/** The vote of a leaf that votes, now or in another decision; null: it never does. */
-function vote_of(run: Run, { shape, tree, node }: Looked): number | null {
-  const { params, children } = tree.nodes[node]!;
-  if (typeof params.vote === 'number') return params.vote;
-  if (children.length > 0) return null;
-  return shape.vote[node] || run.shapes.find((other) => other.tree === shape.tree && other.vote[node]! > 0)?.vote[node] || null;
+function Ask({ shape, tree, node }: Looked) {
+  const page = use_page();
+  const types = use_node_types(tree.kind);
+  const { label, type: flown, params } = tree.nodes[node]!;
+  const change = change_of(use_cell(page.changes), shape.tree, node) ?? { tree: shape.tree, node, params: {} };
+  const own = types.find(({ name }) => name === flown);
+  if (!own) return null;
+  const now = types.find(({ name }) => name === (change.type ?? flown)) ?? own;
+  const others = own.takes_children ? types.filter((one) => one.takes_children && one.kind === 'arbiter') : [];
+  const choices = [own, ...others.filter((one) => one !== own)];
+  const put = (patch: Partial<Change>): void => ask(page.changes, { ...change, ...patch });
+  const set = (name: string, value: string | undefined): void => {
+    const { [name]: _, ...rest } = change.params;
+    put({ params: value === undefined ? rest : { ...rest, [name]: value } });
+  };
+  const choose = (type: string): void => {
+    const { type: _, ...rest } = change;
+    ask(page.changes, { ...rest, params: {}, ...(type === flown ? {} : { type }) });
+  };
+  return (
+    <fieldset class="asks">
+      <legend>what if</legend>
+      {choices.length > 1 && (
+        <label class="choice"><span>arbiter</span>
+          <select aria-label={`Arbiter of ${label}`} value={now.name} onChange={(event) => choose(event.currentTarget.value)}>
+            {choices.map(({ name, help }) => <option key={name} value={name} title={help}>{name}{name === flown ? ' (as flown)' : ''}</option>)}
+          </select>
+        </label>
+      )}
+      {now.parameters.map((parameter) => (
+        <Edit key={`${now.name}/${parameter.name}`} parameter={parameter} value={change.params[parameter.name]}
+          flown={now === own ? flown_text(params[parameter.name]) : ''} onChange={(value) => set(parameter.name, value)} />
+      ))}
+      {(change.type !== undefined || Object.keys(change.params).length > 0) && <button type="button" onClick={() => choose(flown)}>as flown</button>}
+    </fieldset>
+  );
 }
 
 export function NodeDetails(looked: Looked) {
   const page = use_page();
-  const changes = use_cell(page.changes);
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
-  const change = change_of(changes, shape.tree, node);
-  const told = params_text(params, page.run.platforms[tree.kind].action);
-  const choices = arbiters_for(page.run, tree, node, change?.params);
-  const vote = vote_of(page.run, looked);
+  const told = Object.entries(params).map(([name, value]) => `${name} ${flown_text(value)}`).join(', ');
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>
@@ -138,17 +128,7 @@ export function NodeDetails(looked: Looked) {
       <p class="answer">{answer_words(shape, node)}</p>
       <p class="dim small">{kind} {type}{told && `, ${told}`}{remembers ? ', remembers' : ''}</p>
       <Proposed {...looked} />
-      {(choices.length > 0 || vote !== null) && (
-        <fieldset class="asks">
-          <legend>what if</legend>
-          {choices.length > 0 && <AskArbiter key={node} choices={choices} tree={shape.tree} node={node} label={label} />}
-          {vote !== null && (
-            <Slider name={`vote of ${label}`} min={0} max={100} value={change?.vote ?? vote}
-              onChange={(value) => ask(page, shape.tree, node, { vote: value === vote ? undefined : value })} />
-          )}
-          {change && <button type="button" onClick={() => page.changes.set(changes.filter((c) => c !== change))}>as flown</button>}
-        </fieldset>
-      )}
+      {page.run.engine && <Ask key={`${shape.tree}/${node}`} {...looked} />}
     </section>
   );
 }

@@ -2,7 +2,7 @@
 /** One run on the page with what its panels share. */
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { Change } from '../decide/what_if.ts';
+import type { Change } from '../ask/change.ts';
 import type { Run } from '../run/run.ts';
 import type { Store } from '../store.ts';
 import { Cell } from './cell.ts';

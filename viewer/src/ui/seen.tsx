@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What a player saw before a decision; names in brackets are the truth, which it did not know. */
 import { useMemo } from 'preact/hooks';
-import { value_text, type FieldInfo } from '../decide/text.ts';
+import { value_text, type FieldInfo } from '../words/text.ts';
 import { last_at, type Motion, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
 import { select } from './actions.ts';
 import { clock_text, number_text } from './format.ts';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The tree at one decision: who was asked, what each answered, and the way to who leads. */
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { answer_words, path_of_leader } from '../decide/contest.ts';
+import { answer_words, path_of_leader } from '../words/contest.ts';
 import type { Shape, Tree } from '../run/run.ts';
 import { number_text } from './format.ts';
 import { use_page } from './page.ts';

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 /** The answer to what is asked of the trees: how many decisions would have been others, and the first one. */
-import { useRef, useState } from 'preact/hooks';
-import { command_of, type Change, type WhatIfResult } from '../decide/what_if.ts';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { command_of, type Change } from '../ask/change.ts';
+import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
 import { jump } from './actions.ts';
 import { clock_text, count_text } from './format.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
-import { use_answer } from './what_if_answer.ts';
+import { branch, use_answer, use_question, type Asked as AskedOf } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
 export async function copy_text(text: string, shown: HTMLElement | null): Promise<boolean> {
@@ -40,11 +41,7 @@ function Asked({ change, here }: { change: Change; here: boolean }) {
   const page = use_page();
   const undo = (): void => page.changes.set(page.changes.get().filter((other) => other !== change));
   const { label, type } = page.run.trees[change.tree]!.nodes[change.node]!;
-  const words = [
-    ...(change.type ? [`${type} → ${change.type}`] : []),
-    ...(change.vote !== undefined ? [`votes ${change.vote}`] : []),
-    ...Object.entries(change.params ?? {}).map(([name, value]) => `${name} ${value}`),
-  ];
+  const words = [...(change.type ? [`${type} → ${change.type}`] : []), ...Object.entries(change.params).map(([name, value]) => `${name} ${value}`)];
   return (
     <li>
       {here ? <button type="button" class="link" onClick={() => page.node.set(change.node)}>{label}</button> : label} {words.join(', ')}
@@ -53,12 +50,13 @@ function Asked({ change, here }: { change: Change; here: boolean }) {
   );
 }
 
-function First({ first }: { first: NonNullable<WhatIfResult['first']> }) {
+function First({ first }: { first: FirstOther }) {
   const page = use_page();
+  const time = first.time ?? 0;
   return (
     <>
       <p>
-        The first: <button type="button" class="link" onClick={() => jump(page, first.t)}>{clock_text(first.t)}</button>,{' '}
+        The first: <button type="button" class="link" onClick={() => jump(page, time)}>{clock_text(time)}</button>,{' '}
         <Chip label={first.flown} />{first.flown}{first.flown === first.other
           ? ' leads as it did, with'
           : <> led, <Chip label={first.other} /><b>{first.other}</b> would have, with</>}
@@ -74,16 +72,63 @@ function First({ first }: { first: NonNullable<WhatIfResult['first']> }) {
   );
 }
 
+function Verdict({ player, answer }: { player: Player; answer: Answer }) {
+  const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
+  return (
+    <>
+      <p class="verdict">
+        <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
+      </p>
+      <div class="share" aria-hidden="true"><i style={{ width: `${share}%` }} /></div>
+      {answer.first && <First first={answer.first} />}
+    </>
+  );
+}
+
+function tally(of: Outcome): string {
+  const side = (name: 'blue' | 'red'): string => `${name} lost ${of[name].losses}, shot ${of[name].shots}`;
+  return `${of.outcome.replaceAll('_', ' ')} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
+}
+
+/** The other future from now on: how it ends. */
+function FlyOn({ player }: { player: Player }) {
+  const page = use_page();
+  const changes = use_cell(page.changes);
+  const [future, put] = useState<(Omit<AskedOf<{ flown: Outcome; other: Outcome }>, 'key'> & { from: number }) | null>(null);
+  useEffect(() => put(null), [changes, player]);
+  const fly = (): void => {
+    const { time } = page.store.get();
+    const { dt, steps } = page.run.about;
+    put({ from: time });
+    branch(page.run, player.index, changes, Math.min(Math.round(time / dt), steps)).then(
+      (value) => put({ from: time, value }),
+      (error: unknown) => put({ from: time, problem: error instanceof Error ? error.message : String(error) }),
+    );
+  };
+  return (
+    <div class="future" aria-live="polite">
+      <button type="button" onClick={fly}>fly on from here with it</button>
+      {future && !future.value && !future.problem && <p class="dim">Flying on from {clock_text(future.from)} …</p>}
+      {future?.problem && <p class="caution">⚠ {future.problem}</p>}
+      {future?.value && (
+        <dl data-outcome={future.value.other.outcome}>
+          <dt>as flown</dt><dd>{tally(future.value.flown)}</dd>
+          <dt>with it from {clock_text(future.from)}</dt><dd>{tally(future.value.other)}</dd>
+        </dl>
+      )}
+    </div>
+  );
+}
+
 interface Props {
   player: Player;
   /** Index of the tree that is shown. */
   tree: number;
 }
 
-function Answered({ player, tree, answer }: Props & { answer: WhatIfResult }) {
+function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | null }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const share = (answer.different / Math.max(answer.decisions, 1)) * 100;
   return (
     <>
       <header>
@@ -93,13 +138,9 @@ function Answered({ player, tree, answer }: Props & { answer: WhatIfResult }) {
       <ul class="asked-list">
         {changes.map((change) => <Asked key={`${change.tree}/${change.node}`} change={change} here={change.tree === tree} />)}
       </ul>
-      <p class="verdict">
-        <b>{count_text(answer.different)}</b> of {count_text(answer.decisions)} decisions of {player.name} would have been others.
-      </p>
-      <div class="share" aria-hidden="true"><i style={{ width: `${share}%` }} /></div>
-      {answer.first && <First first={answer.first} />}
-      {answer.unknown > 0 && <p class="caution">⚠ {count_text(answer.unknown)} cannot be said here: {answer.why_unknown}</p>}
-      {answer.caution && <p class="caution">⚠ {answer.caution}</p>}
+      {asked?.problem && <p class="caution">⚠ {asked.problem}</p>}
+      {asked?.value && <Verdict player={player} answer={asked.value} />}
+      {asked?.value && <FlyOn player={player} />}
       <p class="dim small">The states stay those that were flown. The same question for the terminal:</p>
       <Command command={command_of(page.run, player.index, changes)} />
     </>
@@ -107,16 +148,21 @@ function Answered({ player, tree, answer }: Props & { answer: WhatIfResult }) {
 }
 
 export function WhatIf({ player, tree }: Props) {
-  const answer = use_answer();
-  const first = answer?.first;
+  const page = use_page();
+  const changes = use_cell(page.changes);
+  const asked = use_answer();
+  const answer = asked?.value;
+  const question = use_question();
   return (
-    <section class={`what-if ${answer ? 'asked' : ''}`} aria-label="What if" aria-live="polite"
-      data-decisions={answer?.decisions ?? ''} data-different={answer?.different ?? ''} data-unknown={answer?.unknown ?? ''}
-      data-first-step={first ? player.decisions.step[first.index] : ''} data-first-flown={first?.flown ?? ''}
-      data-first-other={first?.other ?? ''}>
-      {answer
-        ? <Answered player={player} tree={tree} answer={answer} />
-        : <p class="dim small">Choose a node of the tree to give it another arbiter or another vote, and see who would have led.</p>}
+    <section class={`what-if ${changes.length ? 'asked' : ''}`} aria-label="What if" aria-live="polite"
+      data-asked={question?.key ?? ''} data-answered={asked?.key ?? ''} data-decisions={answer?.decisions ?? ''} data-different={answer?.different ?? ''}
+      data-first-step={answer?.first?.step ?? ''} data-first-flown={answer?.first?.flown ?? ''}
+      data-first-other={answer?.first?.other ?? ''}>
+      {changes.length
+        ? <Answered player={player} tree={tree} asked={asked} />
+        : <p class="dim small">{page.run.engine
+            ? 'Choose a node of the tree to give it another arbiter, vote or parameter, and see who would have led.'
+            : 'This page carries what was recorded, without the engine: ask the terminal what if.'}</p>}
     </section>
   );
 }

@@ -1,52 +1,106 @@
 // SPDX-License-Identifier: MIT
-/** What the changed trees would have decided, computed once for all panels that show it. */
-import { useMemo } from 'preact/hooks';
-import { what_if, type Change, type WhatIfResult } from '../decide/what_if.ts';
+/** What changed trees would have decided, as the engine says, asked once for all panels that show it. */
+import { useEffect, useState } from 'preact/hooks';
+import { sets_of, type Change } from '../ask/change.ts';
+import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
+import type { Player, Run } from '../run/run.ts';
+import { Cell } from './cell.ts';
 import { use_page, type Page } from './page.ts';
 import { use_cell, use_view } from './use.ts';
 
-interface Answer {
-  changes: readonly Change[];
-  player: number;
-  result: WhatIfResult;
+/** An answer, or why there is none; neither of them yet. */
+export interface Asked<T> {
+  /** Of the question that it answers; "" for none so far. */
+  key: string;
+  value?: T;
+  problem?: string;
 }
 
-const kLast = new WeakMap<Page, Answer>();
+/** ms that a slider rests before its question is asked. */
+const kRest = 150;
+/** As the engine says that nobody led. */
+const kNobody = 65535;
 
-function answer_to(page: Page, player: number, changes: readonly Change[]): WhatIfResult {
-  const last = kLast.get(page);
-  if (last && last.changes === changes && last.player === player) return last.result;
-  const result = what_if(page.run, player, changes);
-  kLast.set(page, { changes, player, result });
-  return result;
+/** Asks again when `key` changes; null: nothing. The last answer stays until there is another one. */
+function use_asked<T>(key: string | null, ask: () => Promise<T>, rest = 0): Asked<T> | null {
+  const [asked, put] = useState<Asked<T> | null>(null);
+  useEffect(() => {
+    if (key === null) return put(null);
+    let is_wanted = true;
+    put((last) => last ?? { key: '' });
+    const timer = setTimeout(() => ask().then(
+      (value) => is_wanted && put({ key, value }),
+      (error: unknown) => is_wanted && put({ key, problem: error instanceof Error ? error.message : String(error) }),
+    ), rest);
+    return () => {
+      is_wanted = false;
+      clearTimeout(timer);
+    };
+  }, [key]);
+  return key === null ? null : asked;
 }
 
-/** For the selected player; null while nothing is asked. */
-export function use_answer(): WhatIfResult | null {
+const kAnswers = new WeakMap<Page, { key: string; answer: Promise<WhatIf> }>();
+
+function answer_to(page: Page, key: string, player: string, sets: string[]): Promise<WhatIf> {
+  let last = kAnswers.get(page);
+  if (last?.key !== key) kAnswers.set(page, (last = { key, answer: page.run.engine!.what_if({ player, sets }) }));
+  return last.answer;
+}
+
+/** What is asked for the selected player; null while nothing is, or nobody can be asked. */
+export function use_question(): { key: string; name: string; sets: string[] } | null {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const player = use_view(page.store, (v) => v.selected);
-  return useMemo(() => (changes.length ? answer_to(page, player, changes) : null), [page, player, changes]);
+  const index = use_view(page.store, (v) => v.selected);
+  const { name } = page.run.players[index]!;
+  const sets = sets_of(page.run, index, changes);
+  return page.run.engine && sets.length ? { key: JSON.stringify([name, sets]), name, sets } : null;
 }
 
-function same_node(a: Change, b: Pick<Change, 'tree' | 'node'>): boolean {
-  return a.tree === b.tree && a.node === b.node;
+export function use_answer(): Asked<WhatIf> | null {
+  const page = use_page();
+  const { key = null, name = '', sets = [] } = use_question() ?? {};
+  return use_asked(key, () => answer_to(page, key!, name, sets), kRest);
+}
+
+/** The node that would have led decision `i` of the page; -1: nobody, -2: unknown. */
+export function would_lead(player: Player, { steps, leaders }: WhatIf): (i: number) => number {
+  const at = new Map(steps.map((step, i) => [step, leaders[i]!]));
+  return (i) => {
+    const node = at.get(player.decisions.step[i]!) ?? -2;
+    return node === kNobody ? -1 : node;
+  };
+}
+
+const kTypes = new WeakMap<Run, Promise<NodeTypes>>();
+
+/** What a tree of the run may be made of; nothing while that is unknown. */
+export function use_node_types(kind: 'aircraft' | 'vehicle'): NodeType[] {
+  const { run } = use_page();
+  const types = use_asked(run.engine ? kind : null, async () => {
+    if (!kTypes.has(run)) kTypes.set(run, run.engine!.node_types());
+    return (await kTypes.get(run)!)[kind];
+  });
+  return types?.value ?? [];
+}
+
+/** How the run ended, and how it would have, flown on from a step with the changes. */
+export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<{ flown: Outcome; other: Outcome }> {
+  const engine = run.engine!;
+  const { name } = run.players[player]!;
+  await engine.seek({ step });
+  const flown = await engine.branch({ sets: [], player: name });
+  return { flown, other: await engine.branch({ sets: sets_of(run, player, changes), player: name }) };
 }
 
 export function change_of(changes: readonly Change[], tree: number, node: number): Change | undefined {
-  return changes.find((change) => same_node(change, { tree, node }));
+  return changes.find((change) => change.tree === tree && change.node === node);
 }
 
-/** Asks `patch` of a node besides all that is asked already; what is undefined in it is as flown again. */
-export function ask(page: Page, tree: number, node: number, patch: Omit<Change, 'tree' | 'node'>): void {
-  const changes = page.changes.get();
-  const merged: Change = { ...change_of(changes, tree, node), tree, node };
-  for (const key of ['type', 'vote', 'params'] as const) {
-    if (!(key in patch)) continue;
-    if (patch[key] === undefined) delete merged[key];
-    else Object.assign(merged, { [key]: patch[key] });
-  }
-  const others = changes.filter((change) => !same_node(change, merged));
-  const asks = merged.type !== undefined || merged.vote !== undefined || Object.keys(merged.params ?? {}).length > 0;
-  page.changes.set(asks ? [...others, merged] : others);
+/** Asks of a node something else than until now; a change that is none is as flown again. */
+export function ask(changes: Cell<Change[]>, change: Change): void {
+  const others = changes.get().filter((one) => one.tree !== change.tree || one.node !== change.node);
+  const is_one = change.type !== undefined || Object.keys(change.params).length > 0;
+  changes.set(is_one ? [...others, change] : others);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 /** A small run with one player, whose tree and answers a test writes down. */
-import { decider_of, kDone, type Moment } from '../src/decide/arbitrate.ts';
-import { make_proposal, type Proposal } from '../src/decide/proposal.ts';
 import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
 
 export const kFields: ActionField[] = [
@@ -16,8 +14,21 @@ export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | '
 /** What a leaf says; by default it is running. */
 export type Said = { status?: Status; vote?: number } & { [K in FieldName]?: number };
 
-/** A moment at which nobody looks. */
-export const kNever: Moment = { t: 0, state: () => NaN };
+/** What a node answered. */
+export interface Proposal {
+  /** Null: it was not asked. */
+  status: Status | null;
+  vote: number;
+  /** By field; NaN: not set. */
+  action: Float64Array;
+  /** By field the node that supplied it; -1: not set. */
+  supplier: Int16Array;
+  leader: number;
+}
+
+function make_proposal(fields: number): Proposal {
+  return { status: null, vote: 0, action: new Float64Array(fields).fill(NaN), supplier: new Int16Array(fields).fill(-1), leader: -1 };
+}
 
 export interface NodeSpec {
   label: string;
@@ -63,18 +74,35 @@ export function proposal(said: Said, node_index: number): Proposal {
   return out;
 }
 
-/** All answers of a tree: those of leaves by label, and of other nodes that the page does not arbitrate. Who is not
- * named was not asked. */
+/** What the highest vote says, of the whole action or field by field, or a mean that is the node's own: enough for trees
+ * that are written down. */
+function decided(type: string, kids: Proposal[], node_index: number): Proposal {
+  const asked = kids.filter(({ status }) => status !== null && status !== 'failure').sort((a, b) => b.vote - a.vote);
+  const out = make_proposal(kFields.length);
+  const first = asked[0];
+  if (!first) return { ...out, status: 'failure' };
+  for (const from of type === 'winner_takes_all' ? [first] : asked)
+    from.supplier.forEach((supplier, f) => {
+      if (supplier < 0 || out.supplier[f]! >= 0) return;
+      const all = asked.filter((one) => one.supplier[f]! >= 0);
+      const blends = type === 'fusion' && all.length > 1;
+      const votes = all.reduce((sum, one) => sum + one.vote, 0);
+      out.supplier[f] = blends ? node_index : supplier;
+      out.action[f] = blends ? all.reduce((sum, one) => sum + one.action[f]! * one.vote, 0) / votes : from.action[f]!;
+    });
+  return { ...out, status: first.status, vote: first.vote, leader: first.leader };
+}
+
+/** All answers of a tree: those that are said, by label, and of other composites what follows. Who is not named was not
+ * asked. */
 export function answers(tree: Tree, said: Record<string, Said>): Proposal[] {
   const all: Proposal[] = [];
   for (let i = tree.nodes.length - 1; i >= 0; --i) {
-    const { label, type, params, children } = tree.nodes[i]!;
+    const { label, type, children } = tree.nodes[i]!;
     const own = said[label];
-    all[i] = own ? proposal(own, i) : make_proposal(kFields.length);
-    const decide = children.length && !own ? decider_of(type, params, kFields, i, children) : null;
     const kids = children.map((child) => all[child]!);
-    if (!decide || kids[0]!.status === null) continue;
-    if (decide(kids, all[i]!, kNever) !== kDone) throw new Error(`${label} asks a child that says nothing`);
+    const follows = !own && kids.length > 0 && kids[0]!.status !== null;
+    all[i] = own ? proposal(own, i) : follows ? decided(type, kids, i) : make_proposal(kFields.length);
   }
   return all;
 }

@@ -2,7 +2,6 @@
 /** One decision in words and numbers, as `eyrie explain` tells it: src/debrief/decision.cpp. */
 import type { Run, Shape, Tree } from '../run/run.ts';
 import { general } from './format.ts';
-import { proposed_action, suppliers } from './recorded.ts';
 
 /** Somebody who proposed a field that another one won. */
 export interface Rival {
@@ -27,6 +26,13 @@ export interface Won {
 export interface Contest {
   leader: number;
   fields: Won[];
+}
+
+const kNobody = new Int16Array(0);
+
+/** By field who supplied what a node proposed; empty if it proposed nothing. */
+function suppliers(shape: Shape, node: number): Int16Array {
+  return shape.supplier[node] ?? kNobody;
 }
 
 /** The branches in which two nodes are where their ways from the root part. Of two of which one is above
@@ -102,7 +108,7 @@ function transition(tree: Tree, shape: Shape, sequencer: number): string {
     if (shape.status[child] === null) continue;
     const { label } = tree.nodes[child]!;
     if (shape.vote[child]! > 0) to = ` for ${label}`;
-    else if (shape.status[child] === 'success' && !proposed_action(shape, child)) because += `${because ? ', ' : ': '}${label} holds`;
+    else if (shape.status[child] === 'success' && !suppliers(shape, child).some((supplier) => supplier >= 0)) because += `${because ? ', ' : ': '}${label} holds`;
   }
   return to + because;
 }

@@ -2,8 +2,8 @@
 /** Who won a field and against whom, in the words of the terminal: src/debrief/decision_test.cpp. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { answer_words, contest, parting, path_of_leader, reason, why_not } from '../src/decide/contest.ts';
-import { find, leaf, node, run_of, type Said } from './decide_run.ts';
+import { answer_words, contest, parting, path_of_leader, reason, why_not } from '../src/words/contest.ts';
+import { find, leaf, node, run_of, type Said } from './words_run.ts';
 
 const kTree = node('root', 'sequencer', [
   node('ingress', 'winner_takes_all', [leaf('ground'), leaf('navigate')]),

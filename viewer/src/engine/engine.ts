@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+/** The engine as the page asks it: every question is answered by a worker, one after the other. */
+import worker_code from 'worker:./worker.ts';
+import { EngineError } from './module.ts';
+import type { Engine } from './questions.ts';
+import type { Said } from './worker.ts';
+
+interface Waiting {
+  question: string;
+  done(answer: unknown): void;
+  failed(error: EngineError): void;
+}
+
+/** An engine of its own; `progress` is told s of simulated time during long answers. */
+export function start(module: WebAssembly.Module, progress: (time: number) => void): Engine {
+  const worker = new Worker(URL.createObjectURL(new Blob([worker_code], { type: 'text/javascript' })));
+  const waiting = new Map<number, Waiting>();
+  let last = 0;
+  worker.onmessage = ({ data }: MessageEvent<Said>) => {
+    if ('progress' in data) return progress(data.progress);
+    const { done, failed } = waiting.get(data.id)!;
+    waiting.delete(data.id);
+    if ('error' in data) failed(new EngineError(data.error, data.problems));
+    else done(data.bytes.length ? data.bytes : data.answer);
+  };
+  worker.onerror = (event) => {
+    for (const { failed } of waiting.values()) failed(new EngineError(event.message || 'the engine could not be started'));
+    waiting.clear();
+  };
+  worker.postMessage({ module });
+  const ask = (question: string) => (first?: object | Uint8Array) =>
+    new Promise((done, failed) => {
+      const id = ++last;
+      waiting.set(id, { question, done, failed });
+      const with_bytes = first instanceof Uint8Array;
+      worker.postMessage({ id, question, request: with_bytes ? {} : (first ?? {}), bytes: with_bytes ? first : undefined });
+    });
+  return new Proxy({} as Engine, { get: (_, question: string) => (question === 'then' ? undefined : ask(question)) });
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+/** The engine as a WebAssembly module: one instance, asked in this thread. */
+import type { Problem } from './questions.ts';
+
+interface Exports {
+  memory: WebAssembly.Memory;
+  _initialize(): void;
+  request(size: number): number;
+  bytes(size: number): number;
+  ask(): number;
+  answer(): number;
+  bytes_at(): number;
+  bytes_size(): number;
+}
+
+/** Why a question was not answered; `problems` are mistakes in texts. */
+export class EngineError extends Error {
+  constructor(message: string, readonly problems: Problem[] = []) {
+    super(message);
+  }
+}
+
+/** What a C++ library asks of its system: nothing but to say its last words. */
+function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
+  const words: string[] = [];
+  return {
+    environ_get: () => 0,
+    environ_sizes_get(count: number, size: number) {
+      const view = new DataView(memory().buffer);
+      view.setUint32(count, 0, true);
+      view.setUint32(size, 0, true);
+      return 0;
+    },
+    fd_close: () => 0,
+    fd_seek: () => 0,
+    fd_write(_file: number, parts: number, count: number, written: number) {
+      const view = new DataView(memory().buffer);
+      let all = 0;
+      for (let i = 0; i < count; ++i) {
+        const [at, size] = [view.getUint32(parts + 8 * i, true), view.getUint32(parts + 8 * i + 4, true)];
+        words.push(new TextDecoder().decode(new Uint8Array(memory().buffer, at, size)));
+        all += size;
+      }
+      view.setUint32(written, all, true);
+      return 0;
+    },
+    proc_exit(code: number) {
+      throw new Error(`the engine ended with ${code}: ${words.join('')}`);
+    },
+  };
+}
+
+export class Instance {
+  private constructor(private readonly engine: Exports) {}
+
+  static async of(module: WebAssembly.Module, progress: (time: number) => void): Promise<Instance> {
+    let engine: Exports;
+    const imports = { wasi_snapshot_preview1: system(() => engine.memory), eyrie: { progress } };
+    engine = (await WebAssembly.instantiate(module, imports)).exports as unknown as Exports;
+    engine._initialize();
+    return new Instance(engine);
+  }
+
+  /** Asks one question; `bytes` go with it, and those of the answer are copied out. Throws EngineError. */
+  ask(question: string, request: object = {}, bytes?: Uint8Array): { answer: unknown; bytes: Uint8Array } {
+    const { engine } = this;
+    const put = (data: Uint8Array, at: number) => new Uint8Array(engine.memory.buffer, at, data.length).set(data);
+    const text = new TextEncoder().encode(JSON.stringify({ ...request, ask: question }));
+    put(text, engine.request(text.length));
+    if (bytes) put(bytes, engine.bytes(bytes.length));
+    const size = engine.ask();
+    const out = (at: number, length: number) => new Uint8Array(engine.memory.buffer, at, length);
+    const answer = JSON.parse(new TextDecoder().decode(out(engine.answer(), size))) as { error?: string; problems?: Problem[] };
+    if (answer.error !== undefined) throw new EngineError(answer.error, answer.problems);
+    return { answer, bytes: out(engine.bytes_at(), engine.bytes_size()).slice() };
+  }
+}
