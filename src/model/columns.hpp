@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The tables of the air war: which row of which topic stands in which column.
-#include <cstdint>
+/// \file  The tables of the air war: which row of which topic stands in which column, and who
+/// writes it when.
+#include <string_view>
+#include <tuple>
 
 #include "model/command.hpp"
 #include "model/datalink/datalink_state.hpp"
@@ -19,55 +21,95 @@
 #include "model/weapon/gun_state.hpp"
 #include "model/weapon/missile_state.hpp"
 #include "model/weapon/stores_state.hpp"
-#include "sim/schema.hpp"
+#include "sim/columns.hpp"
 
 namespace eyrie::model {
 
-/// The table "aircraft". Who writes a column, and in which phase, is said beside it.
-struct AircraftColumns {
-  TableId table;
-  sim::Column<Fit> fit;                 ///< at birth
-  sim::Column<Kinematics> kinematics;   ///< move
-  sim::Column<Flying> flying;           ///< move
-  sim::Column<Propulsion> propulsion;   ///< move
-  sim::Column<Command> command;         ///< decide
-  sim::Column<Request> request;         ///< decide
-  sim::Column<RadarState> radar;        ///< perceive
-  sim::Column<RwrState> rwr;            ///< perceive
-  sim::Column<Threats> threats;         ///< perceive
-  sim::Column<TrackFile> tracks;        ///< perceive
-  sim::Column<DatalinkState> datalink;  ///< perceive
-  sim::Column<DatalinkSent> sent;       ///< act
-  sim::Column<Emission> emission;       ///< act
-  sim::Column<Stores> stores;           ///< act, commit
-  sim::Column<GunState> gun;            ///< act, interact
-  sim::Column<Damage> damage;           ///< commit
+/// The table "aircraft".
+struct AircraftColumns : sim::Table<AircraftColumns> {
+  sim::Column<Fit> fit;
+  sim::Column<Kinematics> kinematics;
+  sim::Column<Flying> flying;
+  sim::Column<Propulsion> propulsion;
+  sim::Column<Command> command;
+  sim::Column<Request> request;
+  sim::Column<RadarState> radar;
+  sim::Column<RwrState> rwr;
+  sim::Column<Threats> threats;
+  sim::Column<TrackFile> tracks;
+  sim::Column<DatalinkState> datalink;
+  sim::Column<DatalinkSent> sent;
+  sim::Column<Emission> emission;
+  sim::Column<Stores> stores;
+  sim::Column<GunState> gun;
+  sim::Column<Damage> damage;
 
-  [[nodiscard]] static AircraftColumns define(sim::SchemaBuilder& builder, std::uint32_t capacity);
+  static constexpr std::string_view table_name = "aircraft";
+  static constexpr auto columns() {
+    using C = AircraftColumns;
+    using sim::column, sim::WrittenBy;
+    using enum sim::Phase;
+    return std::tuple{column("fit", &C::fit),
+                      column("kinematics", &C::kinematics, WrittenBy{"flight", move}),
+                      column("flying", &C::flying, WrittenBy{"flight", move}),
+                      column("propulsion", &C::propulsion, WrittenBy{"flight", move}),
+                      column("command", &C::command, WrittenBy{"pilot", decide}),
+                      column("request", &C::request, WrittenBy{"pilot", decide}),
+                      column("radar", &C::radar, WrittenBy{"sensors", perceive}),
+                      column("rwr", &C::rwr, WrittenBy{"sensors", perceive}),
+                      column("threats", &C::threats, WrittenBy{"sensors", perceive}),
+                      column("tracks", &C::tracks, WrittenBy{"sensors", perceive}),
+                      column("datalink", &C::datalink, WrittenBy{"sensors", perceive}),
+                      column("sent", &C::sent, WrittenBy{"sensors", act}),
+                      column("emission", &C::emission, WrittenBy{"sensors", act}),
+                      column("stores", &C::stores, WrittenBy{"stores", act}),
+                      column("gun", &C::gun, WrittenBy{"gun", interact}),
+                      column("damage", &C::damage, WrittenBy{"damage", commit})};
+  }
 };
 
 /// The table "missile": missiles in flight, players like any other.
-struct MissileColumns {
-  TableId table;
-  sim::Column<Kinematics> kinematics;  ///< move
-  sim::Column<MissileState> state;     ///< every phase, by the missile system
-  sim::Column<Emission> emission;      ///< act
+struct MissileColumns : sim::Table<MissileColumns> {
+  sim::Column<Kinematics> kinematics;
+  sim::Column<MissileState> state;
+  sim::Column<Emission> emission;
 
-  [[nodiscard]] static MissileColumns define(sim::SchemaBuilder& builder, std::uint32_t capacity);
+  static constexpr std::string_view table_name = "missile";
+  static constexpr auto columns() {
+    using C = MissileColumns;
+    using sim::column, sim::WrittenBy;
+    using enum sim::Phase;
+    return std::tuple{
+        column("kinematics", &C::kinematics, WrittenBy{"missile", move}),
+        column("state", &C::state, WrittenBy{"missile", perceive}, WrittenBy{"missile", decide},
+               WrittenBy{"missile", move}, WrittenBy{"missile", interact}),
+        column("emission", &C::emission, WrittenBy{"missile", act})};
+  }
 };
 
 /// The table "vehicle": what drives on the ground.
-struct VehicleColumns {
-  TableId table;
-  sim::Column<Fit> fit;                 ///< at birth
-  sim::Column<Kinematics> kinematics;   ///< move
-  sim::Column<Driving> driving;         ///< move
-  sim::Column<DriveCommand> command;    ///< decide
-  sim::Column<Lookout> lookout;         ///< perceive
-  sim::Column<DatalinkState> datalink;  ///< perceive
-  sim::Column<DatalinkSent> sent;       ///< act
+struct VehicleColumns : sim::Table<VehicleColumns> {
+  sim::Column<Fit> fit;
+  sim::Column<Kinematics> kinematics;
+  sim::Column<Driving> driving;
+  sim::Column<DriveCommand> command;
+  sim::Column<Lookout> lookout;
+  sim::Column<DatalinkState> datalink;
+  sim::Column<DatalinkSent> sent;
 
-  [[nodiscard]] static VehicleColumns define(sim::SchemaBuilder& builder, std::uint32_t capacity);
+  static constexpr std::string_view table_name = "vehicle";
+  static constexpr auto columns() {
+    using C = VehicleColumns;
+    using sim::column, sim::WrittenBy;
+    using enum sim::Phase;
+    return std::tuple{column("fit", &C::fit),
+                      column("kinematics", &C::kinematics, WrittenBy{"vehicle", move}),
+                      column("driving", &C::driving, WrittenBy{"vehicle", move}),
+                      column("command", &C::command, WrittenBy{"driver", decide}),
+                      column("lookout", &C::lookout, WrittenBy{"vehicle", perceive}),
+                      column("datalink", &C::datalink, WrittenBy{"vehicle", perceive}),
+                      column("sent", &C::sent, WrittenBy{"vehicle", act})};
+  }
 };
 
 }  // namespace eyrie::model

@@ -41,7 +41,9 @@ void name_field(Difference& found, const ColumnInfo& column, const std::byte* le
   found.right = format_scalar(info, right, where->index);
 }
 
-std::optional<Difference> differ_in_column(const World& left, const World& right,
+}  // namespace
+
+std::optional<Difference> first_difference(const World& left, const World& right,
                                            std::uint32_t index) {
   const std::span<const std::byte> a = left.column_bytes(index);
   const std::span<const std::byte> b = right.column_bytes(index);
@@ -63,8 +65,6 @@ std::optional<Difference> differ_in_column(const World& left, const World& right
   return found;
 }
 
-}  // namespace
-
 std::string Difference::text() const {
   std::string what;
   for (const std::string& part : {table, column, field})
@@ -76,6 +76,8 @@ std::string Difference::text() const {
     what += fmt::format(" of player {} (row {})", player.value, *row);
   else if (row)
     what += fmt::format(" of row {}", *row);
+  if (!rule.empty())
+    return fmt::format("step {}: {} ({}: {}, {})", step, rule, what, left, right);
   if (left.empty() && right.empty())
     return fmt::format("step {}: {} differs", step, what);
   return fmt::format("step {}: {} is {}, and {} in the other", step, what, left, right);
@@ -90,7 +92,7 @@ std::optional<Difference> first_difference(const World& left, const World& right
   for (std::uint32_t t = 1; t <= schema.tables().size(); ++t) {
     const TableInfo& table = schema.table(TableId{t});
     for (const std::uint32_t index : table.columns)
-      if (auto found = differ_in_column(left, right, index))
+      if (auto found = first_difference(left, right, index))
         return found;
     if (left.rows(TableId{t}) != right.rows(TableId{t}))
       return Difference{.step = left.step(),

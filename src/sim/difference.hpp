@@ -22,6 +22,7 @@ struct Difference {
   std::string field{};  ///< empty if only the row is known
   std::string left{};   ///< empty if the values are not known (digests)
   std::string right{};
+  std::string rule{};  ///< who broke which rule of a step, if that was found (sim/write_check.hpp)
 
   /// `step 120: aircraft.kinematics.position.x of player 4 (row 3) is 1.5, and 1.25 in the other`
   [[nodiscard]] std::string text() const;
@@ -31,6 +32,10 @@ struct Difference {
 /// order of the schema. Values are compared by their bits. The capacities may differ; worlds of
 /// different layouts throw std::logic_error.
 [[nodiscard]] std::optional<Difference> first_difference(const World& left, const World& right);
+
+/// Nothing if the rows that both have are the same in one column.
+[[nodiscard]] std::optional<Difference> first_difference(const World& left, const World& right,
+                                                         std::uint32_t column);
 
 /// Nothing if both steps gave the same events; `step` is only put into the answer.
 [[nodiscard]] std::optional<Difference> first_difference(std::uint64_t step,

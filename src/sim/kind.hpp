@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Small numbers that say what kind an event or an order is.
+/// \file  Small words of the kernel: what kind an event or an order is, and the parts of a step.
 #include <compare>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "core/field.hpp"
@@ -35,5 +37,17 @@ struct Kind {
 
 using EventKind = Kind<struct EventTag>;
 using OrderKind = Kind<struct OrderTag>;
+
+/// The parts of a step, in the order in which they run and in which their events are sorted.
+enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };
+inline constexpr std::size_t kPhases = 7;
+[[nodiscard]] std::string_view phase_name(Phase phase);
+
+/// A system that writes a column, by its name (a literal), and when.
+struct WrittenBy {
+  std::string_view system;
+  Phase phase = Phase::orders;
+  friend constexpr bool operator==(const WrittenBy&, const WrittenBy&) = default;
+};
 
 }  // namespace eyrie::sim

@@ -4,7 +4,9 @@
 namespace eyrie::sim {
 
 Paranoid::Paranoid(const Simulation& simulation, const World& like, unsigned workers)
-    : simulation_(simulation), second_(simulation, workers), again_(like) {}
+    : simulation_(simulation), second_(simulation, workers), again_(like) {
+  second_.check_writes(like);
+}
 
 std::optional<Difference> Paranoid::step(World& world, Workspace& work,
                                          std::span<const Order> orders) {
@@ -19,6 +21,8 @@ std::optional<Difference> Paranoid::step(World& world, Workspace& work,
       return found;
   }
   if (auto found = first_difference(world.step() - 1, events, events_again))
+    return found;
+  if (auto found = second_.write_check()->take())
     return found;
   if (!world.canonical())
     return Difference{.step = world.step(),

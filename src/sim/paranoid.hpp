@@ -13,7 +13,8 @@ namespace eyrie::sim {
 
 /// Save, step, restore, step again with another worker count, compare the worlds and the events.
 /// Finds what the World does not hold (a cache in a system, a static, a clock), what depends on the
-/// number of workers or on their order, and broken invariants, in the very step where it happens.
+/// number of workers or on their order, broken invariants, and who writes what it may not (see
+/// WriteCheck), in the very step where it happens.
 /// `simulation` must outlive it.
 class Paranoid {
  public:

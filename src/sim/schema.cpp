@@ -169,6 +169,12 @@ std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size
   return index;
 }
 
+void SchemaBuilder::set_writers(std::uint32_t column, std::span<const WrittenBy> writers) {
+  if (schema_ == nullptr)
+    misuse("it was built already");
+  schema_->columns_.at(column).writers.emplace(writers.begin(), writers.end());
+}
+
 EventKind SchemaBuilder::add_event(EventKind kind, std::string_view name,
                                    std::initializer_list<NamedValue> values) {
   if (schema_ == nullptr)

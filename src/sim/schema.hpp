@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,6 +43,8 @@ struct ColumnInfo {
   std::uint32_t alignment = 0;  ///< bytes
   std::uint64_t offset = 0;     ///< of row 0 in the World's buffer, a multiple of 64
   std::vector<FieldInfo> fields;
+  /// Who writes it; nothing if that was not described. No part of the layout.
+  std::optional<std::vector<WrittenBy>> writers = {};
 };
 
 /// One table: its columns share one row order, which is spawn order.
@@ -137,6 +140,9 @@ class SchemaBuilder {
   /// `stride` bytes per row, in [1, 2^20] and a multiple of `alignment`, a power of two up to 64.
   ByteColumn add_bytes(TableId table, std::string_view name, std::uint32_t stride,
                        std::uint32_t alignment = 8);
+
+  /// Says who writes a column, so that sim::WriteCheck can tell who else does.
+  void set_writers(std::uint32_t column, std::span<const WrittenBy> writers);
 
   /// Names one kind of event and its values (at most Event::kValues). Kind 0 means "no event".
   EventKind add_event(EventKind kind, std::string_view name,

@@ -82,7 +82,11 @@ void Simulation::apply_orders(World& world, const StepInfo& info, Workspace& wor
     const System* system = handler(order.kind);
     EYRIE_DEMAND(order.step == info.step, "an order is applied in the step it names");
     EYRIE_DEMAND(system != nullptr, "an order needs a system that accepts its kind");
+    if (work.check_) [[unlikely]]
+      work.check_->begin(world);
     system->apply_order(world, info, order, work.events_);
+    if (work.check_) [[unlikely]]
+      work.check_->end(world, *system, Phase::orders);
   }
 }
 
@@ -90,6 +94,8 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
                      Workspace& work) const {
   for (const System* system : by_phase_[index_of(phase)]) {
     const std::uint32_t rows = world.rows(system->table());
+    if (work.check_) [[unlikely]]
+      work.check_->begin(world);
     work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
       (system->*part)(world, info, Chunk{begin, end}, work.by_chunk_[chunk]);
     });
@@ -99,14 +105,24 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
       work.fault_->step = info.step;
       return false;
     }
+    if (work.check_) [[unlikely]]
+      work.check_->end(world, *system, phase, [&](World& other, Chunk chunk) {
+        (system->*part)(other, info, chunk, work.emitted_);
+        static_cast<void>(work.emitted_.take_fault());
+        work.emitted_.clear();
+      });
   }
   return true;
 }
 
 void Simulation::commit(World& world, const StepInfo& info, Workspace& work) const {
   for (const System* system : by_phase_[index_of(Phase::commit)]) {
+    if (work.check_) [[unlikely]]
+      work.check_->begin(world);
     CommitContext context(world, work.emitted_);
     system->commit(world, info, work.events(), context);
+    if (work.check_) [[unlikely]]
+      work.check_->end(world, *system, Phase::commit);
     // appended only now: the system was reading the events it was given
     for (const Event& event : work.emitted_.events())
       work.events_.emit(event);

@@ -16,6 +16,7 @@
 #include "sim/schema.hpp"
 #include "sim/system.hpp"
 #include "sim/world.hpp"
+#include "sim/write_check.hpp"
 
 namespace eyrie::sim {
 
@@ -38,6 +39,10 @@ class Workspace {
   /// Why the last step was not finished; null if it was. Of several faults of one system the first
   /// in row order, so it is the same for any number of workers.
   [[nodiscard]] const Fault* fault() const { return fault_.get(); }
+  /// From the next step on who writes what is checked, in worlds like this one.
+  void check_writes(const World& like) { check_ = std::make_unique<WriteCheck>(like); }
+  /// The first that was found; null if writes are not checked.
+  [[nodiscard]] WriteCheck* write_check() { return check_.get(); }
   /// How often a step had to allocate because more happened than ever before.
   [[nodiscard]] std::uint64_t growths() const;
 
@@ -50,6 +55,7 @@ class Workspace {
   Outbox emitted_;
   Outbox events_;
   std::unique_ptr<Fault> fault_;
+  std::unique_ptr<WriteCheck> check_;  ///< null: not checked
 };
 
 /// Everything that does not change: the schema, the systems in their order and the length of a

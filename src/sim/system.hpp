@@ -15,11 +15,6 @@
 
 namespace eyrie::sim {
 
-/// The parts of a step, in the order in which they run and in which their events are sorted.
-enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };
-inline constexpr std::size_t kPhases = 7;
-[[nodiscard]] std::string_view phase_name(Phase phase);
-
 /// What is the same for everybody during one step.
 struct StepInfo {
   std::uint64_t step = 0;  ///< number of the step being made, counted from 0

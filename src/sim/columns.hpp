@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A table described once: its columns with their names, and who writes them when.
+///
+///   struct CarColumns : sim::Table<CarColumns> {
+///     sim::Column<Body> body;
+///     sim::Column<Tank> tank;
+///     static constexpr std::string_view table_name = "car";
+///     static constexpr auto columns() {
+///       return std::tuple{sim::column("body", &CarColumns::body, sim::WrittenBy{"drive",
+///       sim::Phase::move}),
+///                         sim::column("tank", &CarColumns::tank, ...)};
+///     }
+///   };
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "sim/schema.hpp"
+#include "sim/world.hpp"
+
+namespace eyrie::sim {
+
+/// A column as a table describes it.
+template <class Columns, class Row_>
+struct DescribedColumn {
+  using Row = Row_;
+  std::string_view name;
+  Column<Row> Columns::*member;
+  std::array<WrittenBy, 4> writers{};
+  std::size_t writer_count = 0;
+
+  [[nodiscard]] constexpr bool is_written_in(Phase phase) const {
+    for (std::size_t i = 0; i < writer_count; ++i)
+      if (writers[i].phase == phase)
+        return true;
+    return false;
+  }
+};
+
+/// One that nobody but these systems writes, in these phases; without any it is set at birth.
+template <class Columns, class Row, class... W>
+[[nodiscard]] constexpr auto column(std::string_view name, Column<Row> Columns::*member,
+                                    const W&... writers) {
+  static_assert((std::is_same_v<W, WrittenBy> && ...));
+  return DescribedColumn<Columns, Row>{name, member, {writers...}, sizeof...(W)};
+}
+
+/// The keys of a table that a scenario has once, made from its description.
+template <class Columns>
+struct Table {
+  TableId table;
+
+  /// Adds the table to a schema. Columns stand in a world in the order of their description.
+  [[nodiscard]] static Columns define(SchemaBuilder& builder, std::uint32_t capacity) {
+    Columns keys;
+    keys.table = builder.add_table(Columns::table_name, capacity);
+    each([&]<class Row>(const DescribedColumn<Columns, Row>& c) {
+      keys.*c.member = builder.add_column<Row>(keys.table, c.name);
+      builder.set_writers((keys.*c.member).index, {c.writers.data(), c.writer_count});
+    });
+    return keys;
+  }
+
+  /// Gives a row that was just born the default value of each of its columns.
+  void set_defaults(World& world, std::uint32_t row) const {
+    each([&]<class Row>(const DescribedColumn<Columns, Row>& c) {
+      world.rows(static_cast<const Columns&>(*this).*c.member)[row] = Row{};
+    });
+  }
+
+  /// Calls `use` with each described column.
+  template <class Use>
+  static constexpr void each(Use use) {
+    std::apply([&](const auto&... c) { (use(c), ...); }, Columns::columns());
+  }
+  /// Whether somebody writes a column in a phase.
+  template <class Row>
+  [[nodiscard]] static constexpr bool is_written_in(Column<Row> Columns::*member, Phase phase) {
+    bool written = false;
+    each([&]<class R>(const DescribedColumn<Columns, R>& c) {
+      if constexpr (std::is_same_v<R, Row>)
+        written |= c.member == member && c.is_written_in(phase);
+    });
+    return written;
+  }
+};
+
+/// The columns that a view looks at, found once per chunk. A view is a struct of references to what
+/// stands in one row, whose columns() lists where its members come from, in their order. In a const
+/// World it is one for reading.
+///   struct Cab {
+///     const Body& body;
+///     const Tank& tank;
+///     static constexpr auto columns() {
+///       return std::tuple{&CarColumns::body, &CarColumns::tank};
+///     }
+///   };
+template <class View, class AnyWorld>
+class Views {
+ public:
+  template <class Columns>
+  Views(AnyWorld& world, const Columns& keys)
+      : spans_(std::apply([&](auto... member) { return Spans{world.rows(keys.*member)...}; },
+                          View::columns())) {}
+
+  /// The view of a row; what is no column follows as `rest`.
+  template <class... Rest>
+  [[nodiscard]] View at(std::size_t row, Rest&&... rest) const {
+    return at_both(row, *this, row, std::forward<Rest>(rest)...);
+  }
+  /// The same where what is written in perceive is that of `sensed_row` in another world.
+  template <class... Rest>
+  [[nodiscard]] View at_both(std::size_t row, const Views& sensed, std::size_t sensed_row,
+                             Rest&&... rest) const {
+    return [&]<std::size_t... I>(std::index_sequence<I...>)->View {
+      return {(kSensed[I] ? std::get<I>(sensed.spans_)[sensed_row] : std::get<I>(spans_)[row])...,
+              std::forward<Rest>(rest)...};
+    }
+    (std::make_index_sequence<std::tuple_size_v<Spans>>{});
+  }
+
+ private:
+  template <class World, class Columns, class... Row>
+  static auto spans_of(const std::tuple<Column<Row> Columns::*...>&)
+      -> std::tuple<decltype(std::declval<World&>().rows(std::declval<Column<Row>>()))...>;
+  template <class Columns, class... Row>
+  [[nodiscard]] static constexpr std::array<bool, sizeof...(Row)> sensed(
+      const std::tuple<Column<Row> Columns::*...>& members) {
+    return std::apply(
+        [](auto... member) {
+          return std::array{Columns::is_written_in(member, Phase::perceive)...};
+        },
+        members);
+  }
+
+  using Spans = decltype(spans_of<AnyWorld>(View::columns()));
+  static constexpr auto kSensed = sensed(View::columns());
+  Spans spans_;
+};
+
+}  // namespace eyrie::sim
