@@ -191,10 +191,12 @@ void again(benchmark::State& state, bool traced) {
     debrief::Reflight flight(recorded);
     while (flight.step())
       for (std::uint32_t id = 1; traced && id <= recorded.scenario->roster.players.size(); ++id)
-        decisions += pilots
-                         ->trace_decision(flight.before(), flight.after(), PlayerId{id}, trace,
-                                          flight.orders())
-                         .has_value();
+        pilots->revisit(flight.before(), flight.after(), PlayerId{id}, flight.orders(),
+                        [&](const team::Moment<pilot::State>& m) {
+                          team::ask_again((*recorded.scenario->trees)[m.state.agent.tree], m,
+                                          &trace);
+                          ++decisions;
+                        });
     hash = flight.after().hash();
   }
   state.counters["decisions"] = decisions / static_cast<double>(state.iterations());

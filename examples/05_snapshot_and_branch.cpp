@@ -32,7 +32,7 @@ int main() {
   const auto eagle1 = sweep->roster.find("eagle1").value();
   const auto home = sweep->trees->find("home").value();
   for (int i = 0; i < 100; ++i) {
-    const sim::Order order = pilot::swap_tree_order(branch.step(), eagle1, home);
+    const sim::Order order = pilot::PilotSystem::swap_tree_order(branch.step(), eagle1, home);
     simulation.step(branch, work, i == 0 ? std::span(&order, 1) : std::span<const sim::Order>{});
   }
   const auto where = sim::first_difference(world, branch);

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What one driver keeps from decision to decision besides the memory of his tree.
 #include <cstdint>
+#include <string_view>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
@@ -12,6 +13,8 @@ namespace eyrie::driver {
 
 /// Recorders find here what the last decision was.
 struct Agent {
+  static constexpr std::string_view system = "driver";  ///< who writes this row
+
   std::uint64_t decided = 0;  ///< step of the last decision
   PlayerId lead{};            ///< who he believes leads
   std::uint32_t ticks = 0;    ///< decisions so far

@@ -2,63 +2,60 @@
 #pragma once
 /// \file  Every driver's decision: perceive, ask the tree, act. The decide phase of vehicles.
 #include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
 #include <string_view>
-#include <vector>
+#include <tuple>
 
 #include "driver/agent.hpp"
 #include "driver/state.hpp"
 #include "driver/trees.hpp"
-#include "sim/order.hpp"
-#include "sim/system.hpp"
+#include "team/agent_system.hpp"
 
 namespace eyrie::driver {
 
 /// Orders that drivers carry out.
 enum class OrderKind : std::uint16_t { none = 0, swap_tree = 2 };
 
-/// From `step` on the player drives by that tree, which begins with nothing remembered.
-[[nodiscard]] sim::Order swap_tree_order(std::uint64_t step, PlayerId player, std::uint16_t tree);
-
-/// Names the orders of drivers in a schema.
-void add_orders(sim::SchemaBuilder& builder);
-
-/// What the drivers of a scenario share.
-struct DriverSetup {
-  model::VehicleColumns vehicles;
-  DriverColumns drivers;
-  std::shared_ptr<const model::Library> library;
-  std::shared_ptr<const Trees> trees;
-  std::vector<ConvoyPlan> convoys;  ///< by Fit::flight
-  double dt = 0.02;                 ///< s
-  std::uint32_t period = 5;         ///< steps between two decisions of one driver
-};
-
-/// decide: each driver writes his own command, agent row and the memory of his tree, and tells
-/// phase, in_charge, lead_change and scatter. Orders: swap_tree; one that names no tree of the
-/// scenario, or a player who is gone, is ignored.
-class DriverSystem final : public sim::System {
+/// Emits the events of one driver in one decision.
+class Teller : public team::Telling {
  public:
-  /// std::logic_error without library or trees, for a convoy without a plan, and for no period.
-  explicit DriverSystem(DriverSetup setup);
-
-  [[nodiscard]] std::string_view name() const override { return "driver"; }
-  [[nodiscard]] TableId table() const override { return setup_.vehicles.table; }
-  [[nodiscard]] std::span<const sim::OrderKind> accepts() const override;
-  void apply_order(sim::World& world, const sim::StepInfo& info, const sim::Order& order,
-                   sim::Outbox& out) const override;
-  void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-              sim::Outbox& out) const override;
-
-  /// As PilotSystem::revisit: what a driver perceived when he decided in a step.
-  bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
-               std::span<const sim::Order> orders, const team::UseMoment<State>& use) const;
+  Teller(PlayerId who, const State& state, sim::Outbox& out)
+      : Telling(who, state.own.position, out), state_(state) {}
+  void notice(Agent& agent, const model::Fit& fit) const { new_lead(agent, state_.datalink, fit); }
+  void changes(const Agent& before, const Proposal& decided, const Agent& agent) const;
 
  private:
-  DriverSetup setup_;
-  team::Deciding<State, Action> deciding_;
+  const State& state_;
 };
 
+/// What drivers are to team::AgentSystem. They tell phase, in_charge, lead_change and scatter.
+struct Driving : Platform {
+  using Agent = driver::Agent;
+  using Columns = model::VehicleColumns;
+  using Plan = ConvoyPlan;
+  using View = Cab;
+  using Teller = driver::Teller;
+  /// What he writes.
+  struct Controls {
+    model::DriveCommand& command;
+    static constexpr auto columns() { return std::tuple{&Columns::command}; }
+  };
+  static constexpr auto swap_tree = OrderKind::swap_tree;
+  static constexpr std::string_view swap_tree_name = "swap_driver_tree";
+
+  [[nodiscard]] static State perceive(const Cab& cab, const model::Library& library,
+                                      const model::Fit& fit, const ConvoyPlan& plan, double time) {
+    return {cab, library, fit, plan, time};
+  }
+  static void account(const State&, Agent&) {}
+  static void rest(const Controls&) {}
+  static void execute(const Action& action, const State&, const Controls& controls, Agent& agent) {
+    driver::execute(action, controls.command, agent);
+  }
+};
+
+using DriverSystem = team::AgentSystem<Driving>;
+using DriverSetup = DriverSystem::Setup;
+
 }  // namespace eyrie::driver
+
+extern template class eyrie::team::AgentSystem<eyrie::driver::Driving>;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "driver/agent.hpp"
 #include "model/columns.hpp"
@@ -24,6 +25,11 @@ struct Cab {
   const model::Lookout& lookout;
   const model::DatalinkState& datalink;
   const Agent& agent;
+
+  static constexpr auto columns() {
+    using C = model::VehicleColumns;
+    return std::tuple{&C::kinematics, &C::driving, &C::lookout, &C::datalink};
+  }
 };
 
 /// Views into the driver's own rows and what follows from them; good for one decision.

@@ -3,6 +3,7 @@
 /// \file  What one pilot keeps from decision to decision besides the memory of his tree.
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
@@ -32,6 +33,7 @@ static_assert(fields_cover_row<Shot>());
 /// One pilot. A scenario sets `bingo` and `tree` at birth; everything else begins at its default.
 /// Recorders find here what the last decision was: step, node, vote, phase, target.
 struct Agent {
+  static constexpr std::string_view system = "pilot";  ///< who writes this row
   static constexpr std::size_t kShots = 4;
 
   double bingo = 0;                  ///< kg, fuel at which he goes home; set at birth

@@ -175,7 +175,7 @@ TEST(SwapTree, StartsTheOtherTreeWithNothingRemembered) {
       std::any_of(memory.begin(), memory.end(), [](std::byte b) { return b != std::byte{}; }));
   const std::uint64_t before = war.world->hash();
   sim::World other = *war.world;
-  war.step(std::array{swap_tree_order(war.world->step(), eagle, 1)});
+  war.step(std::array{PilotSystem::swap_tree_order(war.world->step(), eagle, 1)});
   EXPECT_EQ(war.agent(eagle).tree, 1);
   EXPECT_EQ(war.agent(eagle).phase, ubf::kNone);
   EXPECT_NE(war.world->hash(), before);
@@ -197,7 +197,7 @@ TEST(SwapTree, ForgetsEvenWhenItIsTheSameTree) {
     return time;
   };
   const double first = since();
-  war.step(std::array{swap_tree_order(war.world->step(), eagle, 0)});
+  war.step(std::array{PilotSystem::swap_tree_order(war.world->step(), eagle, 0)});
   war.fly(0.2);
   EXPECT_GT(since(), first + 1);
 }
@@ -207,8 +207,8 @@ TEST(SwapTree, IgnoresWhatCannotBe) {
   const PlayerId eagle = war.add({0, 0, 8000}, 0, 0);
   war.fly(1);
   sim::World other = *war.world;
-  war.step(std::array{swap_tree_order(war.world->step(), eagle, 1),
-                      swap_tree_order(war.world->step(), PlayerId{77}, 0)});
+  war.step(std::array{PilotSystem::swap_tree_order(war.world->step(), eagle, 1),
+                      PilotSystem::swap_tree_order(war.world->step(), PlayerId{77}, 0)});
   static_cast<void>(war.simulation->step(other, *war.work));
   EXPECT_TRUE(war.told(EventKind::order).empty());
   EXPECT_TRUE(war.world->same_bytes(other));
@@ -239,8 +239,8 @@ TEST(PilotSystem, RefusesToBeBuiltWithoutWhatItNeeds) {
   const auto library = std::make_shared<const model::Library>(testing::library());
   const auto trees = std::make_shared<const Trees>();
   EXPECT_THROW(PilotSystem({.library = library, .trees = trees}), std::logic_error);
-  EXPECT_NO_THROW(PilotSystem({.library = library, .trees = trees, .flights = {{}, {}}}));
-  EXPECT_THROW(PilotSystem({.library = library, .trees = trees, .flights = {{}, {}}, .period = 0}),
+  EXPECT_NO_THROW(PilotSystem({.library = library, .trees = trees, .plans = {{}, {}}}));
+  EXPECT_THROW(PilotSystem({.library = library, .trees = trees, .plans = {{}, {}}, .period = 0}),
                std::logic_error);
 }
 
@@ -252,13 +252,13 @@ TEST(TraceDecision, IsTheDecisionThatWasMade) {
     const sim::World before = *war.world;
     std::vector<sim::Order> orders;
     if (i % 1000 == 999)
-      orders.push_back(swap_tree_order(before.step(), PlayerId{1}, 0));
+      orders.push_back(PilotSystem::swap_tree_order(before.step(), PlayerId{1}, 0));
     war.step(orders);
     for (const PlayerId id : {PlayerId{1}, PlayerId{2}, PlayerId{5}, PlayerId{6}}) {
       if (!war.world->row(war.aircraft.table, id) || war.agent(id).decided != before.step() ||
           war.agent(id).ticks == 0)
         continue;
-      const auto again = war.system->trace_decision(before, *war.world, id, trace, orders);
+      const auto again = war.trace_decision(before, id, trace, orders);
       ASSERT_TRUE(again) << "step " << i;
       ASSERT_EQ(again->leader, war.agent(id).node) << "step " << i;
       ASSERT_EQ(again->vote, war.agent(id).vote) << "step " << i;
@@ -280,12 +280,15 @@ TEST(TraceDecision, IsTheDecisionThatWasMade) {
 TEST(TraceDecision, LeavesTheWorldAlone) {
   War war = fight();
   war.fly(45);
-  const sim::World before = *war.world;
   Trace trace(war.trees().max_size());
-  const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = War::kDt};
-  const auto decided = war.system->trace_decision(before, info, 0, trace);
-  ASSERT_TRUE(decided);
-  EXPECT_TRUE(before.same_bytes(*war.world));
+  std::optional<Proposal> decided;
+  while (!decided) {
+    const sim::World before = *war.world;
+    war.step();
+    const sim::World after = *war.world;
+    decided = war.trace_decision(before, PlayerId{1}, trace);
+    EXPECT_TRUE(after.same_bytes(*war.world));
+  }
   EXPECT_TRUE(trace.row(0).ticked);
   EXPECT_EQ(trace.rows().size(), war.tree(0).size());
   // whose heading it is can be read off
@@ -303,10 +306,9 @@ TEST(TraceDecision, HasNothingToSayWhenNobodyDecided) {
   for (int i = 0; i < 10; ++i) {
     const sim::World before = *war.world;
     war.step();
-    EXPECT_EQ(war.system->trace_decision(before, *war.world, eagle, trace).has_value(),
-              (before.step() + 1) % 5 == 0);
-    EXPECT_FALSE(war.system->trace_decision(before, *war.world, idle, trace));
-    EXPECT_FALSE(war.system->trace_decision(before, *war.world, PlayerId{99}, trace));
+    EXPECT_EQ(war.trace_decision(before, eagle, trace).has_value(), (before.step() + 1) % 5 == 0);
+    EXPECT_FALSE(war.trace_decision(before, idle, trace));
+    EXPECT_FALSE(war.trace_decision(before, PlayerId{99}, trace));
   }
 }
 

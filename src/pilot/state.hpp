@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "model/columns.hpp"
 #include "model/library.hpp"
@@ -49,6 +50,12 @@ struct Cockpit {
   const model::DatalinkState& datalink;
   const model::Command& command;  ///< the last one
   const Agent& agent;
+
+  static constexpr auto columns() {
+    using C = model::AircraftColumns;
+    return std::tuple{&C::kinematics, &C::propulsion, &C::flying,  &C::stores,   &C::gun,
+                      &C::tracks,     &C::rwr,        &C::threats, &C::datalink, &C::command};
+  }
 };
 
 /// Views into the pilot's own rows and what follows from them; good for one decision. Every track

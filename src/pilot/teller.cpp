@@ -6,8 +6,7 @@ namespace eyrie::pilot {
 using model::EventKind;
 
 void Teller::notice(Agent& agent, const model::Fit& fit) const {
-  if (const PlayerId before = team::taken_over_from(agent.lead, state_.datalink, who_))
-    tell(EventKind::lead_change, before, 0, fit.flight);
+  new_lead(agent, state_.datalink, fit);
   if (!agent.said_bingo && state_.bingo()) {
     agent.said_bingo = 1;
     tell(EventKind::bingo, {}, 0, state_.propulsion.fuel);

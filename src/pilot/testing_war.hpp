@@ -51,14 +51,14 @@ class War {
                                   static_cast<std::uint32_t>(trees_->max_memory()));
     model::describe_events(schema);
     model::add_orders(schema);
-    add_orders(schema);
+    PilotSystem::add_orders(schema);
     sim::SimulationBuilder builder(schema.build(), kDt);
     builder.add<model::SensorSystem>(aircraft, missiles, library_, kDt);
-    system = &builder.add<PilotSystem>(PilotSetup{.aircraft = aircraft,
-                                                  .pilots = pilots,
+    system = &builder.add<PilotSystem>(PilotSetup{.columns = aircraft,
+                                                  .agents = pilots,
                                                   .library = library_,
                                                   .trees = trees_,
-                                                  .flights = {{}, {}},
+                                                  .plans = {{}, {}},
                                                   .dt = kDt,
                                                   .period = 5});
     builder.add<model::MissileSystem>(aircraft, missiles, library_, kDt);
@@ -101,6 +101,17 @@ class War {
   void fly(double seconds) {
     for (int i = static_cast<int>(seconds / kDt + 0.5); i > 0; --i)
       step();
+  }
+
+  /// What the pilot of `id` decided in the step since `before`, with every node's answer.
+  [[nodiscard]] std::optional<Proposal> trace_decision(
+      const sim::World& before, PlayerId id, Trace& trace,
+      std::span<const sim::Order> orders = {}) const {
+    std::optional<Proposal> decided;
+    system->revisit(before, *world, id, orders, [&](const team::Moment<State>& m) {
+      decided = team::ask_again(tree(m.state.agent.tree), m, &trace);
+    });
+    return decided;
   }
 
   [[nodiscard]] Agent& agent(PlayerId id) { return row(pilots.agent, id); }

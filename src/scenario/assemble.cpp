@@ -45,6 +45,7 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     const auto born = world.spawn(c.table);
     EYRIE_DEMAND(born && born->id.value == i + 1, "aircraft are born in the order of the roster");
     const std::uint32_t row = born->row;
+    c.set_defaults(world, row);
     const Roster::Player& player = scenario.roster.players[i];
     const model::AircraftType& type = library.aircraft[s.type];
 
@@ -60,15 +61,6 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
       command.mode = model::AutopilotMode::route;
     world.rows(c.command)[row] = command;
     world.rows(c.propulsion)[row] = {.fuel = s.fuel};
-    world.rows(c.flying)[row] = {};
-    world.rows(c.request)[row] = {};
-    world.rows(c.radar)[row] = {};
-    world.rows(c.rwr)[row] = {};
-    world.rows(c.threats)[row] = {};
-    world.rows(c.tracks)[row] = {};
-    world.rows(c.datalink)[row] = {};
-    world.rows(c.sent)[row] = {};
-    world.rows(c.emission)[row] = {};
     model::Stores stores;
     stores.stations = s.stations;
     world.rows(c.stores)[row] = stores;
@@ -78,7 +70,6 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     if (s.rounds)
       gun.rounds = *s.rounds;
     world.rows(c.gun)[row] = gun;
-    world.rows(c.damage)[row] = {};
     world.rows(scenario.pilots.agent)[row] = {.bingo = s.bingo,
                                               .tree = s.tree.value_or(pilot::kNoTree)};
   }
@@ -91,15 +82,12 @@ void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::W
     EYRIE_DEMAND(born && scenario.roster.find(born->id), "vehicles are born behind the aircraft");
     const std::uint32_t row = born->row;
     const Roster::Player& player = *scenario.roster.find(born->id);
+    c.set_defaults(world, row);
     world.rows(c.kinematics)[row] =
         model::parked(scenario.library->reference, s.position, s.heading, s.speed);
     world.rows(c.fit)[row] = {
         .type = s.type, .flight = player.flight, .rank = player.rank, .side = player.side};
     world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = s.tree ? s.speed : 0};
-    world.rows(c.driving)[row] = {};
-    world.rows(c.lookout)[row] = {};
-    world.rows(c.datalink)[row] = {};
-    world.rows(c.sent)[row] = {};
     world.rows(scenario.drivers.agent)[row] = {.tree = s.tree.value_or(team::kNoTree)};
   }
 }
@@ -156,28 +144,28 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
     scenario.drivers = driver::DriverColumns::define(
         schema, scenario.vehicles->table,
         static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
-    driver::add_orders(schema);
+    driver::DriverSystem::add_orders(schema);
   }
   model::describe_events(schema);
   model::add_orders(schema);
-  pilot::add_orders(schema);
+  pilot::PilotSystem::add_orders(schema);
 
   sim::SimulationBuilder builder(schema.build(), dt);
   builder.add<model::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
-  builder.add<pilot::PilotSystem>(pilot::PilotSetup{.aircraft = scenario.aircraft,
-                                                    .pilots = scenario.pilots,
+  builder.add<pilot::PilotSystem>(pilot::PilotSetup{.columns = scenario.aircraft,
+                                                    .agents = scenario.pilots,
                                                     .library = scenario.library,
                                                     .trees = scenario.trees,
-                                                    .flights = scenario.plans,
+                                                    .plans = scenario.plans,
                                                     .dt = dt,
                                                     .period = decisions.steps});
   if (scenario.vehicles) {
     builder.add<model::VehicleSystem>(*scenario.vehicles, scenario.aircraft, scenario.library, dt);
-    builder.add<driver::DriverSystem>(driver::DriverSetup{.vehicles = *scenario.vehicles,
-                                                          .drivers = scenario.drivers,
+    builder.add<driver::DriverSystem>(driver::DriverSetup{.columns = *scenario.vehicles,
+                                                          .agents = scenario.drivers,
                                                           .library = scenario.library,
                                                           .trees = scenario.driver_trees,
-                                                          .convoys = scenario.convoys,
+                                                          .plans = scenario.convoys,
                                                           .dt = dt,
                                                           .period = decisions.steps});
   }

@@ -335,10 +335,10 @@ class Loader {
       out_->orders.push_back(model::lose_order(step, who));
     } else if (out_->roster.find(who)->platform == Platform::aircraft) {
       if (const auto tree = trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_))
-        out_->orders.push_back(pilot::swap_tree_order(step, who, *tree));
+        out_->orders.push_back(pilot::PilotSystem::swap_tree_order(step, who, *tree));
     } else if (const auto tree =
                    trees_.find(*out_->driver_trees, *order.swap_tree, where, diagnostics_)) {
-      out_->orders.push_back(driver::swap_tree_order(step, who, *tree));
+      out_->orders.push_back(driver::DriverSystem::swap_tree_order(step, who, *tree));
     }
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  One decision of one agent inside a simulation, whatever the platform.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -12,11 +13,13 @@
 #include "core/assert.hpp"
 #include "core/field.hpp"
 #include "model/events.hpp"
+#include "model/fit.hpp"
 #include "sim/order.hpp"
 #include "sim/rate.hpp"
 #include "sim/schema.hpp"
 #include "sim/system.hpp"
 #include "team/blame.hpp"
+#include "team/member.hpp"
 #include "team/moment.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/transition.hpp"
@@ -26,7 +29,7 @@ namespace eyrie::team {
 /// No tree: nobody decides.
 inline constexpr std::uint16_t kNoTree = ubf::kNone;
 
-/// What agents add to the table of what they steer. Written in decide.
+/// What agents add to the table of what they steer. `Agent::system` is the system that writes it.
 template <class Agent>
 struct AgentColumns {
   sim::Column<Agent> agent;
@@ -34,8 +37,14 @@ struct AgentColumns {
 
   [[nodiscard]] static AgentColumns define(sim::SchemaBuilder& builder, TableId table,
                                            std::uint32_t brain_bytes) {
-    return {.agent = builder.add_column<Agent>(table, "agent"),
-            .brain = builder.add_bytes(table, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
+    const AgentColumns keys{
+        .agent = builder.add_column<Agent>(table, "agent"),
+        .brain = builder.add_bytes(table, "brain", std::max<std::uint32_t>(brain_bytes, 8))};
+    const std::array writers{sim::WrittenBy{Agent::system, sim::Phase::orders},
+                             sim::WrittenBy{Agent::system, sim::Phase::decide}};
+    builder.set_writers(keys.agent.index, writers);
+    builder.set_writers(keys.brain.index, writers);
+    return keys;
   }
 };
 
@@ -184,6 +193,12 @@ class Telling {
       if (t.node == outermost)
         agent.phase = t.to;
     }
+  }
+  /// That the agent leads now.
+  template <class Agent>
+  void new_lead(Agent& agent, const model::DatalinkState& datalink, const model::Fit& fit) const {
+    if (const PlayerId before = taken_over_from(agent.lead, datalink, who_))
+      tell(model::EventKind::lead_change, before, 0, fit.flight);
   }
   /// A new behavior in charge.
   template <class Agent>

@@ -138,8 +138,8 @@ TEST(WorkersSnapshot, LetABranchGoItsOwnWayAndComeBack) {
   const std::uint64_t first = f.world().hash();
   // another way from the same world: eagle1 gets the order to fly home
   sim::Run other(scenario->simulation, kept);
-  ASSERT_EQ(other.submit(pilot::swap_tree_order(kept.step(), PlayerId{1},
-                                                scenario->trees->find("home").value())),
+  ASSERT_EQ(other.submit(pilot::PilotSystem::swap_tree_order(
+                kept.step(), PlayerId{1}, scenario->trees->find("home").value())),
             "");
   while (other.time() < kMiddle + 60 - 1e-9)
     other.step();
@@ -186,15 +186,16 @@ TEST(WorkersObservers, ChangeNothing) {
       pilots = found;
   ASSERT_TRUE(pilots);
   pilot::Trace trace(scenario->trees->max_size());
+  sim::World before = watched.world();
   while (watched.mission.step()) {
     scenario->simulation->step(bare, work);
     // every pilot is asked for his reasons once per second
-    if (watched.world().step() % 50 == 0)
-      for (std::uint32_t row = 0; row < watched.world().rows(scenario->aircraft.table); ++row) {
-        const sim::StepInfo info{watched.world().step(), watched.world().seed(),
-                                 scenario->simulation->dt()};
-        traced += pilots->trace_decision(watched.world(), info, row, trace).has_value();
-      }
+    if (before.step() % 50 < 5)
+      for (std::uint32_t id = 1; id <= scenario->roster.players.size(); ++id)
+        traced += pilots->revisit(before, watched.world(), PlayerId{id}, {}, [&](const auto& m) {
+          team::ask_again((*scenario->trees)[m.state.agent.tree], m, &trace);
+        });
+    before = watched.world();
     if (watched.world().step() % 500 == 0) {
       ASSERT_EQ(watched.world().hash(), bare.hash()) << "at step " << bare.step();
     }

@@ -115,8 +115,8 @@ TEST_F(Replay, TakesTheOrdersOfTheRecording) {
 
   // with the order in the recording too the run goes another way from then on, and it is found
   const auto scenario = load_scenario("merge");
-  changed.orders = {pilot::swap_tree_order(1500, scenario->roster.find("bandit1").value(),
-                                           scenario->trees->find("home").value())};
+  changed.orders = {pilot::PilotSystem::swap_tree_order(
+      1500, scenario->roster.find("bandit1").value(), scenario->trees->find("home").value())};
   write(changed);
   const json j = json::parse(replay({"--json"}).out);
   ASSERT_TRUE(j.contains("where")) << j;

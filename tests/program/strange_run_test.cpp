@@ -94,8 +94,8 @@ TEST_F(StrangeRun, IsComparedByWhoeverFliesIt) {
 
 TEST_F(StrangeRun, IsComparedInItsMiddle) {
   const auto scenario = load_scenario("merge");
-  run.orders = {pilot::swap_tree_order(503, scenario->roster.find("bandit1").value(),
-                                       scenario->trees->find("home").value())};
+  run.orders = {pilot::PilotSystem::swap_tree_order(503, scenario->roster.find("bandit1").value(),
+                                                    scenario->trees->find("home").value())};
   expect_all(1, "the worlds part between steps 500 and 505; step 550: aircraft.");
 }
 
@@ -106,8 +106,8 @@ TEST_F(StrangeRun, MayNotHaveOrdersThatNobodyAccepts) {
 }
 
 TEST_F(StrangeRun, MayNotHaveOrdersInDisorder) {
-  run.orders = {pilot::swap_tree_order(9, PlayerId{1}, 0),
-                pilot::swap_tree_order(8, PlayerId{1}, 0)};
+  run.orders = {pilot::PilotSystem::swap_tree_order(9, PlayerId{1}, 0),
+                pilot::PilotSystem::swap_tree_order(8, PlayerId{1}, 0)};
   expect_all(2, "its orders for the steps 9 and 8 stand the wrong way round");
 }
 

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Every agent's decision, whatever the platform: perceive, ask the tree, act.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "model/events.hpp"
+#include "model/library.hpp"
+#include "sim/columns.hpp"
+#include "team/deciding.hpp"
+
+namespace eyrie::team {
+
+/// What the agents of one platform share.
+template <class Platform>
+struct AgentSetup {
+  typename Platform::Columns columns;
+  AgentColumns<typename Platform::Agent> agents;
+  std::shared_ptr<const model::Library> library;
+  std::shared_ptr<const ubf::Trees<typename Platform::State, typename Platform::Action>> trees;
+  std::vector<typename Platform::Plan> plans;  ///< by Fit::flight
+  double dt = 0.02;                            ///< s
+  std::uint32_t period = 5;                    ///< steps between two decisions of one agent
+};
+
+/// decide: each agent writes its own controls, its row and the memory of its tree, and tells what
+/// there is to tell. Orders: to use another tree; one that names no tree of the scenario, or a
+/// player who is gone, is ignored.
+///
+/// `Platform` says what that is on one platform (see pilot/pilot_system.hpp):
+///   * State, Action, Agent, Columns, and Plan: what does not change about one flight;
+///   * View and Controls: the columns that an agent reads and that it writes (sim/columns.hpp);
+///   * Teller: constructed from who, a state and an outbox; notice() before the tree is asked,
+///     changes() after it;
+///   * perceive(view, library, fit, plan, time): the state; account(state, agent): what an agent
+///     takes note of before it decides; execute(action, state, controls, agent); rest(controls):
+///     in every step, before the decision if one is due;
+///   * swap_tree and swap_tree_name: its kind of order.
+template <class Platform>
+class AgentSystem final : public sim::System {
+ public:
+  using State = typename Platform::State;
+  using Action = typename Platform::Action;
+  using Agent = typename Platform::Agent;
+  using Setup = AgentSetup<Platform>;
+
+  /// std::logic_error without library or trees, for a flight without a plan, and for no period.
+  explicit AgentSystem(Setup setup)
+      : setup_(std::move(setup)), deciding_(setup_.trees, setup_.period) {
+    EYRIE_THROW_UNLESS(setup_.library != nullptr, "agents need a library");
+    EYRIE_THROW_UNLESS(setup_.plans.size() >= setup_.library->flights.size(),
+                       "every flight needs a plan");
+  }
+
+  /// Names the order in a schema.
+  static void add_orders(sim::SchemaBuilder& builder) {
+    builder.add_order<SwapTree>(Platform::swap_tree, Platform::swap_tree_name);
+  }
+  /// From `step` on the player uses that tree, which begins with nothing remembered.
+  [[nodiscard]] static sim::Order swap_tree_order(std::uint64_t step, PlayerId player,
+                                                  std::uint16_t tree) {
+    return sim::order_for(step, player, Platform::swap_tree, SwapTree{.tree = tree});
+  }
+
+  [[nodiscard]] std::string_view name() const override { return Agent::system; }
+  [[nodiscard]] TableId table() const override { return setup_.columns.table; }
+  [[nodiscard]] std::span<const sim::OrderKind> accepts() const override { return kOrders; }
+  void apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
+                   sim::Outbox& out) const override {
+    const auto row = world.row(table(), order.player);
+    const auto tree = order.as<SwapTree>().tree;
+    if (!row || tree >= setup_.trees->size())
+      return;
+    use_tree(world.rows(setup_.agents.agent)[*row], world.bytes(setup_.agents.brain, *row), tree);
+    Telling(order.player, world.rows(setup_.columns.kinematics)[*row].position, out)
+        .tell(model::EventKind::order, {}, tree, order.kind.value);
+  }
+
+  void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
+              sim::Outbox& out) const override {
+    const Rows rows(std::as_const(world), setup_.columns);
+    const sim::Views<typename Platform::Controls, sim::World> controls(world, setup_.columns);
+    const auto ids = world.ids(table());
+    const auto fits = std::as_const(world).rows(setup_.columns.fit);
+    const auto agents = world.rows(setup_.agents.agent);
+    for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+      Agent& agent = agents[row];
+      const auto mine = controls.at(row);
+      Platform::rest(mine);
+      if (!deciding_.due(info, ids[row], agent.tree))
+        continue;
+
+      // perceive
+      const model::Fit& fit = fits[row];
+      const State state = Platform::perceive(rows.at(row, agent), *setup_.library, fit,
+                                             setup_.plans[fit.flight], info.time());
+      const typename Platform::Teller teller(ids[row], state, out);
+      Platform::account(state, agent);
+      teller.notice(agent, fit);
+
+      // decide
+      ubf::TransitionLog log;
+      ubf::Proposal<Action> decided;
+      if (!deciding_.ask(agent.tree, state, info, ids[row], world.bytes(setup_.agents.brain, row),
+                         log, decided, out)) [[unlikely]]
+        return;
+
+      // act
+      const Agent before = agent;
+      keep_decision(agent, decided, info.step);
+      Platform::execute(decided.action, state, mine, agent);
+      teller.transitions(log, deciding_.outermost(agent.tree), agent);
+      teller.changes(before, decided, agent);
+    }
+  }
+
+  [[nodiscard]] const Setup& setup() const { return setup_; }
+
+  /// Calls `use` with what an agent perceived when it decided in a step, exactly, from the worlds
+  /// before and after it: what was sensed in that step is taken from `after`, everything else from
+  /// `before`. `orders` are those of the step. False if it had no decision due, no tree, or left
+  /// in that step.
+  bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
+               std::span<const sim::Order> orders, const UseMoment<State>& use) const {
+    const auto row = before.row(table(), who), sensed_row = after.row(table(), who);
+    const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
+    if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
+      return false;
+    auto [agent, memory] =
+        recall(before, setup_.agents, *row, who, orders, Platform::swap_tree, setup_.trees->size());
+    if (agent.tree == kNoTree)
+      return false;
+    const Rows rows(before, setup_.columns), sensed(after, setup_.columns);
+    const model::Fit& fit = before.rows(setup_.columns.fit)[*row];
+    const State state =
+        Platform::perceive(rows.at_both(*row, sensed, *sensed_row, agent), *setup_.library, fit,
+                           setup_.plans[fit.flight], info.time());
+    Platform::account(state, agent);
+    use(deciding_.moment(state, info, who, memory));
+    return true;
+  }
+
+ private:
+  using Rows = sim::Views<typename Platform::View, const sim::World>;
+  static constexpr std::array kOrders{sim::OrderKind(Platform::swap_tree)};
+
+  Setup setup_;
+  Deciding<State, Action> deciding_;
+};
+
+}  // namespace eyrie::team
