@@ -101,11 +101,6 @@ struct Found {
   [[nodiscard]] bool nothing() const { return decisions.empty() && changes.empty(); }
 };
 
-bool is_there(const scenario::Scenario& scenario, const sim::World& world, PlayerId who) {
-  return world.row(scenario.aircraft.table, who) ||
-         (scenario.vehicles && world.row(scenario.vehicles->table, who));
-}
-
 Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted) {
   Found found;
   debrief::Reflight flight(recorded);
@@ -120,7 +115,7 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
   std::optional<ubf::NodeIndex> leader;
   std::string label = "nobody";
   while (flight.time() < wanted.to && flight.step()) {
-    if (is_there(*recorded.scenario, flight.after(), who))
+    if (recorded.scenario->find(flight.after(), who))
       found.until = flight.time();
     if (!wanted.event.empty()) {
       if (auto decision = explain())

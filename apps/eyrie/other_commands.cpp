@@ -2,6 +2,7 @@
 /// \file  validate and --version.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 
 #include "commands.hpp"
@@ -23,17 +24,21 @@ std::string counted(std::size_t n, std::string_view what) {
 
 /// "6 aircraft in 2 flights and 5 vehicles in 1 convoy"
 std::string players_text(const scenario::Scenario& scenario) {
-  const std::size_t vehicles = scenario.count(scenario::Platform::vehicle);
-  const std::size_t aircraft = scenario.count(scenario::Platform::aircraft);
-  std::size_t convoys = 0;
-  for (const auto& flight : scenario.roster.flights)
-    convoys +=
-        scenario.roster.find(flight.members.front())->platform == scenario::Platform::vehicle;
-  const std::string air = fmt::format("{} aircraft in {}", aircraft,
-                                      counted(scenario.roster.flights.size() - convoys, "flight"));
-  const std::string ground =
-      fmt::format("{} in {}", counted(vehicles, "vehicle"), counted(convoys, "convoy"));
-  return !vehicles ? air : !aircraft ? ground : air + " and " + ground;
+  std::string text;
+  for (std::size_t f = 0; f < scenario.fleets.size(); ++f) {
+    const auto& words = scenario.fleets[f]->words;
+    const auto players =
+        std::count_if(scenario.roster.players.begin(), scenario.roster.players.end(),
+                      [&](const auto& player) { return player.fleet == f; });
+    const auto groups = static_cast<std::size_t>(std::count_if(
+        scenario.roster.flights.begin(), scenario.roster.flights.end(), [&](const auto& flight) {
+          return scenario.roster.find(flight.members.front())->fleet == f;
+        }));
+    if (players)
+      text += fmt::format("{}{} {} in {}", text.empty() ? "" : " and ", players,
+                          players == 1 ? words.name : words.plural, counted(groups, words.group));
+  }
+  return text;
 }
 
 }  // namespace
@@ -44,7 +49,7 @@ int validate(const std::vector<std::string>& files, const std::vector<std::strin
   for (const std::string& file : files) {
     if (const auto scenario = load_or_complain(file, {}, plugins, includes))
       say("{}: {}, {}\n", scenario->file, players_text(*scenario),
-          counted(scenario->trees->size() + scenario->driver_trees->size(), "tree"));
+          counted(scenario->tree_count(), "tree"));
     else
       code = 2;
   }

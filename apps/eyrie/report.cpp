@@ -79,20 +79,19 @@ void Report::table(const scenario::Mission& mission, const record::Tally& tally)
   say("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "player", "side", "shots", "kills", "end",
       "fuel kg", "phase");
   const auto& world = mission.run().world();
-  const auto fuel = world.rows(scenario_.aircraft.propulsion);
   for (std::size_t i = 0; i < tally.players().size(); ++i) {
     const auto& p = tally.players()[i];
     const auto& who = scenario_.roster.players[i];
-    const auto row =
-        world.row(scenario_.aircraft.table, PlayerId{static_cast<std::uint32_t>(i + 1)});
+    const scenario::Fleet& fleet = *scenario_.fleets[who.fleet];
+    const auto row = fleet.row(world, PlayerId{static_cast<std::uint32_t>(i + 1)});
+    const auto fuel = row ? fleet.gauges(world, *row).fuel : std::nullopt;
     const std::string end = p.lost   ? "lost " + record::clock_text(p.end_time)
                             : p.home ? "home " + record::clock_text(p.end_time)
-                            : who.platform == scenario::Platform::vehicle ? "on the ground"
-                                                                          : "in the air";
+                                     : std::string(fleet.words.there);
     say("{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
         paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),
         scenario::side_name(who.side), p.shots, p.kills, end,
-        row ? fmt::format("{:.0f}", fuel[*row].fuel) : "-", p.phase);
+        fuel ? fmt::format("{:.0f}", *fuel) : "-", p.phase);
   }
   say("\n");
   for (const auto& phase : tally.phases())

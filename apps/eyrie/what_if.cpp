@@ -183,8 +183,7 @@ int what_if(const WhatIfOptions& options) {
     complain("{}\n", lines(e.diagnostics().text()));
     return 2;
   }
-  if (asks_trees && (other->trees->size() != recorded->scenario->trees->size() ||
-                     other->driver_trees->size() != recorded->scenario->driver_trees->size())) {
+  if (asks_trees && other->tree_count() != recorded->scenario->tree_count()) {
     complain("the change adds or removes a tree; change one that is there\n");
     return 2;
   }

@@ -22,17 +22,6 @@ std::string transition(const Decision& now, ubf::NodeIndex sequencer) {
 
 }  // namespace
 
-std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
-                                                  ubf::NodeIndex a, ubf::NodeIndex b) {
-  std::pair at{a, b};
-  while (a != b) {
-    ubf::NodeIndex& deeper = nodes[a].depth >= nodes[b].depth ? a : b;
-    (&deeper == &a ? at.first : at.second) = deeper;
-    deeper = nodes[deeper].parent;
-  }
-  return at;
-}
-
 std::string reason(const Won& won) {
   if (won.rivals.empty())
     return "nobody else asked for it";

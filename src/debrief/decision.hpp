@@ -1,80 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  One decision of one agent, with every node's answer, in words and numbers: the same for
-/// every platform.
-#include <cstdint>
-#include <optional>
+/// \file  What a decision (team/decision.hpp) says in words.
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "ubf/behavior.hpp"
+#include "team/explain.hpp"
 
 namespace eyrie::debrief {
 
-/// A value of the state or of an action.
-struct Value {
-  std::string name;              ///< "heading"
-  std::string unit;              ///< SI, "" for none
-  std::optional<double> number;  ///< in that unit; none: not a number, or no value
-  std::string text;              ///< for people: "045 deg", "follow", "-"
-};
-
-/// What one node answered.
-struct Answer {
-  std::string label, type, path;  ///< path: "root/bvr/pursue"
-  std::uint16_t depth = 0, parent = ubf::kNone;
-  bool asked = false;
-  bool is_leaf = true;
-  ubf::Status status = ubf::Status::failure;
-  float vote = 0;
-  std::uint16_t halts = 0;    ///< how often it was made to forget
-  std::string why;            ///< it failed, or what its vote followed: "range 0.53"; may be ""
-  std::vector<Value> action;  ///< the fields that it set
-};
-
-/// Somebody who proposed a field that another one won.
-struct Rival {
-  ubf::NodeIndex node = ubf::kNone;
-  Value value;
-  /// The votes that stood against each other where both were compared: of the branch with the
-  /// winner, and of the branch with the rival.
-  float against = 0, vote = 0;
-};
-
-/// A field of the action that came out of the root.
-struct Won {
-  Value value;
-  ubf::NodeIndex winner = ubf::kNone;
-  bool blended = false;       ///< the winner is an arbiter that made it of what its children said
-  std::vector<Rival> rivals;  ///< by vote, the highest first; what a blend is made of, too
-};
-
-/// Something that the agent believed to be there.
-struct Perceived {
-  std::string kind;           ///< "target", "track", "radar", "missile", "aircraft"
-  std::string name;           ///< "#3", with who it really was for the debrief: "#3 (bogey1)"
-  std::vector<Value> values;  ///< range, bearing, identity ...
-};
-
-struct Decision {
-  std::uint64_t step = 0;  ///< of the world
-  double time = 0;         ///< s
-  PlayerId player{};
-  std::string tree;
-  ubf::Status status = ubf::Status::failure;
-  float vote = 0;
-  ubf::NodeIndex leader = ubf::kNone;  ///< whose recommendation led; kNone: nobody's
-  std::vector<Answer> nodes;           ///< pre-order
-  std::vector<Won> action;
-  std::vector<Value> state;
-  std::vector<Perceived> perceived;
-};
-
-/// The branches in which two nodes are where their ways from the root part: children of the lowest
-/// node that has both below it. Of two of which one is above the other, the upper one is itself.
-[[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
-                                                                ubf::NodeIndex a, ubf::NodeIndex b);
+using team::Answer, team::Changed, team::Decision, team::Perceived, team::Rival, team::Value;
+using team::parting, team::Won;
 
 /// "voted 40 against 10", or how else a field was won.
 [[nodiscard]] std::string reason(const Won& won);

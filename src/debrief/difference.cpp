@@ -13,27 +13,15 @@
 namespace eyrie::debrief {
 namespace {
 
-/// Whether a player's row of a column has other bytes in the other world.
-template <class Row>
-bool differs(const sim::World& a, const sim::World& b, sim::Column<Row> column, std::uint32_t i,
-             std::uint32_t j) {
-  return std::memcmp(&a.rows(column)[i], &b.rows(column)[j], sizeof(Row)) != 0;
-}
-
-/// The first player, by id, who asks for something else.
+/// The first player, fleet by fleet and by id, who asks for something else.
 PlayerId asks_otherwise(const scenario::Scenario& s, const sim::World& a, const sim::World& b) {
-  for (std::uint32_t i = 0; i < a.rows(s.aircraft.table); ++i) {
-    const PlayerId who = a.ids(s.aircraft.table)[i];
-    const auto j = b.row(s.aircraft.table, who);
-    if (j && (differs(a, b, s.aircraft.command, i, *j) || differs(a, b, s.aircraft.request, i, *j)))
-      return who;
-  }
-  for (std::uint32_t i = 0; s.vehicles && i < a.rows(s.vehicles->table); ++i) {
-    const PlayerId who = a.ids(s.vehicles->table)[i];
-    const auto j = b.row(s.vehicles->table, who);
-    if (j && differs(a, b, s.vehicles->command, i, *j))
-      return who;
-  }
+  for (const auto& fleet : s.fleets)
+    for (std::uint32_t i = 0; i < fleet->rows(a); ++i) {
+      const PlayerId who = fleet->id(a, i);
+      const auto j = fleet->row(b, who);
+      if (j && !fleet->agents->want_alike(a, i, b, *j))
+        return who;
+    }
   return {};
 }
 

@@ -11,16 +11,18 @@
 
 namespace eyrie::debrief {
 
-/// Looks at decisions of one scenario again. Not for two threads at once.
+/// Looks at decisions of one scenario again.
 class Explainer {
  public:
   explicit Explainer(const scenario::Scenario& scenario) : Explainer(scenario, scenario) {}
   /// Of what `asked`, the scenario with other trees, would have decided there.
-  Explainer(const scenario::Scenario& scenario, const scenario::Scenario& asked);
+  Explainer(const scenario::Scenario& scenario, const scenario::Scenario& asked)
+      : scenario_(scenario), asked_(asked) {}
 
   /// Nothing if that agent had no decision due in the step, has no tree, or left the run in it.
   [[nodiscard]] std::optional<Decision> explain(const sim::World& before, const sim::World& after,
-                                                PlayerId who, std::span<const sim::Order> orders);
+                                                PlayerId who,
+                                                std::span<const sim::Order> orders) const;
 
   /// Who led after the last decision, as the agent's row keeps it; kNone for nobody.
   [[nodiscard]] ubf::NodeIndex leader(const sim::World& world, PlayerId who) const;
@@ -30,11 +32,6 @@ class Explainer {
  private:
   const scenario::Scenario& scenario_;
   const scenario::Scenario& asked_;
-  const pilot::PilotSystem* pilots_ = nullptr;
-  const driver::DriverSystem* drivers_ = nullptr;
-  pilot::Trace pilot_trace_;
-  driver::Trace driver_trace_;
-  std::vector<std::vector<Answer>> pilot_nodes_, driver_nodes_;  ///< by tree, not yet asked
 };
 
 /// A system of a simulation by its type, or null.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "scenario/yaml.hpp"
@@ -14,28 +15,25 @@ namespace {
 /// The nodes of one tree by their paths, in pre-order.
 using Paths = std::vector<std::string>;
 
-template <class Trees>
-bool add_paths(const Trees& trees, const std::string& name, Paths& paths) {
-  const auto index = trees.find(name);
-  if (!index)
-    return false;
-  for (std::size_t i = 0; i < trees[*index].size(); ++i)
-    paths.push_back(trees[*index].path(static_cast<ubf::NodeIndex>(i)));
-  return true;
+/// Of the tree of that name, whoever uses it, or else nothing.
+std::optional<Paths> paths_of(const scenario::Scenario& scenario, const std::string& name) {
+  for (const auto& fleet : scenario.fleets)
+    if (const ubf::TreeOutline* tree = ubf::find(fleet->trees, name)) {
+      Paths paths;
+      for (const ubf::NodeOutline& node : tree->nodes)
+        paths.push_back(node.path);
+      return paths;
+    }
+  return std::nullopt;
 }
 
 /// The tree that a player begins with.
 std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
-  const auto name = [](const auto& trees, std::uint16_t index) {
-    return index < trees.size() ? std::string(trees[index].name()) : "";
-  };
-  const sim::World& world = *scenario.start;
-  if (const auto row = world.row(scenario.aircraft.table, who))
-    return name(*scenario.trees, world.rows(scenario.pilots.agent)[*row].tree);
-  if (scenario.vehicles)
-    if (const auto row = world.row(scenario.vehicles->table, who))
-      return name(*scenario.driver_trees, world.rows(scenario.drivers.agent)[*row].tree);
-  return "";
+  const auto found = scenario.find(*scenario.start, who);
+  if (!found)
+    return "";
+  const auto tree = found->fleet.agents->last_decision(*scenario.start, found->row).tree;
+  return tree < found->fleet.trees.size() ? found->fleet.trees[tree].name : "";
 }
 
 class Reader {
@@ -56,15 +54,14 @@ class Reader {
     }
     if (equals == std::string::npos || !is_path(path))
       return false;
-    Paths paths;
     if (tree.empty())
       tree = tree_of(scenario_, who_);
-    if (!add_paths(*scenario_.trees, tree, paths) &&
-        !add_paths(*scenario_.driver_trees, tree, paths)) {
+    const auto paths = paths_of(scenario_, tree);
+    if (!paths) {
       error(0, fmt::format("there is no tree {}", quote(tree)));
       return true;
     }
-    change(paths, tree, path, equals, out);
+    change(*paths, tree, path, equals, out);
     return true;
   }
 

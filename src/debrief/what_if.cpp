@@ -2,92 +2,35 @@
 #include "debrief/what_if.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
-#include "core/angle.hpp"
-#include "debrief/explainer.hpp"
-#include "debrief/values.hpp"
 #include "record/tally.hpp"
 #include "sim/snapshot.hpp"
 
 namespace eyrie::debrief {
 namespace {
 
-template <class Field, class T>
-Changed changed(const Field& field, const std::optional<T>& flown, const std::optional<T>& other) {
-  const auto value = [&](const std::optional<T>& v) {
-    return v ? action_value(field.name, field.unit, *v) : Value{.text = "-"};
-  };
-  const Value a = value(flown), b = value(other);
-  Changed change{std::string(field.name), std::string(field.unit.si_symbol), a.text, b.text, {}};
-  if (a.number && b.number && Field::is_number)
-    change.difference =
-        Field::is_direction ? angle_between(*a.number, *b.number) : *b.number - *a.number;
-  return change;
-}
-
-/// Whether two arbiters mean the same: the last bits of a sum are not another decision.
-template <class Field, class T>
-bool same(const Field&, const std::optional<T>& a, const std::optional<T>& b) {
-  if constexpr (Field::is_real) {
-    constexpr double kRounding = 1e-11;
-    if (a && b) {
-      const double x = static_cast<double>(*a), y = static_cast<double>(*b);
-      return std::fabs(x - y) <= kRounding * std::max({1.0, std::fabs(x), std::fabs(y)});
-    }
-  }
-  return a == b;
-}
-
-template <class Action>
-std::vector<Changed> changes(const Action& flown, const Action& other) {
-  std::vector<Changed> all;
-  ubf::for_each_field<Action>([&](const auto& f, auto) {
-    if (!same(f, flown.*f.member, other.*f.member))
-      all.push_back(changed(f, flown.*f.member, other.*f.member));
-  });
-  return all;
-}
-
-/// Asks two trees about the same states; the second keeps a memory of its own.
-template <class State, class Action>
-class Comparison {
+/// Asks the trees of two fleets about the same states; the second keeps a memory of its own.
+class Twice {
  public:
-  using Trees = ubf::Trees<State, Action>;
-  Comparison(const Trees& flown, const Trees& other, WhatIf& result)
+  Twice(const scenario::Fleet& flown, const scenario::Fleet& other, WhatIf& result)
       : flown_(flown), other_(other), result_(result) {}
 
-  void look(const team::Moment<State>& m) {
-    const std::uint16_t index = m.state.agent.tree;
-    const auto& flown = flown_[index];
-    const auto& other = other_[index];
-    if (index != tree_) {
-      tree_ = index;
-      slab_ = team::memory_for(other, flown, m);
+  void look(const team::AnyMoment& m) {
+    if (m.tree != tree_) {
+      tree_ = m.tree;
+      slab_ = m.memory_for(*other_.agents);
     }
-    const auto was = team::ask_again(flown, m);
-    const auto would = team::ask_again(other, m, reinterpret_cast<std::byte*>(slab_.data()));
-    compare(flown, other, m, was, would);
-  }
-
- private:
-  static std::string label(const ubf::Tree<State, Action>& tree, ubf::NodeIndex node) {
-    return node == ubf::kNone ? "nobody" : std::string(tree.node(node).label());
-  }
-  void compare(const ubf::Tree<State, Action>& flown, const ubf::Tree<State, Action>& other,
-               const team::Moment<State>& m, const ubf::Proposal<Action>& was,
-               const ubf::Proposal<Action>& would) {
+    team::Comparison found = m.compare(*other_.agents, reinterpret_cast<std::byte*>(slab_.data()));
     ++result_.decisions;
     result_.steps.push_back(m.info.step);
-    result_.leaders.push_back(would.leader);
-    std::vector<Changed> fields = changes(was.action, would.action);
-    const bool same = fields.empty();
+    result_.leaders.push_back(found.other);
+    const bool same = found.fields.empty();
     if (!same) {
       ++result_.different;
       if (!result_.first)
-        result_.first = {m.info.step, m.info.time(), label(flown, was.leader),
-                         label(other, would.leader), std::move(fields)};
+        result_.first = {m.info.step, m.info.time(), flown_.trees[tree_].label(found.flown),
+                         other_.trees[tree_].label(found.other), std::move(found.fields)};
       if (in_a_row_)
         result_.spans.back().second = m.info.time();
       else
@@ -96,8 +39,9 @@ class Comparison {
     in_a_row_ = !same;
   }
 
-  const Trees& flown_;
-  const Trees& other_;
+ private:
+  const scenario::Fleet& flown_;
+  const scenario::Fleet& other_;
   WhatIf& result_;
   std::uint16_t tree_ = team::kNoTree;
   std::vector<std::uint64_t> slab_;
@@ -119,23 +63,13 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
                double from) {
   WhatIf result;
   const scenario::Scenario& flown = *recorded.scenario;
-  const auto* pilots = find_system<pilot::PilotSystem>(*flown.simulation);
-  const auto* drivers = find_system<driver::DriverSystem>(*flown.simulation);
-  Comparison<pilot::State, pilot::Action> in_air(*flown.trees, *other.trees, result);
-  Comparison<driver::State, driver::Action> on_ground(*flown.driver_trees, *other.driver_trees,
-                                                      result);
-  const bool drives = flown.roster.find(who)->platform == scenario::Platform::vehicle;
+  const scenario::Fleet& fleet = flown.fleet_of(who);
+  Twice twice(fleet, other.fleet_of(who), result);
   Reflight flight(recorded);
-  while (flight.step()) {
-    if (flight.time() < from - 1e-9)
-      continue;
-    if (drives)
-      drivers->revisit(flight.before(), flight.after(), who, flight.orders(),
-                       [&](const auto& m) { on_ground.look(m); });
-    else
-      pilots->revisit(flight.before(), flight.after(), who, flight.orders(),
-                      [&](const auto& m) { in_air.look(m); });
-  }
+  while (flight.step())
+    if (flight.time() >= from - 1e-9)
+      fleet.agents->look_again(flight.before(), flight.after(), who, flight.orders(),
+                               [&](const team::AnyMoment& m) { twice.look(m); });
   return result;
 }
 

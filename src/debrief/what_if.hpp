@@ -14,13 +14,6 @@
 
 namespace eyrie::debrief {
 
-/// A field that would have been another one.
-struct Changed {
-  std::string name, unit;
-  std::string flown, other;          ///< for people; "-" for nothing
-  std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
-};
-
 /// A decision that would have been another one.
 struct Otherwise {
   std::uint64_t step = 0;

@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "driver/driver_system.hpp"
 
+#include "core/angle.hpp"
+#include "team/values.hpp"
+
 namespace eyrie::driver {
+
+std::vector<team::Perceived> perceived(const State& s) {
+  std::vector<team::Perceived> all;
+  std::uint32_t number = 0;
+  for (const model::Sighted& seen : s.lookout.all())
+    all.push_back({"aircraft",
+                   ++number,
+                   seen.truth,
+                   {team::action_value("identity", {}, seen.identity),
+                    team::number_value("range", "m", s.range_to(seen)),
+                    team::number_value("bearing", "rad", wrap_tau(s.bearing_to(seen.position))),
+                    team::number_value("age", "s", s.time - seen.time)}});
+  return all;
+}
 
 void Teller::changes(const Agent& before, const Proposal&, const Agent& agent) const {
   in_charge(before, agent);

@@ -5,10 +5,12 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <vector>
 
 #include "driver/agent.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
+#include "team/decision.hpp"
 #include "team/member.hpp"
 
 namespace eyrie::driver {
@@ -72,6 +74,9 @@ struct State : Cab {
   [[nodiscard]] const model::GuidanceGains& guidance() const { return type.guidance; }
   [[nodiscard]] Vec3 wind() const { return {}; }
 };
+
+/// What is in a state, for debriefs.
+[[nodiscard]] std::vector<team::Perceived> perceived(const State& state);
 
 /// Carries out what the tree recommends.
 void execute(const Action& action, model::DriveCommand& command, Agent& agent);

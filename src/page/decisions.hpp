@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "debrief/values.hpp"
+#include "debrief/decision.hpp"
 #include "page/quantum.hpp"
 #include "page/shapes.hpp"
 

@@ -58,13 +58,9 @@ void Motions::look(const sim::World& world, bool players, bool missiles) {
     if (players)
       sample(player, time_, k, fuel);
   };
-  const auto& aircraft = scenario_.aircraft;
-  for (std::size_t i = 0; i < world.rows(aircraft.table); ++i)
-    see(world.ids(aircraft.table)[i], world.rows(aircraft.kinematics)[i],
-        world.rows(aircraft.propulsion)[i].fuel);
-  if (const auto& vehicles = scenario_.vehicles)
-    for (std::size_t i = 0; i < world.rows(vehicles->table); ++i)
-      see(world.ids(vehicles->table)[i], world.rows(vehicles->kinematics)[i], ubf::kNoValue);
+  scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+    see(id, fleet.motion(world, row), fleet.gauges(world, row).fuel.value_or(ubf::kNoValue));
+  });
   const auto ids = world.ids(scenario_.missiles.table);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Missile& missile = missiles_[ids[i].value];

@@ -50,7 +50,7 @@ class Platform {
       : trees_(trees), first_(first), trace_(trees.max_size()) {
     std::set<std::uint32_t> read;
     for (const auto& tree : trees) {
-      blank_.push_back(debrief::unanswered(tree));
+      blank_.push_back(team::unanswered(ubf::outline(tree)));
       add_fields_read(tree, read);
     }
     for (const std::uint32_t field : read)
@@ -148,7 +148,7 @@ class Writer {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       const PlayerId who{static_cast<std::uint32_t>(i + 1)};
       Agent& agent = agents_[i];
-      if (scenario_.roster.players[i].platform == scenario::Platform::vehicle)
+      if (scenario_.fleet_of(who).agents == driver_system_)
         driver_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
                                 [&](const team::Moment<driver::State>& m) {
                                   drivers_.decide(m, agent, periods_, [&](const driver::State& s) {
@@ -226,10 +226,10 @@ class Writer {
     Json all = Json::array();
     for (const model::Flight& flight : library.flights) {
       Json members = Json::array(), route = Json::array(), home;
-      bool drives = false;
+      std::string_view kind = "aircraft";
       for (const PlayerId id : flight.members) {
         members.push_back(id.value - 1);
-        drives |= scenario_.roster.find(id)->platform == scenario::Platform::vehicle;
+        kind = scenario_.fleet_of(id).words.name;
       }
       if (!flight.routes.empty())
         for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
@@ -243,7 +243,7 @@ class Writer {
       }
       all.push_back({{"name", flight.name},
                      {"side", scenario::side_name(flight.side)},
-                     {"kind", drives ? "vehicle" : "aircraft"},
+                     {"kind", kind},
                      {"members", std::move(members)},
                      {"route", std::move(route)},
                      {"home", std::move(home)}});
@@ -253,16 +253,10 @@ class Writer {
 
   [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const {
     const auto& p = scenario_.roster.players[index];
-    const bool drives = p.platform == scenario::Platform::vehicle;
-    Json j{{"id", index + 1},
-           {"name", p.name},
-           {"side", scenario::side_name(p.side)},
-           {"kind", drives ? "vehicle" : "aircraft"},
-           {"type", p.label},
-           {"model", p.type},
-           {"flight", p.flight},
-           {"rank", p.rank},
-           {"radar", drives ? Json() : radar(p.type)}};
+    const std::string_view kind = scenario_.fleets[p.fleet]->words.name;
+    Json j{{"id", index + 1},    {"name", p.name},  {"side", scenario::side_name(p.side)},
+           {"kind", kind},       {"type", p.label}, {"model", p.type},
+           {"flight", p.flight}, {"rank", p.rank},  {"radar", radar(p.type)}};
     j.update(motions_.player(index, bytes));
     j["decisions"] = agents_[index].decisions.json(bytes);
     j["sights"] = agents_[index].sights.json(bytes);

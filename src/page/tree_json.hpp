@@ -3,7 +3,7 @@
 /// \file  Trees as the page draws them and arbitrates by them.
 #include <string_view>
 
-#include "debrief/nodes.hpp"
+#include "debrief/decision.hpp"
 #include "page/params_json.hpp"
 #include "ubf/tree.hpp"
 
@@ -13,7 +13,7 @@ namespace eyrie::page {
 template <class State, class Action>
 [[nodiscard]] Json tree_json(const ubf::Tree<State, Action>& tree, std::string_view platform) {
   Json nodes = Json::array();
-  const std::vector<debrief::Answer> all = debrief::unanswered(tree);
+  const std::vector<debrief::Answer> all = team::unanswered(ubf::outline(tree));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
     const debrief::Answer& answer = all[i];

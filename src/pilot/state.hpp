@@ -6,12 +6,14 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <vector>
 
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "pilot/agent.hpp"
 #include "pilot/formation.hpp"
 #include "pilot/geometry.hpp"
+#include "team/decision.hpp"
 #include "team/member.hpp"
 
 namespace eyrie::pilot {
@@ -134,6 +136,9 @@ struct State : Cockpit {
   /// it turns an error of altitude into a climb rate by a time constant.
   [[nodiscard]] double altitude_for(double climb_angle) const;
 };
+
+/// What is in a state, for debriefs.
+[[nodiscard]] std::vector<team::Perceived> perceived(const State& state);
 
 /// Builds the state: carries every track on to `time`, counts the flight and chooses the target.
 [[nodiscard]] State perceive(const Cockpit& cockpit, const model::Library& library,

@@ -66,9 +66,7 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
     const auto& player = scenario_.roster.players[i];
     const PlayerId id{static_cast<std::uint32_t>(i + 1)};
-    const bool drives = player.platform == scenario::Platform::vehicle;
-    objects_.try_emplace(id.value, id,
-                         introduction(player, drives ? "Ground+Vehicle" : "Air+FixedWing"));
+    objects_.try_emplace(id.value, id, introduction(player, scenario_.fleet_of(id).words.acmi));
   }
   see_players(world);
   write_lines();
@@ -81,11 +79,9 @@ void AcmiWriter::see(PlayerId id, AcmiSample sample) {
 }
 
 void AcmiWriter::see_players(const sim::World& world) {
-  for (std::size_t i = 0; i < world.rows(scenario_.aircraft.table); ++i)
-    see(world.ids(scenario_.aircraft.table)[i], aircraft(world, i));
-  if (scenario_.vehicles)
-    for (std::size_t i = 0; i < world.rows(scenario_.vehicles->table); ++i)
-      see(world.ids(scenario_.vehicles->table)[i], vehicle(world, i));
+  scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+    see(id, player(fleet, world, row));
+  });
 }
 
 void AcmiWriter::see_missiles(const sim::World& world) {
@@ -94,39 +90,26 @@ void AcmiWriter::see_missiles(const sim::World& world) {
         sample_of(world.rows(scenario_.missiles.kinematics)[i]));
 }
 
-template <class Agent, class Trees>
-void AcmiWriter::winner(AcmiSample& sample, const Agent& agent, const Trees& trees) {
-  if (!agent.ticks)
-    return;
-  const auto& tree = trees[agent.tree];
-  const auto [label, is_new] = labels_.try_emplace({&tree, agent.node});
+AcmiSample AcmiWriter::player(const scenario::Fleet& fleet, const sim::World& world,
+                              std::size_t row) {
+  const auto& k = fleet.motion(world, row);
+  const scenario::Gauges gauges = fleet.gauges(world, row);
+  AcmiSample sample = sample_of(k);
+  sample.speed = k.speed;
+  sample.mach = gauges.mach.value_or(0);
+  sample.load_factor = gauges.load_factor.value_or(0);
+  if (gauges.fuel)
+    sample.fuel = std::floor(*gauges.fuel);
+  sample.lock = gauges.locked.value;
+  const team::LastDecision last = fleet.agents->last_decision(world, row);
+  if (!last.ticks)
+    return sample;
+  const ubf::TreeOutline& tree = fleet.trees[last.tree];
+  const auto [label, is_new] = labels_.try_emplace({&tree, last.node});
   if (is_new)
-    label->second = acmi_name(agent.node < tree.size() ? tree.node(agent.node).label() : "none");
+    label->second = acmi_name(last.node < tree.nodes.size() ? tree.label(last.node) : "none");
   sample.winner = label->second;
-  sample.vote = agent.vote;
-}
-
-AcmiSample AcmiWriter::vehicle(const sim::World& world, std::size_t row) {
-  const auto& k = world.rows(scenario_.vehicles->kinematics)[row];
-  AcmiSample sample = sample_of(k);
-  sample.speed = k.speed;
-  winner(sample, world.rows(scenario_.drivers.agent)[row], *scenario_.driver_trees);
-  return sample;
-}
-
-AcmiSample AcmiWriter::aircraft(const sim::World& world, std::size_t row) {
-  const auto& k = world.rows(scenario_.aircraft.kinematics)[row];
-  const auto& tracks = world.rows(scenario_.aircraft.tracks)[row];
-  const TrackId target = world.rows(scenario_.aircraft.request)[row].target;
-  AcmiSample sample = sample_of(k);
-  sample.speed = k.speed;
-  sample.mach = k.mach;
-  sample.load_factor = k.load_factor;
-  sample.fuel = std::floor(world.rows(scenario_.aircraft.propulsion)[row].fuel);
-  for (std::uint32_t i = 0; i < tracks.count; ++i)
-    if (target && tracks.tracks[i].id == target)
-      sample.lock = tracks.tracks[i].truth.value;
-  winner(sample, world.rows(scenario_.pilots.agent)[row], *scenario_.trees);
+  sample.vote = last.vote;
   return sample;
 }
 
@@ -213,7 +196,7 @@ void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
 }
 
 void AcmiWriter::remember(const sim::World& world) {
-  seen_.resize(3);
+  seen_.resize(scenario_.fleets.size() + 1);
   const auto keep = [&](Seen& seen, TableId table, auto column) {
     const auto ids = world.ids(table);
     seen.ids.assign(ids.begin(), ids.end());
@@ -221,10 +204,10 @@ void AcmiWriter::remember(const sim::World& world) {
     for (const model::Kinematics& k : world.rows(column))
       seen.poses.push_back(pose_of(k, time_));
   };
-  keep(seen_[0], scenario_.aircraft.table, scenario_.aircraft.kinematics);
-  keep(seen_[1], scenario_.missiles.table, scenario_.missiles.kinematics);
-  if (scenario_.vehicles)
-    keep(seen_[2], scenario_.vehicles->table, scenario_.vehicles->kinematics);
+  keep(seen_.back(), scenario_.missiles.table, scenario_.missiles.kinematics);
+  for (std::size_t i = 0; i < scenario_.fleets.size(); ++i)
+    if (const scenario::Fleet& fleet = *scenario_.fleets[i]; fleet.agents)
+      keep(seen_[i], fleet.agents->table(), fleet.kinematics);
 }
 
 void AcmiWriter::write_lines() {

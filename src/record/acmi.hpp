@@ -18,7 +18,7 @@
 
 namespace eyrie::record {
 
-/// Writes a flight recording while a run is flown. Aircraft and vehicles are sampled at 5 Hz and
+/// Writes a flight recording while a run is flown. Players are sampled at 5 Hz and
 /// missiles at 10 Hz; of these samples the file has those that a reader needs who draws straight
 /// lines between them (AcmiObject::kTolerance), one in five seconds at least. Births, deaths,
 /// events, locks and whom the tree obeys stand at their time. Positions are relative to the
@@ -42,14 +42,11 @@ class AcmiWriter final : public sim::Observer {
   void see_players(const sim::World& world);
   void see_missiles(const sim::World& world);
   void see(PlayerId id, AcmiSample sample);
-  [[nodiscard]] AcmiSample aircraft(const sim::World& world, std::size_t row);
-  [[nodiscard]] AcmiSample vehicle(const sim::World& world, std::size_t row);
+  [[nodiscard]] AcmiSample player(const scenario::Fleet& fleet, const sim::World& world,
+                                  std::size_t row);
   [[nodiscard]] AcmiSample sample_of(const model::Kinematics& k) const;
   [[nodiscard]] std::string introduction(const scenario::Roster::Player& player,
                                          std::string_view type) const;
-  /// The behavior in charge and its vote.
-  template <class Agent, class Trees>
-  void winner(AcmiSample& sample, const Agent& agent, const Trees& trees);
   void born(const sim::Event& launch, const sim::World& world);
   void gone(PlayerId id);
   void happened(const sim::Event& event, const sim::World& world);

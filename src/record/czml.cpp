@@ -63,7 +63,7 @@ ordered_json label(const Path& path, double end) {
 
 ordered_json packet(std::uint32_t id, const Path& path) {
   const double from = path.points.front().time, to = path.points.back().time;
-  const bool missile = path.kind == Path::Kind::missile;
+  const bool missile = path.kind == "missile";
   ordered_json j{{"id", fmt::format("player-{}", id)}, {"name", path.name}};
   j["availability"] = interval(from, to);
   j["description"] = fmt::format("{}, {}{}{}", path.type, scenario::side_name(path.side),

@@ -42,14 +42,13 @@ ordered_json lines(const std::vector<Path::Point>& points) {
 }
 
 ordered_json path_feature(const Path& path) {
-  constexpr const char* kKinds[] = {"aircraft", "vehicle", "missile"};
   ordered_json times = ordered_json::array(), led = ordered_json::array();
   for (const Path::Point& p : path.points)
     times.push_back(std::round(p.time * 100) / 100);
   for (const Path::Led& l : path.led)
     led.push_back({{"from_s", l.time}, {"behavior", l.behavior}, {"vote", l.vote}});
   ordered_json properties{{"name", path.name},
-                          {"kind", kKinds[static_cast<std::size_t>(path.kind)]},
+                          {"kind", path.kind},
                           {"type", path.type},
                           {"side", scenario::side_name(path.side)}};
   if (!path.target.empty())

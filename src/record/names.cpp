@@ -4,36 +4,30 @@
 namespace eyrie::record {
 namespace {
 
-/// `use(tree)` of the tree that an event names, whatever the platform; `otherwise` without one.
-template <class Result, class Use>
-Result with_tree(const scenario::Scenario& scenario, const sim::Event& e, Result otherwise,
-                 Use use) {
-  const auto* player = scenario.roster.find(e.who);
-  if (player && player->platform == scenario::Platform::vehicle)
-    return e.aux < scenario.driver_trees->size() ? use((*scenario.driver_trees)[e.aux]) : otherwise;
-  return e.aux < scenario.trees->size() ? use((*scenario.trees)[e.aux]) : otherwise;
+/// The tree that an event names, or null.
+const ubf::TreeOutline* tree_of(const scenario::Scenario& scenario, const sim::Event& e) {
+  if (!scenario.roster.find(e.who))
+    return nullptr;
+  const auto& trees = scenario.fleet_of(e.who).trees;
+  return e.aux < trees.size() ? &trees[e.aux] : nullptr;
 }
 
 }  // namespace
 
 bool is_outermost(const scenario::Scenario& scenario, const sim::Event& phase) {
-  return with_tree(scenario, phase, false, [&](const auto& tree) {
-    for (std::size_t i = 0; i < tree.size(); ++i)
-      if (tree.node(static_cast<ubf::NodeIndex>(i)).type() == "sequencer")
+  if (const ubf::TreeOutline* tree = tree_of(scenario, phase))
+    for (std::size_t i = 0; i < tree->nodes.size(); ++i)
+      if (tree->nodes[i].is_sequencer)
         return static_cast<std::size_t>(phase.values[2]) == i;
-    return false;
-  });
+  return false;
 }
 
 std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase) {
-  return with_tree(scenario, phase, std::string("?"), [&](const auto& tree) {
-    const auto node = static_cast<std::size_t>(phase.values[2]);
-    if (node >= tree.size())
-      return std::string("?");
-    const auto children = tree.node(static_cast<ubf::NodeIndex>(node)).children();
-    const auto to = static_cast<std::size_t>(phase.values[1]);
-    return to < children.size() ? std::string(children[to]->label()) : "?";
-  });
+  const ubf::TreeOutline* tree = tree_of(scenario, phase);
+  const ubf::NodeOutline* to = tree ? tree->child(static_cast<std::size_t>(phase.values[2]),
+                                                  static_cast<std::size_t>(phase.values[1]))
+                                    : nullptr;
+  return to ? to->label : "?";
 }
 
 std::string store_label(const scenario::Scenario& scenario, float index) {

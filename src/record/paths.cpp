@@ -26,7 +26,7 @@ void Paths::halve(Path& path, Last& last) const {
   for (std::size_t i = 0; i < path.points.size(); i += 2)
     path.points[kept++] = path.points[i];
   path.points.resize(kept);
-  const std::uint64_t every = path.kind == Path::Kind::missile ? missiles_every_ : players_every_;
+  const std::uint64_t every = path.kind == "missile" ? missiles_every_ : players_every_;
   last.pause = 2 * std::max(last.pause, static_cast<double>(every) * dt_);
 }
 
@@ -38,31 +38,17 @@ void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
     keep(id.value);
 }
 
-template <class Agent, class Trees>
-void Paths::lead(PlayerId id, const Agent& agent, const Trees& trees) {
-  if (!agent.ticks)
-    return;
-  const auto& tree = trees[agent.tree];
-  const std::string behavior =
-      agent.node < tree.size() ? std::string(tree.node(agent.node).label()) : "nobody";
-  auto& led = all_[id.value].led;
-  if (led.empty() || led.back().behavior != behavior || led.back().vote != agent.vote)
-    led.push_back({time_, behavior, agent.vote});
-}
-
 void Paths::look(const sim::World& world, bool players, bool missiles) {
-  const auto& aircraft = scenario_.aircraft;
-  for (std::size_t i = 0; i < world.rows(aircraft.table); ++i) {
-    const PlayerId id = world.ids(aircraft.table)[i];
-    see(id, world.rows(aircraft.kinematics)[i].position, players);
-    lead(id, world.rows(scenario_.pilots.agent)[i], *scenario_.trees);
-  }
-  if (const auto& vehicles = scenario_.vehicles)
-    for (std::size_t i = 0; i < world.rows(vehicles->table); ++i) {
-      const PlayerId id = world.ids(vehicles->table)[i];
-      see(id, world.rows(vehicles->kinematics)[i].position, players);
-      lead(id, world.rows(scenario_.drivers.agent)[i], *scenario_.driver_trees);
-    }
+  scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+    see(id, fleet.motion(world, row).position, players);
+    const team::LastDecision last = fleet.agents->last_decision(world, row);
+    if (!last.ticks)
+      return;
+    const std::string behavior = fleet.leader(world, row);
+    auto& led = all_[id.value].led;
+    if (led.empty() || led.back().behavior != behavior || led.back().vote != last.vote)
+      led.push_back({time_, behavior, last.vote});
+  });
   for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
     see(world.ids(scenario_.missiles.table)[i],
         world.rows(scenario_.missiles.kinematics)[i].position, missiles);
@@ -82,8 +68,7 @@ void Paths::begin(const sim::World& world, double dt) {
     path.name = player.name;
     path.type = player.label;
     path.side = player.side;
-    path.kind =
-        player.platform == scenario::Platform::vehicle ? Path::Kind::vehicle : Path::Kind::aircraft;
+    path.kind = scenario_.fleets[player.fleet]->words.name;
   }
   look(world, true, true);
 }
@@ -92,7 +77,7 @@ void Paths::happened(const sim::Event& e) {
   if (kind_of(e) == EventKind::launch) {
     const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
     Path& path = all_[e.who.value];
-    path.kind = Path::Kind::missile;
+    path.kind = "missile";
     path.type = store_label(scenario_, e.values[1]);
     path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
     path.side = shooter ? shooter->side : model::Side::none;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/frames.hpp"
@@ -28,8 +29,8 @@ struct Path {
   std::string name;  ///< "eagle1"; of a missile "AIM-120 of eagle1"
   std::string type;  ///< "F-15C"
   model::Side side = model::Side::none;
-  enum class Kind : std::uint8_t { aircraft, vehicle, missile } kind = Kind::aircraft;
-  std::string target;  ///< of a missile
+  std::string_view kind;  ///< "missile", or of the player: "aircraft"
+  std::string target;     ///< of a missile
   std::vector<Point> points;
   std::vector<Led> led;
   std::string end;  ///< "home", "lost", "kill", "miss", "trashed"; "" until the end of the run
@@ -67,8 +68,6 @@ class Paths final : public sim::Observer {
   void keep(std::uint32_t id);
   void halve(Path& path, Last& last) const;
   void happened(const sim::Event& event);
-  template <class Agent, class Trees>
-  void lead(PlayerId id, const Agent& agent, const Trees& trees);
 
   const scenario::Scenario& scenario_;
   std::size_t most_;

@@ -90,8 +90,7 @@ Tally::Side Tally::side(model::Side side) const {
   for (std::size_t i = 0; i < players_.size(); ++i) {
     if (scenario_.roster.players[i].side != side)
       continue;
-    (scenario_.roster.players[i].platform == scenario::Platform::aircraft ? sum.players
-                                                                          : sum.vehicles) += 1;
+    sum.players += scenario_.fleets[scenario_.roster.players[i].fleet]->words.comes_home;
     sum.losses += players_[i].lost;
     sum.shots += players_[i].shots;
     sum.kills += players_[i].kills;

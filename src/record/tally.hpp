@@ -22,8 +22,7 @@ class Tally final : public sim::Observer {
     std::string phase;    ///< of its outermost sequencer, "" if it has none
   };
   struct Side {
-    std::uint32_t players = 0;  ///< aircraft
-    std::uint32_t vehicles = 0;
+    std::uint32_t players = 0;  ///< that may come home: aircraft
     std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
   };
   /// A flight's phase is that of whoever leads it.

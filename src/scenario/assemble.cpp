@@ -92,6 +92,72 @@ void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::W
   }
 }
 
+class AircraftFleet final : public Fleet {
+ public:
+  AircraftFleet(const Scenario& scenario, const pilot::PilotSystem* pilots)
+      : Fleet({.name = "aircraft",
+               .plural = "aircraft",
+               .group = "flight",
+               .there = "in the air",
+               .acmi = "Air+FixedWing",
+               .comes_home = true}),
+        columns_(scenario.aircraft) {
+    trees = ubf::outlines(*scenario.trees);
+    agents = pilots;
+    fit = columns_.fit;
+    kinematics = columns_.kinematics;
+  }
+  [[nodiscard]] Gauges gauges(const sim::World& world, std::size_t row) const override {
+    const model::Kinematics& k = motion(world, row);
+    Gauges gauges{.mach = k.mach,
+                  .load_factor = k.load_factor,
+                  .fuel = world.rows(columns_.propulsion)[row].fuel};
+    const auto& tracks = world.rows(columns_.tracks)[row];
+    const TrackId target = world.rows(columns_.request)[row].target;
+    for (std::uint32_t i = 0; i < tracks.count; ++i)
+      if (target && tracks.tracks[i].id == target)
+        gauges.locked = tracks.tracks[i].truth;
+    return gauges;
+  }
+
+ private:
+  model::AircraftColumns columns_;
+};
+
+class VehicleFleet final : public Fleet {
+ public:
+  VehicleFleet(const Scenario& scenario, const driver::DriverSystem* drivers)
+      : Fleet({.name = "vehicle",
+               .plural = "vehicles",
+               .group = "convoy",
+               .there = "on the ground",
+               .acmi = "Ground+Vehicle"}) {
+    trees = ubf::outlines(*scenario.driver_trees);
+    agents = drivers;
+    if (!scenario.vehicles)
+      return;
+    columns_ = *scenario.vehicles;
+    fit = columns_.fit;
+    kinematics = columns_.kinematics;
+  }
+  void count(const sim::World& world, const model::Library& library,
+             std::span<Standing> standings) const override {
+    for (std::size_t i = 0; i < rows(world); ++i) {
+      const std::uint16_t flight = world.rows(fit)[i].flight;
+      const auto& routes = library.flights[flight].routes;
+      const model::NavState& nav = world.rows(columns_.driving)[i].nav;
+      Standing& convoy = standings[flight];
+      ++convoy.players;
+      convoy.moving |= motion(world, i).speed > 0;
+      convoy.at_the_end |=
+          nav.route < routes.size() && nav.leg >= routes[nav.route].waypoints.size();
+    }
+  }
+
+ private:
+  model::VehicleColumns columns_;
+};
+
 }  // namespace
 
 Vec3 beside(const Reference& reference, const Vec3& lead, double heading, const Vec3& offset) {
@@ -152,22 +218,26 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
 
   sim::SimulationBuilder builder(schema.build(), dt);
   builder.add<model::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
-  builder.add<pilot::PilotSystem>(pilot::PilotSetup{.columns = scenario.aircraft,
-                                                    .agents = scenario.pilots,
-                                                    .library = scenario.library,
-                                                    .trees = scenario.trees,
-                                                    .plans = scenario.plans,
-                                                    .dt = dt,
-                                                    .period = decisions.steps});
+  const auto& pilots =
+      builder.add<pilot::PilotSystem>(pilot::PilotSetup{.columns = scenario.aircraft,
+                                                        .agents = scenario.pilots,
+                                                        .library = scenario.library,
+                                                        .trees = scenario.trees,
+                                                        .plans = scenario.plans,
+                                                        .dt = dt,
+                                                        .period = decisions.steps});
+  const driver::DriverSystem* drivers = nullptr;
+  std::vector<model::MovingTable> others;
   if (scenario.vehicles) {
+    others.push_back({scenario.vehicles->table, scenario.vehicles->kinematics});
     builder.add<model::VehicleSystem>(*scenario.vehicles, scenario.aircraft, scenario.library, dt);
-    builder.add<driver::DriverSystem>(driver::DriverSetup{.columns = *scenario.vehicles,
-                                                          .agents = scenario.drivers,
-                                                          .library = scenario.library,
-                                                          .trees = scenario.driver_trees,
-                                                          .plans = scenario.convoys,
-                                                          .dt = dt,
-                                                          .period = decisions.steps});
+    drivers = &builder.add<driver::DriverSystem>(driver::DriverSetup{.columns = *scenario.vehicles,
+                                                                     .agents = scenario.drivers,
+                                                                     .library = scenario.library,
+                                                                     .trees = scenario.driver_trees,
+                                                                     .plans = scenario.convoys,
+                                                                     .dt = dt,
+                                                                     .period = decisions.steps});
   }
   builder.add<model::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
   builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
@@ -175,10 +245,12 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   builder.add<model::FlightSystem>(scenario.aircraft, scenario.library);
   builder.add<model::MotionCheck>(scenario.aircraft.table, scenario.aircraft.kinematics);
   builder.add<model::MotionCheck>(scenario.missiles.table, scenario.missiles.kinematics);
-  if (scenario.vehicles)
-    builder.add<model::MotionCheck>(scenario.vehicles->table, scenario.vehicles->kinematics);
-  builder.add<model::DamageSystem>(scenario.aircraft, scenario.vehicles);
+  for (const model::MovingTable& other : others)
+    builder.add<model::MotionCheck>(other.table, other.kinematics);
+  builder.add<model::DamageSystem>(scenario.aircraft, std::move(others));
   scenario.simulation = builder.build();
+  scenario.fleets = {std::make_shared<AircraftFleet>(scenario, &pilots),
+                     std::make_shared<VehicleFleet>(scenario, drivers)};
 
   sim::World world = scenario.simulation->world(scenario.spec.seed);
   populate(scenario, starts, world);

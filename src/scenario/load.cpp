@@ -135,7 +135,7 @@ class Loader {
 
   /// Enters a flight or convoy with its members into the roster.
   template <class Plan, class TypeOf>
-  model::Flight enter(const Plan& plan, Platform platform, TypeOf type_of) {
+  model::Flight enter(const Plan& plan, std::uint8_t fleet, TypeOf type_of) {
     model::Flight flight{.name = plan.name, .side = plan.side};
     Roster::Flight names{plan.name, plan.side, {}};
     for (const auto& player : plan.players) {
@@ -145,7 +145,7 @@ class Loader {
       const auto [type, label] = type_of(player.spec);
       out_->roster.players.push_back({player.name, type, label, plan.side,
                                       static_cast<std::uint16_t>(library_->flights.size()),
-                                      player.rank, platform});
+                                      player.rank, fleet});
     }
     out_->roster.flights.push_back(std::move(names));
     return flight;
@@ -156,7 +156,7 @@ class Loader {
       const auto type = library_->aircraft.find(spec.aircraft);
       return std::pair(spec.aircraft, type ? library_->aircraft[*type].label : spec.aircraft);
     };
-    model::Flight flight = enter(plan, Platform::aircraft, type_of);
+    model::Flight flight = enter(plan, 0, type_of);
     route(plan, flight);
     const FormationSpec& wall = plan.spec.formation;
     out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
@@ -173,7 +173,7 @@ class Loader {
       const auto type = library_->vehicles.find(spec.vehicle);
       return std::pair(spec.vehicle, type ? library_->vehicles[*type].label : spec.vehicle);
     };
-    model::Flight convoy = enter(plan, Platform::vehicle, type_of);
+    model::Flight convoy = enter(plan, 1, type_of);
     out_->plans.emplace_back();
     out_->convoys.push_back({.gap = plan.spec.gap});
     if (plan.sound && !plan.spec.route.empty()) {
@@ -333,7 +333,7 @@ class Loader {
     const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
     if (order.lose) {
       out_->orders.push_back(model::lose_order(step, who));
-    } else if (out_->roster.find(who)->platform == Platform::aircraft) {
+    } else if (out_->roster.find(who)->fleet == 0) {
       if (const auto tree = trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_))
         out_->orders.push_back(pilot::PilotSystem::swap_tree_order(step, who, *tree));
     } else if (const auto tree =

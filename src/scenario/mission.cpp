@@ -60,7 +60,7 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
       run_(scenario_->simulation, std::move(start), with_copies({}, *scenario_)),
       until_(until),
       last_step_(step_at(until_, *scenario_)),
-      convoys_(scenario_->library->flights.size()),
+      standings_(scenario_->library->flights.size()),
       any_home_(any_home) {}
 
 Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
@@ -69,48 +69,26 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
       run_(scenario_->simulation, scenario_->world(seed), with_copies(options, *scenario_)),
       until_(until.value_or(scenario_->spec.until)),
       last_step_(step_at(until_, *scenario_)),
-      convoys_(scenario_->library->flights.size()) {
+      standings_(scenario_->library->flights.size()) {
   for (const sim::Order& order : scenario_->orders)
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }
 
-void Mission::look_at_convoys() {
-  std::fill(convoys_.begin(), convoys_.end(), Convoy{});
-  const sim::World& world = run_.world();
-  const auto fit = world.rows(scenario_->vehicles->fit);
-  const auto driving = world.rows(scenario_->vehicles->driving);
-  const auto kinematics = world.rows(scenario_->vehicles->kinematics);
-  for (std::size_t i = 0; i < fit.size(); ++i) {
-    Convoy& convoy = convoys_[fit[i].flight];
-    const auto& routes = scenario_->library->flights[fit[i].flight].routes;
-    const model::NavState& nav = driving[i].nav;
-    ++convoy.vehicles;
-    convoy.moving |= kinematics[i].speed > 0;
-    convoy.at_the_end |= nav.route < routes.size() && nav.leg >= routes[nav.route].waypoints.size();
-  }
-}
-
 Outcome Mission::judge() {
   const sim::World& world = run_.world();
+  std::fill(standings_.begin(), standings_.end(), Standing{});
+  for (const auto& fleet : scenario_->fleets)
+    fleet->count(world, *scenario_->library, standings_);
   std::uint32_t blue = 0, red = 0;
-  const auto count = [&](const model::Fit& fit) {
-    blue += fit.side == model::Side::blue;
-    red += fit.side == model::Side::red;
-  };
-  for (const model::Fit& fit : world.rows(scenario_->aircraft.fit))
-    count(fit);
   bool any_arrived = false;
-  if (scenario_->vehicles) {
-    look_at_convoys();
-    for (std::size_t f = 0; f < convoys_.size(); ++f) {
-      const Convoy& convoy = convoys_[f];
-      const bool is_blue = scenario_->library->flights[f].side == model::Side::blue;
-      const bool arrived = scenario_->spec.ends == Ends::blue_home && convoy.at_the_end &&
-                           !convoy.moving && convoy.vehicles > 0;
-      any_arrived |= arrived && is_blue;
-      if (!arrived)
-        (is_blue ? blue : red) += convoy.vehicles;
-    }
+  for (std::size_t f = 0; f < standings_.size(); ++f) {
+    const Standing& flight = standings_[f];
+    const bool is_blue = scenario_->library->flights[f].side == model::Side::blue;
+    const bool arrived = scenario_->spec.ends == Ends::blue_home && flight.at_the_end &&
+                         !flight.moving && flight.players > 0;
+    any_arrived |= arrived && is_blue;
+    if (!arrived)
+      (is_blue ? blue : red) += flight.players;
   }
   if (scenario_->spec.ends == Ends::blue_home && blue == 0)
     return any_home_ || any_arrived ? Outcome::blue_home : Outcome::blue_lost;

@@ -60,19 +60,13 @@ class Mission {
   [[nodiscard]] Outcome outcome() const { return outcome_; }
 
  private:
-  /// A convoy has arrived when everybody stands and somebody is past the last point of the route.
-  struct Convoy {
-    std::uint32_t vehicles = 0;
-    bool moving = false, at_the_end = false;
-  };
   [[nodiscard]] Outcome judge();
-  void look_at_convoys();
 
   std::shared_ptr<const Scenario> scenario_;
   sim::Run run_;
   double until_;
   std::uint64_t last_step_;
-  std::vector<Convoy> convoys_;  ///< by flight; flights of aircraft have no vehicles
+  std::vector<Standing> standings_;  ///< by flight
   bool any_home_ = false;
   Outcome outcome_ = Outcome::running;
 };

@@ -13,10 +13,8 @@
 
 namespace eyrie::scenario {
 
-enum class Platform : std::uint8_t { aircraft, vehicle };
-
-/// Names that never enter a step. Player ids are 1 + index: players are born in this order,
-/// aircraft first.
+/// Names that never enter a step. Player ids are 1 + index: players are born in this order, fleet
+/// by fleet.
 struct Roster {
   struct Player {
     std::string name;   ///< "eagle1"
@@ -25,7 +23,7 @@ struct Roster {
     model::Side side = model::Side::none;
     std::uint16_t flight = 0;  ///< index into flights
     std::uint16_t rank = 1;    ///< from the name
-    Platform platform = Platform::aircraft;
+    std::uint8_t fleet = 0;    ///< index into Scenario::fleets
   };
   struct Flight {
     std::string name;

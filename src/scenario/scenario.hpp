@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A scenario that is ready to fly: const models, trees and systems, and the first world.
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "pilot/agent.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "scenario/fleet.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/source.hpp"
@@ -43,9 +43,10 @@ struct Scenario {
   pilot::PilotColumns pilots;
   std::vector<pilot::FlightPlan> plans;  ///< by Fit::flight
   std::shared_ptr<const driver::Trees> driver_trees;
-  std::vector<driver::ConvoyPlan> convoys;        ///< by Fit::flight
-  std::optional<model::VehicleColumns> vehicles;  ///< if there are any
-  driver::DriverColumns drivers;                  ///< of them
+  std::vector<driver::ConvoyPlan> convoys;           ///< by Fit::flight
+  std::optional<model::VehicleColumns> vehicles;     ///< if there are any
+  driver::DriverColumns drivers;                     ///< of them
+  std::vector<std::shared_ptr<const Fleet>> fleets;  ///< aircraft first
   std::shared_ptr<const sim::Simulation> simulation;
   std::optional<sim::World> start;  ///< with the scenario's own seed; use world()
   std::vector<sim::Order> orders;
@@ -53,10 +54,31 @@ struct Scenario {
   std::vector<std::string> sets;             ///< overrides, as given
   std::vector<PluginFile> plugins;           ///< whose nodes its trees may hold
 
-  [[nodiscard]] std::size_t count(Platform platform) const {
-    return static_cast<std::size_t>(
-        std::count_if(roster.players.begin(), roster.players.end(),
-                      [&](const Roster::Player& p) { return p.platform == platform; }));
+  /// Of a player of the roster.
+  [[nodiscard]] const Fleet& fleet_of(PlayerId who) const {
+    return *fleets[roster.find(who)->fleet];
+  }
+  [[nodiscard]] std::size_t tree_count() const {
+    std::size_t count = 0;
+    for (const auto& fleet : fleets)
+      count += fleet->trees.size();
+    return count;
+  }
+  /// A player's fleet and row in a world; nothing if it is not there.
+  struct Found {
+    const Fleet& fleet;
+    std::uint32_t row;
+  };
+  [[nodiscard]] std::optional<Found> find(const sim::World& world, PlayerId who) const {
+    const auto row = roster.find(who) ? fleet_of(who).row(world, who) : std::nullopt;
+    return row ? std::optional<Found>({fleet_of(who), *row}) : std::nullopt;
+  }
+  /// Calls `use(fleet, id, row)` for every player that is there.
+  template <class Use>
+  void each_player(const sim::World& world, Use use) const {
+    for (const auto& fleet : fleets)
+      for (std::size_t row = 0; row < fleet->rows(world); ++row)
+        use(*fleet, fleet->id(world, row), row);
   }
   /// The world at step 0 for a seed.
   [[nodiscard]] sim::World world(std::uint64_t seed) const;

@@ -3,9 +3,12 @@
 /// \file  Every agent's decision, whatever the platform: perceive, ask the tree, act.
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -13,6 +16,7 @@
 #include "model/library.hpp"
 #include "sim/columns.hpp"
 #include "team/deciding.hpp"
+#include "team/explain.hpp"
 
 namespace eyrie::team {
 
@@ -42,7 +46,7 @@ struct AgentSetup {
 ///     in every step, before the decision if one is due;
 ///   * swap_tree and swap_tree_name: its kind of order.
 template <class Platform>
-class AgentSystem final : public sim::System {
+class AgentSystem final : public Agents {
  public:
   using State = typename Platform::State;
   using Action = typename Platform::Action;
@@ -119,6 +123,32 @@ class AgentSystem final : public sim::System {
     }
   }
 
+  [[nodiscard]] LastDecision last_decision(const sim::World& world,
+                                           std::size_t row) const override {
+    const Agent& agent = world.rows(setup_.agents.agent)[row];
+    return {.ticks = agent.ticks, .vote = agent.vote, .tree = agent.tree, .node = agent.node};
+  }
+  [[nodiscard]] sim::Order order_tree(std::uint64_t step, PlayerId player,
+                                      std::uint16_t tree) const override {
+    return swap_tree_order(step, player, tree);
+  }
+  [[nodiscard]] bool want_alike(const sim::World& a, std::size_t row, const sim::World& b,
+                                std::size_t other_row) const override {
+    const auto alike = [&](auto member) {
+      const auto column = setup_.columns.*member;
+      return std::memcmp(&a.rows(column)[row], &b.rows(column)[other_row],
+                         sizeof(a.rows(column)[row])) == 0;
+    };
+    return std::apply([&](auto... member) { return (alike(member) && ...); },
+                      Platform::Controls::columns());
+  }
+  bool look_again(const sim::World& before, const sim::World& after, PlayerId who,
+                  std::span<const sim::Order> orders,
+                  const std::function<void(const AnyMoment&)>& use) const override {
+    return revisit(before, after, who, orders,
+                   [&](const Moment<State>& m) { use(Again(*this, m)); });
+  }
+
   [[nodiscard]] const Setup& setup() const { return setup_; }
 
   /// Calls `use` with what an agent perceived when it decided in a step, exactly, from the worlds
@@ -146,6 +176,30 @@ class AgentSystem final : public sim::System {
   }
 
  private:
+  class Again final : public AnyMoment {
+   public:
+    Again(const AgentSystem& agents, const Moment<State>& m)
+        : AnyMoment(m.info, m.who, m.state.agent.tree, m.memory), agents_(agents), m_(m) {}
+    [[nodiscard]] Decision decision(const Agents& asked) const override {
+      return decision_of(m_, tree_of(asked), tree_of(agents_));
+    }
+    [[nodiscard]] std::vector<std::uint64_t> memory_for(const Agents& other) const override {
+      return team::memory_for(tree_of(other), tree_of(agents_), m_);
+    }
+    [[nodiscard]] Comparison compare(const Agents& other, std::byte* slab) const override {
+      const auto was = ask_again(tree_of(agents_), m_);
+      const auto would = ask_again(tree_of(other), m_, slab);
+      return {was.leader, would.leader, changes(was.action, would.action)};
+    }
+
+   private:
+    [[nodiscard]] const auto& tree_of(const Agents& agents) const {
+      return (*static_cast<const AgentSystem&>(agents).setup_.trees)[tree];  // of this platform
+    }
+
+    const AgentSystem& agents_;
+    const Moment<State>& m_;
+  };
   using Rows = sim::Views<typename Platform::View, const sim::World>;
   static constexpr std::array kOrders{sim::OrderKind(Platform::swap_tree)};
 

@@ -18,6 +18,7 @@
 #include "sim/rate.hpp"
 #include "sim/schema.hpp"
 #include "sim/system.hpp"
+#include "team/agents.hpp"
 #include "team/blame.hpp"
 #include "team/member.hpp"
 #include "team/moment.hpp"
@@ -25,9 +26,6 @@
 #include "ubf/transition.hpp"
 
 namespace eyrie::team {
-
-/// No tree: nobody decides.
-inline constexpr std::uint16_t kNoTree = ubf::kNone;
 
 /// What agents add to the table of what they steer. `Agent::system` is the system that writes it.
 template <class Agent>

@@ -33,15 +33,15 @@ std::span<const sim::OrderKind> DamageSystem::accepts() const {
 
 void DamageSystem::apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
                                sim::Outbox& out) const {
-  if (const auto row = world.row(aircraft_.table, order.player))
-    out.emit({.kind = EventKind::loss,
-              .who = order.player,
-              .place = world.rows(aircraft_.kinematics)[*row].position});
-  else if (const auto vehicle =
-               vehicles_ ? world.row(vehicles_->table, order.player) : std::nullopt)
-    out.emit({.kind = EventKind::loss,
-              .who = order.player,
-              .place = world.rows(vehicles_->kinematics)[*vehicle].position});
+  const auto lose = [&](const MovingTable& moving) {
+    if (const auto row = world.row(moving.table, order.player))
+      out.emit({.kind = EventKind::loss,
+                .who = order.player,
+                .place = world.rows(moving.kinematics)[*row].position});
+  };
+  lose({aircraft_.table, aircraft_.kinematics});
+  for (const MovingTable& other : others_)
+    lose(other);
 }
 
 void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
@@ -50,11 +50,7 @@ void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
   for (const sim::Event& event : events) {
     if (event.kind == EventKind::crash || event.kind == EventKind::home ||
         event.kind == EventKind::loss) {
-      if (const auto row = world.row(aircraft_.table, event.who))
-        context.remove(aircraft_.table, *row);
-      else if (const auto vehicle =
-                   vehicles_ ? world.row(vehicles_->table, event.who) : std::nullopt)
-        context.remove(vehicles_->table, *vehicle);
+      context.remove(event.who);
       continue;
     }
     if (event.kind != EventKind::hit)

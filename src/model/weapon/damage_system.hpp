@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Turns hits into damage, damage into kills, and takes aircraft out of the run.
-#include <optional>
+#include <utility>
+#include <vector>
 
 #include "model/columns.hpp"
 #include "sim/order.hpp"
@@ -17,15 +18,20 @@ enum class OrderKind : std::uint16_t { none = 0, lose = 3 };
 /// Names them in a schema.
 void add_orders(sim::SchemaBuilder& builder);
 
+/// A table of players other than aircraft.
+struct MovingTable {
+  TableId table;
+  sim::Column<Kinematics> kinematics;
+};
+
 /// commit, in the order of the events: every hit adds its damage; the one that brings it to 1 is
 /// credited with the kill. Nobody leaves before all hits of the step are counted, so two who kill
 /// each other in one step both do. Who crashed, is home or is lost by an order leaves without a
-/// kill; so far nothing but an order takes a vehicle out of the run.
+/// kill; so far nothing but an order takes a player of another table out of the run.
 class DamageSystem final : public sim::System {
  public:
-  explicit DamageSystem(const AircraftColumns& aircraft,
-                        const std::optional<VehicleColumns>& vehicles = {})
-      : aircraft_(aircraft), vehicles_(vehicles) {}
+  explicit DamageSystem(const AircraftColumns& aircraft, std::vector<MovingTable> others = {})
+      : aircraft_(aircraft), others_(std::move(others)) {}
 
   [[nodiscard]] std::string_view name() const override { return "damage"; }
   [[nodiscard]] TableId table() const override { return aircraft_.table; }
@@ -37,7 +43,7 @@ class DamageSystem final : public sim::System {
 
  private:
   AircraftColumns aircraft_;
-  std::optional<VehicleColumns> vehicles_;
+  std::vector<MovingTable> others_;
 };
 
 }  // namespace eyrie::model

@@ -9,10 +9,10 @@
 
 #include "core/enum_names.hpp"
 #include "core/units.hpp"
-#include "debrief/decision.hpp"
+#include "team/decision.hpp"
 #include "ubf/state_fields.hpp"
 
-namespace eyrie::debrief {
+namespace eyrie::team {
 
 /// "45 deg", "6000 ft", "467 kt"; "-" for no value. Heights are in feet however large they are.
 [[nodiscard]] inline std::string number_text(std::string_view name, const Unit& unit,
@@ -61,4 +61,4 @@ template <class State>
   return values;
 }
 
-}  // namespace eyrie::debrief
+}  // namespace eyrie::team

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  From a traced tick to a Decision.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/angle.hpp"
+#include "team/moment.hpp"
+#include "team/values.hpp"
+#include "ubf/outline.hpp"
+
+namespace eyrie::team {
+
+/// Every node of a tree as one that was not asked.
+[[nodiscard]] std::vector<Answer> unanswered(const ubf::TreeOutline& tree);
+/// The branches in which two nodes are where their ways from the root part: children of the lowest
+/// node that has both below it. Of two of which one is above the other, the upper one is itself.
+[[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
+                                                                ubf::NodeIndex a, ubf::NodeIndex b);
+
+template <class Action>
+std::vector<Value> values_of(const Action& action) {
+  std::vector<Value> values;
+  ubf::for_each_field<Action>([&](const auto& f, auto) {
+    if (action.*f.member)
+      values.push_back(action_value(f.name, f.unit, *(action.*f.member)));
+  });
+  return values;
+}
+
+template <class State, class Action>
+std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Action>& tree,
+                            const ubf::Trace<Action>& trace) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto index = static_cast<ubf::NodeIndex>(i);
+    const auto& row = trace.row(index);
+    Answer& answer = all[i];
+    answer.asked = row.ticked;
+    answer.status = row.status;
+    answer.vote = row.proposal.vote;
+    answer.halts = row.halts;
+    answer.action = values_of(row.proposal.action);
+    const ubf::VoteCurve* curve = tree.node(index).vote_curve();
+    if (row.ticked && row.status != ubf::Status::failure && curve)
+      answer.why = curve->text(trace.scores(index), ubf::state_field_infos<State>());
+    else if (!row.ticked || row.status != ubf::Status::failure)
+      answer.why.clear();
+    else if (const char* why = trace.why(index))
+      answer.why = why;
+  }
+  return all;
+}
+
+/// Who won each field of the root's action, and against whom.
+template <class Action>
+std::vector<Won> contest(const std::vector<Answer>& nodes, const ubf::Trace<Action>& trace) {
+  std::vector<Won> all;
+  const auto& root = trace.row(0);
+  ubf::for_each_field<Action>([&](const auto& f, auto i) {
+    if (!(root.proposal.action.*f.member))
+      return;
+    Won won{.value = action_value(f.name, f.unit, *(root.proposal.action.*f.member)),
+            .winner = root.supplier[i],
+            .blended = !nodes[root.supplier[i]].is_leaf,
+            .rivals = {}};
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto node = static_cast<ubf::NodeIndex>(n);
+      const auto& proposed = trace.row(node).proposal.action.*f.member;
+      if (node == won.winner || !nodes[n].is_leaf || !proposed)
+        continue;
+      const auto [its, mine] = parting(nodes, node, won.winner);
+      won.rivals.push_back({.node = node,
+                            .value = action_value(f.name, f.unit, *proposed),
+                            .against = nodes[mine].vote,
+                            .vote = nodes[its].vote});
+    }
+    std::sort(won.rivals.begin(), won.rivals.end(), [](const Rival& a, const Rival& b) {
+      return a.vote != b.vote ? a.vote > b.vote : a.node < b.node;
+    });
+    all.push_back(std::move(won));
+  });
+  return all;
+}
+
+template <class Field, class T>
+Changed changed(const Field& field, const std::optional<T>& flown, const std::optional<T>& other) {
+  const auto value = [&](const std::optional<T>& v) {
+    return v ? action_value(field.name, field.unit, *v) : Value{.text = "-"};
+  };
+  const Value a = value(flown), b = value(other);
+  Changed change{std::string(field.name), std::string(field.unit.si_symbol), a.text, b.text, {}};
+  if (a.number && b.number && Field::is_number)
+    change.difference =
+        Field::is_direction ? angle_between(*a.number, *b.number) : *b.number - *a.number;
+  return change;
+}
+
+/// Whether two arbiters mean the same: the last bits of a sum are not another decision.
+template <class Field, class T>
+bool same(const Field&, const std::optional<T>& a, const std::optional<T>& b) {
+  if constexpr (Field::is_real) {
+    constexpr double kRounding = 1e-11;
+    if (a && b) {
+      const double x = static_cast<double>(*a), y = static_cast<double>(*b);
+      return std::fabs(x - y) <= kRounding * std::max({1.0, std::fabs(x), std::fabs(y)});
+    }
+  }
+  return a == b;
+}
+
+template <class Action>
+std::vector<Changed> changes(const Action& flown, const Action& other) {
+  std::vector<Changed> all;
+  ubf::for_each_field<Action>([&](const auto& f, auto) {
+    if (!same(f, flown.*f.member, other.*f.member))
+      all.push_back(changed(f, flown.*f.member, other.*f.member));
+  });
+  return all;
+}
+
+/// Asks `tree` where an agent has decided by `flown`, with a trace. What an agent perceived comes
+/// from perceived(state), found next to the state.
+template <class State, class Action>
+Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tree,
+                     const ubf::Tree<State, Action>& flown) {
+  ubf::Trace<Action> trace(tree.size());
+  auto memory = memory_for(tree, flown, m);
+  const auto out = ask_again(tree, m, reinterpret_cast<std::byte*>(memory.data()), &trace);
+  Decision d;
+  d.status = trace.row(0).status;
+  d.step = m.info.step;
+  d.time = m.info.time();
+  d.player = m.who;
+  d.tree = tree.name();
+  d.vote = out.vote;
+  d.leader = out.leader;
+  d.nodes = answers(unanswered(ubf::outline(tree)), tree, trace);
+  d.action = contest(d.nodes, trace);
+  d.state = state_values(m.state);
+  d.perceived = perceived(m.state);
+  return d;
+}
+
+}  // namespace eyrie::team
