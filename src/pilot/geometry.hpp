@@ -62,11 +62,4 @@ inline constexpr double kEarthRadius = 6371008.8;
   return c / divisor;
 }
 
-/// Seconds from now to the closest approach of something at `offset` with relative `velocity`; 0 if
-/// it is moving away.
-[[nodiscard]] inline double time_to_closest(const Vec3& offset, const Vec3& velocity) {
-  const double v2 = norm2(velocity);
-  return v2 > 0 ? std::max(0.0, -dot(offset, velocity) / v2) : 0.0;
-}
-
 }  // namespace eyrie::pilot

@@ -188,7 +188,8 @@ sim::World Scenario::world(std::uint64_t seed) const {
 }
 
 std::string assemble(Scenario& scenario, std::span<const Start> starts,
-                     std::span<const VehicleStart> vehicles) {
+                     std::span<const VehicleStart> vehicles,
+                     std::span<const std::unique_ptr<PlayerKind>> kinds) {
   const double dt = 1 / scenario.spec.rates.kinematics;
   const sim::Period decisions = sim::period_steps(scenario.spec.rates.decisions, dt);
   if (!decisions)
@@ -212,6 +213,12 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
         static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
     driver::DriverSystem::add_orders(schema);
   }
+  std::vector<model::MovingTable> others;
+  if (scenario.vehicles)
+    others.push_back({scenario.vehicles->table, scenario.vehicles->kinematics});
+  for (const auto& kind : kinds)
+    if (!kind->is_empty())
+      others.push_back(kind->define(schema));
   model::describe_events(schema);
   model::add_orders(schema);
   pilot::PilotSystem::add_orders(schema);
@@ -227,9 +234,7 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                                         .dt = dt,
                                                         .period = decisions.steps});
   const driver::DriverSystem* drivers = nullptr;
-  std::vector<model::MovingTable> others;
   if (scenario.vehicles) {
-    others.push_back({scenario.vehicles->table, scenario.vehicles->kinematics});
     builder.add<model::VehicleSystem>(*scenario.vehicles, scenario.aircraft, scenario.library, dt);
     drivers = &builder.add<driver::DriverSystem>(driver::DriverSetup{.columns = *scenario.vehicles,
                                                                      .agents = scenario.drivers,
@@ -239,6 +244,9 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                                                      .dt = dt,
                                                                      .period = decisions.steps});
   }
+  for (const auto& kind : kinds)
+    if (!kind->is_empty())
+      kind->add_systems(builder, scenario, dt, decisions.steps);
   builder.add<model::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
   builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
   builder.add<model::GunSystem>(scenario.aircraft, scenario.library);
@@ -251,10 +259,15 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   scenario.simulation = builder.build();
   scenario.fleets = {std::make_shared<AircraftFleet>(scenario, &pilots),
                      std::make_shared<VehicleFleet>(scenario, drivers)};
+  for (const auto& kind : kinds)
+    scenario.fleets.push_back(kind->fleet());
 
   sim::World world = scenario.simulation->world(scenario.spec.seed);
   populate(scenario, starts, world);
   park(scenario, vehicles, world);
+  for (const auto& kind : kinds)
+    if (!kind->is_empty())
+      kind->populate(scenario, world);
   scenario.start = std::move(world);
   return {};
 }

@@ -3,6 +3,7 @@
 /// \file  From a library, trees and starts to a simulation and its first world.
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/diagnostics.hpp"
 #include "core/frames.hpp"
 #include "model/weapon/stores_state.hpp"
+#include "scenario/player_kind.hpp"
 #include "scenario/scenario.hpp"
 
 namespace eyrie::scenario {
@@ -45,6 +47,7 @@ struct VehicleStart {
 /// Builds schema, systems and start world of a scenario whose spec, roster, library and trees are
 /// complete. Gives why that is impossible (a rate that does not divide), or "".
 [[nodiscard]] std::string assemble(Scenario& scenario, std::span<const Start> starts,
-                                   std::span<const VehicleStart> vehicles);
+                                   std::span<const VehicleStart> vehicles,
+                                   std::span<const std::unique_ptr<PlayerKind>> kinds = {});
 
 }  // namespace eyrie::scenario

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 #include <utility>
 
 #include "core/bind.hpp"
 #include "driver/driver_system.hpp"
 #include "model/events.hpp"
-#include "model/flight/fly.hpp"
 #include "model/rates.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "pilot/pilot_system.hpp"
@@ -22,10 +20,10 @@
 #include "scenario/mission.hpp"
 #include "scenario/place.hpp"
 #include "scenario/plan.hpp"
+#include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
 #include "scenario/trees.hpp"
-#include "sim/rate.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -62,9 +60,14 @@ class Loader {
       environment(*v);
     library_->reference =
         Reference({out_->spec.reference.latitude, out_->spec.reference.longitude, 0.0});
-    plans_ = read_plans(document_, diagnostics_);
+    std::vector<std::string_view> keys;
+    for (const MakeKind& make : plugins_.registries().kinds)
+      keys.push_back(kinds_.emplace_back(make())->key());
+    plans_ = read_plans(document_, diagnostics_, keys);
+    for (const OtherPlan& plan : plans_.others)
+      kinds_[plan.kind]->read(*plan.group, plan.side, diagnostics_);
     trees_ = TreeBook::read(document_.find("trees"), plans_, out_->spec.orders,
-                            plugins_.registries(), changes_, diagnostics_);
+                            plugins_.registries(), changes_, diagnostics_, kinds_);
     out_->trees = trees_.pilots();
     out_->driver_trees = trees_.drivers();
     models();
@@ -72,6 +75,10 @@ class Loader {
       flight(plan);
     for (const ConvoyPlan& plan : plans_.convoys)
       convoy(plan);
+    for (std::size_t kind = 0; kind < kinds_.size(); ++kind)
+      kinds_[kind]->enter(*out_, *library_, static_cast<std::uint8_t>(kind + 2), diagnostics_);
+    out_->plans.resize(library_->flights.size());
+    out_->convoys.resize(library_->flights.size());
     if (const auto problem = until_problem(out_->spec, out_->spec.until))
       error(place(document_, "until"), "until: " + *problem);
     orders();
@@ -134,29 +141,27 @@ class Loader {
   }
 
   /// Enters a flight or convoy with its members into the roster.
-  template <class Plan, class TypeOf>
-  model::Flight enter(const Plan& plan, std::uint8_t fleet, TypeOf type_of) {
+  template <class Plan, class Type, class Spec>
+  model::Flight enter(const Plan& plan, std::uint8_t fleet, const model::Shelf<Type>& shelf,
+                      std::string Spec::*type) {
     model::Flight flight{.name = plan.name, .side = plan.side};
     Roster::Flight names{plan.name, plan.side, {}};
     for (const auto& player : plan.players) {
       const PlayerId id{static_cast<std::uint32_t>(out_->roster.players.size() + 1)};
       flight.members.push_back(id);
       names.members.push_back(id);
-      const auto [type, label] = type_of(player.spec);
-      out_->roster.players.push_back({player.name, type, label, plan.side,
-                                      static_cast<std::uint16_t>(library_->flights.size()),
-                                      player.rank, fleet});
+      const std::string& name = player.spec.*type;
+      const auto index = shelf.find(name);
+      out_->roster.players.push_back(
+          {player.name, name, index ? shelf[*index].label : name, plan.side,
+           static_cast<std::uint16_t>(library_->flights.size()), player.rank, fleet});
     }
     out_->roster.flights.push_back(std::move(names));
     return flight;
   }
 
   void flight(const FlightPlan& plan) {
-    const auto type_of = [&](const PlayerSpec& spec) {
-      const auto type = library_->aircraft.find(spec.aircraft);
-      return std::pair(spec.aircraft, type ? library_->aircraft[*type].label : spec.aircraft);
-    };
-    model::Flight flight = enter(plan, 0, type_of);
+    model::Flight flight = enter(plan, 0, library_->aircraft, &PlayerSpec::aircraft);
     route(plan, flight);
     const FormationSpec& wall = plan.spec.formation;
     out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
@@ -169,11 +174,7 @@ class Loader {
   }
 
   void convoy(const ConvoyPlan& plan) {
-    const auto type_of = [&](const VehicleSpec& spec) {
-      const auto type = library_->vehicles.find(spec.vehicle);
-      return std::pair(spec.vehicle, type ? library_->vehicles[*type].label : spec.vehicle);
-    };
-    model::Flight convoy = enter(plan, 1, type_of);
+    model::Flight convoy = enter(plan, 1, library_->vehicles, &VehicleSpec::vehicle);
     out_->plans.emplace_back();
     out_->convoys.push_back({.gap = plan.spec.gap});
     if (plan.sound && !plan.spec.route.empty()) {
@@ -251,9 +252,8 @@ class Loader {
       place_at_start(plan, player, begin);
     begin.privileged = player.spec.privileged;
     begin.where = player.where;
-    if (!player.spec.tree.empty()) {
+    if (!player.spec.tree.empty())
       begin.tree = trees_.find(*out_->trees, player.spec.tree, player.place("tree"), diagnostics_);
-    }
     if (const auto type = library_->aircraft.find(player.spec.aircraft))
       equip(player, *type, begin);
     starts_.push_back(begin);
@@ -331,15 +331,20 @@ class Loader {
   }
   void give(const OrderSpec& order, PlayerId who, const Location& where) {
     const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
-    if (order.lose) {
-      out_->orders.push_back(model::lose_order(step, who));
-    } else if (out_->roster.find(who)->fleet == 0) {
-      if (const auto tree = trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_))
-        out_->orders.push_back(pilot::PilotSystem::swap_tree_order(step, who, *tree));
-    } else if (const auto tree =
-                   trees_.find(*out_->driver_trees, *order.swap_tree, where, diagnostics_)) {
-      out_->orders.push_back(driver::DriverSystem::swap_tree_order(step, who, *tree));
-    }
+    if (order.lose)
+      return out_->orders.push_back(model::lose_order(step, who));
+    const std::string& name = *order.swap_tree;
+    const std::size_t fleet = out_->roster.find(who)->fleet;
+    std::optional<sim::Order> given;
+    if (fleet >= 2)
+      given = kinds_[fleet - 2]->order_tree(step, who, name);
+    else if (const auto tree = fleet ? out_->driver_trees->find(name) : out_->trees->find(name))
+      given = fleet ? driver::DriverSystem::swap_tree_order(step, who, *tree)
+                    : pilot::PilotSystem::swap_tree_order(step, who, *tree);
+    if (given)
+      out_->orders.push_back(*given);
+    else
+      trees_.missing(name, where, diagnostics_);
   }
 
   /// Where a model in the scenario's own data says something; else where the rates stand.
@@ -362,7 +367,7 @@ class Loader {
       error(place_in_data(kind, model, parameter),
             fmt::format("data.{}.{}.{}: {}", kind, model, parameter, problem));
     stop_if_wrong();
-    const std::string problem = assemble(*out_, starts_, vehicle_starts_);
+    const std::string problem = assemble(*out_, starts_, vehicle_starts_, kinds_);
     if (!problem.empty()) {
       error(place(document_, "rates"), problem);
       stop_if_wrong();
@@ -382,6 +387,7 @@ class Loader {
   std::shared_ptr<model::Library> library_;
   std::vector<Start> starts_;
   std::vector<VehicleStart> vehicle_starts_;
+  std::vector<std::unique_ptr<PlayerKind>> kinds_;
   std::shared_ptr<Scenario> out_ = std::make_shared<Scenario>();
 };
 

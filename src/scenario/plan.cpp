@@ -44,13 +44,14 @@ std::optional<std::uint16_t> rank_of(std::string_view player, std::string_view f
 
 class Reader {
  public:
-  Reader(const Value& document, Diagnostics& diagnostics)
-      : document_(document), diagnostics_(diagnostics) {}
+  Reader(const Value& document, Diagnostics& diagnostics, std::span<const std::string_view> others)
+      : document_(document), diagnostics_(diagnostics), others_(others) {}
 
   Plans read() {
     side("blue", model::Side::blue);
     side("red", model::Side::red);
-    if (plans_.flights.empty() && plans_.convoys.empty() && diagnostics_.ok())
+    if (plans_.flights.empty() && plans_.convoys.empty() && plans_.others.empty() &&
+        diagnostics_.ok())
       diagnostics_.error(document_.where, "no flights: neither blue nor red has any");
     return std::move(plans_);
   }
@@ -63,11 +64,15 @@ class Reader {
     if (!map->is_map())
       return error(map->where,
                    fmt::format("{}: expected a map with flights, got {}", key, map->shown()));
-    static constexpr std::array<std::string_view, 3> kKeys{"home", "flights", "convoys"};
-    for (const Value::Entry& e : map->entries)
-      if (std::find(kKeys.begin(), kKeys.end(), e.key) == kKeys.end())
-        error(e.where,
-              fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, kKeys)));
+    std::vector<std::string_view> keys{"home", "flights", "convoys"};
+    keys.insert(keys.end(), others_.begin(), others_.end());
+    bool has_groups = false;
+    for (const Value::Entry& e : map->entries) {
+      const bool known = std::find(keys.begin(), keys.end(), e.key) != keys.end();
+      has_groups |= known && e.key != "home";
+      if (!known)
+        error(e.where, fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, keys)));
+    }
 
     std::optional<PlaceSpec> home;
     Location home_where;
@@ -79,7 +84,7 @@ class Reader {
     }
     const Value* flights = map->find("flights");
     const Value* convoys = map->find("convoys");
-    if (!flights && !convoys)
+    if (!has_groups)
       return error(map->where, fmt::format("{}: expected a map of flights, got nothing", key));
     for (const Value::Entry& e : groups(flights, key, "flights")) {
       FlightPlan plan;
@@ -91,6 +96,9 @@ class Reader {
       plans_.read.push_back({e.key, e.where, on_the_ground(e.value, e.key)});
       group(ConvoyPlan{}, plans_.convoys, plans_.read.back(), side);
     }
+    for (std::size_t kind = 0; kind < others_.size(); ++kind)
+      for (const Value::Entry& e : groups(map->find(others_[kind]), key, others_[kind]))
+        plans_.others.push_back({kind, &e, side});
   }
 
   std::span<const Value::Entry> groups(const Value* map, std::string_view side,
@@ -215,14 +223,16 @@ class Reader {
 
   const Value& document_;
   Diagnostics& diagnostics_;
+  std::span<const std::string_view> others_;
   Plans plans_;
   std::map<std::string, Location> groups_, places_;
 };
 
 }  // namespace
 
-Plans read_plans(const Value& document, Diagnostics& diagnostics) {
-  return Reader(document, diagnostics).read();
+Plans read_plans(const Value& document, Diagnostics& diagnostics,
+                 std::span<const std::string_view> others) {
+  return Reader(document, diagnostics, others).read();
 }
 
 }  // namespace eyrie::scenario

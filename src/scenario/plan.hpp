@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,16 +65,26 @@ struct ConvoyPlan : GroupPlan<ConvoySpec, VehicleSpec> {
   static constexpr std::string_view word = "convoy";
 };
 
+/// A group of another kind of player, read by who knows it.
+struct OtherPlan {
+  std::size_t kind = 0;  ///< index into the keys given
+  const Value::Entry* group = nullptr;
+  model::Side side = model::Side::none;
+};
+
 struct Plans {
   std::vector<FlightPlan> flights;
   std::vector<ConvoyPlan> convoys;
+  std::vector<OtherPlan> others;
   std::deque<Value::Entry> read;  ///< what convoys were read from, where they point into
 };
 
 /// Reads `blue:` and `red:` of a scenario document, in this order and flights and convoys in file
 /// order. Refused: a side without either, a group without anybody in it, a player whose name is not
 /// its group's name and a rank, two of one name, a group without a lead, ranks beyond
-/// model::kMaxFlight, and of a convoy what only aircraft have.
-[[nodiscard]] Plans read_plans(const Value& document, Diagnostics& diagnostics);
+/// model::kMaxFlight, and of a convoy what only aircraft have. `others` are further keys of a side
+/// under which groups stand.
+[[nodiscard]] Plans read_plans(const Value& document, Diagnostics& diagnostics,
+                               std::span<const std::string_view> others = {});
 
 }  // namespace eyrie::scenario

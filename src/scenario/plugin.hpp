@@ -9,6 +9,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,10 +25,15 @@
 
 namespace eyrie::scenario {
 
-/// The node types that trees may be made of, one registry per kind of platform.
+class PlayerKind;  // scenario/player_kind.hpp
+using MakeKind = std::function<std::unique_ptr<PlayerKind>()>;
+
+/// The node types that trees may be made of, one registry per kind of platform; and what makes
+/// further kinds, which bring their own.
 struct Registries {
   pilot::Registry pilots;
   driver::Registry drivers;
+  std::vector<MakeKind> kinds = {};
 };
 
 /// A model as a text: what would stand in data/<kind>/<name>.yaml.
@@ -51,6 +58,8 @@ class Registrar {
   void add() {
     add_to<Node>(registries_.drivers);
   }
+  /// A kind of player besides aircraft and vehicles.
+  void add_kind(MakeKind make) { registries_.kinds.push_back(std::move(make)); }
   /// A model that scenarios may then name as if data/<kind>/<name>.yaml held `yaml`.
   void add_model(std::string kind, std::string name, std::string yaml) {
     models_.push_back({std::move(kind), std::move(name), std::move(yaml)});

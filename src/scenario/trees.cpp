@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "core/text.hpp"
+#include "scenario/player_kind.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -50,6 +51,23 @@ std::vector<ubf::NamedSpec> named_trees(const Value& map, Diagnostics& diagnosti
   return named;
 }
 
+std::vector<ubf::NodeChange> changes_of(const ubf::NamedSpec& tree,
+                                        const std::vector<TreeChange>& changes) {
+  std::vector<ubf::NodeChange> mine;
+  for (const TreeChange& one : changes)
+    if (one.tree == tree.name)
+      mine.push_back(one.change);
+  return mine;
+}
+
+/// Whether an order gives a tree to a player of a kind.
+bool is_given_to(const PlayerKind& kind, std::string_view tree,
+                 const std::vector<OrderSpec>& orders) {
+  return std::any_of(orders.begin(), orders.end(), [&](const OrderSpec& order) {
+    return order.swap_tree == tree && kind.has(order.player);
+  });
+}
+
 /// One kind of platform.
 template <class Trees, class Registry>
 struct Shelf {
@@ -61,11 +79,8 @@ struct Shelf {
 
   /// Builds and keeps a tree; false after mistakes.
   bool add(const ubf::NamedSpec& spec, Diagnostics& diagnostics) {
-    std::vector<ubf::NodeChange> mine;
-    for (const TreeChange& one : changes)
-      if (one.tree == spec.name)
-        mine.push_back(one.change);
-    auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all, mine);
+    auto tree =
+        registry.build_tree(spec.name, *spec.value, diagnostics, all, changes_of(spec, changes));
     if (tree)
       trees.add(std::move(*tree));
     return tree.has_value();
@@ -101,7 +116,8 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
 
 TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
                         const Registries& registries, const std::vector<TreeChange>& changes,
-                        Diagnostics& diagnostics) {
+                        Diagnostics& diagnostics,
+                        std::span<const std::unique_ptr<PlayerKind>> kinds) {
   TreeBook book;
   if (!map || map->is_null())
     return book;
@@ -139,7 +155,13 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
       sound &= add_for(pilot->second, spec, air, ground, both, diagnostics);
     if (driver != drivers.end())
       sound &= add_for(driver->second, spec, ground, air, both, diagnostics);
-    if (pilot == pilots.end() && driver == drivers.end()) {
+    bool others_use_it = false;
+    for (const auto& kind : kinds)
+      if (kind->uses(spec.name) || is_given_to(*kind, spec.name, orders)) {
+        others_use_it = true;
+        sound &= kind->add_tree(spec, named, changes_of(spec, changes), diagnostics);
+      }
+    if (pilot == pilots.end() && driver == drivers.end() && !others_use_it) {
       Diagnostics in_air, on_ground;
       // where nobody drives, what flies need not be tried on the ground
       sound = air.add(spec, in_air);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,13 +21,14 @@ namespace eyrie::scenario {
 
 /// A tree is read as a pilot's if a pilot flies by it, as a driver's if a driver drives by it, and
 /// as both if both do: navigate, follow_lead and the standard nodes are there for all. One that
-/// nobody uses is read as whichever it can be.
+/// nobody uses is read as whichever it can be. Trees for other kinds of players go to them.
 class TreeBook {
  public:
   /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
   static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
                        const Registries& registries, const std::vector<TreeChange>& changes,
-                       Diagnostics& diagnostics);
+                       Diagnostics& diagnostics,
+                       std::span<const std::unique_ptr<PlayerKind>> kinds = {});
 
   [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }
   [[nodiscard]] const std::shared_ptr<driver::Trees>& drivers() const { return drivers_; }
@@ -42,9 +44,10 @@ class TreeBook {
     return index;
   }
 
- private:
+  /// Says that there is no such tree, unless that was said before.
   void missing(const std::string& name, const Location& where, Diagnostics& diagnostics) const;
 
+ private:
   std::shared_ptr<pilot::Trees> pilots_ = std::make_shared<pilot::Trees>();
   std::shared_ptr<driver::Trees> drivers_ = std::make_shared<driver::Trees>();
   std::vector<std::string> names_;

@@ -71,7 +71,7 @@ TEST(Convoy, DrivesScattersClosesUpAndArrives) {
   }
   EXPECT_EQ(f.tally.side(model::Side::blue).home, 2u);
   EXPECT_EQ(f.tally.side(model::Side::red).losses, 2u);
-  EXPECT_EQ(f.tally.side(model::Side::blue).vehicles, 5u);
+  EXPECT_EQ(f.tally.side(model::Side::blue).players, 2u) << "who may come home: no vehicle";
 }
 
 TEST(Convoy, IsSafeFromFriendsAndScattersForEnemiesOverManySeeds) {

@@ -10,13 +10,6 @@
 
 namespace eyrie::model {
 
-/// What a missile's seeker noticed in one look.
-enum class SeekerNews : std::uint8_t {
-  nothing,
-  active,    ///< it switched on
-  acquired,  ///< it sees somebody whom it did not see last
-};
-
 /// Where the missile believes its target to be at `time` (s), m.
 [[nodiscard]] Vec3 believed_position(const MissileState& state, double time);
 

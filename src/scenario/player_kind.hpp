@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a kind of player besides aircraft and vehicles brings along: a ship, an air defense.
+/// A plug-in adds it (Registrar::add_kind); the loader, recordings and debriefs ask it.
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/diagnostics.hpp"
+#include "core/value.hpp"
+#include "model/weapon/damage_system.hpp"
+#include "scenario/fleet.hpp"
+#include "scenario/plugin.hpp"
+#include "scenario/scenario.hpp"
+#include "sim/rate.hpp"
+#include "sim/simulation.hpp"
+#include "team/agent_system.hpp"
+
+namespace eyrie::scenario {
+
+/// Made once per scenario; asked in the order of its functions.
+class PlayerKind {
+ public:
+  virtual ~PlayerKind() = default;
+
+  /// The key of a side under which its groups stand, such as "task_groups".
+  [[nodiscard]] virtual std::string_view key() const = 0;
+  /// Reads one of them, and says what is wrong with it. The document outlives the loading.
+  virtual void read(const Value::Entry& group, model::Side side, Diagnostics& diagnostics) = 0;
+  /// Whether a player is of this kind, by its name.
+  [[nodiscard]] virtual bool has(std::string_view player) const = 0;
+  /// Whether somebody begins with the tree of that name.
+  [[nodiscard]] virtual bool uses(std::string_view tree) const = 0;
+  /// Builds such a tree; false after mistakes.
+  virtual bool add_tree(const ubf::NamedSpec& tree, std::span<const ubf::NamedSpec> all,
+                        const std::vector<ubf::NodeChange>& changes, Diagnostics& diagnostics) = 0;
+  /// Enters its players and groups into the roster and the library, as number `fleet`.
+  virtual void enter(Scenario& scenario, model::Library& library, std::uint8_t fleet,
+                     Diagnostics& diagnostics) = 0;
+  /// Nothing if there is no such tree.
+  [[nodiscard]] virtual std::optional<sim::Order> order_tree(std::uint64_t step, PlayerId who,
+                                                             std::string_view tree) const = 0;
+  /// Whether it has no players: then nothing below is asked but fleet().
+  [[nodiscard]] virtual bool is_empty() const = 0;
+  /// Adds its table and its order.
+  virtual model::MovingTable define(sim::SchemaBuilder& schema) = 0;
+  /// Adds what perceives and decides, and what moves.
+  virtual void add_systems(sim::SimulationBuilder& builder, const Scenario& scenario, double dt,
+                           std::uint32_t decision_period) = 0;
+  /// Lets its players be born, in the order of the roster.
+  virtual void populate(const Scenario& scenario, sim::World& world) const = 0;
+  [[nodiscard]] virtual std::shared_ptr<const Fleet> fleet() const = 0;
+};
+
+/// The part of it that is the same for all whose agents use trees. `Platform` is what
+/// team::AgentSystem needs to know.
+template <class Platform>
+class AgentKind : public PlayerKind {
+ public:
+  using Agents = team::AgentSystem<Platform>;
+  using Registry = ubf::Registry<typename Platform::State, typename Platform::Action>;
+
+  [[nodiscard]] bool has(std::string_view player) const override { return names_.contains(player); }
+  [[nodiscard]] bool uses(std::string_view tree) const override { return used_.contains(tree); }
+  bool add_tree(const ubf::NamedSpec& spec, std::span<const ubf::NamedSpec> all,
+                const std::vector<ubf::NodeChange>& changes, Diagnostics& diagnostics) override {
+    auto tree = registry_.build_tree(spec.name, *spec.value, diagnostics, all, changes);
+    if (tree)
+      trees_->add(std::move(*tree));
+    return tree.has_value();
+  }
+  [[nodiscard]] std::optional<sim::Order> order_tree(std::uint64_t step, PlayerId who,
+                                                     std::string_view name) const override {
+    const auto tree = trees_->find(name);
+    return tree ? std::optional(Agents::swap_tree_order(step, who, *tree)) : std::nullopt;
+  }
+  [[nodiscard]] bool is_empty() const override { return players_ == 0; }
+  model::MovingTable define(sim::SchemaBuilder& schema) override {
+    columns_ = Platform::Columns::define(schema, players_);
+    brains_ = team::AgentColumns<typename Platform::Agent>::define(
+        schema, columns_.table, static_cast<std::uint32_t>(trees_->max_memory()));
+    Agents::add_orders(schema);
+    return {columns_.table, columns_.kinematics};
+  }
+
+ protected:
+  explicit AgentKind(Registry registry) : registry_(std::move(registry)) {}
+
+  /// Adds the system that decides; to be called in add_systems.
+  void add_agents(sim::SimulationBuilder& builder, const Scenario& scenario, double dt,
+                  std::uint32_t decision_period) {
+    plans_.resize(scenario.library->flights.size());
+    agents_ = &builder.add<Agents>(typename Agents::Setup{.columns = columns_,
+                                                          .agents = brains_,
+                                                          .library = scenario.library,
+                                                          .trees = trees_,
+                                                          .plans = plans_,
+                                                          .dt = dt,
+                                                          .period = decision_period});
+  }
+  /// Enters one group with its members, by rank; their ids are the next ones.
+  void enter_group(Scenario& scenario, model::Library& library, std::uint8_t fleet,
+                   model::Flight group, std::span<const Roster::Player> members) {
+    for (Roster::Player player : members) {
+      const PlayerId id{static_cast<std::uint32_t>(scenario.roster.players.size() + 1)};
+      group.members.push_back(id);
+      player.fleet = fleet;
+      player.flight = static_cast<std::uint16_t>(library.flights.size());
+      player.side = group.side;
+      scenario.roster.players.push_back(std::move(player));
+      ++players_;
+    }
+    scenario.roster.flights.push_back({group.name, group.side, group.members});
+    library.flights.push_back(std::move(group));
+    plans_.resize(library.flights.size());
+  }
+  /// What fleet() gives; `Mine` is a Fleet, or one that shows more.
+  template <class Mine, class... Arguments>
+  [[nodiscard]] std::shared_ptr<const Fleet> fleet_of(Arguments&&... arguments) const {
+    auto made = std::make_shared<Mine>(std::forward<Arguments>(arguments)...);
+    made->trees = ubf::outlines(*trees_);
+    made->agents = agents_;
+    made->fit = columns_.fit;
+    made->kinematics = columns_.kinematics;
+    return made;
+  }
+
+  Registry registry_;
+  std::set<std::string, std::less<>> names_, used_;  ///< of players and trees, for read() to fill
+  std::shared_ptr<ubf::Trees<typename Platform::State, typename Platform::Action>> trees_ =
+      std::make_shared<ubf::Trees<typename Platform::State, typename Platform::Action>>();
+  std::vector<typename Platform::Plan> plans_;  ///< by Fit::flight
+  typename Platform::Columns columns_;
+  team::AgentColumns<typename Platform::Agent> brains_;
+  const Agents* agents_ = nullptr;
+  std::uint32_t players_ = 0;
+};
+
+}  // namespace eyrie::scenario
