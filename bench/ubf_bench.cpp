@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file  What a decision costs. The reference tree is winner_takes_all over three
 /// winner_takes_all of three leaves each: 13 nodes; with one level more it has 27 leaves.
+#include "core/yaml.hpp"
 #include "robot.hpp"
-#include "scenario/yaml.hpp"
 
 namespace robot {
 namespace {
@@ -71,11 +71,11 @@ void build_thousand(benchmark::State& state, bool from_text) {
   const auto registry = standard_registry();
   const std::string text = thousand_nodes();
   Diagnostics diagnostics;
-  Value document = scenario::parse_yaml(text, "bench.yaml", diagnostics);
+  Value document = eyrie::parse_yaml(text, "bench.yaml", diagnostics);
   std::size_t nodes = 0;
   for (auto _ : state) {
     if (from_text)
-      document = scenario::parse_yaml(text, "bench.yaml", diagnostics);
+      document = eyrie::parse_yaml(text, "bench.yaml", diagnostics);
     nodes = registry.build_tree("bench", document, diagnostics)->size();
   }
   state.SetLabel(fmt::format("{} nodes", nodes));

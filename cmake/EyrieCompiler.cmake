@@ -11,7 +11,7 @@ if(NOT EYRIE_WASM)
 endif()
 
 add_library(eyrie_options INTERFACE)
-target_include_directories(eyrie_options INTERFACE $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+target_include_directories(eyrie_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                    $<INSTALL_INTERFACE:include/eyrie>)
 # headers are compiled by whoever includes them: the contract goes with them
 target_compile_features(eyrie_options INTERFACE cxx_std_20)

@@ -4,11 +4,6 @@
 include(CMakePackageConfigHelpers)
 set(package lib/cmake/Eyrie)
 
-install(TARGETS eyrie DESTINATION bin COMPONENT program)
-install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
-install(FILES ${EYRIE_ZONES} ${CMAKE_BINARY_DIR}/viewer/debrief.html DESTINATION share/eyrie COMPONENT program OPTIONAL)
-install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
-
 install(TARGETS eyrie_options EXPORT EyrieTargets-core)
 get_property(layers GLOBAL PROPERTY EYRIE_LAYERS)
 get_property(layers_need GLOBAL PROPERTY EYRIE_LAYERS_NEED)
@@ -19,6 +14,20 @@ foreach(layer ${layers})
   install(DIRECTORY src/${layer} DESTINATION include/eyrie COMPONENT library FILES_MATCHING PATTERN "*.hpp"
           PATTERN "*test*" EXCLUDE)
 endforeach()
+
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/EyrieConfig.cmake.in EyrieConfig.cmake INSTALL_DESTINATION ${package})
+write_basic_package_version_file(EyrieConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/EyrieConfig.cmake ${PROJECT_BINARY_DIR}/EyrieConfigVersion.cmake
+        DESTINATION ${package} COMPONENT library)
+
+if(EYRIE_UBF_ONLY)
+  return()
+endif()
+
+install(TARGETS eyrie DESTINATION bin COMPONENT program)
+install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
+install(FILES ${EYRIE_ZONES} ${PROJECT_BINARY_DIR}/viewer/debrief.html DESTINATION share/eyrie COMPONENT program OPTIONAL)
+install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 
 # the cockpit for tests of behaviors, pilot/testing.hpp, without what Eyrie's own tests need besides
 add_library(eyrie_testing STATIC src/pilot/testing.cpp tests/support/data_file.cpp)
@@ -37,9 +46,4 @@ install(FILES cmake/plugin_test_main.cpp DESTINATION share/eyrie COMPONENT libra
 # the package beside the build, for whoever works from a checkout (./eyrie new)
 list(TRANSFORM layers PREPEND eyrie_ OUTPUT_VARIABLE targets)
 add_custom_target(eyrie_package DEPENDS eyrie eyrie_testing ${targets} VERBATIM
-                  COMMAND ${CMAKE_COMMAND} --install ${CMAKE_BINARY_DIR} --prefix ${CMAKE_BINARY_DIR}/package > install.log)
-
-configure_package_config_file(cmake/EyrieConfig.cmake.in EyrieConfig.cmake INSTALL_DESTINATION ${package})
-write_basic_package_version_file(EyrieConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/EyrieConfig.cmake ${PROJECT_BINARY_DIR}/EyrieConfigVersion.cmake
-        DESTINATION ${package} COMPONENT library)
+                  COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${PROJECT_BINARY_DIR}/package > install.log)

@@ -5,7 +5,7 @@
 # and others share is in src/NAME/testing*.cpp: eyrie_NAME_testing.
 function(eyrie_layer name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE" ${ARGN})
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   set(tests ${sources})
   set(testing ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/testing[a-z_]*\\.cpp$")
@@ -94,8 +94,8 @@ endfunction()
 if(EYRIE_TESTS OR EYRIE_BENCH)
   find_package(GTest REQUIRED)
   add_library(eyrie_test_support OBJECT EXCLUDE_FROM_ALL
-              ${CMAKE_SOURCE_DIR}/tests/support/no_allocation.cpp
-              ${CMAKE_SOURCE_DIR}/tests/support/data_file.cpp)
+              ${PROJECT_SOURCE_DIR}/tests/support/no_allocation.cpp
+              ${PROJECT_SOURCE_DIR}/tests/support/data_file.cpp)
   target_link_libraries(eyrie_test_support PUBLIC eyrie_options fmt::fmt GTest::gtest)
-  target_include_directories(eyrie_test_support PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+  target_include_directories(eyrie_test_support PUBLIC ${PROJECT_SOURCE_DIR}/tests)
 endif()

@@ -2,9 +2,9 @@
 /// Trees are usually written in YAML. Mistakes point at the line and name the nearest right word.
 #include <fmt/format.h>
 
+#include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/state.hpp"
-#include "scenario/yaml.hpp"
 
 using namespace eyrie;
 
@@ -23,7 +23,7 @@ int main() {
   const auto registry = pilot::make_registry();
   for (const std::string_view text : {kGood, kBad}) {
     Diagnostics mistakes;
-    const Value value = scenario::parse_yaml(text, "pilot.yaml", mistakes);
+    const Value value = eyrie::parse_yaml(text, "pilot.yaml", mistakes);
     if (const auto tree = registry.build_tree("pilot", value, mistakes))
       for (std::size_t i = 0; i < tree->size(); ++i)
         fmt::print("{}\n", tree->path(static_cast<ubf::NodeIndex>(i)));

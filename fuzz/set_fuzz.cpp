@@ -12,8 +12,8 @@
 
 #include "core/diagnostics.hpp"
 #include "core/printable.hpp"
+#include "core/yaml.hpp"
 #include "scenario/document.hpp"
-#include "scenario/yaml.hpp"
 
 namespace {
 
@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (std::string line; std::getline(lines, line) && sets.size() < 8;)
     sets.push_back(line);
   Diagnostics none;
-  Value document = scenario::parse_yaml(kScenario, "small.yaml", none);
+  Value document = eyrie::parse_yaml(kScenario, "small.yaml", none);
   demand(none.ok());
   for (const std::string& set : sets) {
     Diagnostics found, again;

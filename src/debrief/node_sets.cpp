@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -92,7 +92,7 @@ class Reader {
     if (point != std::string::npos && node != path && key.empty())
       return error(begin_ + path.size(), "a parameter is missing behind the point");
     Diagnostics wrong;
-    eyrie::Value value = scenario::parse_yaml(text_.substr(equals + 1), "--set", wrong);
+    eyrie::Value value = eyrie::parse_yaml(text_.substr(equals + 1), "--set", wrong);
     if (!wrong.ok())
       return error(equals + 1, wrong.sorted().front().message);
     value.where = at(equals + 1);

@@ -8,7 +8,7 @@ namespace eyrie::model {
 
 /// Position, velocity and attitude of one player.
 /// Positions and velocities are in the scenario's local frame (tangent plane at the reference
-/// point: x north, y east, z down; see core/frames.hpp). Heading, pitch and roll are relative to
+/// point: x north, y east, z down; see model/frames.hpp). Heading, pitch and roll are relative to
 /// the geodetic north-east-down axes at the player itself. Heading, pitch and speed are those of
 /// the motion through the air; only `velocity` has the wind in it.
 struct Kinematics {

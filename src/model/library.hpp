@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/assert.hpp"
-#include "core/frames.hpp"
 #include "core/id.hpp"
 #include "model/aircraft_type.hpp"
 #include "model/datalink/datalink.hpp"
@@ -18,6 +17,7 @@
 #include "model/fit.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/flight/route.hpp"
+#include "model/frames.hpp"
 #include "model/sensor/iff.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/map.hpp"
 #include "driver/state.hpp"
+#include "model/map.hpp"
 #include "page/json.hpp"
 #include "page/text_book.hpp"
 #include "pilot/state.hpp"

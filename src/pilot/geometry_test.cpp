@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "core/frames.hpp"
 #include "model/flight/fly.hpp"
+#include "model/frames.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "core/frames.hpp"
 #include "core/id.hpp"
+#include "model/frames.hpp"
 #include "record/thinning.hpp"
 
 namespace eyrie::record {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/diagnostics.hpp"
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 #include "model/weapon/stores_state.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/scenario.hpp"

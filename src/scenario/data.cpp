@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/text.hpp"
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/units.hpp"
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "core/diagnostics.hpp"
-#include "core/frames.hpp"
 #include "core/value.hpp"
+#include "model/frames.hpp"
 #include "scenario/spec.hpp"
 
 namespace eyrie::scenario {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/yaml.hpp"
+
 namespace eyrie::scenario {
 
 /// Reads text files and remembers each one, so that a run can carry everything it was made from.
@@ -56,7 +58,7 @@ class Source {
   [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
   [[nodiscard]] bool is_bundle() const { return !folders_; }
 
-  static constexpr std::size_t kLargest = std::size_t{16} << 20;
+  static constexpr std::size_t kLargest = YamlLimits{}.bytes;
 
   /// Where files are looked for that were not given as texts.
   class Folders {

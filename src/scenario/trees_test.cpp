@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "core/yaml.hpp"
 #include "scenario/plugins.hpp"
-#include "scenario/yaml.hpp"
 
 namespace eyrie::scenario {
 namespace {

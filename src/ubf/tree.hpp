@@ -8,11 +8,13 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/assert.hpp"
+#include "core/diagnostics.hpp"
 #include "ubf/behavior.hpp"
 #include "ubf/trace.hpp"
 
@@ -113,6 +115,35 @@ class Tree {
       if (this->path(static_cast<NodeIndex>(i)) == path)
         return static_cast<NodeIndex>(i);
     return std::nullopt;
+  }
+
+  /// This tree with another node in place of the one at `path` and all below it, as a test needs it
+  /// that wants to say what a behavior does. A node without a label takes that of the one before,
+  /// so paths stay. Refuses (std::logic_error) a path that is none, and what the constructor
+  /// refuses.
+  [[nodiscard]] Tree replace(std::string_view path, std::unique_ptr<Node> by) && {
+    const std::optional<NodeIndex> at = find(path);
+    if (!at) {
+      std::vector<std::string> paths;
+      for (std::size_t i = 0; i < size(); ++i)
+        paths.push_back(this->path(static_cast<NodeIndex>(i)));
+      throw std::logic_error(fmt::format("tree {} has no node {}{}", quote(name_), quote(path),
+                                         did_you_mean(path, paths)));
+    }
+    EYRIE_THROW_UNLESS(by != nullptr, "a child is missing");
+    if (by->label_.empty())
+      by->set_label(std::string(node(*at).label()));
+    std::unique_ptr<Node>* place = &root_;
+    while (*at > (*place)->index()) {
+      const auto& children = (*place)->children();
+      std::size_t below = 0;
+      while (children[below]->end_index() <= *at)
+        ++below;
+      // the tree owns it; only the view of a parent's children is const
+      place = const_cast<std::unique_ptr<Node>*>(&children[below]);
+    }
+    *place = std::move(by);
+    return Tree(std::move(name_), std::move(root_));
   }
 
  private:

@@ -159,5 +159,33 @@ TEST(Tree, RefusesMoreThanAMebibyteOfMemory) {
       "more than 1 MiB"));
 }
 
+TEST(Tree, PutsAnotherNodeInPlaceOfOne) {
+  auto tree = [] {
+    return RobotTree("t", make<Wta>(probe(0), make<Selector<State, Action>>(probe(1), probe(2))));
+  };
+  Robot leaf(tree().replace("root/selector/probe[1]", probe(5)));
+  leaf.say(5, kRunning, 3);
+  EXPECT_EQ(leaf.tick(), kRunning);
+  EXPECT_EQ(leaf.leader(), "root/selector/probe[1]");
+  Robot branch(tree().replace("root/selector", probe(6)));
+  branch.say(6, kRunning, 4);
+  EXPECT_EQ(branch.tick(), kRunning);
+  EXPECT_EQ(branch.leader(), "root/selector") << "the path stays";
+  EXPECT_EQ(branch.tree.size(), 3u);
+  Robot root(tree().replace("root", probe(7)));
+  root.say(7, kSuccess, 1);
+  EXPECT_EQ(root.tick(), kSuccess);
+  EXPECT_EQ(root.tree.size(), 1u);
+}
+
+TEST(Tree, SaysWhichNodeIsNotThereToBeReplaced) {
+  try {
+    static_cast<void>(RobotTree("t", make<Wta>(probe(0))).replace("root/prob", probe(1)));
+    ADD_FAILURE();
+  } catch (const std::logic_error& error) {
+    EXPECT_STREQ(error.what(), "tree 't' has no node 'root/prob'; did you mean 'root/probe'?");
+  }
+}
+
 }  // namespace
 }  // namespace eyrie::ubf::testing

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
-#include "scenario/yaml.hpp"
 
 namespace eyrie {
 namespace {
@@ -78,7 +78,7 @@ TEST(Pages, EveryTreeInTheReferenceBuilds) {
   EXPECT_GE(trees.size(), 11u);
   for (const Block& block : trees) {
     Diagnostics diagnostics;
-    const Value value = scenario::parse_yaml(block.text, "docs/ubf.md", diagnostics);
+    const Value value = eyrie::parse_yaml(block.text, "docs/ubf.md", diagnostics);
     std::vector<ubf::NamedSpec> trees_of_block;
     if (const Value* map = value.find("trees")) {
       for (const Value::Entry& e : map->entries)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 #include "pilot/formation.hpp"
 #include "support/flight.hpp"
 

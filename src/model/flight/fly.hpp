@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One aircraft's step: autopilot, dynamics, fuel and the vertical at the new place.
-#include "core/frames.hpp"
 #include "model/environment/environment.hpp"
 #include "model/flight/dynamics.hpp"
 #include "model/flight/point_mass.hpp"
 #include "model/flight/steering.hpp"
+#include "model/frames.hpp"
 
 namespace eyrie::model {
 

@@ -3,8 +3,8 @@
 /// \file  How a ground vehicle moves over the surface of the ellipsoid.
 #include <span>
 
-#include "core/frames.hpp"
 #include "model/flight/route.hpp"
+#include "model/frames.hpp"
 #include "model/kinematics.hpp"
 #include "model/vehicle/vehicle_state.hpp"
 #include "model/vehicle/vehicle_type.hpp"

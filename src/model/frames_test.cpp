@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Against GeographicLib, which solves the same problem with libm and without our approximations.
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 #include <fmt/format.h>
 #include <yaml.h>
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace eyrie::scenario {
+namespace eyrie {
 namespace {
 
 /// Ends the parse; the message is already in the diagnostics' words.
@@ -310,4 +310,4 @@ Value parse_yaml(std::string_view text, std::string_view name, Diagnostics& diag
   return {};
 }
 
-}  // namespace eyrie::scenario
+}  // namespace eyrie

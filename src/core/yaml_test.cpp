@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/yaml.hpp"
+#include "core/yaml.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace eyrie::scenario {
+namespace eyrie {
 namespace {
 
 std::string mistakes(std::string_view text, const YamlLimits& limits = {}) {
@@ -109,4 +109,4 @@ TEST(Yaml, PointsAtTheLineOfASyntaxError) {
 }
 
 }  // namespace
-}  // namespace eyrie::scenario
+}  // namespace eyrie

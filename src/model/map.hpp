@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 
 namespace eyrie {
 

@@ -6,13 +6,12 @@
 
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
-#include "scenario/source.hpp"
 
-namespace eyrie::scenario {
+namespace eyrie {
 
 /// Limits against files that are built to hurt: they are far above what a scenario needs.
 struct YamlLimits {
-  std::size_t bytes = Source::kLargest;
+  std::size_t bytes = std::size_t{16} << 20;
   std::size_t nodes = 200'000;  ///< after aliases are expanded; and again of what anchors keep
   std::size_t depth = 100;
 };
@@ -24,4 +23,4 @@ struct YamlLimits {
 [[nodiscard]] Value parse_yaml(std::string_view text, std::string_view file,
                                Diagnostics& diagnostics, const YamlLimits& limits = {});
 
-}  // namespace eyrie::scenario
+}  // namespace eyrie

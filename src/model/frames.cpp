@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/frames.hpp"
+#include "model/frames.hpp"
 
 #include <GeographicLib/Geocentric.hpp>
 

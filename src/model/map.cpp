@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/map.hpp"
+#include "model/map.hpp"
 
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 

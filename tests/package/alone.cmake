@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+# The library of behaviors by itself: below WORK a project adds the folder EYRIE and builds with it; what that installs is
+# found by the same project again. Neither may look for what ubf has no use for.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}\n${out}")
+  endif()
+  set(output "${out}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+set(without)
+foreach(package GeographicLib nlohmann_json CLI11 ZLIB)
+  list(APPEND without -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+file(READ ${EYRIE}/examples/01_first_tree.txt first_tree)
+set(from_yaml "9 m: root/turn with 10
+1 m: root/guard/avoid with 25
+robot.yaml:1:8: turn has no parameter 'buy'; did you mean 'by'?
+")
+foreach(way "added;-DEYRIE=${EYRIE}" "found;-DCMAKE_PREFIX_PATH=${WORK}/installed")
+  list(GET way 0 name)
+  list(GET way 1 option)
+  run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/alone -B ${WORK}/${name} -G Ninja ${without} ${option}
+      -DEXAMPLES=${EYRIE}/examples -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=${COMPILER})
+  run(${CMAKE_COMMAND} --build ${WORK}/${name})
+  foreach(program first_tree from_yaml)
+    run(${WORK}/${name}/${program})
+    if(NOT output STREQUAL "${${program}}")
+      message(FATAL_ERROR "${program}, ${name}, prints\n${output}instead of\n${${program}}")
+    endif()
+    run(ldd ${WORK}/${name}/${program})
+    if(output MATCHES Geographic)
+      message(FATAL_ERROR "${program} links geodesy:\n${output}")
+    endif()
+  endforeach()
+  if(name STREQUAL "added")
+    run(${CMAKE_COMMAND} --install ${WORK}/added --prefix ${WORK}/installed)
+  endif()
+endforeach()
