@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/check_values.hpp"
 #include "core/text.hpp"
 
 namespace eyrie::detail {
@@ -16,19 +17,6 @@ namespace {
 void report(const Value& value, const ParamInfo& info, std::string_view message,
             Diagnostics& diagnostics) {
   diagnostics.error(value.where, fmt::format("{}: {}", info.name, message));
-}
-
-std::string limits_text(const Range& limits, Dimension dimension) {
-  const auto show = [&](double x) { return exact_quantity(x, dimension); };
-  if (!std::isfinite(limits.min))
-    return fmt::format("more than {}", show(limits.max));
-  if (!std::isfinite(limits.max))
-    return limits.exclusive_min ? limits.min == 0
-                                      ? std::string("not positive")
-                                      : fmt::format("not more than {}", show(limits.min))
-                                : fmt::format("less than {}", show(limits.min));
-  return fmt::format("outside {}{}, {}]", limits.exclusive_min ? '(' : '[', show(limits.min),
-                     show(limits.max));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -86,6 +74,19 @@ ParamInfo brief_info(const ParamLine& line, std::string_view path) {
     if (!axis.name.empty())
       info.axes.push_back(axis);
   return info;
+}
+
+std::string limits_text(const Range& limits, Dimension dimension) {
+  const auto show = [&](double x) { return exact_quantity(x, dimension); };
+  if (!std::isfinite(limits.min))
+    return fmt::format("more than {}", show(limits.max));
+  if (!std::isfinite(limits.max))
+    return limits.exclusive_min ? limits.min == 0
+                                      ? std::string("not positive")
+                                      : fmt::format("not more than {}", show(limits.min))
+                                : fmt::format("less than {}", show(limits.min));
+  return fmt::format("outside {}{}, {}]", limits.exclusive_min ? '(' : '[', show(limits.min),
+                     show(limits.max));
 }
 
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "core/assert.hpp"
+#include "core/check_values.hpp"
 #include "core/draw.hpp"
 #include "core/id.hpp"
 #include "ubf/action_traits.hpp"
@@ -267,9 +268,12 @@ class Behavior {
   [[nodiscard]] Kind node_kind() const noexcept { return kind_; }
 
   void set_label(std::string label) { label_ = std::move(label); }
-  void set_type(std::string_view type, Kind kind) {
+  /// By make(); `check` adds what is wrong with the values of the node's parameters.
+  void set_type(std::string_view type, Kind kind,
+                void (*check)(const Behavior&, std::vector<std::string>&)) {
     type_ = type;
     kind_ = kind;
+    check_ = check;
   }
 
   /// How its vote follows the state; null if it does not.
@@ -317,6 +321,7 @@ class Behavior {
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
   std::unique_ptr<const VoteCurve> vote_curve_;
   std::optional<float> vote_given_;
+  void (*check_)(const Behavior&, std::vector<std::string>&) = nullptr;
   std::string_view type_ = "behavior";
   std::string label_;
 };
@@ -371,7 +376,12 @@ template <class B>
 template <class Node, class... Arguments>
 [[nodiscard]] std::unique_ptr<Node> make(Arguments&&... arguments) {
   auto node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
-  node->set_type(Node::type_name, kind_of<Node>());
+  using Base = Behavior<typename Node::StateType, typename Node::ActionType>;
+  node->set_type(Node::type_name, kind_of<Node>(),
+                 [](const Base& made, std::vector<std::string>& problems) {
+                   if constexpr (Described<Node>)
+                     check_values(static_cast<const Node&>(made), "", problems);
+                 });
   return node;
 }
 

@@ -114,18 +114,8 @@ class Reading {
     return 0;
   }
   void refuse_unreachable() {
-    std::vector<bool> reached(result_.trees.size());
-    std::vector<std::uint16_t> open{result_.start};
-    while (!open.empty()) {
-      const std::uint16_t tree = open.back();
-      open.pop_back();
-      if (reached[tree])
-        continue;
-      reached[tree] = true;
-      for (const auto& transition : result_.transitions)
-        if (transition.from == tree || transition.from == kNone)
-          open.push_back(transition.to);
-    }
+    const std::vector<bool> reached =
+        entered(result_.trees.size(), result_.transitions, result_.start);
     const Value* trees = spec_.body->find("trees");
     for (std::size_t i = 0; i < reached.size(); ++i)
       if (!reached[i])

@@ -36,6 +36,25 @@ struct SequencerSpec {
   std::uint16_t start = 0;
 };
 
+/// Which trees the transitions can enter, that have `from` and `to`.
+template <class Transitions>
+[[nodiscard]] std::vector<bool> entered(std::size_t trees, const Transitions& transitions,
+                                        std::uint16_t start) {
+  std::vector<bool> reached(trees);
+  std::vector<std::uint16_t> open{start};
+  while (!open.empty()) {
+    const std::uint16_t tree = open.back();
+    open.pop_back();
+    if (reached[tree])
+      continue;
+    reached[tree] = true;
+    for (const auto& transition : transitions)
+      if (transition.from == tree || transition.from == kNone)
+        open.push_back(transition.to);
+  }
+  return reached;
+}
+
 /// Reads everything but the nodes. Reports unknown, duplicate and missing names, a transition from
 /// a tree to itself, and a tree that can never be entered.
 [[nodiscard]] SequencerSpec read_sequencer(const NodeSpec& spec, Diagnostics& diagnostics);

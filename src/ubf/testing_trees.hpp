@@ -261,9 +261,8 @@ class Gardener {
     Children trees = nodes(count, depth), conditions;
     std::vector<Sequencer<State, Action>::Rule> rules;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const auto from = static_cast<std::uint16_t>(pick(count));
-      const auto to = static_cast<std::uint16_t>((from + 1) % count);
-      rules.push_back({pick(3) ? from : kNone, to});
+      const auto from = static_cast<std::uint16_t>(i);  // so that every tree can be entered
+      rules.push_back({pick(3) ? from : kNone, static_cast<std::uint16_t>((i + 1) % count)});
       conditions.push_back(node(kDepth));
     }
     return make<Sequencer<State, Action>>(std::move(trees), std::move(rules),

@@ -37,12 +37,17 @@ class Tree {
   static_assert(fields_cover_action<Action>(),
                 "ActionTraits<Action>::fields must list every member of the action once");
 
-  /// Refuses (std::logic_error) a null root, a node without the children it needs or with
-  /// parameters that contradict each other, and a tree beyond kMaxNodes, kMaxDepth or kMaxMemory.
+  /// Refuses (std::logic_error) a null root, nodes without the children they need, with parameters
+  /// out of their range or that contradict each other, all of them with their paths and reasons,
+  /// and a tree beyond kMaxNodes, kMaxDepth or kMaxMemory.
   Tree(std::string name, std::unique_ptr<Node> root)
       : name_(std::move(name)), root_(std::move(root)) {
     EYRIE_THROW_UNLESS(root_ != nullptr, "a tree needs a root");
-    lay_out(*root_, kNone, 0);
+    std::vector<Problem> problems;
+    lay_out(*root_, kNone, 0, problems);
+    if (!problems.empty())
+      refuse(problems);
+    settle(*root_);
   }
 
   /// One decision. `t.memory` must be this agent's slab: memory_bytes() bytes at an address that
@@ -102,7 +107,7 @@ class Tree {
     const std::string_view label = node(index).label();
     std::size_t same = 0, before = 0;
     for (const auto& sibling : node(up).children()) {
-      if (sibling->label() != label)
+      if (!sibling || sibling->label() != label)
         continue;
       before += sibling->index() < index;
       ++same;
@@ -153,24 +158,54 @@ class Tree {
     std::uint16_t depth;
   };
 
-  void lay_out(Node& node, NodeIndex parent, std::size_t depth) {
+  struct Problem {
+    NodeIndex node;
+    std::string what;
+  };
+
+  void lay_out(Node& node, NodeIndex parent, std::size_t depth, std::vector<Problem>& problems) {
     EYRIE_THROW_UNLESS(depth < kMaxDepth, "the tree is deeper than 64 levels");
     EYRIE_THROW_UNLESS(nodes_.size() < kMaxNodes, "the tree has more than 65535 nodes");
-    const std::string problem = node.problem();
-    EYRIE_THROW_UNLESS(problem.empty(), problem.c_str());
     node.index_ = static_cast<NodeIndex>(nodes_.size());
     nodes_.push_back({&node, parent, static_cast<std::uint16_t>(depth)});
+    for (std::string& what : problems_of(node))
+      problems.push_back({node.index_, std::move(what)});
     if (sequencer_ == kNone && node.is_sequencer())
       sequencer_ = node.index_;
     node.memory_begin_ = static_cast<std::uint32_t>(memory_);
     memory_ += slab_bytes(node.memory_bytes());
     EYRIE_THROW_UNLESS(memory_ <= kMaxMemory, "the tree needs more than 1 MiB per agent");
-    for (const auto& child : node.children()) {
-      EYRIE_THROW_UNLESS(child != nullptr, "a child is missing");
-      lay_out(*child, node.index_, depth + 1);
-    }
+    for (const auto& child : node.children())
+      if (child)
+        lay_out(*child, node.index_, depth + 1, problems);
     node.end_index_ = static_cast<NodeIndex>(nodes_.size());
     node.memory_end_ = static_cast<std::uint32_t>(memory_);
+  }
+  [[nodiscard]] static std::vector<std::string> problems_of(const Node& node) {
+    std::vector<std::string> problems;
+    if (node.check_)
+      node.check_(node, problems);
+    std::size_t missing = 0;
+    for (const auto& child : node.children())
+      missing += child == nullptr;
+    if (missing)
+      problems.push_back("a child is missing");
+    else if (std::string problem = node.problem(); !problem.empty())
+      problems.push_back(std::move(problem));
+    else if (node.kind_ >= Kind::arbiter && node.children().empty())
+      problems.push_back("needs at least one child");
+    return problems;
+  }
+  [[noreturn]] void refuse(const std::vector<Problem>& problems) const {
+    std::string text = fmt::format("tree {} cannot be made", quote(name_));
+    for (const auto& [node, what] : problems)
+      text += fmt::format("\n  {}: {}: {}", path(node), nodes_[node].node->type(), what);
+    throw std::logic_error(text);
+  }
+  /// Whether a node stands depends on its children, so from the leaves up.
+  static void settle(Node& node) {
+    for (const auto& child : node.children())
+      settle(*child);
     node.stands_ = node.stands();
   }
 

@@ -105,6 +105,67 @@ template <class Make>
   return ::testing::AssertionFailure() << "it said: " << said;
 }
 
+TEST(Tree, RefusesNodesSetUpWronglyWithTheirPathsAndAllReasons) {
+  const auto bad = []() -> Child {
+    auto fusion = make<Fusion<State, Action>>(probe(0), probe(99));
+    fusion->top = 100;
+    fusion->vote = -1;
+    auto timeout = make<Timeout<State, Action>>(make<Wta>());
+    auto scaled = make<Wta>(probe(1));
+    scaled->vote_scale = std::numeric_limits<float>::quiet_NaN();
+    return make<Wta>(std::move(fusion), std::move(timeout), std::move(scaled));
+  };
+  EXPECT_EQ(refusal(bad),
+            "tree 'bad' cannot be made\n"
+            "  root/fusion: fusion: top: 100 is outside [1, 8]\n"
+            "  root/fusion: fusion: vote: -1 is outside [0, 1000]\n"
+            "  root/fusion/probe[1]: probe: cue: 99 is outside [0, 31]\n"
+            "  root/timeout: timeout: after: 0 s is outside (0 s, 1000000 s]\n"
+            "  root/timeout/winner_takes_all: winner_takes_all: needs at least one child\n"
+            "  root/winner_takes_all: winner_takes_all: vote_scale is nan");
+}
+
+TEST(Tree, RefusesWhatWouldReadBeyondItsChildren) {
+  using Choice = Switch<State, Action>;
+  const auto phase = [](const State& s) { return static_cast<double>(s.phase); };
+  EXPECT_TRUE(refused([]() -> Child { return make<Choice>(probe(0), probe(1)); },
+                      "a switch needs a field to look at"));
+  EXPECT_TRUE(refused(
+      [&]() -> Child {
+        auto choice = make<Choice>(probe(0));
+        choice->look_at(phase, {1, 2, 3, 4});
+        return choice;
+      },
+      "here are 1 for 4 values"));
+  EXPECT_TRUE(refused([]() -> Child { return make<ForEach<State, Action>>(nullptr); },
+                      "a child is missing"));
+  EXPECT_TRUE(refused([]() -> Child { return make<ForEach<State, Action>>(make<Wta>(Child())); },
+                      "root/winner_takes_all: winner_takes_all: a child is missing"));
+  EXPECT_TRUE(refused([]() -> Child { return make<ForEach<State, Action>>(check(0)); },
+                      "for_each needs a list to go over"));
+  EXPECT_TRUE(refused([]() -> Child { return make<Holds<State, Action>>(); },
+                      "holds needs a condition to look at"));
+  EXPECT_TRUE(refused(
+      []() -> Child {
+        auto parallel = make<Parallel<State, Action>>(probe(0));
+        parallel->success_count = 0;
+        return parallel;
+      },
+      "success_count: 0 is outside [1, 64]"));
+}
+
+TEST(Tree, RefusesASequencersTreeThatNoTransitionLeadsTo) {
+  EXPECT_TRUE(refused(
+      []() -> Child {
+        Children trees;
+        trees.push_back(probe(0));
+        trees.push_back(probe(1));
+        return make<Sequencer<State, Action>>(
+            std::move(trees), std::vector<Sequencer<State, Action>::Rule>{}, Children{});
+      },
+      "no transition leads to tree 1"));
+}
+
 TEST(Tree, RefusesWhatIsNoTree) {
   EXPECT_TRUE(refused([] { return Child(); }, "a tree needs a root"));
   EXPECT_TRUE(

@@ -114,6 +114,9 @@ class Bounds {
       return fmt::format("{} needs a 'min' or a 'max'", quote(name));
     if (Field::is_direction && !(min && max))
       return fmt::format("{} is a direction and needs both 'min' and 'max'", quote(name));
+    for (const auto& limit : {min, max})
+      if (limit && !(*limit - *limit == 0))
+        return fmt::format("{}: a limit is {}", quote(name), *limit);
     if (!Field::is_direction && min && max && *min > *max)
       return fmt::format("{}: 'min' is greater than 'max'", quote(name));
     return {};

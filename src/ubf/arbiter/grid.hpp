@@ -14,6 +14,7 @@
 
 #include "core/angle.hpp"
 #include "core/bind.hpp"
+#include "core/check_values.hpp"
 #include "core/math.hpp"
 #include "ubf/action_traits.hpp"
 
@@ -93,9 +94,15 @@ class Grid {
     std::string problem = fmt::format("an action has no field {}{}", quote(name),
                                       did_you_mean(name, field_names<Action>()));
     for_each_field<Action>([&](const auto& f, auto i) {
-      if (f.name == name)
-        problem = add_field<std::remove_cvref_t<decltype(f)>>(
-            name, i, {from, to, reach, spread, static_cast<std::uint32_t>(steps)});
+      if (f.name != name)
+        return;
+      const detail::FieldAxis<Action, i> said{from, to, reach, spread,
+                                              static_cast<std::uint32_t>(steps)};
+      std::vector<std::string> wrong;
+      check_values(said, fmt::format("{}.", name), wrong);
+      problem = wrong.empty() ? add_field<std::remove_cvref_t<decltype(f)>>(
+                                    name, i, {from, to, reach, spread, said.steps})
+                              : wrong.front();
     });
     return problem;
   }
@@ -140,8 +147,6 @@ class Grid {
       return fmt::format("a grid has at most {} axes", kMostAxes);
     if (!(said.to > said.from))
       return fmt::format("{}: 'to' must be greater than 'from'", quote(name));
-    if (said.steps < 2 || said.steps > kMostSteps)
-      return fmt::format("{}: 'steps' must be in [2, {}]", quote(name), kMostSteps);
     Axis axis{.field = field,
               .from = said.from,
               .to = said.to,

@@ -40,6 +40,18 @@ class Switch final : public WithMemory<Voting<State, Action>, SwitchMemory> {
     return m.open ? static_cast<NodeIndex>(m.open - 1) : kNone;
   }
 
+  [[nodiscard]] std::string problem() const override {
+    if (!read_)
+      return "a switch needs a field to look at";
+    const std::size_t count = this->children_.size();
+    if (count != values_.size() && count != values_.size() + 1)
+      return fmt::format(
+          "a switch has a child per value, and perhaps one more, but here are {} "
+          "for {} values",
+          count, values_.size());
+    return Base::problem();
+  }
+
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     const std::size_t chosen = child_for(read_(t.state));

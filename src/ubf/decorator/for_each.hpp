@@ -36,11 +36,10 @@ class ForEach final : public Decorator<State, Action> {
     for (const auto& child : this->children_)
       if (const std::string_view name = remembering(*child); !name.empty())
         return fmt::format("for_each asks for one thing after the other, but {} remembers", name);
-    return Base::problem();
+    return list_ ? Base::problem() : "for_each needs a list to go over";
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    EYRIE_ASSERT(list_ != nullptr);
     const std::size_t count = list_->count(t.state);
     if (count == 0)
       return Status::failure;
@@ -110,8 +109,9 @@ class ForEach final : public Decorator<State, Action> {
     if (node.remembers())
       return node.label();
     for (const auto& child : node.children())
-      if (const std::string_view name = remembering(*child); !name.empty())
-        return name;
+      if (child)
+        if (const std::string_view name = remembering(*child); !name.empty())
+          return name;
     return {};
   }
 

@@ -22,6 +22,9 @@ class Holds final : public Condition<State, Action> {
 
   std::string that;
 
+  [[nodiscard]] std::string problem() const override {
+    return expression_.empty() ? "holds needs a condition to look at" : "";
+  }
   [[nodiscard]] bool holds(const Tick<State>& t) const override {
     return expression_.holds(t.state);
   }
