@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Values that were set in code, held to the same description as those of files.
+/// \file  The parameters of an object that is there: whether its values are what a description
+/// allows, as those of files are, and what they are.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "core/describe.hpp"
@@ -83,6 +85,55 @@ void check_values(const T& object, std::string_view path, std::vector<std::strin
                              {std::string(path) + std::string(param.name), param.limits, param.unit,
                               param.min_items, param.max_items},
                              problems),
+         ...);
+      },
+      T::params());
+}
+
+/// A parameter of an object with its value in SI; switches are "true" or "false".
+struct ParamValue {
+  std::string name;
+  std::variant<double, std::string, std::vector<double>> value;
+};
+
+template <Described T>
+void list_values(const T& object, std::string_view path, std::vector<ParamValue>& values);
+
+namespace detail {
+
+template <class T>
+void list_value(const T& value, const std::string& name, std::vector<ParamValue>& values) {
+  if constexpr (HasBindHook<T>) {
+    if constexpr (requires { list_parts(value, name, values); })
+      list_parts(value, name, values);
+  } else if constexpr (is_optional<T>) {
+    if (value)
+      list_value(*value, name, values);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    values.push_back({name, value ? "true" : "false"});
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    values.push_back({name, static_cast<double>(value)});
+  } else if constexpr (NamedEnum<T>) {
+    values.push_back({name, std::string(enum_name(value))});
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    values.push_back({name, value});
+  } else if constexpr (requires { static_cast<double>(*value.begin()); }) {
+    values.push_back({name, std::vector<double>(value.begin(), value.end())});
+  } else if constexpr (Described<T>) {
+    list_values(value, name + ".", values);
+  }
+}
+
+}  // namespace detail
+
+/// Adds the parameters of an object that have a value; `path` stands before their names. A type of
+/// its own binding brings `list_parts(value, name, values)`, found next to it, or is left out.
+template <Described T>
+void list_values(const T& object, std::string_view path, std::vector<ParamValue>& values) {
+  std::apply(
+      [&](const auto&... param) {
+        (detail::list_value(object.*param.member, std::string(path) + std::string(param.name),
+                            values),
          ...);
       },
       T::params());

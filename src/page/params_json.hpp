@@ -8,21 +8,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "core/enum_names.hpp"
 #include "page/json.hpp"
 #include "page/quantum.hpp"
-#include "ubf/arbiter/commitment.hpp"
-#include "ubf/arbiter/fusion.hpp"
-#include "ubf/arbiter/inhibit.hpp"
-#include "ubf/arbiter/motor_schema.hpp"
-#include "ubf/arbiter/paper_fusion.hpp"
-#include "ubf/arbiter/priority.hpp"
-#include "ubf/arbiter/suppress.hpp"
 #include "ubf/arbiter/verify.hpp"
-#include "ubf/arbiter/vote_grid.hpp"
-#include "ubf/composite.hpp"
-#include "ubf/control/parallel.hpp"
 
 /// As the page calls them.
 template <>
@@ -43,33 +34,6 @@ struct eyrie::EnumNames<eyrie::ubf::detail::Op> {
 };
 
 namespace eyrie::page {
-
-/// The limits of fields, flat: "bounds.altitude.min".
-template <class Action>
-void put_bounds(Json& params, const ubf::Bounds<Action>& bounds) {
-  ubf::for_each_field<Action>([&](const auto& f, auto i) {
-    const auto& limits = bounds.limits(i);
-    const std::string name = "bounds." + std::string(f.name);
-    if (limits.min)
-      params[name + ".min"] = *limits.min;
-    if (limits.max)
-      params[name + ".max"] = *limits.max;
-  });
-}
-
-/// The axes in their order, flat: "grid.heading.from".
-template <class Action>
-void put_grid(Json& params, const ubf::Grid<Action>& grid) {
-  for (const auto& axis : grid.axes()) {
-    const std::string name = "grid." + std::string(ubf::field_names<Action>()[axis.field]);
-    params[name + ".from"] = axis.from;
-    params[name + ".to"] = axis.to;
-    params[name + ".steps"] = axis.steps;
-    params[name + ".reach"] = axis.reach;
-    if (axis.deviation > 0)
-      params[name + ".spread"] = axis.deviation;
-  }
-}
 
 /// The steps of a condition on the state and the proposal; `within` is how far rounding can take
 /// apart in the page what is equal.
@@ -121,63 +85,24 @@ void add_fields_read(const ubf::Tree<State, Action>& tree, std::set<std::uint32_
   }
 }
 
+/// What the page arbitrates by; of a leaf its vote.
 template <class State, class Action>
 [[nodiscard]] Json arbiter_params(const ubf::Behavior<State, Action>& node) {
+  const bool decides =
+      node.node_kind() == ubf::Kind::arbiter || node.node_kind() == ubf::Kind::control;
   Json params = Json::object();
-  if (node.vote_given())
-    params["vote"] = *node.vote_given();
-  if (const auto* voting = dynamic_cast<const ubf::Voting<State, Action>*>(&node)) {
-    if (voting->vote)
-      params["vote"] = *voting->vote;
-    if (voting->vote_scale != 1)
-      params["vote_scale"] = voting->vote_scale;
-  }
-  if (const auto* fusion = dynamic_cast<const ubf::Fusion<State, Action>*>(&node)) {
-    if (fusion->top)
-      params["top"] = *fusion->top;
-    params["conflicts"] = enum_name(fusion->conflicts);
-  }
-  if (const auto* paper = dynamic_cast<const ubf::PaperFusion<State, Action>*>(&node))
-    params["high_vote"] = paper->high_vote;
-  if (const auto* schema = dynamic_cast<const ubf::MotorSchema<State, Action>*>(&node)) {
-    params["direction"] = ubf::field_names<Action>()[schema->direction.index().value_or(0)];
-    params["magnitude"] = ubf::field_names<Action>()[schema->magnitude.index().value_or(0)];
-    params["unit_vote"] = schema->unit_vote;
-  }
-  if (const auto* parallel = dynamic_cast<const ubf::Parallel<State, Action>*>(&node)) {
-    if (parallel->success_count)
-      params["success_count"] = *parallel->success_count;
-    params["failure_count"] = parallel->failure_count;
-  }
-  if (const auto* priority = dynamic_cast<const ubf::Priority<State, Action>*>(&node)) {
-    Json list = Json::array();
-    for (const bool may : priority->interruptible)
-      list.push_back(may ? 1 : 0);
-    params["interruptible"] = std::move(list);
-  }
-  if (const auto* commitment = dynamic_cast<const ubf::Commitment<State, Action>*>(&node)) {
-    params["margin"] = commitment->margin;
-    params["min_time"] = commitment->min_time;
-    params["hold"] = commitment->hold;
-  }
-  if (const auto* suppress = dynamic_cast<const ubf::Suppress<State, Action>*>(&node))
-    params["hold"] = suppress->hold;
-  if (const auto* inhibit = dynamic_cast<const ubf::Inhibit<State, Action>*>(&node))
-    params["hold"] = inhibit->hold;
+  for (const ParamValue& param : node.values())
+    if (param.name == "vote" || (decides && param.name != "vote_scale") ||
+        (decides && std::get<double>(param.value) != 1))
+      std::visit([&](const auto& value) { params[param.name] = value; }, param.value);
   if (const auto* verify = dynamic_cast<const ubf::Verify<State, Action>*>(&node)) {
-    put_bounds(params, verify->bounds);
-    params["fallback"] = verify->fallback ? "true" : "false";
     Json refuse = Json::array();
-    for (std::size_t i = 0; i < verify->refusals().size(); ++i) {
-      const bool from_file = i < verify->refuse.size();
-      refuse.push_back(RefusalJson<State, Action>::of(from_file ? verify->refuse[i] : "",
-                                                      verify->refusals()[i]));
-    }
+    for (std::size_t i = 0; i < verify->refusals().size(); ++i)
+      refuse.push_back(RefusalJson<State, Action>::of(
+          i < verify->refuse.size() ? verify->refuse[i] : "", verify->refusals()[i]));
     if (!refuse.empty())
       params["refuse"] = std::move(refuse);
   }
-  if (const auto* over = dynamic_cast<const ubf::OverGrid<State, Action>*>(&node))
-    put_grid(params, over->grid);
   return params;
 }
 

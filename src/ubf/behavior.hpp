@@ -24,6 +24,7 @@
 #include "ubf/action_traits.hpp"
 #include "ubf/any_trace.hpp"
 #include "ubf/memory.hpp"
+#include "ubf/proposal.hpp"
 #include "ubf/transition.hpp"
 #include "ubf/vote_curve.hpp"
 
@@ -45,109 +46,6 @@ enum class Kind : std::uint8_t { behavior, condition, arbiter, control, decorato
   constexpr std::string_view kNames[] = {"behavior", "condition", "arbiter", "control",
                                          "decorator"};
   return kNames[static_cast<std::size_t>(kind)];
-}
-
-/// An action together with how strongly it is recommended. The vote is finite and not negative; a
-/// vote of 0 abstains from every arbiter. A proposal that means nothing is a failure (Mistake).
-template <class Action>
-struct Proposal {
-  Action action{};
-  float vote = 0;
-  /// The node that this comes from: the behavior that recommended it, of several mixed field by
-  /// field the strongest, or the arbiter that blended it; kNone for no proposal. Filled in on the
-  /// way up, not by behaviors, so that it is known without a trace.
-  NodeIndex leader = kNone;
-
-  void clear() noexcept {
-    // Many small writes are what a tick waits for: few large ones, unless a field is large.
-    if constexpr (sizeof(Proposal) <= 16 * (kFields<Action> + 2)) {
-      static constexpr Proposal kEmpty{};
-      std::memcpy(static_cast<void*>(this), &kEmpty, sizeof kEmpty);
-    } else {
-      ubf::clear(action);
-      vote = 0;
-      leader = kNone;
-    }
-  }
-  /// What plain assignment does, faster just after the other was written.
-  void copy(const Proposal& other) noexcept {
-    ubf::copy(other.action, action);
-    vote = other.vote;
-    leader = other.leader;
-  }
-  /// Neither a vote nor any field: this is no proposal.
-  [[nodiscard]] bool is_empty() const noexcept { return vote == 0 && ubf::is_empty(action); }
-};
-
-/// To Scratch: it is cleared before anybody is asked into it.
-struct ClearedLater {};
-
-/// An empty proposal on the stack, for a node to ask its children into. It is cleared and not made
-/// by Proposal{}, which writes a large action value by value: that took 40 % of a tick.
-template <class Action>
-class Scratch {
- public:
-  Scratch() noexcept { get().clear(); }
-  /// Only its vote is written, so that what is asked first can be compared with it.
-  explicit Scratch(ClearedLater) noexcept { get().vote = 0; }
-  [[nodiscard]] Proposal<Action>& get() noexcept {
-    return *std::launder(reinterpret_cast<Proposal<Action>*>(bytes_));
-  }
-  [[nodiscard]] const Proposal<Action>& get() const noexcept {
-    return *std::launder(reinterpret_cast<const Proposal<Action>*>(bytes_));
-  }
-
- private:
-  static_assert(std::is_trivially_copyable_v<Proposal<Action>>);
-  alignas(Proposal<Action>) std::byte bytes_[sizeof(Proposal<Action>)];
-};
-
-/// Two places that children propose into in turn, one of them the node's own `out`: what is chosen
-/// is kept by exchanging the places, and copied at most once, at the end. The second place stays
-/// outside: what children may write to must not be one object with the two pointers, or they are
-/// read from memory again after every child (measured: 57 ns of 13 nodes became 85).
-template <class Action>
-class BestSoFar {
- public:
-  BestSoFar(Proposal<Action>& out, Scratch<Action>& other) noexcept
-      : out_(out), best_(&other.get()), next_(&out) {}
-  BestSoFar(const BestSoFar&) = delete;
-  BestSoFar& operator=(const BestSoFar&) = delete;
-
-  /// Where the next child proposes.
-  [[nodiscard]] Proposal<Action>& next() noexcept { return *next_; }
-  /// The best so far, empty before the first. Compare with it, not with a copy of its vote: that
-  /// one goes through memory too, with a store after every choice and more to hold during a call.
-  [[nodiscard]] const Proposal<Action>& kept() const noexcept { return *best_; }
-  /// What is in next() is the best so far.
-  void keep() noexcept { std::swap(best_, next_); }
-  /// Leaves the best in `out`.
-  void hand_on() noexcept {
-    if (best_ != &out_)
-      out_.copy(*best_);
-  }
-
- private:
-  Proposal<Action>& out_;
-  Proposal<Action>*best_, *next_;
-};
-
-namespace detail {
-/// The sign is not set, and it is neither infinite nor NaN.
-[[nodiscard]] constexpr bool is_plain_vote(float vote) {
-  return std::bit_cast<std::uint32_t>(vote) <= 0x7f7fffffU;
-}
-}  // namespace detail
-
-/// A vote in [0, infinity), which NaN is not. One comparison of bits: every node's vote is looked
-/// at (as two comparisons of numbers it was 15 % of a tick).
-[[nodiscard]] constexpr bool is_vote(float vote) {
-  return detail::is_plain_vote(vote) || vote == 0;
-}
-/// Of two votes the larger, as their bits are in the same order; what is no vote beats every vote,
-/// and so does -0. So who looks for the largest has to look only at what beats the others.
-[[nodiscard]] constexpr bool outvotes(float vote, float other) {
-  return std::bit_cast<std::uint32_t>(vote) > std::bit_cast<std::uint32_t>(other);
 }
 
 /// An answer that means nothing: a vote that is none, or a field that is NaN, infinite or beyond
@@ -177,13 +75,6 @@ struct Tick {
   }
 };
 
-/// Whether an answer means something. Fields are looked at where they come from, that is as long as
-/// nobody leads.
-template <class Action>
-[[nodiscard]] bool fields_mean_something(const Proposal<Action>& proposal) {
-  return proposal.leader != kNone || implausible_field(proposal.action) == kFields<Action>;
-}
-
 namespace detail {
 /// Says whose answer means nothing, and why.
 template <class State, class Action>
@@ -205,6 +96,21 @@ template <class State, class Action>
 class Tree;
 template <class State, class Action>
 class Appraiser;
+template <class State, class Action>
+class Behavior;
+
+/// A type of node at run time, described once by its `params()`.
+template <class State, class Action>
+struct NodeType {
+  using Node = Behavior<State, Action>;
+
+  std::string_view name = "behavior";  ///< under which it is registered
+  Kind kind = Kind::behavior;
+  /// Adds what is wrong with the values of a node's parameters.
+  void (*check)(const Node&, std::vector<std::string>& problems) = nullptr;
+  /// Adds the parameters of a node that have a value.
+  void (*values)(const Node&, std::vector<ParamValue>& values) = nullptr;
+};
 
 /// A node of a tree. Nodes are set up once, then immutable and shared by every agent that uses
 /// them; what a node must remember lives in the agent's slab (see WithMemory).
@@ -262,30 +168,26 @@ class Behavior {
   [[nodiscard]] NodeIndex index() const noexcept { return index_; }
   [[nodiscard]] NodeIndex end_index() const noexcept { return end_index_; }
   /// What the user called this node; the type's name if he did not.
-  [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type_ : label_; }
+  [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type() : label_; }
   /// The name under which the type is registered.
-  [[nodiscard]] std::string_view type() const noexcept { return type_; }
-  [[nodiscard]] Kind node_kind() const noexcept { return kind_; }
+  [[nodiscard]] std::string_view type() const noexcept { return type_->name; }
+  [[nodiscard]] Kind node_kind() const noexcept { return type_->kind; }
+  /// Its parameters that have a value.
+  [[nodiscard]] std::vector<ParamValue> values() const {
+    std::vector<ParamValue> all;
+    if (type_->values)
+      type_->values(*this, all);
+    return all;
+  }
 
   void set_label(std::string label) { label_ = std::move(label); }
-  /// By make(); `check` adds what is wrong with the values of the node's parameters.
-  void set_type(std::string_view type, Kind kind,
-                void (*check)(const Behavior&, std::vector<std::string>&)) {
-    type_ = type;
-    kind_ = kind;
-    check_ = check;
-  }
+  void set_type(const NodeType<State, Action>& type) { type_ = &type; }
 
   /// How its vote follows the state; null if it does not.
   [[nodiscard]] const VoteCurve* vote_curve() const noexcept { return vote_curve_.get(); }
   void set_vote_curve(VoteCurve curve) {
     vote_curve_ = std::make_unique<const VoteCurve>(std::move(curve));
   }
-
-  /// The value of the parameter `vote` of a behavior that was read from a file, for debriefs;
-  /// nothing if it has none, and for what was made without a file.
-  [[nodiscard]] std::optional<float> vote_given() const noexcept { return vote_given_; }
-  void set_vote_given(float vote) { vote_given_ = vote; }
 
  protected:
   /// `failure`, and why for whoever traces the tick: a literal, said at no cost to others.
@@ -317,12 +219,10 @@ class Behavior {
 
   NodeIndex index_ = 0, end_index_ = 1;
   bool stands_ = false;
-  Kind kind_ = Kind::behavior;
   std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
   std::unique_ptr<const VoteCurve> vote_curve_;
-  std::optional<float> vote_given_;
-  void (*check_)(const Behavior&, std::vector<std::string>&) = nullptr;
-  std::string_view type_ = "behavior";
+  static constexpr NodeType<State, Action> kAny{};
+  const NodeType<State, Action>* type_ = &kAny;
   std::string label_;
 };
 
@@ -371,17 +271,27 @@ template <class B>
     return Kind::behavior;
 }
 
+template <class B>
+inline constexpr NodeType<typename B::StateType, typename B::ActionType> kNodeType{
+    .name = B::type_name,
+    .kind = kind_of<B>(),
+    .check =
+        [](const auto& node, std::vector<std::string>& problems) {
+          if constexpr (Described<B>)
+            check_values(static_cast<const B&>(node), "", problems);
+        },
+    .values =
+        [](const auto& node, std::vector<ParamValue>& values) {
+          if constexpr (Described<B>)
+            list_values(static_cast<const B&>(node), "", values);
+        }};
+
 /// Makes a node of a registered type in code; arguments go to its constructor.
 ///   auto root = make<WinnerTakesAll<S, A>>(make<Pursue>(), make<Navigate>());
 template <class Node, class... Arguments>
 [[nodiscard]] std::unique_ptr<Node> make(Arguments&&... arguments) {
   auto node = std::make_unique<Node>(std::forward<Arguments>(arguments)...);
-  using Base = Behavior<typename Node::StateType, typename Node::ActionType>;
-  node->set_type(Node::type_name, kind_of<Node>(),
-                 [](const Base& made, std::vector<std::string>& problems) {
-                   if constexpr (Described<Node>)
-                     check_values(static_cast<const Node&>(made), "", problems);
-                 });
+  node->set_type(kNodeType<Node>);
   return node;
 }
 

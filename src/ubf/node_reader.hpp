@@ -139,9 +139,6 @@ class NodeReader {
       node->read_words(*spec.body, *this);
     if (diagnostics_.count() != before)
       return nullptr;
-    if constexpr (!std::derived_from<B, Composite<State, Action>>)
-      if (const auto vote = vote_of(*node))
-        node->set_vote_given(*vote);
     if (const std::string problem = node->problem(); !problem.empty()) {
       error(spec.where, problem);
       return nullptr;

@@ -183,8 +183,8 @@ class Tree {
   }
   [[nodiscard]] static std::vector<std::string> problems_of(const Node& node) {
     std::vector<std::string> problems;
-    if (node.check_)
-      node.check_(node, problems);
+    if (node.type_->check)
+      node.type_->check(node, problems);
     std::size_t missing = 0;
     for (const auto& child : node.children())
       missing += child == nullptr;
@@ -192,7 +192,7 @@ class Tree {
       problems.push_back("a child is missing");
     else if (std::string problem = node.problem(); !problem.empty())
       problems.push_back(std::move(problem));
-    else if (node.kind_ >= Kind::arbiter && node.children().empty())
+    else if (node.node_kind() >= Kind::arbiter && node.children().empty())
       problems.push_back("needs at least one child");
     return problems;
   }

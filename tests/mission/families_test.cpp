@@ -55,8 +55,8 @@ TEST(Families, AVoteThatFollowsTheStateIsExplainedByWhatItFollowed) {
       if (node.type == "pursue" && node.status != ubf::Status::failure && node.asked) {
         const auto range = std::find_if(decision->state.begin(), decision->state.end(),
                                         [](const auto& v) { return v.name == "range"; });
-        const double score = std::clamp(
-            (*range->number - 70 * 1852.0) / ((20 - 70) * 1852.0), 0.0, 1.0);  // as in the file
+        const double score = std::clamp((*range->number - 70 * 1852.0) / ((20 - 70) * 1852.0), 0.0,
+                                        1.0);  // as in the file
         EXPECT_NEAR(node.vote, 50 * score, 1e-3);
         EXPECT_EQ(node.why, fmt::format("range {:.2g}", static_cast<float>(score)));
         votes.insert(node.vote);

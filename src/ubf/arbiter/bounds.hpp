@@ -11,6 +11,7 @@
 
 #include "core/angle.hpp"
 #include "core/bind.hpp"
+#include "core/check_values.hpp"
 #include "ubf/action_traits.hpp"
 
 namespace eyrie::ubf {
@@ -141,6 +142,18 @@ void bind_value(Bounds<Action>& out, const Value& value, Diagnostics& diagnostic
   }
   for (const Value::Entry& entry : value.entries)
     out.read(entry, diagnostics);
+}
+
+/// Says the limits (core/check_values.hpp): "bounds.altitude.min".
+template <class Action>
+void list_parts(const Bounds<Action>& bounds, const std::string& name,
+                std::vector<ParamValue>& values) {
+  for_each_field<Action>([&](const auto& f, auto i) {
+    const auto& limits = bounds.limits(i);
+    for (const auto& [end, limit] : {std::pair("min", limits.min), {"max", limits.max}})
+      if (limit)
+        values.push_back({fmt::format("{}.{}.{}", name, f.name, end), *limit});
+  });
 }
 
 }  // namespace eyrie::ubf

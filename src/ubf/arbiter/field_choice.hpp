@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/bind.hpp"
+#include "core/check_values.hpp"
 #include "ubf/action_traits.hpp"
 
 namespace eyrie::ubf {
@@ -74,6 +75,14 @@ void describe_value(ParamInfo& info, const FieldChoice<Action, Blend>&) {
   info.kind = ParamKind::choice;
   for (const std::string_view name : FieldChoice<Action, Blend>::names())
     info.choices.emplace_back(name);
+}
+
+/// Says which field it is (core/check_values.hpp).
+template <class Action, class Blend>
+void list_parts(const FieldChoice<Action, Blend>& choice, const std::string& name,
+                std::vector<ParamValue>& values) {
+  if (choice.index())
+    values.push_back({name, std::string(field_names<Action>()[*choice.index()])});
 }
 
 }  // namespace eyrie::ubf

@@ -205,4 +205,22 @@ void bind_value(Grid<Action>& out, const Value& value, Diagnostics& diagnostics,
     out.read(entry, diagnostics);
 }
 
+/// Says the axes in their order (core/check_values.hpp): "grid.heading.from".
+template <class Action>
+void list_parts(const Grid<Action>& grid, const std::string& name,
+                std::vector<ParamValue>& values) {
+  for (const auto& axis : grid.axes()) {
+    const auto put = [&](std::string_view part, double value) {
+      values.push_back(
+          {fmt::format("{}.{}.{}", name, field_names<Action>()[axis.field], part), value});
+    };
+    put("from", axis.from);
+    put("to", axis.to);
+    put("steps", static_cast<double>(axis.steps));
+    put("reach", axis.reach);
+    if (axis.deviation > 0)
+      put("spread", axis.deviation);
+  }
+}
+
 }  // namespace eyrie::ubf
