@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file  The arbiters that choose among candidates: vote_grid and utility.
-#include "ubf/arbiter/vote_grid.hpp"
+#include "ubf/arbiter/grid_arbiters.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <functional>
 
-#include "ubf/arbiter/utility.hpp"
 #include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+/// \file  Selector and sequence, which start from the first child in every tick.
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {
@@ -38,6 +39,69 @@ class Reactive : public WithMemory<Voting<State, Action>, ReactiveMemory> {
     }
     m.asked = static_cast<std::uint16_t>(asked);
     m.running = last == Status::running;
+  }
+};
+
+/// Asks the children in order, from the first in every tick, until one does not fail; that child's
+/// proposal and status go up. Fails if every child fails. Also called fallback; reactive, so a
+/// child further left takes over as soon as it can. Isla, "Handling Complexity in the Halo 2 AI"
+/// (GDC 2005); Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 2.
+template <class State, class Action>
+class Selector final : public Reactive<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "selector";
+  static constexpr std::string_view help = "the first child that does not fail";
+  static constexpr Kind kind = Kind::control;
+  [[nodiscard]] static constexpr auto params() {
+    return Voting<State, Action>::template vote_params<Selector>();
+  }
+  using Reactive<State, Action>::Reactive;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    Status status = Status::failure;
+    std::size_t asked = 0;
+    for (const auto& child : this->children_) {
+      ++asked;
+      status = this->ask(*child, t, out);
+      if (status == Status::failure)
+        continue;
+      this->took(t, *child);
+      this->rescale(out);
+      break;
+    }
+    this->settle(t, asked, status);
+    return status;
+  }
+};
+
+/// Asks the children in order, from the first in every tick, until one does not succeed, and
+/// answers what that one did; succeeds if every child succeeds. What goes up is the proposal of the
+/// last child asked that made one: conditions make none, so [condition, action] sends up the
+/// action. A failing sequence proposes nothing. Reactive: a condition further left is checked again
+/// in every tick. Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 1.
+template <class State, class Action>
+class Sequence final : public Reactive<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "sequence";
+  static constexpr std::string_view help = "one child after the other, as long as they succeed";
+  static constexpr Kind kind = Kind::control;
+  [[nodiscard]] static constexpr auto params() {
+    return Voting<State, Action>::template vote_params<Sequence>();
+  }
+  using Reactive<State, Action>::Reactive;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    Status status = Status::success;
+    std::size_t asked = 0;
+    for (const auto& child : this->children_) {
+      status = this->ask_over(*child, t, out);
+      ++asked;
+      if (status != Status::success)
+        break;
+    }
+    this->settle(t, asked, status);
+    this->rescale(out);
+    return status;
   }
 };
 

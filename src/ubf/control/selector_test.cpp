@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/selector.hpp"
+#include "ubf/control/reactive.hpp"
 
 #include <gtest/gtest.h>
 

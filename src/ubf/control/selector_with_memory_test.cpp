@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/selector_with_memory.hpp"
+#include "ubf/control/with_memory.hpp"
 
 #include <gtest/gtest.h>
 

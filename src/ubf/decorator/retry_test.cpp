@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/decorator/retry.hpp"
+#include "ubf/decorator/repeat.hpp"
 
 #include <gtest/gtest.h>
 
