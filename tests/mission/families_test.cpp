@@ -6,6 +6,7 @@
 #include <set>
 
 #include "debrief/explainer.hpp"
+#include "pilot/catalog.hpp"
 #include "support/recorded.hpp"
 
 namespace eyrie::test {
@@ -35,7 +36,8 @@ TEST(Families, EveryStandardNodeFlies) {
   std::set<std::string> asked;
   for (const char* name : {"blending", "commitment", "drill", "layers", "limits", "sweep"})
     asked.merge(asked_in(name));
-  for (const ubf::NodeInfo& node : pilot::make_registry().catalog())
+  const auto registry = pilot::make_registry();
+  for (const ubf::NodeInfo& node : registry.catalog())
     if (node.kind == ubf::Kind::arbiter || node.kind == ubf::Kind::control ||
         node.kind == ubf::Kind::decorator)
       EXPECT_TRUE(asked.contains(node.name)) << node.name;
