@@ -52,14 +52,8 @@ template <class Action>
   return fields;
 }
 
-/// A field of the state that conditions read, and what it was.
-struct StateRead {
-  std::uint32_t field = 0;
-  double quantum = 1, value = 0;
-};
-
-/// Steps, shapes, the values that nodes proposed themselves (leaves all of theirs, arbiters what
-/// they blended), and of the state what conditions read.
+/// Steps, shapes, and the values that nodes proposed themselves (leaves all of theirs, arbiters
+/// what they blended).
 class Decisions {
  public:
   /// Which decisions are kept; those of 0 steps are all.
@@ -70,12 +64,10 @@ class Decisions {
 
   Decisions(ShapeBook& shapes, TextBook& texts) : shapes_(shapes), texts_(texts) {}
 
-  /// True if it is kept and somebody else leads than in the one kept before. `read` has the same
-  /// fields each time.
+  /// True if it is kept and somebody else leads than in the one kept before.
   template <class Action>
   bool add(std::uint64_t step, std::size_t tree, const std::vector<debrief::Answer>& blank,
-           ubf::NodeIndex leader, const ubf::Trace<Action>& trace,
-           const std::vector<StateRead>& read, const Thinning& thin) {
+           ubf::NodeIndex leader, const ubf::Trace<Action>& trace, const Thinning& thin) {
     const auto since = static_cast<double>(step - last_step_);
     if (shape_ >= 0 && since < thin.other)
       return false;
@@ -90,8 +82,6 @@ class Decisions {
     step_.add_rounded(static_cast<std::int64_t>(step));
     shape_column_.add_rounded(shape);
     ubf::for_each_field<Action>([&](const auto& f, auto i) { add_field(f, i, blank, trace); });
-    for (const StateRead& one : read)
-      state_.try_emplace(one.field, one.quantum).first->second.add(one.value);
     return changed;
   }
 
@@ -99,12 +89,9 @@ class Decisions {
     Json values = Json::array();
     for (const auto& [at, column] : values_)
       values.push_back({at.first, at.second, put(bytes, column)});
-    Json all{{"step", put(bytes, step_)},
-             {"shape", put(bytes, shape_column_)},
-             {"values", std::move(values)}};
-    for (const auto& [field, column] : state_)
-      all["state"].push_back({field, put(bytes, column)});
-    return all;
+    return {{"step", put(bytes, step_)},
+            {"shape", put(bytes, shape_column_)},
+            {"values", std::move(values)}};
   }
 
  private:
@@ -159,7 +146,6 @@ class Decisions {
   TextBook& texts_;
   Column step_, shape_column_;
   std::map<std::pair<int, int>, Column> values_;  ///< by node and field
-  std::map<std::uint32_t, Column> state_;         ///< by field
   std::size_t tree_ = static_cast<std::size_t>(-1);
   ubf::NodeIndex leader_ = ubf::kNone;
   std::int64_t shape_ = -1;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "debrief/explainer.hpp"
 #include "page/decisions.hpp"
@@ -48,13 +47,8 @@ class Platform {
   /// Its trees are numbered from `first` on.
   Platform(const Trees& trees, std::size_t first)
       : trees_(trees), first_(first), trace_(trees.max_size()) {
-    std::set<std::uint32_t> read;
-    for (const auto& tree : trees) {
+    for (const auto& tree : trees)
       blank_.push_back(team::unanswered(ubf::outline(tree)));
-      add_fields_read(tree, read);
-    }
-    for (const std::uint32_t field : read)
-      read_.push_back({field, quantum_of(ubf::StateFields<State>::all()[field].info)});
   }
 
   /// Keeps a decision; `see` is called when what the agent saw is to be kept too.
@@ -62,10 +56,8 @@ class Platform {
   void decide(const team::Moment<State>& m, Agent& agent, const Periods& periods, See see) {
     const std::uint16_t tree = m.state.agent.tree;
     const auto out = team::ask_again(trees_[tree], m, &trace_);
-    for (StateRead& one : read_)
-      one.value = ubf::StateFields<State>::all()[one.field].read(m.state);
     const bool changed =
-        agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader, trace_, read_,
+        agent.decisions.add(m.info.step, first_ + tree, blank_[tree], out.leader, trace_,
                             {periods.decisions / m.info.dt, periods.other_decisions / m.info.dt});
     if (changed || m.info.time() - agent.sights.last_time() > periods.sights - 1e-6)
       see(m.state);
@@ -96,7 +88,6 @@ class Platform {
   const Trees& trees_;
   std::size_t first_;
   ubf::Trace<Action> trace_;
-  std::vector<StateRead> read_;  ///< what conditions of the trees read
   std::vector<std::vector<debrief::Answer>> blank_;
 };
 

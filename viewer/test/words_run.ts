@@ -134,7 +134,7 @@ export function run_of(root: NodeSpec, decisions: Record<string, Said>[], more: 
     return columns.get(key)!;
   };
   const t = Float64Array.from(decisions, (_, i) => i / 10);
-  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, value, state: () => null };
+  const decided = { t, step: t.map((time) => Math.round(time * 50)), shape, value };
   const player = { index: 0, name: 'eagle2', kind: 'aircraft', decisions: decided };
   const platform = { action: kFields, state: [] };
   return {

@@ -66,7 +66,7 @@ interface PlayerData {
   radar: Player['radar'];
   motion: MotionData;
   gauges: { speed: Column; mach: Column; load_factor: Column; fuel: Column };
-  decisions: { step: Column; shape: Column; values: [node: number, field: number, column: Column][]; state?: [field: number, column: Column][] };
+  decisions: { step: Column; shape: Column; values: [node: number, field: number, column: Column][] };
   sights: SightData;
 }
 interface MissileData {
@@ -142,12 +142,10 @@ function decisions_of(columns: Columns, data: PlayerData['decisions'], shapes: S
       });
       return all;
     }));
-  const state = new Map((data.state ?? []).map(([field, column]) => [field, lazy(() => columns.read(column))]));
   return {
     get t() { return t(); },
     get step() { return step(); },
     get shape() { return shape(); },
-    state: (field) => state.get(field)?.() ?? null,
     value: (node, field) => values.get(`${node}/${field}`)?.() ?? null,
   };
 }

@@ -137,25 +137,6 @@ export interface Platform {
   state: StateField[];
 }
 
-/** A number in SI, or a field of the platform's state or action. */
-export type Operand = number | { state: number } | { action: number };
-
-/** A step of a condition (src/ubf/expression.hpp): comparisons and flags set its truth, "not" turns it over, "and" and
- * "or" go on at `target` where it cannot change any more. */
-export interface ConditionStep {
-  op: '<' | '<=' | '>' | '>=' | '==' | '!=' | 'flag' | 'not' | 'and' | 'or';
-  left: Operand;
-  right: Operand;
-  target: number;
-  /** Rounding may have moved what is equal so far apart. */
-  within: number;
-}
-/** A condition that refuses a proposal, in words and in steps. */
-export interface Refusal {
-  that: string;
-  steps: ConditionStep[];
-}
-
 export interface TreeNode {
   label: string;
   /** "winner_takes_all", "pursue" ... */
@@ -167,13 +148,10 @@ export interface TreeNode {
   parent: number;
   children: number[];
   depth: number;
-  /** Only those that the page's arbitration reads, in SI; limits and axes by field: "bounds.altitude.min",
-   * "grid.heading.from". */
-  params: Record<string, number | string | number[] | Refusal[]>;
+  /** In SI; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
+  params: Record<string, number | string | number[]>;
   /** It keeps something from decision to decision. */
   remembers: boolean;
-  /** It judges candidates; its judgements are not recorded. */
-  appraises?: boolean;
 }
 
 /** Nodes in pre-order: children stand behind their parent. */
@@ -210,8 +188,6 @@ export interface Decisions {
   shape: Int32Array;
   /** What `node` proposed itself for `field` at each decision; NaN where it did not. Null: never. */
   value(node: number, field: number): Float64Array | null;
-  /** A field of the state at each decision, NaN: no value. Null: no condition of a node reads it. */
-  state(field: number): Float64Array | null;
 }
 
 export interface TrackSeen {

@@ -4,6 +4,7 @@ import type { Change } from '../ask/change.ts';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
+import { general } from '../words/format.ts';
 import { value_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
@@ -36,10 +37,10 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
-/** A value of the tree as it was flown; "" if the page does not know it. */
-function flown_text(value: TreeNode['params'][string] | undefined): string {
+/** A value of the tree as it was flown, with its SI unit; "" if the page does not know it. */
+function flown_text(value: TreeNode['params'][string] | undefined, unit = ''): string {
   if (value === undefined) return '';
-  return Array.isArray(value) ? value.map((one) => (typeof one === 'object' ? `“${one.that}”` : one)).join(' ') : String(value);
+  return Array.isArray(value) ? `[${value.join(', ')}]` : typeof value === 'number' && unit ? `${general(value)} ${unit}` : String(value);
 }
 
 interface EditProps {
@@ -107,7 +108,7 @@ function Ask({ shape, tree, node }: Looked) {
       )}
       {now.parameters.map((parameter) => (
         <Edit key={`${now.name}/${parameter.name}`} parameter={parameter} value={change.params[parameter.name]}
-          flown={now === own ? flown_text(params[parameter.name]) : ''} onChange={(value) => set(parameter.name, value)} />
+          flown={now === own ? flown_text(params[parameter.name], parameter.unit) : ''} onChange={(value) => set(parameter.name, value)} />
       ))}
       {(change.type !== undefined || Object.keys(change.params).length > 0) && <button type="button" onClick={() => choose(flown)}>as flown</button>}
     </fieldset>
@@ -118,7 +119,8 @@ export function NodeDetails(looked: Looked) {
   const page = use_page();
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
-  const told = Object.entries(params).map(([name, value]) => `${name} ${flown_text(value)}`).join(', ');
+  const units = new Map(use_node_types(tree.kind).find(({ name }) => name === type)?.parameters.map((one) => [one.name, one.unit]));
+  const told = Object.entries(params).map(([name, value]) => `${name} ${flown_text(value, units.get(name))}`).join(', ');
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>
