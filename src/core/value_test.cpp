@@ -9,11 +9,11 @@ namespace {
 Value sample() {
   return Value::map({entry("vote", "3", {"a.yaml", 2, 7}),
                      entry("children", Value::list({Value::scalar("x"), Value::null()})),
-                     entry("vote", "4", {"a.yaml", 4, 7})},
+                     entry("near_vote", "4", {"a.yaml", 4, 7})},
                     {"a.yaml", 1, 1});
 }
 
-TEST(Value, FindsTheFirstEntryOfAKeyAndKeepsDuplicates) {
+TEST(Value, FindsAnEntryByItsKey) {
   const Value value = sample();
   ASSERT_TRUE(value.is_map());
   EXPECT_EQ(value.entries.size(), 3u);

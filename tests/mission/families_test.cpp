@@ -39,8 +39,9 @@ TEST(Families, EveryStandardNodeFlies) {
   const auto registry = pilot::make_registry();
   for (const ubf::NodeInfo& node : registry.catalog())
     if (node.kind == ubf::Kind::arbiter || node.kind == ubf::Kind::control ||
-        node.kind == ubf::Kind::decorator)
+        node.kind == ubf::Kind::decorator) {
       EXPECT_TRUE(asked.contains(node.name)) << node.name;
+    }
 }
 
 TEST(Families, AVoteThatFollowsTheStateIsExplainedByWhatItFollowed) {

@@ -111,9 +111,9 @@ TEST_F(ThirdKind, IsAskedWhatIf) {
   const Ran ran = ask({"whatif", "run", "--player", "harbor1", "--set", "root/navigate.vote=80",
                        "--at", "1", "--json"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const auto json = nlohmann::json::parse(ran.out);
-  EXPECT_GT(json["different"], 10);
-  EXPECT_EQ(json["first"]["leader"]["other"], "navigate");
+  const auto answer = nlohmann::json::parse(ran.out);
+  EXPECT_GT(answer["different"], 10);
+  EXPECT_EQ(answer["first"]["leader"]["other"], "navigate");
 }
 
 }  // namespace
