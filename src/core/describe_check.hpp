@@ -2,6 +2,8 @@
 #pragma once
 /// \file  Mistakes of the person who wrote a description, for the tests of described types:
 /// `EXPECT_EQ(description_mistakes<Radar>(), "");`
+#include <fmt/format.h>
+
 #include <concepts>
 #include <span>
 #include <string>
