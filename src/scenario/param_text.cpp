@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/bind.hpp"
 #include "core/units.hpp"
 
 namespace eyrie::scenario {

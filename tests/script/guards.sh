@@ -65,7 +65,7 @@ refuses check-layers src/model/part.cpp '#include "part_of_nothing.hpp"'
 refuses check-layers src/model/part.cpp '#include <nlohmann/json.hpp>'
 refuses check-layers src/page/part.cpp '#include <yaml.h>'
 lets check-layers src/pilot/part.cpp '#include "team/rank.hpp"'
-lets check-layers src/scenario/part.cpp '#include <yaml.h>'
+lets check-layers src/core/part.cpp '#include <yaml.h>'
 
 for line in 'reach: 3 nmi' 'reach: 3 nmi  #' 'reach: 3 nmi  # m' 'reach: 3 nmi  # [judgement]' 'reach: 3 nmi  # guess' \
   '  value: [1, 2]' '  - 0.3  # 4 5 6'; do
