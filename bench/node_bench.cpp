@@ -3,8 +3,8 @@
 #include <map>
 #include <string_view>
 
+#include "core/yaml.hpp"
 #include "robot.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace robot {
 namespace {
@@ -72,8 +72,8 @@ void register_nodes() {
     const auto text = node_trees().find(info.name);
     EYRIE_DEMAND(text != node_trees().end(), "a node has no row in the table");
     Diagnostics diagnostics;
-    auto tree =
-        registry.build_tree(info.name, ubf::testing::Document::parse(text->second), diagnostics);
+    auto tree = registry.build_tree(info.name, parse_yaml(text->second, "test.yaml", diagnostics),
+                                    diagnostics);
     EYRIE_DEMAND(tree.has_value(), diagnostics.text().c_str());
     const auto shared = std::make_shared<Tree>(std::move(*tree));
     benchmark::RegisterBenchmark(("node/" + info.name).c_str(), [shared](benchmark::State& state) {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "core/yaml.hpp"
 #include "driver/catalog.hpp"
 #include "driver/state.hpp"
 #include "model/sensor/test_players.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::driver::testing {
 
@@ -103,7 +103,8 @@ class Driver {
   static Tree build(const std::string& text) {
     static const Registry registry = make_registry();
     Diagnostics diagnostics;
-    auto tree = registry.build_tree("test", ubf::testing::Document::parse(text), diagnostics);
+    auto tree =
+        registry.build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics);
     if (!tree)
       throw std::runtime_error(diagnostics.text());
     return std::move(*tree);

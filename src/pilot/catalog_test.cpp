@@ -8,13 +8,11 @@
 #include <set>
 #include <string>
 
+#include "core/yaml.hpp"
 #include "pilot/state.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot {
 namespace {
-
-using ubf::testing::Document;
 
 TEST(Catalog, HasThePapersBehaviors) {
   const Registry registry = make_registry();
@@ -74,7 +72,8 @@ TEST(Catalog, HasNoDefaultThatItWouldRefuse) {
       text += p.name + ": " + (p.default_text == "null" ? "" : p.default_text) + ", ";
     text += "}}";
     Diagnostics diagnostics;
-    EXPECT_TRUE(registry.build_tree("test", Document::parse(text), diagnostics))
+    EXPECT_TRUE(
+        registry.build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics))
         << text << "\n"
         << diagnostics.text();
   }
@@ -96,7 +95,8 @@ TEST(Catalog, GivesGroundAvoidanceTheHighestVoteOfAll) {
 TEST(Catalog, HelpsWithAMisspeltParameter) {
   Diagnostics diagnostics;
   const auto tree = make_registry().build_tree(
-      "test", Document::parse("{break_turn: {danger_rang: 2 nmi}}"), diagnostics);
+      "test", parse_yaml("{break_turn: {danger_rang: 2 nmi}}", "test.yaml", diagnostics),
+      diagnostics);
   EXPECT_FALSE(tree);
   EXPECT_EQ(diagnostics.text(),
             "test.yaml:1:15: break_turn has no parameter 'danger_rang'; did you mean "

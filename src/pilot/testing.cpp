@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/controller.hpp"
 #include "support/data_file.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot::testing {
 namespace {
@@ -45,7 +45,8 @@ model::Library make_library() {
 
 Tree build(const std::string& text) {
   Diagnostics diagnostics;
-  auto tree = registry().build_tree("test", ubf::testing::Document::parse(text), diagnostics);
+  auto tree =
+      registry().build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics);
   if (!tree)
     throw std::runtime_error(diagnostics.text());
   return std::move(*tree);

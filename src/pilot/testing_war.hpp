@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/yaml.hpp"
 #include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
 #include "model/sensor/sensor_system.hpp"
@@ -19,7 +20,6 @@
 #include "pilot/pilot_system.hpp"
 #include "pilot/testing.hpp"
 #include "sim/simulation.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot::testing {
 
@@ -38,7 +38,7 @@ class War {
     for (const std::string& text : trees) {
       Diagnostics diagnostics;
       auto tree = registry.build_tree(std::to_string(built->size()),
-                                      ubf::testing::Document::parse(text), diagnostics);
+                                      parse_yaml(text, "test.yaml", diagnostics), diagnostics);
       EYRIE_DEMAND(tree, diagnostics.text().c_str());
       built->add(std::move(*tree));
     }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "support/no_allocation.hpp"
-#include "ubf/testing_registry.hpp"
-#include "ubf/testing_trees.hpp"
+#include "support/ubf/registry.hpp"
+#include "support/ubf/trees.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

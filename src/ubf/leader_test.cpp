@@ -5,7 +5,7 @@
 #include <set>
 #include <string_view>
 
-#include "ubf/testing_trees.hpp"
+#include "support/ubf/trees.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -3,8 +3,8 @@
 /// which failed, and whoever listens is told of it.
 #include <gtest/gtest.h>
 
+#include "support/ubf/registry.hpp"
 #include "ubf/appraiser.hpp"
-#include "ubf/testing_registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

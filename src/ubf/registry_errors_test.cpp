@@ -2,7 +2,7 @@
 /// \file  Every mistake that a file can make in a tree, and the words that the user reads.
 #include <gtest/gtest.h>
 
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {
@@ -45,7 +45,7 @@ TEST(RegistryErrors, WhatIsNoNodeIsRefused) {
             "test.yaml:1:1: expected a node, such as 'navigate' or {navigate: {...}}, got a map");
   EXPECT_EQ(mistakes("{selector: [{inverter: }]}"), "test.yaml:1:14: inverter needs a 'child'");
   EXPECT_EQ(mistakes("{inverter: {child: }}"),
-            "test.yaml:1:20: expected a node, such as 'navigate' or {navigate: {...}}, got "
+            "test.yaml:1:13: expected a node, such as 'navigate' or {navigate: {...}}, got "
             "nothing");
 }
 

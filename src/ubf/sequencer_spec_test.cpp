@@ -3,20 +3,20 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing_document.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf {
 namespace {
 
 std::string sequencer_mistakes(std::string_view text) {
-  const Value body = testing::Document::parse(text);
+  const Value body = testing::document(text);
   Diagnostics diagnostics;
   static_cast<void>(read_sequencer({"sequencer", body.where, &body}, diagnostics));
   return diagnostics.text();
 }
 
 TEST(SequencerSpec, ResolvesNamesToPositionsInFileOrder) {
-  const Value body = testing::Document::parse(
+  const Value body = testing::document(
       "{start: b, trees: {a: x, b: y, c: z}, transitions:"
       " [{from: b, to: c, when: p}, {from: any, to: a, when: q}]}");
   Diagnostics diagnostics;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math.hpp"
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 #include "ubf/trace_text.hpp"
 
 namespace eyrie::ubf::testing {

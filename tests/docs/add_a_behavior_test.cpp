@@ -3,10 +3,10 @@
 /// that the page is compiled and run.
 #include <gtest/gtest.h>
 
+#include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/testing.hpp"
 #include "ubf/simulated_time.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::pilot {
 namespace {
@@ -79,8 +79,8 @@ using testing::Desk;
 
 Tree build(const char* text) {
   Diagnostics diagnostics;
-  auto tree = registry_with_new_behaviors().build_tree("test", ubf::testing::Document::parse(text),
-                                                       diagnostics);
+  auto tree = registry_with_new_behaviors().build_tree(
+      "test", parse_yaml(text, "test.yaml", diagnostics), diagnostics);
   EYRIE_DEMAND(tree.has_value(), "the page's tree has a mistake");
   return std::move(*tree);
 }

@@ -3,8 +3,8 @@
 /// that the page is compiled and run.
 #include <gtest/gtest.h>
 
+#include "core/yaml.hpp"
 #include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::ubf {
 namespace {
@@ -59,7 +59,7 @@ testing::Child from_file(std::string_view text) {
   registry.add<ubf::RunnerUp<State, Action>>();
   Diagnostics diagnostics;
   NodeReader<State, Action> reader(registry, {}, diagnostics);
-  testing::Child root = reader.read(testing::Document::parse(text));
+  testing::Child root = reader.read(parse_yaml(text, "test.yaml", diagnostics));
   EYRIE_DEMAND(root != nullptr, "the page's tree has a mistake");
   return root;
 }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ubf/arbiter/testing_cues.hpp"
+#include "support/ubf/cues.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

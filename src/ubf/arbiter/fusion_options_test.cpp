@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "support/ubf/cues.hpp"
 #include "ubf/arbiter/fusion.hpp"
-#include "ubf/arbiter/testing_cues.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ubf/arbiter/testing_cues.hpp"
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/cues.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

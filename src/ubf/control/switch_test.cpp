@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "ubf/testing_registry.hpp"
+#include "support/ubf/registry.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/arbiter/testing_cues.hpp"
+#include "support/ubf/cues.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

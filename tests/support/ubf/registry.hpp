@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/yaml.hpp"
 #include "ubf/testing.hpp"
-#include "ubf/testing_document.hpp"
 
 namespace eyrie::ubf::testing {
 
@@ -25,11 +25,19 @@ namespace eyrie::ubf::testing {
   return kRegistry;
 }
 
+/// What a text says; it is the test's own, so a mistake in it ends the test.
+[[nodiscard]] inline Value document(std::string_view text, const std::string& file = "test.yaml") {
+  Diagnostics diagnostics;
+  Value value = parse_yaml(text, file, diagnostics);
+  EYRIE_DEMAND(diagnostics.ok(), diagnostics.text().c_str());
+  return value;
+}
+
 /// Trees that others refer to. Each stands in a file of its own: "home" in home.yaml.
 class NamedTrees {
  public:
   NamedTrees& with(std::string name, std::string_view text) {
-    Value value = Document::parse(text, name + ".yaml");
+    Value value = document(text, name + ".yaml");
     trees_.emplace_back(std::move(name), std::move(value));
     return *this;
   }
@@ -48,7 +56,7 @@ class NamedTrees {
 [[nodiscard]] inline RobotTree build(std::string_view text, const NamedTrees& others = {},
                                      const RobotRegistry& registry = standard_registry()) {
   Diagnostics diagnostics;
-  auto tree = registry.build_tree("test", Document::parse(text), diagnostics, others.specs());
+  auto tree = registry.build_tree("test", document(text), diagnostics, others.specs());
   if (!tree)
     throw ConfigError(diagnostics);
   return std::move(*tree);
@@ -57,7 +65,7 @@ class NamedTrees {
 [[nodiscard]] inline std::string mistakes(std::string_view text, const NamedTrees& others = {}) {
   Diagnostics diagnostics;
   const auto tree =
-      standard_registry().build_tree("test", Document::parse(text), diagnostics, others.specs());
+      standard_registry().build_tree("test", document(text), diagnostics, others.specs());
   EXPECT_EQ(tree.has_value(), diagnostics.ok());
   return diagnostics.text();
 }
