@@ -190,12 +190,12 @@ class TurnAway final : public ubf::Behavior<State, Action> {
   }
 };
 
-/// Looks out, and moves.
+/// Looks out, moves, and lowers its boats, for which the table has no room.
 class Ships final : public sim::System {
  public:
   Ships(const Columns& ships, const model::AircraftColumns& aircraft,
-        std::shared_ptr<const model::Library> library)
-      : ships_(ships), aircraft_(aircraft), library_(std::move(library)) {}
+        std::shared_ptr<const model::Library> library, std::uint32_t boats)
+      : ships_(ships), aircraft_(aircraft), library_(std::move(library)), boats_(boats) {}
   std::string_view name() const override { return "ship"; }
   TableId table() const override { return ships_.table; }
 
@@ -222,11 +222,17 @@ class Ships final : public sim::System {
                    std::as_const(world).rows(ships_.command)[i], info.dt,
                    world.rows(ships_.kinematics)[i], world.rows(ships_.helm)[i]);
   }
+  void commit(sim::World&, const sim::StepInfo& info, std::span<const sim::Event>,
+              sim::CommitContext& context) const override {
+    for (std::uint32_t i = 0; info.step == 50 && i < boats_; ++i)
+      (void)context.spawn(ships_.table);
+  }
 
  private:
   Columns ships_;
   model::AircraftColumns aircraft_;
   std::shared_ptr<const model::Library> library_;
+  std::uint32_t boats_;
 };
 
 // what a file says of them
@@ -238,12 +244,14 @@ struct GroupSpec {
                       param("tree", &GroupSpec::tree, "the tree that they sail by").required(),
                       param("start", &GroupSpec::start, "where it begins").required(),
                       param("heading", &GroupSpec::heading, "rad", any(), "true"),
+                      param("boats", &GroupSpec::boats, range(0, 9), "that it lowers after 1 s"),
                       param("route", &GroupSpec::route, "the points of its way")};
   }
   std::vector<std::string> players;
   std::string tree;
   scenario::PlaceSpec start;
   double heading = 0;
+  std::uint32_t boats = 0;
   std::vector<scenario::PlaceSpec> route;
 };
 
@@ -283,7 +291,10 @@ class Kind final : public scenario::AgentKind<Platform> {
   }
   void add_systems(sim::SimulationBuilder& builder, const scenario::Scenario& scenario, double dt,
                    std::uint32_t period) override {
-    builder.add<Ships>(columns_, scenario.aircraft, scenario.library);
+    std::uint32_t boats = 0;
+    for (const Group& group : groups_)
+      boats += group.spec.boats;
+    builder.add<Ships>(columns_, scenario.aircraft, scenario.library, boats);
     add_agents(builder, scenario, dt, period);
   }
   void populate(const scenario::Scenario& scenario, sim::World& world) const override {

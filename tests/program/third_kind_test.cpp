@@ -116,5 +116,28 @@ TEST_F(ThirdKind, IsAskedWhatIf) {
   EXPECT_EQ(answer["first"]["leader"]["other"], "navigate");
 }
 
+TEST_F(ThirdKind, IsToldOfWhenTheWorldHasNoRoom) {
+  const auto flown_with = [&](const std::string& boats) {
+    auto changes = kWithShips;
+    changes.push_back({"heading: 90 deg\n      route: [",
+                       "heading: 90 deg\n      boats: " + boats + "\n      route: ["});
+    folder.write("sea.yaml", changed_scenario(changes));
+  };
+  flown_with("1");
+  Ran ran = ask({"fly", "sea.yaml", "--until", "2 s", "--out", "one", "--no-debrief"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("\nno room in the world: 1 player could not be launched or born\n"),
+            std::string::npos)
+      << ran.out;
+  flown_with("3");
+  ran = ask({"fly", "sea.yaml", "--until", "2 s", "--out", "three", "--no-debrief"});
+  EXPECT_NE(ran.out.find("no room in the world: 3 players could not"), std::string::npos);
+  ran = ask({"fly", "sea.yaml", "--until", "2 s", "--out", "json", "--no-debrief", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["refused_births"], 3);
+  flown_with("0");
+  ran = ask({"fly", "sea.yaml", "--until", "2 s", "--out", "none", "--no-debrief"});
+  EXPECT_EQ(ran.out.find("no room"), std::string::npos) << ran.out;
+}
+
 }  // namespace
 }  // namespace eyrie::test
