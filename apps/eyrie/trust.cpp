@@ -15,6 +15,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "interrupt.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/sha256.hpp"
@@ -139,6 +140,7 @@ int trust(const TrustOptions& options) {
     if (const int code =
             options.remove.empty() ? add(list, options.add) : remove(list, options.remove))
       return code;
+    listen_for_interrupts();
     list.write(file);
   } catch (const ConfigError& e) {
     return refuse_trust(e.diagnostics().text());

@@ -27,9 +27,10 @@ std::optional<struct stat> replaceable(const Place& place, bool replace) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path, bool replace)
+OutputFile::OutputFile(const std::string& path, bool replace, mode_t mode)
     : place_(path, Parents::must_exist),
       replace_(replace),
+      mode_(mode),
       before_(replaceable(place_, replace)),
       part_(place_, Kind::file, {}),
       sink_(part_.handle(), place_.path()) {}
@@ -37,8 +38,8 @@ OutputFile::OutputFile(const std::string& path, bool replace)
 void OutputFile::commit() {
   if (!sink_.close())
     throw Failed(sink_.error());
-  if (files().set_mode(part_.handle(), before_ ? before_->st_mode & 0777U : default_mode(0666)) !=
-      0)
+  const mode_t mode = before_ ? before_->st_mode & 0777U : default_mode(mode_);
+  if (files().set_mode(part_.handle(), mode) != 0)
     cannot_make(place_.path(), errno);
   Put put;
   {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/trust.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
 #include "core/diagnostics.hpp"
+#include "disk/output_file.hpp"
 #include "disk/read_file.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/sha256.hpp"
@@ -41,11 +40,6 @@ std::string line_problem(std::string_view line) {
   if (!path.starts_with('/') || std::any_of(path.begin(), path.end(), is_control))
     return fmt::format("{} is not an absolute path", quote(path));
   return {};
-}
-
-[[noreturn]] void cannot(const char* what, const std::string& file) {
-  throw std::runtime_error(fmt::format("cannot {} {}: {}", what, shell_word(file),
-                                       std::generic_category().message(errno)));
 }
 
 }  // namespace
@@ -114,19 +108,9 @@ void TrustList::write(const std::string& file) const {
   for (const Entry& entry : entries_)
     text += fmt::format("{}{}{}\n", entry.sha256, kBetween, entry.path);
 
-  std::string part = file + ".XXXXXX";  // mode 0600
-  const int out = ::mkostemp(part.data(), O_CLOEXEC);
-  if (out < 0)
-    cannot("write", file);
-  const bool written =
-      ::write(out, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
-      ::fsync(out) == 0;
-  if (::close(out) != 0 || !written || ::rename(part.c_str(), file.c_str()) != 0) {
-    const int error = errno;
-    ::unlink(part.c_str());
-    errno = error;
-    cannot("write", file);
-  }
+  disk::OutputFile out(file, true, 0600);
+  out.sink().write(text);
+  out.commit();
 }
 
 std::string TrustList::why_not(const std::string& path, const std::string& sha256) const {

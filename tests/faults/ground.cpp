@@ -150,6 +150,12 @@ std::vector<Try> every_try() {
           {"export over an export", exported(czml, "other.czml", true), "other.czml"},
           {"debrief", debrief("new.html", false), "new.html"},
           {"debrief over a page", debrief("", false), "run/debrief.html"},
+          {"trust",
+           [] {
+             ::setenv("XDG_CONFIG_HOME", fs::current_path().c_str(), 1);
+             return app::trust({.remove = {"/opt/pilots.so"}});
+           },
+           "eyrie/trusted-plugins"},
           {"replay", [] { return app::replay({.run = "run"}); }, ""}};
 }
 
@@ -168,6 +174,8 @@ Ground::Ground() {
     first.write("run/debrief.html", "an old page");
     first.write("other.czml", "an old export");
     first.write("important", "kept");
+    first.write("eyrie/trusted-plugins", std::string(64, 'a') + "  /opt/drivers.so\n" +
+                                             std::string(64, 'b') + "  /opt/pilots.so\n");
     first.write("other/thesis.tex", "kept");
     first.write(".eyrie-part-of-mine", "kept");
     fs::create_directory(first / "empty");
