@@ -26,7 +26,8 @@ endif()
 
 install(TARGETS eyrie DESTINATION bin COMPONENT program)
 install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
-install(FILES ${EYRIE_ZONES} ${PROJECT_BINARY_DIR}/viewer/debrief.html DESTINATION share/eyrie COMPONENT program OPTIONAL)
+install(FILES ${EYRIE_ZONES} ${PROJECT_BINARY_DIR}/viewer/debrief.html ${PROJECT_BINARY_DIR}/viewer/playground.html
+        DESTINATION share/eyrie COMPONENT program OPTIONAL)
 install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 
 # the cockpit for tests of behaviors, pilot/testing.hpp, without what Eyrie's own tests need besides

@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: MIT
-// Bundles the page into one file without data: node build.mjs OUT.html [ENGINE.wasm]. The program puts runs into it
-// at the place of <!--%RUNS%-->: run files, which the engine in the page flies again, as <script
-// type="application/x-eyrie-run-file">base64</script>, or columns as <script type="application/x-eyrie-run">.
+// Bundles each page into one file without data: node build.mjs FOLDER [ENGINE.wasm] makes debrief.html, and playground.html
+// if there is an engine. The program puts what they show at the place of <!--%PARTS%-->, each as <script
+// type="application/x-eyrie-TYPE">base64 of a zlib stream</script>: run files, which the engine in the page flies again,
+// columns where there is none, launch zones, and the texts of a playground.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
-import { mkdir, readFile, rename, writeFile } from 'node:fs/promises';
+import { mkdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { fileURLToPath } from 'node:url';
 import { worker_text } from './worker_text.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = process.argv[2] ?? join(here, 'dist', 'debrief.html');
-
+const folder = process.argv[2] ?? join(here, 'dist');
 const engine = process.argv[3];
 
 const common = { bundle: true, minify: true, write: false, target: 'es2022', legalComments: 'none', logLevel: 'warning' };
-const script = await build({ ...common, entryPoints: [join(here, 'src/main.tsx')], format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
-const style = await build({ ...common, entryPoints: [join(here, 'src/style.css')] });
-// the page is packed; these lines unpack and start it
+const bundled = async (file, options = {}) => (await build({ ...common, entryPoints: [join(here, file)], ...options })).outputFiles[0];
+// a page is packed; these lines unpack and start it
 const packed = (bytes) => deflateSync(bytes, { level: 9 }).toString('base64');
 const code = `const t=document.getElementById('code').textContent;
 const s=new Blob([Uint8Array.from(atob(t),c=>c.charCodeAt(0))]).stream().pipeThrough(new DecompressionStream('deflate'));
 import(URL.createObjectURL(new Blob([await new Response(s).text()],{type:'text/javascript'})));`;
-const shell = await readFile(join(here, 'index.html'), 'utf8');
-const looks = style.outputFiles[0].text;
 // nothing but this script and this style: a text of a run that were taken for either would do nothing
 const source = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
-const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; base-uri 'none'; form-action 'none'`;
-const module = engine
-  ? `<script type="application/x-eyrie-engine">${packed(await readFile(engine))}</script>`
-  : '';
-const html = shell.replace('%POLICY%', () => policy).replace('/*%STYLE%*/', () => looks).replace('/*%SCRIPT%*/', () => code)
-  .replace('<!--%ENGINE%-->', () => module)
-  .replace('%CODE%', () => packed(script.outputFiles[0].contents));
-await mkdir(dirname(out), { recursive: true });
-await writeFile(`${out}.part`, html);
-await rename(`${out}.part`, out);
+const module = engine ? `<script type="application/x-eyrie-engine">${packed(await readFile(engine))}</script>` : '';
+const shell = await readFile(join(here, 'index.html'), 'utf8');
+
+async function make(name, title, script_file, style_file) {
+  const script = await bundled(script_file, { format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
+  const looks = (await bundled(style_file)).text;
+  const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; base-uri 'none'; form-action 'none'`;
+  const html = shell.replace('%POLICY%', () => policy).replace('%TITLE%', title).replace('/*%STYLE%*/', () => looks)
+    .replace('/*%SCRIPT%*/', () => code).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
+  const out = join(folder, name);
+  await writeFile(`${out}.part`, html);
+  await rename(`${out}.part`, out);
+}
+
+await mkdir(folder, { recursive: true });
+await make('debrief.html', 'Eyrie debrief', 'src/main.tsx', 'src/style.css');
+if (engine) await make('playground.html', 'Eyrie playground', 'src/play/main.tsx', 'src/play/style.css');
+else await rm(join(folder, 'playground.html'), { force: true });

@@ -9,8 +9,11 @@
 
 #include "core/version.hpp"
 #include "debrief/node_sets.hpp"
+#include "debrief/what_if.hpp"
+#include "model/weapon/kept_zones.hpp"
 #include "page/page_data.hpp"
 #include "record/run_file.hpp"
+#include "record/tally.hpp"
 #include "scenario/plugins.hpp"
 #include "sim/trail.hpp"
 
@@ -94,22 +97,29 @@ struct Engine::Flight {
          std::optional<double> until)
       : mission(scenario, with_seed, until),
         seed(with_seed),
+        tally(*scenario),
         story(*scenario, [this](const record::StoryLine& line) {
           lines.push_back({line.time, line.who, line.text});
         }) {
     mission.run().attach(trail);
+    mission.run().attach(tally);
     mission.run().attach(story);
   }
 
   scenario::Mission mission;
   std::uint64_t seed;
   sim::TrailRecorder trail;
+  record::Tally tally;
   std::vector<Line> lines;
   record::Story story;
 };
 
 void Engine::FlightDeleter::operator()(Flight* flight) const {
   delete flight;
+}
+
+void Engine::take_zones(std::string_view file) {
+  model::kept_zones().take(file);
 }
 
 NodeTypes Engine::node_types() {
@@ -192,12 +202,16 @@ Flown Engine::fly(const Until& until) {
     if (progress_ && mission.run().world().step() % kTell == 0)
       progress_(mission.run().time());
   }
-  Flown flown{mission.run().world().step(), mission.run().time(), hex(mission.run().world().hash()),
+  Flown flown{mission.run().world().step(),
+              mission.run().time(),
+              hex(mission.run().world().hash()),
               std::string(scenario::outcome_name(mission.outcome())),
+              {},
               std::exchange(flight_->lines, {})};
   if (!over)
     return flown;
   mission.run().finish();
+  flown.result = debrief::outcome_of(mission, flight_->tally);
   for (Line& line : flight_->lines)
     flown.story.push_back(std::move(line));
   record::RunFile run = record::run_file_of(mission.scenario(), flight_->seed, build());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "debrief/explainer.hpp"
@@ -27,6 +28,8 @@ class Engine {
   using Progress = std::function<void(double)>;
   explicit Engine(Progress progress = {}) : progress_(std::move(progress)) {}
 
+  /// The launch zones of the shipped missiles (KeptZones::take), which then need not be flown.
+  static void take_zones(std::string_view file);
   /// What trees may be made of.
   [[nodiscard]] static NodeTypes node_types();
   /// Every mistake in a scenario and its files.

@@ -47,8 +47,11 @@ TEST(WebEngine, FliesToTheWorldThatAMissionFliesTo) {
   const Flown half = engine.fly({.until = 1.0});
   EXPECT_EQ(half.step, 50u);
   EXPECT_EQ(half.outcome, "running");
+  EXPECT_FALSE(half.result);
   const Flown whole = engine.fly({});
   EXPECT_EQ(whole.outcome, "time");
+  EXPECT_EQ(whole.result->outcome, "time");
+  EXPECT_EQ(whole.result->blue.losses, 0u);
 
   scenario::Mission mission(
       scenario::load({"small.yaml"},
@@ -171,6 +174,15 @@ TEST(WebQuestions, AreAnsweredInJsonAndRefusedInWords) {
   EXPECT_TRUE(asked(engine, Json::array()).contains("error"));
   std::string none;
   EXPECT_TRUE(Json::parse(answer(engine, "{\"ask\":", none)).contains("error"));
+}
+
+TEST(WebQuestions, TakeTheBytesOfAFile) {
+  Engine engine;
+  std::string zones = "damaged";
+  EXPECT_EQ(asked(engine, {{"ask", "take_zones"}}, &zones), Json::object());
+  EXPECT_EQ(zones, "");
+  std::string run = "damaged";
+  EXPECT_TRUE(asked(engine, {{"ask", "open"}}, &run).contains("error"));
 }
 
 TEST(WebQuestions, NameEveryMistakeOfATextWithItsPlace) {

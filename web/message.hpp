@@ -165,7 +165,7 @@ template <class T>
     std::string text = fmt::format("/** {} */\nexport interface {} {{\n", Message<T>::help, name);
     std::apply(
         [&](const auto&... member) {
-          const auto declare = [&](const auto& one) {
+          [[maybe_unused]] const auto declare = [&](const auto& one) {
             using V = std::remove_cvref_t<decltype(std::declval<T>().*one.at)>;
             if constexpr (detail::is_optional<V>)
               text += fmt::format("  /** {} */\n  {}?: {};\n", one.help, one.name,

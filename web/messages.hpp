@@ -64,6 +64,7 @@ struct Flown {
   std::uint64_t step = 0;
   double time = 0;
   std::string hash, outcome;
+  std::optional<debrief::Outcome> result;
   std::vector<Line> story;
 };
 struct Moment {
@@ -200,9 +201,11 @@ template <>
 struct Message<Flown> {
   static constexpr std::string_view name = "Flown", help = "How far a flight is.";
   static constexpr std::tuple members{
-      Member{"step", &Flown::step, "Steps made."}, Member{"time", &Flown::time, "s."},
+      Member{"step", &Flown::step, "Steps made."},
+      Member{"time", &Flown::time, "s."},
       Member{"hash", &Flown::hash, "Of the world, as the terminal prints it."},
       Member{"outcome", &Flown::outcome, "running, or why it is over."},
+      Member{"result", &Flown::result, "How it ended, once it is over."},
       Member{"story", &Flown::story, "What happened since the last answer."}};
 };
 template <>

@@ -56,6 +56,25 @@ constexpr Question bytes_question(std::string_view name, std::string_view help) 
       [](std::map<std::string, std::string>&) -> std::string { return "(): Promise<Uint8Array>"; }};
 }
 
+/// A question that comes with the bytes of a file.
+template <class Answer, auto kAsk>
+constexpr Question file_question(std::string_view name, std::string_view help) {
+  return {name, help,
+          [](Engine& engine, const Json& json, std::string& bytes) {
+            static_cast<void>(read<Nothing>(json));
+            const Answer answer = std::invoke(kAsk, engine, std::string_view(bytes));
+            bytes.clear();
+            return to_json(answer);
+          },
+          [](std::map<std::string, std::string>& all) {
+            return declared<Nothing, Answer>(all, "file: Uint8Array");
+          }};
+}
+
+Nothing take_zones(Engine&, std::string_view file) {
+  Engine::take_zones(file);
+  return {};
+}
 NodeTypes node_types(Engine&, const Nothing&) {
   return Engine::node_types();
 }
@@ -64,22 +83,15 @@ Problems validate(Engine&, const Texts& texts) {
 }
 
 const std::array kQuestions{
+    file_question<Nothing, take_zones>(
+        "take_zones", "Launch zones of the shipped missiles, which then need not be flown."),
     question<Nothing, NodeTypes, node_types>("node_types", "What trees may be made of."),
     question<Texts, Problems, validate>("validate", "Every mistake in a scenario and its files."),
     question<Load, About, &Engine::load>("load", "Reads a scenario; fly() begins at its start."),
     question<Until, Flown, &Engine::fly>(
         "fly", "On with what was loaded; when it is over it has become a run."),
     bytes_question<&Engine::run_file>("run_file", "The run file of what was flown to its end."),
-    Question{"open", "Opens a run file.",
-             [](Engine& engine, const Json& json, std::string& bytes) {
-               static_cast<void>(read<Nothing>(json));
-               const About about = engine.open(bytes);
-               bytes.clear();
-               return to_json(about);
-             },
-             [](std::map<std::string, std::string>& all) {
-               return declared<Nothing, About>(all, "run_file: Uint8Array");
-             }},
+    file_question<About, &Engine::open>("open", "Opens a run file."),
     bytes_question<&Engine::page>(
         "page",
         "The run once more from start to end, every hash compared with the recorded ones; what "

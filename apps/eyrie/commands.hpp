@@ -69,6 +69,12 @@ struct PageWritten {
 /// The page of one run.
 [[nodiscard]] PageWritten write_page(const debrief::Recorded& recorded, const std::string& file);
 
+struct PlaygroundOptions {
+  std::string out = "playground";  ///< folder
+  bool force = false;
+};
+int playground(const PlaygroundOptions& options);
+
 enum class ExportFormat { czml, geojson, decisions };
 struct ExportOptions {
   std::string run, player;  ///< player: of decisions; empty: everybody's

@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <span>
+#include <utility>
+#include <vector>
 
 #include "command.hpp"
 #include "commands.hpp"
 #include "disk/failure.hpp"
 #include "disk/output_file.hpp"
-#include "disk/read_file.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
@@ -50,39 +50,33 @@ class Counter {
   int percent_ = -1;
 };
 
-constexpr std::size_t kLargestViewer = std::size_t{64} << 20;
 constexpr const char* kNoViewer =
     "the debrief page is not built: it needs npm and its packages; './eyrie fly' builds it when it "
     "can";
 
 /// The page without its data, or why there is none.
 disk::FileRead viewer() {
-  const std::string file = viewer_file();
-  disk::FileRead read = disk::read_file(file, kLargestViewer);
-  if (read.missing)
-    read.problem = kNoViewer;
-  else if (!read.problem.empty())
-    read.problem = fmt::format("{} {}", file, read.problem);
-  return read;
+  return read_page(viewer_file(), kNoViewer);
 }
 
 /// The engine in the page flies the run again; columns it is where that cannot be. Without data if
 /// it was interrupted.
-page::PageRun data_of(const debrief::Recorded& recorded, const disk::FileRead& shell,
-                      bool columns) {
+page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shell, bool columns) {
   if (!columns && recorded.plugins.empty() && page::has_engine(shell.bytes))
-    return page::run_for_page(recorded.run);
+    return page::run_file_part(recorded.run);
   Counter counter(recorded.until());
   std::string data = page::page_data(recorded, [&](const debrief::Reflight& flight) {
     counter.at(flight.time());
     return !interrupted();
   });
-  return {.columns = true, .data = std::move(data)};
+  return {"run", std::move(data)};
 }
 
 /// The page with the data of its runs. Throws disk::Failed if that cannot be.
-std::string page_of(const disk::FileRead& shell, std::span<const page::PageRun> data) {
-  std::string page = page::page_with(shell.bytes, data);
+std::string page_of(const disk::FileRead& shell, std::vector<page::Part> parts) {
+  if (parts.front().type != "run")
+    parts.push_back(page::zones_part(launch_zones()));
+  std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
     throw disk::Failed(
         fmt::format("{} is no debrief page of this version; build it again", viewer_file()));
@@ -97,10 +91,10 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
     return {.failed = !shell.missing, .problem = shell.problem};
   try {
     disk::OutputFile out(file, false);
-    const page::PageRun data = data_of(recorded, shell, false);
-    if (data.data.empty())
+    page::Part run = data_of(recorded, shell, false);
+    if (run.data.empty())
       return {.problem = "the debrief page was interrupted; 'eyrie debrief' makes it"};
-    out.sink().write(page_of(shell, {&data, 1}));
+    out.sink().write(page_of(shell, {std::move(run)}));
     out.commit();
     return {.written = true};
   } catch (const std::exception& e) {
@@ -126,7 +120,7 @@ int debrief_page(const DebriefOptions& options) {
   const disk::FileRead shell = viewer();  // behind the mistakes of the user
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
-  std::vector<page::PageRun> data;
+  std::vector<page::Part> data;
   for (const debrief::Recorded& run : runs) {
     data.push_back(data_of(run, shell, options.columns));
     if (data.back().data.empty()) {

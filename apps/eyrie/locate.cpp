@@ -12,7 +12,6 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
-#include "model/weapon/kept_zones.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -64,10 +63,25 @@ std::string viewer_file() {
   return beside_program("viewer/debrief.html", "share/eyrie/debrief.html");
 }
 
-void take_launch_zones() {
+std::string playground_file() {
+  const std::string viewer = viewer_file();
+  return viewer.empty() ? "" : fs::path(viewer).replace_filename("playground.html").string();
+}
+
+disk::FileRead read_page(const std::string& file, std::string_view unbuilt) {
+  constexpr std::size_t kLargest = std::size_t{64} << 20;
+  disk::FileRead read = disk::read_file(file, kLargest);
+  if (read.missing)
+    read.problem = unbuilt;
+  else if (!read.problem.empty())
+    read.problem = fmt::format("{} {}", file, read.problem);
+  return read;
+}
+
+std::string launch_zones() {
   std::ifstream file(beside_program("launch_zones.bin", "share/eyrie/launch_zones.bin"),
                      std::ios::binary);
-  model::kept_zones().take(std::string(std::istreambuf_iterator<char>(file), {}));
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 std::string scenario_file(const std::string& name) {

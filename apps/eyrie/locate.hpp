@@ -4,8 +4,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "disk/read_file.hpp"
 #include "scenario/scenario.hpp"
 
 namespace eyrie::app {
@@ -13,9 +15,13 @@ namespace eyrie::app {
 /// The page that runs are put into: EYRIE_VIEWER, or the one beside the program; "" if there is
 /// none.
 [[nodiscard]] std::string viewer_file();
+/// The page of the playground, which lies beside that one.
+[[nodiscard]] std::string playground_file();
+/// One of them without its parts, or why there is none: `problem` is `unbuilt` if it is not there.
+[[nodiscard]] disk::FileRead read_page(const std::string& file, std::string_view unbuilt);
 
-/// The launch zones of the shipped missiles need not be flown if they lie beside the program.
-void take_launch_zones();
+/// The launch zones of the shipped missiles if they lie beside the program, else "".
+[[nodiscard]] std::string launch_zones();
 
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);

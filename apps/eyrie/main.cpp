@@ -18,6 +18,7 @@
 #include "core/diagnostics.hpp"
 #include "core/printable.hpp"
 #include "locate.hpp"
+#include "model/weapon/kept_zones.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
 
@@ -34,6 +35,7 @@ struct Commands {
   WhatIfOptions what_if;
   DebriefOptions debrief;
   ExportOptions exported;
+  PlaygroundOptions playground;
   std::string left, right;
   std::vector<std::string> files, plugins, includes;
   TrustOptions trust;
@@ -139,6 +141,13 @@ void add_debrief(CLI::App& app, Commands& c) {
   debrief->add_flag("--columns", o.columns,
                     "put what was recorded into the page, not the engine that flies it again");
   add_plugins(debrief, o.plugins, kRunPluginHelp);
+}
+
+void add_playground(CLI::App& app, Commands& c) {
+  CLI::App* playground = app.add_subcommand(
+      "playground", "A folder of files in which a browser edits, flies and debriefs scenarios");
+  playground->add_option("--out", c.playground.out, "the folder")->capture_default_str();
+  playground->add_flag("--force", c.playground.force, "replace the folder");
 }
 
 void add_export(CLI::App& app, Commands& c) {
@@ -251,6 +260,7 @@ int run(int argc, char** argv) {
   add_explain(app, c);
   add_what_if(app, c);
   add_debrief(app, c);
+  add_playground(app, c);
   add_export(app, c);
   CLI::App* diff_cmd = app.add_subcommand("diff", "Where two recorded runs part");
   diff_cmd->add_option("left", c.left, "a run folder or its run file")->required();
@@ -287,7 +297,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }
-  take_launch_zones();
+  model::kept_zones().take(launch_zones());
   if (app.got_subcommand("fly"))
     return fly(c.fly);
   if (app.got_subcommand("explain"))
@@ -296,6 +306,8 @@ int run(int argc, char** argv) {
     return what_if(c.what_if);
   if (app.got_subcommand("debrief"))
     return debrief_page(c.debrief);
+  if (app.got_subcommand("playground"))
+    return playground(c.playground);
   if (app.got_subcommand("export"))
     return export_run(c.exported);
   if (app.got_subcommand(diff_cmd))

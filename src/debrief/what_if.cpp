@@ -48,6 +48,8 @@ class Twice {
   bool in_a_row_ = false;
 };
 
+}  // namespace
+
 Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally) {
   const auto side = [&](model::Side s) {
     const auto sum = tally.side(s);
@@ -56,8 +58,6 @@ Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally)
   return {std::string(scenario::outcome_name(mission.outcome())), mission.run().time(),
           side(model::Side::blue), side(model::Side::red)};
 }
-
-}  // namespace
 
 WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, PlayerId who,
                double from) {

@@ -10,6 +10,7 @@
 
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
+#include "record/tally.hpp"
 #include "scenario/mission.hpp"
 
 namespace eyrie::debrief {
@@ -48,6 +49,8 @@ struct Outcome {
   Side blue, red;
 };
 
+/// Of a flight that was watched by `tally`.
+[[nodiscard]] Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally);
 /// The run as it was recorded.
 [[nodiscard]] Outcome outcome_of(const Recorded& recorded);
 /// When flights are over that are compared with this run, which ended as `flown` (s): with it if it

@@ -80,8 +80,8 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
   if (old.empty)
     return old;
   if (std::find(inside.begin(), inside.end(), wish_.sign) == inside.end())
-    throw Refused(fmt::format("{} has no {}: only the folder of a run is replaced", quoted(path_),
-                              wish_.sign));
+    throw Refused(fmt::format("{} has no {}: only the folder of {} is replaced", quoted(path_),
+                              wish_.sign, wish_.kind));
   if (const std::string name = foreign(old.folder.get()); !name.empty())
     throw Refused(fmt::format("{} has {}, which Eyrie has not written: it is not replaced",
                               quoted(path_), quoted(name)));

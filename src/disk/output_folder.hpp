@@ -13,10 +13,11 @@ namespace eyrie::disk {
 /// Which folder is to be made.
 struct FolderWish {
   std::string path;
-  Names names;            ///< of the files that may be in it
-  const char* sign = "";  ///< the one without which it is no such folder
-  bool replace = false;   ///< one that is there, with the sign and nothing but `names`
-  bool numbered = false;  ///< if it is taken: path.2, path.3 ...; nothing is replaced
+  Names names;                 ///< of the files that may be in it
+  const char* sign = "";       ///< the one without which it is no such folder
+  const char* kind = "a run";  ///< what it is the folder of, for people
+  bool replace = false;        ///< one that is there, with the sign and nothing but `names`
+  bool numbered = false;       ///< if it is taken: path.2, path.3 ...; nothing is replaced
 };
 
 class OutputFolder {

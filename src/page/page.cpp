@@ -1,33 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
+#include <fmt/format.h>
+
 #include "page/packed.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::page {
+namespace {
 
-PageRun run_for_page(const record::RunFile& run) {
+std::string begin_of(std::string_view type) {
+  return fmt::format("<script type=\"application/x-eyrie-{}\">", type);
+}
+
+}  // namespace
+
+Part run_file_part(const record::RunFile& run) {
   record::RunFile light = run;
   light.trail = sim::without_digests(run.trail);
-  return {.columns = false, .data = base64(deflated(record::encode(light)))};
+  return {"run-file", base64(deflated(record::encode(light)))};
 }
 
-bool has_engine(std::string_view viewer) {
-  return viewer.find("<script type=\"application/x-eyrie-engine\">") != std::string_view::npos;
+Part zones_part(std::string_view zones) {
+  return {"zones", base64(deflated(zones))};
 }
 
-std::string page_with(std::string_view viewer, std::span<const PageRun> runs) {
-  const std::size_t at = viewer.find(kPlaceOfRuns);
+Part texts_part(std::string_view json) {
+  return {"texts", base64(deflated(json))};
+}
+
+bool has_engine(std::string_view page) {
+  return page.find(begin_of("engine")) != std::string_view::npos;
+}
+
+std::string page_with(std::string_view page, std::span<const Part> parts) {
+  const std::size_t at = page.find(kPlaceOfParts);
   if (at == std::string_view::npos)
     return {};
-  std::string page(viewer.substr(0, at));
-  for (const PageRun& run : runs)
-    page.append(run.columns ? "<script type=\"application/x-eyrie-run\">"
-                            : "<script type=\"application/x-eyrie-run-file\">")
-        .append(run.data)
-        .append("</script>\n");
-  page.append(viewer.substr(at + kPlaceOfRuns.size()));
-  return page;
+  std::string whole(page.substr(0, at));
+  for (const Part& part : parts)
+    whole.append(begin_of(part.type)).append(part.data).append("</script>\n");
+  whole.append(page.substr(at + kPlaceOfParts.size()));
+  return whole;
 }
 
 }  // namespace eyrie::page

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The debrief page: one file with the viewer and one or two runs in it.
+/// \file  The pages that viewer/build.mjs makes, with what they are to show.
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,23 +9,25 @@
 
 namespace eyrie::page {
 
-/// Where the viewer's page (viewer/build.mjs) takes runs.
-inline constexpr std::string_view kPlaceOfRuns = "<!--%RUNS%-->";
+/// Where a page takes its parts.
+inline constexpr std::string_view kPlaceOfParts = "<!--%PARTS%-->";
 
-/// What a page carries of a run.
-struct PageRun {
-  /// Whether `bytes` are columns (page_data), otherwise a run file, which the engine in the page
-  /// flies again.
-  bool columns = false;
-  std::string data;  ///< base64 of a zlib stream
+/// Something that a page carries, as `<script type="application/x-eyrie-TYPE">`.
+struct Part {
+  std::string_view type;
+  std::string data;  ///< base64 of a zlib stream; empty: it was given up
 };
-/// A run file for the page: its hashes say whether it flies as it did, not in which field it does
-/// not.
-[[nodiscard]] PageRun run_for_page(const record::RunFile& run);
+/// A run file, which the engine in the page flies again: its hashes say whether it flies as it did,
+/// not in which field it does not.
+[[nodiscard]] Part run_file_part(const record::RunFile& run);
+/// The launch zones of the shipped missiles (model::KeptZones), which the engine then need not fly.
+[[nodiscard]] Part zones_part(std::string_view zones);
+/// What a playground is made of: a JSON object with `files`, the texts by name, and `schema`.
+[[nodiscard]] Part texts_part(std::string_view json);
 
-/// Whether the viewer's page has the engine in it.
-[[nodiscard]] bool has_engine(std::string_view viewer);
-/// The viewer's page with runs in it; empty if it has no place for them.
-[[nodiscard]] std::string page_with(std::string_view viewer, std::span<const PageRun> runs);
+/// Whether a page has the engine in it.
+[[nodiscard]] bool has_engine(std::string_view page);
+/// A page with its parts; empty if it has no place for them.
+[[nodiscard]] std::string page_with(std::string_view page, std::span<const Part> parts);
 
 }  // namespace eyrie::page

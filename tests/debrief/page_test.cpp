@@ -187,9 +187,8 @@ TEST(PageOfALongRun, IsAsLargeAsThatOfAShortOne) {
 }
 
 TEST(Page, TakesRunsWhereTheViewerHasAPlaceForThem) {
-  const std::vector<PageRun> runs{{.columns = true, .data = "QQ=="},
-                                  {.columns = false, .data = "Qg=="}};
-  EXPECT_EQ(page_with("<p><!--%RUNS%--></p>", runs),
+  const std::vector<Part> runs{{"run", "QQ=="}, {"run-file", "Qg=="}};
+  EXPECT_EQ(page_with("<p><!--%PARTS%--></p>", runs),
             "<p><script type=\"application/x-eyrie-run\">QQ==</script>\n"
             "<script type=\"application/x-eyrie-run-file\">Qg==</script>\n</p>");
   EXPECT_EQ(page_with("<p></p>", runs), "");
@@ -197,7 +196,7 @@ TEST(Page, TakesRunsWhereTheViewerHasAPlaceForThem) {
 
 TEST(Page, CarriesARunFileThatFliesAsTheRunDid) {
   const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
-  const PageRun light = run_for_page(recorded.run);
+  const Part light = run_file_part(recorded.run);
   EXPECT_LT(light.data.size(), 200'000u);
   EXPECT_FALSE(has_engine("<p></p>"));
 }

@@ -25,6 +25,11 @@ test('a free camera stands where the link says', () => {
   assert.equal(read_link(kRun, '#c=free&e=1,2,3').pose, undefined);
 });
 
+test('what a playground edits stays in the link', () => {
+  const view = { time: 1, selected: 0, camera: 'whole', pose: null, zoom: null, ruler: null } as const;
+  assert.equal(link_text(kRun, view, '#t=9&s=a-b_c'), '#t=1&p=eagle2&c=whole&s=a-b_c');
+});
+
 test('names with unusual letters survive', () => {
   const run = { ...kRun, players: [{ ...kRun.players[0]!, name: 'Ä & B,#1' }] };
   const view = { time: 0, selected: 0, camera: 'top', pose: null, zoom: null, ruler: null } as const;

@@ -11,8 +11,11 @@ interface Waiting {
   failed(error: EngineError): void;
 }
 
+/** `end` stops it at once: what was asked and is not answered is rejected. */
+export type RunningEngine = Engine & { end(): void };
+
 /** An engine of its own; `progress` is told s of simulated time during long answers. */
-export function start(module: WebAssembly.Module, progress: (time: number) => void): Engine {
+export function start(module: WebAssembly.Module, progress: (time: number) => void): RunningEngine {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], { type: 'text/javascript' })));
   const waiting = new Map<number, Waiting>();
   let last = 0;
@@ -23,9 +26,14 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
     if ('error' in data) failed(new EngineError(data.error, data.problems));
     else done(data.bytes.length ? data.bytes : data.answer);
   };
-  worker.onerror = (event) => {
-    for (const { failed } of waiting.values()) failed(new EngineError(event.message || 'the engine could not be started'));
+  const fail = (words: string): void => {
+    for (const { failed } of waiting.values()) failed(new EngineError(words));
     waiting.clear();
+  };
+  worker.onerror = (event) => fail(event.message || 'the engine could not be started');
+  const end = (): void => {
+    worker.terminate();
+    fail('the engine was stopped');
   };
   worker.postMessage({ module });
   const ask = (question: string) => (first?: object | Uint8Array) =>
@@ -35,5 +43,6 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
       const with_bytes = first instanceof Uint8Array;
       worker.postMessage({ id, question, request: with_bytes ? {} : (first ?? {}), bytes: with_bytes ? first : undefined });
     });
-  return new Proxy({} as Engine, { get: (_, question: string) => (question === 'then' ? undefined : ask(question)) });
+  const known: Record<string, unknown> = { then: undefined, end };
+  return new Proxy({} as RunningEngine, { get: (_, question: string) => (question in known ? known[question] : ask(question)) });
 }

@@ -129,6 +129,8 @@ export interface Flown {
   hash: string;
   /** running, or why it is over. */
   outcome: string;
+  /** How it ended, once it is over. */
+  result?: Outcome;
   /** What happened since the last answer. */
   story: Array<Line>;
 }
@@ -183,6 +185,10 @@ export interface NodeTypes {
   aircraft: Array<NodeType>;
   /** Of trees of drivers. */
   vehicle: Array<NodeType>;
+}
+
+/** No parameters. */
+export interface Nothing {
 }
 
 /** Other trees for a player's states. */
@@ -373,6 +379,8 @@ export interface Won {
 
 /** Numbers are SI, times s of simulated time. A question that cannot be answered is rejected with an EngineError. */
 export interface Engine {
+  /** Launch zones of the shipped missiles, which then need not be flown. */
+  take_zones(file: Uint8Array): Promise<Nothing>;
   /** What trees may be made of. */
   node_types(): Promise<NodeTypes>;
   /** Every mistake in a scenario and its files. */
@@ -384,7 +392,7 @@ export interface Engine {
   /** The run file of what was flown to its end. */
   run_file(): Promise<Uint8Array>;
   /** Opens a run file. */
-  open(run_file: Uint8Array): Promise<About>;
+  open(file: Uint8Array): Promise<About>;
   /** The run once more from start to end, every hash compared with the recorded ones; what src/run/decode.ts reads. */
   page(): Promise<Uint8Array>;
   /** Goes to a step of the run. */

@@ -258,14 +258,7 @@ export function run_of(document: Document, columns: Columns): Run {
   };
 }
 
-/** Of what stands in the page. Throws an Error with words if it is no run, or of another format. */
-/** base64 of a zlib stream, as the program puts it into the page. */
-export async function unpack(base64: string): Promise<Uint8Array<ArrayBuffer>> {
-  const packed = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
+/** Of what src/page wrote. Throws an Error with words if it is of another format. */
 export function decode(bytes: Uint8Array): Run {
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const document = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as Document;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** A recorded run as the page holds it in memory. SI units and radians throughout, time in seconds. */
-import type { Engine } from '../engine/questions.ts';
+import type { RunningEngine } from '../engine/engine.ts';
 
 export type Side = 'blue' | 'red' | 'none';
 
@@ -258,7 +258,7 @@ export interface Run {
   texts: string[];
   story: StoryLine[];
   /** Who flew it again and can be asked; none if the page has its columns only. */
-  engine?: Engine;
+  engine?: RunningEngine;
 }
 
 /** The index of the last time that is not after `t`; -1 if all are. */

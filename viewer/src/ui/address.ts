@@ -7,16 +7,23 @@ import type { Page } from './page.ts';
 /** ms: browsers refuse to have it changed much more often. */
 const kPace = 500;
 
-export function follow_address({ run, store, duration }: Page): void {
+/** Returns how to stop it. */
+export function follow_address({ run, store, duration }: Page): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   const write = (): void => {
     timer = null;
-    const text = link_text(run, store.get());
+    const text = link_text(run, store.get(), location.hash);
     if (text !== location.hash) history.replaceState(history.state, '', text);
   };
   const keys: (keyof View)[] = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'];
-  store.subscribe((now, before) => {
+  const stop = store.subscribe((now, before) => {
     if (keys.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
   });
-  addEventListener('hashchange', () => store.set(read_link(run, location.hash, duration)));
+  const read = (): void => store.set(read_link(run, location.hash, duration));
+  addEventListener('hashchange', read);
+  return () => {
+    stop();
+    clearTimeout(timer ?? undefined);
+    removeEventListener('hashchange', read);
+  };
 }

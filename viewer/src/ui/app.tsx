@@ -5,7 +5,7 @@ import type { SceneHandle } from '../scene/scene.ts';
 import { rem_size } from './canvas.ts';
 import { Cell } from './cell.ts';
 import { CompareRows } from './compare.tsx';
-import { Header } from './header.tsx';
+import { Header, type Back } from './header.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys } from './keys.tsx';
 import { EveryoneRow, LeaderRow, Legend, WhatIfRow } from './leaders.tsx';
@@ -89,7 +89,9 @@ function use_layout() {
   };
 }
 
-export function App({ pages, onScene }: { pages: Page[]; onScene: (page: Page, scene: SceneHandle) => void }) {
+export function App({ pages, back, onScene }: {
+  pages: Page[]; back: Back | undefined; onScene: (page: Page, scene: SceneHandle) => void;
+}) {
   const [active, activate] = useState(pages[0]!);
   const [help] = useState(() => new Cell(false));
   const layout = use_layout();
@@ -98,7 +100,7 @@ export function App({ pages, onScene }: { pages: Page[]; onScene: (page: Page, s
   return (
     <PageContext.Provider value={active}>
       <div class="page" style={layout.style}>
-        <Header pages={pages} active={active} help={help} onSwitch={activate}
+        <Header pages={pages} active={active} back={back} help={help} onSwitch={activate}
           panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
         {layout.shown('left') && <aside class="left"><Players /><Story key={active.letter} /></aside>}
         <main class="stages">

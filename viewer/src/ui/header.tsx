@@ -46,7 +46,7 @@ function ShareLink() {
   );
 }
 
-function Logo() {
+export function Logo() {
   return (
     <svg class="logo" viewBox="0 0 24 16" aria-hidden="true">
       <path d="M1 3C6 3 9 5 12 10C15 5 18 3 23 3C18.5 5 16.5 8 14.5 12L12 14.5L9.5 12C7.5 8 5.5 5 1 3Z" />
@@ -61,13 +61,20 @@ export interface PanelSwitch {
   flip: () => void;
 }
 
-export function Header({ pages, active, help, panels, onSwitch }: {
-  pages: Page[]; active: Page; help: Cell<boolean>; panels: PanelSwitch[]; onSwitch: (page: Page) => void;
+/** Where the page was opened from, and how to go back there. */
+export interface Back {
+  label: string;
+  go: () => void;
+}
+
+export function Header({ pages, active, back, help, panels, onSwitch }: {
+  pages: Page[]; active: Page; back: Back | undefined; help: Cell<boolean>; panels: PanelSwitch[]; onSwitch: (page: Page) => void;
 }) {
   const theme = use_view(active.store, (v) => v.theme);
   return (
     <header class="top">
       <h1><Logo />Eyrie</h1>
+      {back && <button type="button" class="back" onClick={back.go}>← {back.label}</button>}
       {pages.map((page) => <About key={page.letter} page={page} />)}
       <span class="spring" />
       {pages.length > 1 && (

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. */
+/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. What a playground
+ * says in s= stays in it. */
 import type { Run } from '../run/run.ts';
 import type { Camera, Pose, View } from '../store.ts';
 
@@ -8,12 +9,14 @@ type Told = Pick<View, 'time' | 'selected' | 'camera' | 'pose' | 'zoom' | 'ruler
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
-export function link_text(run: Run, view: Told): string {
+export function link_text(run: Run, view: Told, fragment = ''): string {
   const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
   const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
   if (view.pose && (view.camera === 'free' || view.camera === 'top')) parts.push(`e=${view.pose.map((v) => short(v, 4)).join(',')}`);
   if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
   if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
+  const edit = new URLSearchParams(fragment.replace(/^#/, '')).get('s');
+  if (edit) parts.push(`s=${edit}`);
   return `#${parts.join('&')}`;
 }
 

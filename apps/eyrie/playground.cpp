@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/// \file  playground: a folder of files in which a browser edits, flies and debriefs scenarios.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "disk/failure.hpp"
+#include "disk/output_folder.hpp"
+#include "disk/read_file.hpp"
+#include "interrupt.hpp"
+#include "locate.hpp"
+#include "page/page.hpp"
+#include "record/json_schema.hpp"
+#include "say.hpp"
+#include "scenario/catalog.hpp"
+#include "scenario/plugins.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr const char* kNoPlayground =
+    "the playground is not built: it needs the engine of the page and npm with its packages; "
+    "'./eyrie playground' builds them when it can";
+constexpr const char* kPage = "index.html";
+constexpr const char* kSign = "eyrie-playground.txt";
+constexpr std::array kNames{kPage, kSign};
+constexpr std::string_view kAbout =
+    "A playground of Eyrie, written by 'eyrie playground': open index.html in a browser, or put\n"
+    "this folder on any web server. It needs nothing else, and asks nobody for anything.\n";
+
+/// Every text below a folder of the installation. Throws disk::Failed.
+void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json& texts) {
+  constexpr std::size_t kLargest = std::size_t{1} << 20;
+  std::vector<fs::path> files;
+  std::error_code failed;
+  for (const auto& entry : fs::recursive_directory_iterator(home / folder, failed))
+    if (entry.is_regular_file() && entry.path().extension() == ".yaml")
+      files.push_back(entry.path());
+  if (failed)
+    throw disk::Failed(
+        fmt::format("cannot read {}: {}", disk::quoted(home / folder), failed.message()));
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) {
+    disk::FileRead read = disk::read_file(file, kLargest);
+    if (!read.problem.empty())
+      throw disk::Failed(fmt::format("{} {}", file.string(), read.problem));
+    texts[file.lexically_relative(home).generic_string()] = std::move(read.bytes);
+  }
+}
+
+page::Part texts_of(const std::string& home) {
+  nlohmann::ordered_json texts;
+  for (const char* folder : {"scenarios", "data"})
+    add_texts(home, folder, texts["files"]);
+  const scenario::Plugins none;
+  texts["schema"] = nlohmann::ordered_json::parse(
+      record::catalog_json_schema(scenario::make_catalog(scenario::Source::disk(home), none)));
+  return page::texts_part(texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int playground(const PlaygroundOptions& options) {
+  const auto there = home_or_complain();
+  if (!there)
+    return 2;
+  listen_for_interrupts();
+  disk::OutputFolder folder({.path = options.out,
+                             .names = kNames,
+                             .sign = kSign,
+                             .kind = "a playground",
+                             .replace = options.force});
+  const disk::FileRead shell = read_page(playground_file(), kNoPlayground);
+  if (!shell.problem.empty())
+    throw disk::Failed(shell.problem);
+  const std::array parts{texts_of(*there), page::zones_part(launch_zones())};
+  const std::string page = page::page_with(shell.bytes, parts);
+  if (page.empty())
+    throw disk::Failed(
+        fmt::format("{} is no playground of this version; build it again", playground_file()));
+  for (const auto& [name, text] : {std::pair{kPage, std::string_view(page)}, {kSign, kAbout}}) {
+    disk::Sink sink = folder.file(name);
+    sink.write(text);
+    if (!sink.close())
+      throw disk::Failed(sink.error());
+  }
+  if (const std::string words = folder.commit(); !words.empty())
+    throw disk::Failed(words);
+  say("written to {}: open {}/{} in a browser, {:.1f} MB\n", folder.path(), folder.path(), kPage,
+      static_cast<double>(page.size()) / 1e6);
+  return 0;
+}
+
+}  // namespace eyrie::app

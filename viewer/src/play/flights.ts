@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+/** Flies scenarios in a worker, one at a time, and keeps what became of them. */
+import type { Flown, Line, Outcome, Player } from '../engine/questions.ts';
+import type { RunningEngine } from '../engine/engine.ts';
+import { started } from '../parts.ts';
+import { name_of, texts_of, type Project } from './project.ts';
+
+export interface Flight {
+  /** From 1. */
+  number: number;
+  project: Project;
+  name: string;
+  seed: string;
+  players: Player[];
+  /** s: how far it is, and when it ends at the latest. */
+  time: number;
+  until: number;
+  /** ms of the clock that flying took, without loading. */
+  took: number;
+  story: Line[];
+  /** When it is over. */
+  outcome?: Outcome;
+  hash: string;
+  file?: Uint8Array;
+}
+
+/** s of simulated time between two looks at a flight. */
+const kSlice = 30;
+
+export class Flier {
+  private engine: Promise<RunningEngine> | null = null;
+  private count = 0;
+
+  constructor(private readonly module: WebAssembly.Module) {}
+
+  /** Flies to the end, telling how far it is. Rejected with the EngineError of the loader, or when it is stopped. */
+  async fly(project: Project, told: (flight: Flight) => void): Promise<Flight> {
+    const engine = await (this.engine ??= started(this.module));
+    const { scenario, seed } = project;
+    const about = await engine.load({ texts: { files: texts_of(project), scenario }, ...(seed && { seed }) });
+    let flight: Flight = {
+      number: ++this.count, project, name: about.scenario || name_of(scenario), seed: about.seed, players: about.players,
+      time: 0, until: about.until ?? 0, took: 0, story: [], hash: '',
+    };
+    const began = performance.now();
+    for (let until = kSlice; !flight.outcome; until += kSlice) {
+      told(flight);
+      const flown: Flown = await engine.fly({ until });
+      flight = {
+        ...flight, time: flown.time ?? 0, took: performance.now() - began, hash: flown.hash, story: [...flight.story, ...flown.story],
+        ...(flown.result && { outcome: flown.result }),
+      };
+    }
+    flight.file = await engine.run_file();
+    return flight;
+  }
+
+  /** Gives up what is being flown. */
+  async stop(): Promise<void> {
+    const { engine } = this;
+    this.engine = null;
+    (await engine)?.end();
+  }
+}

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+/** Opens the playground with the texts that stand in the page. */
+import { render } from 'preact';
+import { engine_module, painted, parts, unpack } from '../parts.ts';
+import { put_theme } from '../show.tsx';
+import { first_view } from '../store.ts';
+import { Playground, type Opened } from './playground.tsx';
+
+async function open(host: HTMLElement): Promise<void> {
+  const view = first_view(0);
+  put_theme(view.theme);
+  const [texts] = parts('texts');
+  if (!texts) throw new Error('there are no texts in this page; ./eyrie playground writes one with them');
+  await painted();
+  const [module, bytes] = await Promise.all([engine_module(), unpack(texts)]);
+  const { files, schema } = JSON.parse(new TextDecoder().decode(bytes)) as Pick<Opened, 'files' | 'schema'>;
+  host.replaceChildren();
+  render(<Playground files={files} schema={schema} module={module} host={host} view={view} />, host);
+  document.body.dataset['open'] = 'true';
+}
+
+const host = document.getElementById('app')!;
+open(host).catch((error: unknown) => {
+  host.replaceChildren(Object.assign(document.createElement('p'), { className: 'failure', textContent: `The playground cannot be opened: ${error instanceof Error ? error.message : String(error)}` }));
+});

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+/** The playground: the text of a scenario at the left, what became of it at the right. */
+import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { EngineError } from '../engine/module.ts';
+import type { Problem } from '../engine/questions.ts';
+import { started } from '../parts.ts';
+import { flown_again, put_theme, show, unless_damaged } from '../show.tsx';
+import type { View } from '../store.ts';
+import { Logo } from '../ui/header.tsx';
+import { IconButton } from '../ui/icon.tsx';
+import { mind_manners } from '../ui/manners.ts';
+import { Splitter } from '../ui/splitter.tsx';
+import { copy_text } from '../ui/what_if.tsx';
+import { make_editor, type Editor } from './editor.ts';
+import { Flier, type Flight } from './flights.ts';
+import { edited, help_of, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files, type Project } from './project.ts';
+import { Results } from './results.tsx';
+import { Grammar, type Schema } from './schema.ts';
+import { link_of, read_link } from './share.ts';
+
+/** ms that the keyboard rests before the loader is asked. */
+const kRest = 150;
+const kMostFlights = 20;
+
+const words_of = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** What the loader said last, and whether that was of what the text is now. */
+interface Said {
+  problems: Problem[];
+  is_now: boolean;
+}
+
+/** What the loader says of a project, asked when the keyboard rests. */
+function use_loader(module: WebAssembly.Module, project: Project): Said {
+  const [said, put] = useState<Said>({ problems: [], is_now: false });
+  const engine = useRef<ReturnType<typeof started> | null>(null);
+  const { scenario, edits } = project;
+  useEffect(() => {
+    let is_wanted = true;
+    put((last) => ({ ...last, is_now: false }));
+    const timer = setTimeout(async () => {
+      const asked = await (engine.current ??= started(module));
+      const problems = await asked.validate({ files: texts_of(project), scenario }).then(
+        (answer) => answer.problems,
+        (error: unknown) => [{ file: scenario, line: 0, column: 0, message: words_of(error) }]);
+      if (is_wanted) put({ problems, is_now: true });
+    }, kRest);
+    return () => {
+      is_wanted = false;
+      clearTimeout(timer);
+    };
+  }, [scenario, edits]);
+  return said;
+}
+
+/** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
+ * else is edited. */
+async function write_link(project: Project): Promise<void> {
+  const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
+  const link = is_first ? '' : await link_of(project);
+  const edit = (fragment: string): string | null => new URLSearchParams(fragment.slice(1)).get('s');
+  if (edit(link) !== edit(location.hash)) history.replaceState(history.state, '', link || location.pathname + location.search);
+}
+
+/** The names that a key takes from the texts. */
+function names_for(project: Project, path: readonly string[]): string[] {
+  const key = path.at(-1);
+  if (key === 'tree' || key === 'swap_tree') return tree_names(project);
+  if (key === 'include') return Object.keys(project.shipped).filter((file) => file.startsWith('scenarios/packages/')).map((file) => file.replace('scenarios/', ''));
+  const folder = ['aircraft', 'vehicles'].find((kind) => kind.replace(/s$/, '') === key);
+  return folder ? Object.keys(project.shipped).filter((file) => file.startsWith(`data/${folder}/`)).map(name_of) : [];
+}
+
+function Tabs({ project, file, onChoose }: { project: Project; file: string; onChoose: (file: string) => void }) {
+  const tabs = with_includes(project, project.scenario);
+  const others = Object.keys(project.shipped).filter((one) => one.startsWith('data/') && !tabs.includes(one));
+  const label = (one: string): string => `${one.replace(/^(scenarios|data)\//, '')}${one in project.edits ? ' •' : ''}`;
+  return (
+    <nav class="tabs" aria-label="Files of the scenario">
+      {tabs.map((one) => <button type="button" key={one} aria-pressed={one === file} data-file={one} onClick={() => onChoose(one)}>{label(one)}</button>)}
+      <select aria-label="Another file" class={others.includes(file) ? 'chosen' : ''} value={others.includes(file) ? file : ''}
+        onChange={(event) => onChoose(event.currentTarget.value || project.scenario)}>
+        <option value="">data …</option>
+        {others.map((one) => <option key={one} value={one}>{label(one)}</option>)}
+      </select>
+    </nav>
+  );
+}
+
+function Problems({ said: { problems, is_now }, onGo }: { said: Said; onGo: (problem: Problem) => void }) {
+  const state = problems.length ? 'wrong' : 'right';
+  return (
+    <section class={`problems ${state}`} aria-label="Mistakes" aria-live="polite" data-state={is_now ? state : 'reading'}>
+      {state === 'right' && <p class={is_now ? 'right-text' : 'dim'}>{is_now ? '✓ The loader finds no mistake.' : 'The loader reads …'}</p>}
+      <ol>
+        {problems.map((one, i) => (
+          <li key={i}>
+            <button type="button" class="problem" onClick={() => onGo(one)}>
+              <code>{one.line ? `${one.file}:${one.line}:${one.column}` : one.file}</code> {one.message}
+            </button>
+          </li>
+        ))}
+      </ol>
+    </section>
+  );
+}
+
+export interface Opened {
+  files: Files;
+  schema: Schema;
+  module: WebAssembly.Module;
+}
+
+export function Playground({ files, schema, module, host, view }: Opened & { host: HTMLElement; view: View }) {
+  const [project, put] = useState<Project>({ shipped: files, edits: {}, scenario: kFirst, seed: '' });
+  const [file, put_file] = useState(kFirst);
+  // counts what changes the text besides the editor
+  const [version, count] = useReducer((n: number) => n + 1, 0);
+  const [flights, put_flights] = useState<Flight[]>([]);
+  const [flying, put_flying] = useState<Flight | null>(null);
+  const [busy, put_busy] = useState('');
+  const [note, put_note] = useState('');
+  const [theme, set_theme] = useState(view.theme);
+  const [right, set_right] = useState(0);
+  const editor = useRef<Editor | null>(null);
+  const place = useRef<HTMLDivElement>(null);
+  const flier = useMemo(() => new Flier(module), [module]);
+  const said = use_loader(module, project);
+  const wrong = said.problems.length > 0;
+  const [restored, is_restored] = useState(false);
+  // what the editor calls is what is now
+  const now = useRef({ project, fly: () => {} });
+
+  const choose = (scenario: string): void => {
+    put({ ...project, scenario, seed: '' });
+    put_file(scenario);
+    count(undefined);
+  };
+  const restore = async (): Promise<void> => {
+    try {
+      const linked = await read_link(location.hash, files);
+      if (linked) {
+        put(linked);
+        put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
+        count(undefined);
+        put_note('');
+      }
+    } catch (error) {
+      put_note(`The link cannot be used: ${words_of(error)}.`);
+    }
+    is_restored(true);
+  };
+  const share = async (): Promise<void> => {
+    await write_link(project);
+    put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
+  };
+  const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
+    try {
+      await write_link(runs.at(-1)!.project);
+      const parts = runs.map(() => 0);
+      const told = (i: number) => (part: number): void => {
+        parts[i] = part;
+        put_busy(`Making the debrief: ${Math.floor((100 * parts.reduce((a, b) => a + b, 0)) / parts.length)} %`);
+      };
+      const opened = await Promise.all(runs.map((run, i) => unless_damaged(() => flown_again(module, run.file!, told(i)))));
+      const box = document.body.appendChild(Object.assign(document.createElement('div'), { className: 'debriefed' }));
+      host.hidden = true;
+      const close = show(opened, box, { theme, ...first }, {
+        label: 'editor',
+        go: () => {
+          set_theme(window.eyrie?.store.get().theme ?? theme);
+          close();
+          for (const { engine } of opened) engine?.end();
+          box.remove();
+          host.hidden = false;
+          document.title = 'Eyrie playground';
+        },
+      });
+    } catch (error) {
+      put_note(words_of(error));
+    } finally {
+      put_busy('');
+    }
+  };
+  const fly = async (watch: boolean): Promise<void> => {
+    if (flying || busy || wrong) return;
+    put_note('');
+    put_busy('Loading');
+    try {
+      const flight = await flier.fly(project, (one) => {
+        put_busy('');
+        put_flying(one);
+      });
+      put_flights((all) => [flight, ...all].slice(0, kMostFlights));
+      if (watch) await debrief([flight], { playing: true });
+    } catch (error) {
+      put_note(error instanceof EngineError && error.problems.length ? 'Mend the mistakes first.' : words_of(error));
+    } finally {
+      put_flying(null);
+      put_busy('');
+    }
+  };
+  now.current = { project, fly: () => void fly(false) };
+
+  useEffect(() => {
+    const made = make_editor(place.current!, {
+      grammar: new Grammar(schema),
+      names: (path) => names_for(now.current.project, path),
+      changed: (name, text) => put((last) => edited(last, name, text)),
+      fly: () => now.current.fly(),
+    });
+    editor.current = made;
+    void restore();
+    const linked = (): void => void restore();
+    addEventListener('hashchange', linked);
+    const manners = mind_manners();
+    return () => {
+      made.destroy();
+      removeEventListener('hashchange', linked);
+      manners();
+    };
+  }, []);
+  useEffect(() => editor.current!.show(file, text_of(project, file)), [file, version]);
+  useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);
+  useEffect(() => put_theme(theme), [theme]);
+  useEffect(() => {
+    if (!restored) return;
+    const timer = setTimeout(() => void write_link(project), kRest);
+    return () => clearTimeout(timer);
+  }, [project, restored]);
+
+  const go_to = ({ file: there, line, column }: Problem): void => {
+    if (there in files) put_file(there);
+    // after the editor has the file
+    setTimeout(() => line && editor.current!.go_to(line, column));
+  };
+  const text = text_of(project, project.scenario);
+  const is_edited = Object.keys(project.edits).length > 0;
+  return (
+    <div class="playground" style={right ? { '--right': `${right}rem` } : {}}>
+      <header class="top">
+        <h1><Logo />Eyrie <span class="dim">playground</span></h1>
+        <select aria-label="Scenario" value={project.scenario} title={help_of(text)} onChange={(event) => choose(event.currentTarget.value)}>
+          {scenarios(files).map((one) => <option key={one} value={one}>{name_of(one)}</option>)}
+        </select>
+        <label class="seed">seed{' '}
+          <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(text)} value={project.seed}
+            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 19) })} />
+        </label>
+        <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
+          onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>
+        {flying || busy === 'Loading'
+          ? <button type="button" class="fly" onClick={() => void flier.stop()}>Stop</button>
+          : <button type="button" class="fly" disabled={wrong || busy !== ''} title={wrong ? 'Mend the mistakes first' : 'Fly it to its end (Ctrl Enter)'}
+              onClick={() => void fly(false)}>Fly</button>}
+        <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
+        <span class="spring" />
+        <span class="dim small" role="status">{busy || note}</span>
+        {is_edited && <button type="button" onClick={() => { put({ ...project, edits: {} }); count(undefined); }}>as shipped</button>}
+        <button type="button" onClick={() => void share()}>Share</button>
+        <IconButton icon={theme === 'dark' ? 'sun' : 'moon'} label={theme === 'dark' ? 'Light' : 'Dark'} onClick={() => set_theme(theme === 'dark' ? 'light' : 'dark')} />
+      </header>
+      <main class="text">
+        <Tabs project={project} file={file} onChoose={put_file} />
+        <div class="editor" ref={place} />
+        <Problems said={said} onGo={go_to} />
+      </main>
+      <aside class="right">
+        <Results flying={flying} flights={flights} help={help_of(text)} busy={busy !== ''} onDebrief={(runs) => void debrief(runs, {})} />
+      </aside>
+      <Splitter label="Width of the results" size={right || 40} limits={{ least: 26, most: 90 }} grows="left" onHide={() => set_right(26)} onChange={set_right} />
+    </div>
+  );
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+/** What is edited: the shipped texts, what was changed in them, and which scenario flies with which seed. */
+
+export type Files = Readonly<Record<string, string>>;
+
+export interface Project {
+  /** As they were shipped. */
+  readonly shipped: Files;
+  /** What is other in them, by name. */
+  edits: Files;
+  /** The name of the file that is flown. */
+  scenario: string;
+  /** Digits; "" for the scenario's own. */
+  seed: string;
+}
+
+export const kFirst = 'scenarios/sweep.yaml';
+
+export function text_of({ shipped, edits }: Project, file: string): string {
+  return edits[file] ?? shipped[file] ?? '';
+}
+export function texts_of({ shipped, edits }: Project): Record<string, string> {
+  return { ...shipped, ...edits };
+}
+
+/** With another text of a file; the shipped one is no edit. */
+export function edited(project: Project, file: string, text: string): Project {
+  const { [file]: _, ...others } = project.edits;
+  return { ...project, edits: text === project.shipped[file] ? others : { ...others, [file]: text } };
+}
+
+/** "scenarios/sweep.yaml" -> "sweep" */
+export function name_of(file: string): string {
+  return file.replace(/^.*\//, '').replace(/\.yaml$/, '');
+}
+
+export function scenarios(files: Files): string[] {
+  return Object.keys(files).filter((file) => /^scenarios\/[^/]+\.yaml$/.test(file));
+}
+
+/** What the first lines of a scenario say of it: its `help`. */
+export function help_of(text: string): string {
+  return /^help:\s*(.*?)\s*$/m.exec(text)?.[1]?.replace(/^(["'])(.*)\1$/, '$2') ?? '';
+}
+
+/** The seed that a scenario has of its own. */
+export function seed_of(text: string): string {
+  return /^seed:\s*(\d+)/m.exec(text)?.[1] ?? '1';
+}
+
+/** A file with all that it includes, itself first. */
+export function with_includes(project: Project, file: string, known: string[] = []): string[] {
+  known.push(file);
+  const said = /^include:((?:.|\n[ \t-])*)/m.exec(text_of(project, file))?.[1] ?? '';
+  const folder = file.replace(/[^/]*$/, '');
+  for (const [name] of said.replace(/#.*/g, '').matchAll(/[\w./-]+\.yaml/g)) {
+    const included = folder + name;
+    if (included in project.shipped && !known.includes(included)) with_includes(project, included, known);
+  }
+  return known;
+}
+
+/** The names of trees in the scenario and what it includes. */
+export function tree_names(project: Project): string[] {
+  const names = with_includes(project, project.scenario).flatMap((file) => {
+    const trees = /^trees:[^\n]*\n((?:[ \t#].*\n|\n)*)/m.exec(`${text_of(project, file)}\n`)?.[1] ?? '';
+    return [...trees.matchAll(/^ {2}([\w-]+):/gm)].map(([, name]) => name!);
+  });
+  return [...new Set(names)];
+}

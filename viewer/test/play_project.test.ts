@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+/** What is edited in the playground: files and what they include; and how a link holds it. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import { edited, help_of, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
+import { link_of, read_link } from '../src/play/share.ts';
+
+const kShipped = {
+  'scenarios/sweep.yaml': 'eyrie: 1\nhelp: "a sweep"\ninclude: [packages/pilots.yaml, packages/none.yaml]\nseed: 13  # why\ntrees:\n  own: navigate\nblue: {}\n',
+  'scenarios/packages/pilots.yaml': 'include:\n  - more.yaml\ntrees:\n  sweep:\n    root: navigate\n  # a comment\n\n  patrol: navigate\n',
+  'scenarios/packages/more.yaml': 'data: {}\n',
+  'data/missiles/aim120.yaml': 'mass: 1 kg\n',
+};
+const kProject: Project = { shipped: kShipped, edits: {}, scenario: 'scenarios/sweep.yaml', seed: '' };
+
+test('a file is shown with what it includes, each once', () => {
+  assert.deepEqual(with_includes(kProject, kProject.scenario), ['scenarios/sweep.yaml', 'scenarios/packages/pilots.yaml', 'scenarios/packages/more.yaml']);
+  const circle = edited(kProject, 'scenarios/packages/more.yaml', 'include: pilots.yaml\n');
+  assert.equal(with_includes(circle, circle.scenario).length, 3);
+});
+
+test('trees are known by their names, of included files too', () => {
+  assert.deepEqual(tree_names(kProject), ['own', 'sweep', 'patrol']);
+});
+
+test('help and seed are what the scenario says', () => {
+  assert.equal(help_of(kShipped['scenarios/sweep.yaml']), 'a sweep');
+  assert.equal(seed_of(kShipped['scenarios/sweep.yaml']), '13');
+  assert.equal(seed_of('eyrie: 1\n'), '1');
+});
+
+test('a text that is as it was shipped is no edit', () => {
+  const other = edited(kProject, kProject.scenario, 'eyrie: 1\n');
+  assert.deepEqual(Object.keys(other.edits), [kProject.scenario]);
+  assert.deepEqual(edited(other, kProject.scenario, kShipped['scenarios/sweep.yaml']).edits, {});
+});
+
+test('a link brings back scenario, seed and edits', async () => {
+  const project = { ...edited(kProject, 'data/missiles/aim120.yaml', 'mass: 2 kg  # Ä <b>\n'), seed: '7' };
+  const link = await link_of(project);
+  assert.match(link, /^#s=[\w-]+$/);
+  assert.deepEqual(await read_link(link, kShipped), project);
+  assert.deepEqual(await read_link(`${link}&t=312&p=eagle1`, kShipped), project);
+  assert.equal(await read_link('#t=312', kShipped), null);
+  assert.ok(link.length < 250, `${link.length} characters`);
+});
+
+test('a link that is not ours is refused in words', async () => {
+  const packed = (value: unknown): string => `#s=${deflateRawSync(JSON.stringify(value)).toString('base64url')}`;
+  const good = { v: 1, scenario: 'scenarios/sweep.yaml' };
+  assert.ok(await read_link(packed(good), kShipped));
+  const refused: [string, RegExp][] = [
+    ['#s=', /damaged or cut/], ['#s=%%%', /damaged or cut/], ['#s=AAAA', /damaged or cut/], [(await link_of(kProject)).slice(0, -5), /damaged or cut/],
+    [`#s=${'A'.repeat(300_000)}`, /too long/], [packed({ ...good, edits: { 'scenarios/sweep.yaml': 'x'.repeat(2_000_000) } }), /too large/],
+    [packed(null), /another version/], [packed([]), /another version/], [packed({ ...good, v: 2 }), /another version/],
+    [packed({ ...good, scenario: 'data/missiles/aim120.yaml' }), /scenario is not one/], [packed({ ...good, scenario: '__proto__' }), /scenario is not one/],
+    [packed({ ...good, seed: '1e3' }), /seed is no number/], [packed({ ...good, seed: 7 }), /seed is no number/],
+    [packed({ ...good, edits: { 'scenarios/other.yaml': '' } }), /not there/], [packed({ ...good, edits: { toString: '' } }), /not there/],
+    [packed({ ...good, edits: { 'scenarios/sweep.yaml': 3 } }), /no texts/], [packed({ ...good, edits: [] }), /changes are none/],
+  ];
+  for (const [link, why] of refused) await assert.rejects(read_link(link, kShipped), why, link.slice(0, 60));
+});

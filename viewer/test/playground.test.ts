@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/** The playground as a person uses it, in both browsers, from disk, against what the program says of the same text and seed. */
+import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import { promisify } from 'node:util';
+import type { Browser, Page } from 'puppeteer-core';
+import { kBrowsers, launch, open_url, type Opened } from './browsers.ts';
+
+const { env } = process;
+const kPlayground = env['EYRIE_PLAYGROUND'] ?? '';
+const kProgram = env['EYRIE_PROGRAM'] ?? '';
+const kHome = join(env['EYRIE_VIEWER_FOLDER'] ?? '', '..');
+const kNone = kPlayground && kProgram ? false : 'EYRIE_PLAYGROUND or EYRIE_PROGRAM is not set: no playground to open';
+const kUrl = pathToFileURL(join(kPlayground, 'index.html')).href;
+const kSweep = 'scenarios/sweep.yaml';
+
+/** The hash that the program gives for a text of a scenario and a seed. */
+async function flown_by_program(text: string, seed: string): Promise<string> {
+  const folder = mkdtempSync(join(tmpdir(), 'eyrie-playground-'));
+  try {
+    cpSync(join(kHome, 'scenarios/packages'), join(folder, 'packages'), { recursive: true });
+    writeFileSync(join(folder, 'sweep.yaml'), text);
+    const { stdout } = await promisify(execFile)(kProgram, ['fly', 'sweep.yaml', '--seed', seed, '--json', '--no-debrief', '--out', 'run'], { cwd: folder, env: { ...env, EYRIE_HOME: kHome } });
+    return (JSON.parse(stdout) as { hash: string }).hash;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+const open = async (browser: Browser, fragment = ''): Promise<Opened> => {
+  const opened = await open_url(browser, kUrl + fragment);
+  await opened.page.waitForSelector('body[data-open=true]');
+  await reads(opened.page);
+  return opened;
+};
+/** Until the loader has read what the text is now. */
+async function reads(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.querySelector('.problems')?.getAttribute('data-state') === 'reading', { timeout: 500 }).catch(() => {});
+  await page.waitForSelector('.problems:not([data-state=reading])');
+}
+const problems = (page: Page): Promise<string[]> => page.$$eval('.problem', (all) => all.map((one) => one.textContent!));
+/** Puts the cursor at the end of the first line that holds `text`, and types. */
+async function type_behind(page: Page, text: string, typed: string): Promise<void> {
+  const line = await page.evaluateHandle((wanted) => {
+    const lines = [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll<HTMLElement>('.cm-line')];
+    return lines.find((one) => one.textContent!.includes(wanted))!;
+  }, text);
+  await line.click();
+  await page.keyboard.press('End');
+  await page.keyboard.type(typed);
+}
+const marked = (page: Page): Promise<string[]> =>
+  page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-lintRange-error')].map((one) => one.textContent!));
+const text_now = (page: Page): Promise<string> =>
+  page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-line')].map((one) => one.textContent!).join('\n'));
+async function fly(page: Page, seed: string): Promise<string> {
+  const before = await page.$$eval('.last', (all) => all.map((one) => one.getAttribute('data-hash')));
+  await page.$eval('[aria-label=Seed]', (field) => ((field as HTMLInputElement).value = ''));
+  await page.type('[aria-label=Seed]', seed);
+  await page.click('.top .fly');
+  await page.waitForFunction((old) => {
+    const hash = document.querySelector('.last')?.getAttribute('data-hash');
+    return hash && hash !== old;
+  }, {}, before[0] ?? null);
+  return page.$eval('.last', (last) => last.getAttribute('data-hash')!);
+}
+const golden = (): string => /sweep seed 13[^]*?hash (\w+)/.exec(readFileSync(join(kHome, 'tests/determinism/golden_runs.txt'), 'utf8'))![1]!;
+
+for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
+  describe(`in ${where}`, { skip: kNone }, () => {
+    let browser: Browser;
+    let opened: Opened;
+    let page: Page;
+    before(async () => {
+      browser = await launch(where);
+      opened = await open(browser);
+      page = opened.page;
+    });
+    after(async () => browser?.close());
+
+    test('a scenario stands there without a mistake, and flies to the golden world', async () => {
+      assert.deepEqual(await problems(page), []);
+      assert.equal(await fly(page, '13'), golden());
+      const [blue, red] = await page.$$eval('.tally tbody tr', (rows) => rows.map((row) => [...row.querySelectorAll('td')].map((cell) => Number(cell.textContent))));
+      assert.equal(blue![0], red![1], 'what blue killed red lost');
+      assert.ok((await page.$$('.results .told')).length > 20, 'there is no story');
+    });
+
+    test('a mistake is said with line, column and the nearest name while it is typed, and is marked', async () => {
+      await type_behind(page, 'aircraft: f15c', 'x');
+      await reads(page);
+      assert.deepEqual(await problems(page), [`${kSweep}:15:17 unknown aircraft 'f15cx'; did you mean 'f15c'?`]);
+      assert.deepEqual(await marked(page), ['f15cx']);
+      assert.equal(await page.$eval('.top .fly', (button) => (button as HTMLButtonElement).disabled), true);
+      await page.keyboard.press('Backspace');
+      await reads(page);
+      assert.deepEqual(await problems(page), []);
+    });
+
+    test('keys, names and units are proposed and taken', async () => {
+      const proposed = (): Promise<string[]> => page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-completionLabel')].map((one) => one.textContent!));
+      const until_proposed = (label: string) => page.waitForFunction((wanted) => [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-completionLabel')].some((one) => one.textContent === wanted), {}, label);
+      await type_behind(page, 'bingo: 2200', '\nfue');
+      await until_proposed('fuel');
+      assert.ok(!(await proposed()).includes('navigate'), 'nodes are proposed where flights have their keys');
+      // what was proposed a moment ago may be taken
+      await new Promise((done) => setTimeout(done, 200));
+      await page.keyboard.press('Enter');
+      await page.keyboard.type('0.9');
+      assert.ok((await text_now(page)).includes('fuel: 0.9'));
+      for (let i = 0; i < 3; ++i) await page.keyboard.press('Backspace');
+      await page.keyboard.type('4000 k');
+      await until_proposed('kg');
+      await new Promise((done) => setTimeout(done, 200));
+      await page.keyboard.press('Enter');
+      assert.ok((await text_now(page)).includes('fuel: 4000 kg'), await text_now(page));
+      await reads(page);
+      assert.deepEqual(await problems(page), []);
+    });
+
+    test('what was edited flies with a seed to the world to which the program flies it', async () => {
+      const text = readFileSync(join(kHome, kSweep), 'utf8').replace('bingo: 2200 kg\n', 'bingo: 2200 kg\n      fuel: 4000 kg\n');
+      assert.equal(await fly(page, '7'), await flown_by_program(text, '7'));
+      assert.equal((await page.$$('.flights tbody tr')).length, 2);
+    });
+
+    test('a link brings the edit and the seed back, and flies nothing of its own', async () => {
+      await page.$$eval('.top button', (all) => all.find((one) => one.textContent === 'Share')!.click());
+      await page.waitForFunction(() => location.hash.startsWith('#s='));
+      const other = await open(browser, await page.evaluate(() => location.hash));
+      assert.ok((await text_now(other.page)).includes('fuel: 4000 kg'));
+      assert.equal(await other.page.$eval('[aria-label=Seed]', (field) => (field as HTMLInputElement).value), '7');
+      assert.equal(await other.page.$('.last'), null);
+      assert.deepEqual(other.complaints, []);
+      await other.page.close();
+    });
+
+    test('a hostile link does nothing but say why it cannot be used', async () => {
+      const link = (value: object) => promisify(execFile)(process.execPath, ['-e', 'process.stdout.write(require("zlib").deflateRawSync(process.argv[1]).toString("base64url"))', JSON.stringify(value)]).then(({ stdout }) => `#s=${stdout}`);
+      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [await link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
+        const { page: other, complaints } = await open(browser, fragment);
+        assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
+        assert.deepEqual(complaints, []);
+        await other.close();
+      }
+      const evil = `<img src=x onerror=window.pwned=1><script>window.pwned=1</script>`;
+      const { page: other, complaints } = await open(browser, await link({ v: 1, scenario: kSweep, edits: { [kSweep]: `name: "${evil}"\n${evil}: [` } }));
+      assert.ok((await text_now(other)).includes(evil));
+      assert.ok((await problems(other)).length > 0);
+      assert.equal(await other.evaluate(() => (window as { pwned?: number }).pwned), undefined);
+      assert.equal((await other.$$('img')).length, 0);
+      assert.deepEqual(complaints, []);
+      await other.close();
+    });
+
+    test('the flight is debriefed in the same page, and the edit is still there afterwards', async () => {
+      await page.click('.does .fly');
+      await page.waitForSelector('body[data-ready=true]');
+      const hash = await page.evaluate(() => window.eyrie!.run.about.hash);
+      assert.equal(hash, await page.$eval('.last', (last) => last.getAttribute('data-hash')));
+      assert.ok((await page.$$('.debriefed .player')).length === 6);
+      await page.click('.back');
+      await page.waitForSelector('.playground');
+      assert.equal(await page.$('.debriefed'), null);
+      assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
+    });
+
+    test('nothing was complained of, and nobody was asked for anything', () => assert.deepEqual(opened.complaints, []));
+  });
