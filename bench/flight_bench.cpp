@@ -40,8 +40,8 @@ Airframe fighter() {
     altitude.push_back(si(5000, "ft") * i);
   for (const double m : mach)
     for (const double h : altitude) {
-      dry.push_back(std::max(180e3 * military_lapse(m, standard_air(h), 1.07), 100.0));
-      wet.push_back(std::max(200e3 * afterburner_lapse(m, standard_air(h), 1.07), 100.0));
+      dry.push_back(std::max(180e3 * flight::military_lapse(m, standard_air(h), 1.07), 100.0));
+      wet.push_back(std::max(200e3 * flight::afterburner_lapse(m, standard_air(h), 1.07), 100.0));
     }
   a.engine.military = Table2(mach, altitude, dry);
   a.engine.afterburner = Table2(mach, altitude, wet);
@@ -59,15 +59,16 @@ struct Row {
 };
 
 struct Loop {
-  explicit Loop(Dynamics d, Task task) : model(fighter()), dynamics(d) {
+  explicit Loop(flight::Dynamics d, Task task) : model(fighter()), dynamics(d) {
     routes = {{.name = "mission",
                .waypoints = {{.position = {100e3, 0, 0}, .altitude = 6000, .speed = 240},
                              {.position = {100e3, 100e3, 0}, .altitude = 6000, .speed = 240},
                              {.position = {-100e3, -100e3, 0}, .altitude = 6000, .speed = 240}},
-               .end = RouteEnd::repeat}};
+               .end = flight::RouteEnd::repeat}};
     for (int i = 0; i < 64; ++i) {
       Row row;
-      row.kinematics = placed(reference, environment, {200.0 * i, 900.0 * i, -6000}, 0.1 * i, 240);
+      row.kinematics =
+          flight::placed(reference, environment, {200.0 * i, 900.0 * i, -6000}, 0.1 * i, 240);
       row.propulsion.fuel = 5000;
       row.command = {.heading = 0.1 * i, .altitude = row.kinematics.altitude, .speed = 240};
       if (task == Task::following)
@@ -81,12 +82,12 @@ struct Loop {
     }
   }
   void step() {
-    FlightContext context{.reference = reference,
-                          .environment = environment,
-                          .routes = routes,
-                          .load = {.mass = 600, .drag_area = 0.06},
-                          .time = time,
-                          .dt = kDt};
+    flight::FlightContext context{.reference = reference,
+                                  .environment = environment,
+                                  .routes = routes,
+                                  .load = {.mass = 600, .drag_area = 0.06},
+                                  .time = time,
+                                  .dt = kDt};
     for (Row& row : rows) {
       if (turns)
         row.command.heading = row.kinematics.heading + 1;
@@ -97,8 +98,8 @@ struct Loop {
     time += kDt;
   }
 
-  PointMass model;
-  Dynamics dynamics;
+  flight::PointMass model;
+  flight::Dynamics dynamics;
   bool turns = false;
   Reference reference;
   Environment environment;
@@ -115,7 +116,7 @@ void report(benchmark::State& state, std::size_t aircraft, std::uint64_t allocat
   state.counters["allocs"] = static_cast<double>(allocations) / std::max(steps, 1.0);
 }
 
-void bare(benchmark::State& state, Dynamics dynamics, Task task) {
+void bare(benchmark::State& state, flight::Dynamics dynamics, Task task) {
   Loop loop(dynamics, task);
   loop.step();
   NoAllocation guard;
@@ -124,17 +125,17 @@ void bare(benchmark::State& state, Dynamics dynamics, Task task) {
   report(state, loop.rows.size(), guard.count());
   guard.dismiss();
 }
-BENCHMARK_CAPTURE(bare, laero_straight, Dynamics::laero, Task::straight);
-BENCHMARK_CAPTURE(bare, laero_turning, Dynamics::laero, Task::turning);
-BENCHMARK_CAPTURE(bare, laero_following, Dynamics::laero, Task::following);
-BENCHMARK_CAPTURE(bare, laero_routing, Dynamics::laero, Task::routing);
-BENCHMARK_CAPTURE(bare, point_mass_straight, Dynamics::point_mass, Task::straight);
-BENCHMARK_CAPTURE(bare, point_mass_turning, Dynamics::point_mass, Task::turning);
-BENCHMARK_CAPTURE(bare, point_mass_following, Dynamics::point_mass, Task::following);
-BENCHMARK_CAPTURE(bare, point_mass_routing, Dynamics::point_mass, Task::routing);
+BENCHMARK_CAPTURE(bare, laero_straight, flight::Dynamics::laero, Task::straight);
+BENCHMARK_CAPTURE(bare, laero_turning, flight::Dynamics::laero, Task::turning);
+BENCHMARK_CAPTURE(bare, laero_following, flight::Dynamics::laero, Task::following);
+BENCHMARK_CAPTURE(bare, laero_routing, flight::Dynamics::laero, Task::routing);
+BENCHMARK_CAPTURE(bare, point_mass_straight, flight::Dynamics::point_mass, Task::straight);
+BENCHMARK_CAPTURE(bare, point_mass_turning, flight::Dynamics::point_mass, Task::turning);
+BENCHMARK_CAPTURE(bare, point_mass_following, flight::Dynamics::point_mass, Task::following);
+BENCHMARK_CAPTURE(bare, point_mass_routing, flight::Dynamics::point_mass, Task::routing);
 
 /// The same inside the kernel, level flight; the ratio to `bare` is what the framework costs.
-void in_world(benchmark::State& state, Dynamics dynamics) {
+void in_world(benchmark::State& state, flight::Dynamics dynamics) {
   const auto aircraft = static_cast<std::uint32_t>(state.range(0));
   auto library = std::make_shared<Library>();
   AircraftType type;
@@ -145,13 +146,13 @@ void in_world(benchmark::State& state, Dynamics dynamics) {
   sim::SchemaBuilder schema;
   const AircraftColumns columns = AircraftColumns::define(schema, aircraft);
   sim::SimulationBuilder builder(schema.build());
-  builder.add<FlightSystem>(columns, library);
+  builder.add<flight::FlightSystem>(columns, library);
   const auto simulation = builder.build();
   sim::World world = simulation->world(1);
   for (std::uint32_t i = 0; i < aircraft; ++i) {
     benchmark::DoNotOptimize(world.spawn(columns.table));
     Kinematics& k = world.rows(columns.kinematics)[i];
-    k = placed(library->reference, library->environment, {0, 1800.0 * i, -6000}, 0, 240);
+    k = flight::placed(library->reference, library->environment, {0, 1800.0 * i, -6000}, 0, 240);
     world.rows(columns.propulsion)[i].fuel = 1e6;
     world.rows(columns.command)[i] = {.altitude = k.altitude, .speed = 240};
   }
@@ -163,8 +164,8 @@ void in_world(benchmark::State& state, Dynamics dynamics) {
   report(state, aircraft, guard.count());
   guard.dismiss();
 }
-BENCHMARK_CAPTURE(in_world, laero, Dynamics::laero)->Arg(6)->Arg(1000);
-BENCHMARK_CAPTURE(in_world, point_mass, Dynamics::point_mass)->Arg(6)->Arg(1000);
+BENCHMARK_CAPTURE(in_world, laero, flight::Dynamics::laero)->Arg(6)->Arg(1000);
+BENCHMARK_CAPTURE(in_world, point_mass, flight::Dynamics::point_mass)->Arg(6)->Arg(1000);
 
 void atmosphere(benchmark::State& state) {
   const Atmosphere air;

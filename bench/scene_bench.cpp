@@ -114,18 +114,19 @@ void bare_loop(benchmark::State& state) {
   const auto fit = world.rows(scene->aircraft.fit);
   const auto& library = *scene->library;
   const model::AircraftType& type = library.aircraft[fit[0].type];
-  const model::PointMass flight_model(library.airframes[type.index.airframe]);
+  const model::flight::PointMass flight_model(library.airframes[type.index.airframe]);
   double time = 0;
   NoAllocation guard;
   for (auto _ : state) {
     for (std::size_t i = 0; i < kinematics.size(); ++i) {
-      const model::FlightContext context{.reference = library.reference,
-                                         .environment = library.environment,
-                                         .routes = library.flights[fit[i].flight].routes,
-                                         .time = time,
-                                         .dt = 0.02};
-      benchmark::DoNotOptimize(model::fly(flight_model, type.dynamics, context,
-                                          {kinematics[i], flying[i], propulsion[i], command[i]}));
+      const model::flight::FlightContext context{.reference = library.reference,
+                                                 .environment = library.environment,
+                                                 .routes = library.flights[fit[i].flight].routes,
+                                                 .time = time,
+                                                 .dt = 0.02};
+      benchmark::DoNotOptimize(
+          model::flight::fly(flight_model, type.dynamics, context,
+                             {kinematics[i], flying[i], propulsion[i], command[i]}));
     }
     time += 0.02;
   }

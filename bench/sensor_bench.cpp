@@ -78,7 +78,7 @@ struct LineAbreast {
     for (std::uint32_t i = 0; i < n; ++i)
       library->flights[flight(i, n)].members.push_back(PlayerId{i + 1});
     sim::SimulationBuilder builder(schema.build());
-    builder.add<SensorSystem>(aircraft, missiles, library, sim::kDefaultDt);
+    builder.add<sensor::SensorSystem>(aircraft, missiles, library, sim::kDefaultDt);
     builder.add<StraightOn>(aircraft);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
@@ -145,7 +145,7 @@ BENCHMARK(sensors)
 void radar_look(benchmark::State& state) {
   const Radar radar;
   const Kinematics own = flying(0, 0, false), other = flying(60e3, 5e3, true);
-  const Antenna antenna = aim(radar, {}, own);
+  const sensor::Antenna antenna = aim(radar, {}, own);
   const Signature fighter;
   std::uint64_t step = 0;
   for (auto _ : state) {
@@ -161,7 +161,7 @@ void track_update(benchmark::State& state) {
   const auto contacts = static_cast<std::size_t>(state.range(0));
   const Tracker tracker;
   TrackFile file;
-  TrackNewsList news;
+  track::TrackNewsList news;
   std::array<Contact, kMaxTracks> seen;
   double time = 0;
   for (auto _ : state) {
@@ -174,7 +174,7 @@ void track_update(benchmark::State& state) {
       c.sigma_across = 300;
     }
     news.clear();
-    update(file, {tracker, {}, time, 3, news}, std::span(seen).first(contacts));
+    track::update(file, {tracker, {}, time, 3, news}, std::span(seen).first(contacts));
     benchmark::DoNotOptimize(file);
   }
 }

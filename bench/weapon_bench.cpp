@@ -35,7 +35,7 @@ MissileType medium_range() {
       .greatest_lift = Table1(mach, {6.335, 8.048, 10.56, 10.15, 9.081, 8.191, 7.917, 7.719}),
       .greatest_load_factor = 40};
   type.guidance.link_interval = 1;
-  type.guidance.loft = Loft{.angle = 0.175, .end_range = 18e3, .ceiling = 24e3};
+  type.guidance.loft = weapon::Loft{.angle = 0.175, .end_range = 18e3, .ceiling = 24e3};
   type.greatest_time = 70;
   type.least_speed = 300;
   return type;
@@ -55,7 +55,7 @@ struct Scene {
     const MissileColumns columns = MissileColumns::define(schema, missiles);
     describe_events(schema);
     sim::SimulationBuilder builder(schema.build());
-    builder.add<MissileSystem>(aircraft, columns, library, sim::kDefaultDt);
+    builder.add<weapon::MissileSystem>(aircraft, columns, library, sim::kDefaultDt);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
 
@@ -77,8 +77,8 @@ struct Scene {
     const Track track{.position = target.position, .velocity = target.velocity, .id = TrackId{1}};
     for (std::uint32_t i = 0; i < missiles; ++i) {
       const auto born = world->spawn(columns.table);
-      const Newborn missile =
-          launched({.type = library->missiles[0], .shooter = PlayerId{1}}, shooter, track);
+      const weapon::Newborn missile =
+          weapon::launched({.type = library->missiles[0], .shooter = PlayerId{1}}, shooter, track);
       world->rows(columns.kinematics)[born->row] = missile.kinematics;
       world->rows(columns.state)[born->row] = missile.state;
     }
@@ -141,7 +141,7 @@ void missile_flyout(benchmark::State& state) {
 BENCHMARK(missile_flyout);
 
 void launch_zone_lookup(benchmark::State& state) {
-  const LaunchZone zone = KeptZones().of(medium_range());
+  const weapon::LaunchZone zone = weapon::KeptZones().of(medium_range());
   double x = 0;
   for (auto _ : state) {
     x = x > 0.99 ? 0 : x + 0.013;

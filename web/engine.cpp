@@ -119,7 +119,7 @@ void Engine::FlightDeleter::operator()(Flight* flight) const {
 }
 
 void Engine::take_zones(std::string_view file) {
-  model::kept_zones().take(file);
+  model::weapon::kept_zones().take(file);
 }
 
 NodeTypes Engine::node_types() {

@@ -297,7 +297,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }
-  model::kept_zones().take(launch_zones());
+  model::weapon::kept_zones().take(launch_zones());
   if (app.got_subcommand("fly"))
     return fly(c.fly);
   if (app.got_subcommand("explain"))

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       types.push_back(library.missiles[*index]);
   }
   std::ofstream file(argv[2], std::ios::binary | std::ios::trunc);
-  file << model::kept_zones().encode(types);
+  file << model::weapon::kept_zones().encode(types);
   if (!file.flush()) {
     std::fprintf(stderr, "launch_zones: cannot write %s\n", argv[2]);
     return 1;

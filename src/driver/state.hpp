@@ -71,7 +71,7 @@ struct State : Cab {
   }
   [[nodiscard]] std::span<const model::Route> routes() const { return convoy.routes; }
   [[nodiscard]] model::NavState nav() const { return driving.nav; }
-  [[nodiscard]] const model::GuidanceGains& guidance() const { return type.guidance; }
+  [[nodiscard]] const model::flight::GuidanceGains& guidance() const { return type.guidance; }
   [[nodiscard]] Vec3 wind() const { return {}; }
 };
 

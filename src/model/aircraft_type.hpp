@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "core/describe.hpp"
-#include "model/flight/dynamics.hpp"
-#include "model/sensor/signature.hpp"
-#include "model/weapon/infrared.hpp"
+#include "model/flight/airframe.hpp"
+#include "model/signature.hpp"
 
 namespace eyrie::model {
 
@@ -33,7 +32,7 @@ struct StationFit {
 struct AircraftType {
   std::string label;  ///< what the story and Tacview call it: "F-15C"
   std::string airframe;
-  Dynamics dynamics = Dynamics::point_mass;
+  flight::Dynamics dynamics = flight::Dynamics::point_mass;
   Signature signature;
   InfraredSignature infrared;
   std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun;

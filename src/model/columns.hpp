@@ -25,6 +25,15 @@
 
 namespace eyrie::model {
 
+// the rows and what they are made of, in every layer above known as parts of model
+using datalink::DatalinkSent, datalink::DatalinkState, datalink::Mate;
+using flight::Flying, flight::NavState, flight::Propulsion;
+using sensor::InboundMissile, sensor::RadarState, sensor::RwrState, sensor::RwrWarning,
+    sensor::Threats;
+using vehicle::DriveCommand, vehicle::Driving, vehicle::Lookout, vehicle::Sighted;
+using weapon::Damage, weapon::GunState, weapon::kMaxStations, weapon::MissileState, weapon::Station,
+    weapon::Stores;
+
 /// The table "aircraft".
 struct AircraftColumns : sim::Table<AircraftColumns> {
   sim::Column<Fit> fit;

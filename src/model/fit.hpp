@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a player is made of: indices into the const Library, set at birth.
+#include <cstddef>
 #include <cstdint>
 
 #include "core/enum_names.hpp"
@@ -25,6 +26,9 @@ struct EnumNames<model::Side> {
 }  // namespace eyrie
 
 namespace eyrie::model {
+
+/// A flight has at most so many members.
+inline constexpr std::size_t kMaxFlight = 8;
 
 /// Set when an aircraft is born and never changed.
 struct Fit {

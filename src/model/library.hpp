@@ -13,7 +13,7 @@
 #include "core/id.hpp"
 #include "model/aircraft_type.hpp"
 #include "model/datalink/datalink.hpp"
-#include "model/environment/environment.hpp"
+#include "model/environment.hpp"
 #include "model/fit.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/flight/route.hpp"
@@ -28,6 +28,14 @@
 #include "model/weapon/missile_type.hpp"
 
 namespace eyrie::model {
+
+// what stands on the shelves
+using datalink::Datalink;
+using flight::Airframe, flight::Route, flight::RouteEnd, flight::Waypoint;
+using sensor::Iff, sensor::Radar, sensor::Rwr, sensor::Visual;
+using track::Tracker;
+using vehicle::VehicleType;
+using weapon::GunType, weapon::MissileType;
 
 /// Models of one kind, each under the name that files know it by; a row refers to one by its index.
 template <class Model>

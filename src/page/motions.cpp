@@ -109,7 +109,8 @@ void Motions::left(const record::Fate& fate, const sim::Event& e) {
     missile.detail =
         record::kind_of(e) == EventKind::detonation
             ? fmt::format("by {:.0f} m", e.values[0])
-            : std::string(enum_name(static_cast<model::MissileEnd>(static_cast<int>(e.values[0]))));
+            : std::string(
+                  enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0]))));
     missile.motion.add(time_, scenario_.library->reference, missile.last);
   }
 }

@@ -64,7 +64,7 @@ void Sights::add_warning(const std::string& kind, double bearing, double range, 
 }
 
 void Sights::add_zone(const pilot::State& s) {
-  model::EmploymentZone zone;  // of what reaches farthest of what is on board
+  model::weapon::EmploymentZone zone;  // of what reaches farthest of what is on board
   if (const pilot::Seen* target = s.target())
     for (const model::Station& station : s.stores.stations)
       if (station.store && station.count) {
@@ -87,7 +87,7 @@ void Sights::add(const pilot::State& s, const model::RadarState* radar) {
   add_state(s);
   for (const pilot::Seen& seen : s.tracks_seen())
     add_track(seen.id().value, seen.track->truth, seen.track->identity, s.target() == &seen,
-              model::position_at(*seen.track, s.time), s.time - seen.track->time);
+              position_at(*seen.track, s.time), s.time - seen.track->time);
   for (std::uint32_t i = 0; i < s.rwr.count; ++i) {
     const model::RwrWarning& warning = s.rwr.warnings[i];
     add_warning("radar " + std::string(enum_name(warning.kind)), warning.bearing, ubf::kNoValue,

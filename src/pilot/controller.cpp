@@ -54,7 +54,8 @@ double time_of_flight(const State& state, const Seen& target, const model::Missi
 }
 
 void account_for_shots(const State& state, Agent& agent) {
-  const auto left = static_cast<std::uint8_t>(std::min(model::missiles_left(state.stores), 255U));
+  const auto left =
+      static_cast<std::uint8_t>(std::min(model::weapon::missiles_left(state.stores), 255U));
   if (agent.ticks > 0 && left < agent.missiles && agent.asked_track) {
     Shot* oldest = &agent.shots[0];
     for (Shot& shot : agent.shots)

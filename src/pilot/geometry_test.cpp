@@ -28,7 +28,7 @@ TEST(Geometry, CountsBearingsClockwiseFromNorth) {
 
 TEST(Geometry, ReadsAltitudesOverTheCurveOfTheEarth) {
   const Reference reference(Geodetic{.latitude = radians(40), .longitude = radians(10)});
-  const auto own = model::placed(reference, model::Environment{}, {0, 0, -8000}, 0.5, 250);
+  const auto own = model::flight::placed(reference, model::Environment{}, {0, 0, -8000}, 0.5, 250);
   for (const double range : {1e3, 30e3, 120e3}) {
     const Vec3 there{range * 0.6, range * -0.8, -9000};
     const double seen = altitude_of(own, to_ned(own, there - own.position));
@@ -75,7 +75,8 @@ RC_GTEST_PROP(GeometryLaw, AxesTurnThereAndBack, ()) {
   const Reference reference(
       Geodetic{.latitude = radians(number(-80, 80)), .longitude = radians(number(-180, 180))});
   const Vec3 place{number(-3e5, 3e5), number(-3e5, 3e5), -5000};
-  const auto own = model::placed(reference, model::Environment{}, place, number(-3, 3), 250);
+  const auto own =
+      model::flight::placed(reference, model::Environment{}, place, number(-3, 3), 250);
   const Vec3 v = vector(1000);
   RC_ASSERT(norm(from_ned(own, to_ned(own, v)) - v) < 1e-9);
   RC_ASSERT(std::fabs(norm(to_ned(own, v)) - norm(v)) < 1e-9);

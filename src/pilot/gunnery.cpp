@@ -15,7 +15,7 @@ bool any_friend(const State& s, const Holds& holds) {
   for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
     const model::Mate& mate = s.datalink.members[i];
     if (i != s.datalink.self && mate.alive && mate.reported &&
-        holds(to_ned(s.own, model::position_at(mate, s.time) - s.own.position)))
+        holds(to_ned(s.own, position_at(mate, s.time) - s.own.position)))
       return true;
   }
   return false;
@@ -28,11 +28,11 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
     return std::nullopt;
   const model::GunType& gun = s.library.guns[*s.type.index.gun];
   model::Kinematics believed;
-  believed.position = model::position_at(*target.track, s.time);
+  believed.position = position_at(*target.track, s.time);
   believed.velocity = target.track->velocity;
   const double density = s.library.environment.atmosphere.at(s.own.altitude).density;
-  const model::Lead lead =
-      model::lead_on(gun, density, s.own, from_ned(s.own, nose_of(s.own)), believed);
+  const model::weapon::Lead lead =
+      model::weapon::lead_on(gun, density, s.own, from_ned(s.own, nose_of(s.own)), believed);
   return Sight{
       .aim = to_ned(s.own, lead.direction), .off_nose = lead.off_bore, .range = lead.range};
 }

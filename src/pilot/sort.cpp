@@ -75,7 +75,7 @@ std::int32_t choose_target(const State& s) {
 }
 
 bool shoots_first(const State& s, const Seen& target) {
-  const Vec3 place = model::position_at(*target.track, s.time);
+  const Vec3 place = position_at(*target.track, s.time);
   const std::uint32_t rivals = claims_on(s, target).targeted & s.alive;
   std::uint32_t busy = 0;
   for (const Seen& seen : s.tracks_seen())
@@ -85,7 +85,7 @@ bool shoots_first(const State& s, const Seen& target) {
     const std::uint32_t bit = 1U << i;
     if (i == s.datalink.self || !(rivals & ~busy & bit) || !mate.reported)
       continue;
-    const double range = norm(place - model::position_at(mate, s.time));
+    const double range = norm(place - position_at(mate, s.time));
     if (range < target.range || (range == target.range && i < s.datalink.self))
       return false;
   }

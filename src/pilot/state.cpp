@@ -43,7 +43,7 @@ State perceive(const Cockpit& cockpit, const model::Library& library, const mode
   s.seen_count = s.tracks.count;
   for (std::uint32_t i = 0; i < s.seen_count; ++i) {
     const model::Track& track = s.tracks.tracks[i];
-    const Vec3 offset = model::position_at(track, time) - s.own.position;
+    const Vec3 offset = position_at(track, time) - s.own.position;
     Seen& seen = s.seen[i];
     seen.track = &track;
     seen.ned = to_ned(s.own, offset);
@@ -69,7 +69,7 @@ std::optional<team::Leader> State::leader() const {
     return heard;
   for (const Seen& one : tracks_seen())
     if ((one.track->sources & model::kFromTruth) && one.track->truth == mate->id)
-      return team::Leader{model::position_at(*one.track, time), one.track->velocity};
+      return team::Leader{position_at(*one.track, time), one.track->velocity};
   return std::nullopt;
 }
 
@@ -93,11 +93,11 @@ double State::closing_on(const Seen& one) const {
   return one.range > 0 ? dot(one.ned, velocity_ned - velocity_of(one)) / one.range : 0.0;
 }
 
-model::LaunchSituation State::launch_situation(const Seen& target) const {
+model::weapon::LaunchSituation State::launch_situation(const Seen& target) const {
   const model::Track& track = *target.track;
-  return model::launch_situation(
+  return model::weapon::launch_situation(
       {own.position, own.velocity, own.altitude},
-      {model::position_at(track, time), track.velocity, altitude_of(own, target.ned)});
+      {position_at(track, time), track.velocity, altitude_of(own, target.ned)});
 }
 
 double State::off_nose(const Vec3& ned) const {
@@ -106,8 +106,9 @@ double State::off_nose(const Vec3& ned) const {
 
 double State::altitude_for(double climb_angle) const {
   const model::Airframe& a = airframe();
-  const double seconds =
-      type.dynamics == model::Dynamics::laero ? a.laero.altitude_time : a.autopilot.altitude_time;
+  const double seconds = type.dynamics == model::flight::Dynamics::laero
+                             ? a.laero.altitude_time
+                             : a.autopilot.altitude_time;
   return own.altitude + own.speed * math::sin(climb_angle) * seconds;
 }
 

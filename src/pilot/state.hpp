@@ -96,7 +96,7 @@ struct State : Cockpit {
   [[nodiscard]] const Seen* find(TrackId id) const;
   [[nodiscard]] bool leads() const { return rank == 1; }
   /// The member believed to lead; null if the datalink has not come up.
-  [[nodiscard]] const model::Mate* lead() const { return model::lead(datalink); }
+  [[nodiscard]] const model::Mate* lead() const { return model::datalink::lead(datalink); }
   /// Where the lead is: by datalink, or else by a privileged player's track of him.
   [[nodiscard]] std::optional<team::Leader> leader() const;
   /// The own place in the wall, m forward, right and down of the lead's course.
@@ -117,7 +117,7 @@ struct State : Cockpit {
   [[nodiscard]] const model::Airframe& airframe() const {
     return library.airframes[type.index.airframe];
   }
-  [[nodiscard]] const model::GuidanceGains& guidance() const {
+  [[nodiscard]] const model::flight::GuidanceGains& guidance() const {
     return airframe().autopilot.guidance;
   }
   /// m/s over the ground, north-east-down at the ownship.
@@ -125,11 +125,11 @@ struct State : Cockpit {
   /// m/s, positive if the range shrinks.
   [[nodiscard]] double closing_on(const Seen& one) const;
   /// The employment zone of a missile type against a track, from here and now.
-  [[nodiscard]] model::EmploymentZone zone(std::uint16_t store, const Seen& against) const {
+  [[nodiscard]] model::weapon::EmploymentZone zone(std::uint16_t store, const Seen& against) const {
     return library.missiles[store].zone.at(launch_situation(against));
   }
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
-  [[nodiscard]] model::LaunchSituation launch_situation(const Seen& target) const;
+  [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
   [[nodiscard]] double off_nose(const Vec3& ned) const;
   /// The altitude to ask for (m) so that the autopilot's altitude hold flies a climb angle (rad):

@@ -45,8 +45,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("fuel", "kg", "own", [](const State& s) { return s.propulsion.fuel; }),
     flag("bingo", "fuel is down to what the way home needs",
          [](const State& s) -> double { return s.bingo(); }),
-    number("missiles", "", "left on the stations",
-           [](const State& s) { return static_cast<double>(model::missiles_left(s.stores)); }),
+    number(
+        "missiles", "", "left on the stations",
+        [](const State& s) { return static_cast<double>(model::weapon::missiles_left(s.stores)); }),
     number("rounds", "", "left in the gun", [](const State& s) { return double(s.gun.rounds); }),
     number("home_range", "m", "to the home of the flight, along the ground",
            [](const State& s) { return s.home_distance().value_or(kNoValue); }),

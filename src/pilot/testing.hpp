@@ -43,8 +43,9 @@ struct Desk {
   model::Kinematics own = model::test::flying({0, 0, -8000}, 0, 250);
   model::Propulsion propulsion{.fuel = 1500};
   model::Flying flying;
-  model::Stores stores = model::load_stores(library().aircraft[0].stations, library().missiles);
-  model::GunState gun = model::loaded(library().guns[0]);
+  model::Stores stores =
+      model::weapon::load_stores(library().aircraft[0].stations, library().missiles);
+  model::GunState gun = model::weapon::loaded(library().guns[0]);
   model::TrackFile tracks;
   model::RwrState rwr;
   model::Threats threats;

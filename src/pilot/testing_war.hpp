@@ -50,10 +50,10 @@ class War {
     pilots = PilotColumns::define(schema, aircraft.table,
                                   static_cast<std::uint32_t>(trees_->max_memory()));
     model::describe_events(schema);
-    model::add_orders(schema);
+    model::weapon::add_orders(schema);
     PilotSystem::add_orders(schema);
     sim::SimulationBuilder builder(schema.build(), kDt);
-    builder.add<model::SensorSystem>(aircraft, missiles, library_, kDt);
+    builder.add<model::sensor::SensorSystem>(aircraft, missiles, library_, kDt);
     system = &builder.add<PilotSystem>(PilotSetup{.columns = aircraft,
                                                   .agents = pilots,
                                                   .library = library_,
@@ -61,11 +61,11 @@ class War {
                                                   .plans = {{}, {}},
                                                   .dt = kDt,
                                                   .period = 5});
-    builder.add<model::MissileSystem>(aircraft, missiles, library_, kDt);
-    builder.add<model::StoresSystem>(aircraft, missiles, library_);
-    builder.add<model::GunSystem>(aircraft, library_);
-    builder.add<model::FlightSystem>(aircraft, library_);
-    builder.add<model::DamageSystem>(aircraft);
+    builder.add<model::weapon::MissileSystem>(aircraft, missiles, library_, kDt);
+    builder.add<model::weapon::StoresSystem>(aircraft, missiles, library_);
+    builder.add<model::weapon::GunSystem>(aircraft, library_);
+    builder.add<model::flight::FlightSystem>(aircraft, library_);
+    builder.add<model::weapon::DamageSystem>(aircraft);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
     work = std::make_unique<sim::Workspace>(*simulation);
@@ -83,12 +83,12 @@ class War {
         .privileged = 1};
     const Vec3 place{north_east_up.x, north_east_up.y, -north_east_up.z};
     auto& k = world->rows(aircraft.kinematics)[i];
-    k = model::placed(library_->reference, library_->environment, place, heading, 250);
+    k = model::flight::placed(library_->reference, library_->environment, place, heading, 250);
     world->rows(aircraft.command)[i] = {.heading = k.heading, .altitude = k.altitude, .speed = 250};
     world->rows(aircraft.propulsion)[i] = {.fuel = 2500};
     world->rows(aircraft.stores)[i] =
-        model::load_stores(library_->aircraft[0].stations, library_->missiles);
-    world->rows(aircraft.gun)[i] = model::loaded(library_->guns[0]);
+        model::weapon::load_stores(library_->aircraft[0].stations, library_->missiles);
+    world->rows(aircraft.gun)[i] = model::weapon::loaded(library_->guns[0]);
     world->rows(pilots.agent)[i] = {.bingo = 500, .tree = tree};
     return born->id;
   }

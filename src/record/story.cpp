@@ -75,7 +75,8 @@ void Story::shot(const sim::Event& e) {
   const PlayerId shooter{e.detail};
   const auto store = static_cast<std::size_t>(e.values[1]);
   const auto& shelf = scenario_.library->missiles;
-  const bool active = store < shelf.size() && shelf[store].seeker.kind == model::SeekerKind::radar;
+  const bool active =
+      store < shelf.size() && shelf[store].seeker.kind == model::weapon::SeekerKind::radar;
   missiles_[e.who] = {shooter, e.whom, store_label(scenario_, e.values[1])};
   say(shooter, fmt::format("{} on {}, {} ({})", active ? "fox 3" : "fox 2", name(e.whom),
                            miles(e.values[0]), store_label(scenario_, e.values[1])));
@@ -88,8 +89,9 @@ void Story::ended(const sim::Event& e) {
   const Missile& missile = m->second;
   if (kind_of(e) == EventKind::timeout)
     say(missile.shooter,
-        fmt::format("{} at {} is trashed: {}", missile.label, name(missile.target),
-                    enum_name(static_cast<model::MissileEnd>(static_cast<int>(e.values[0])))));
+        fmt::format(
+            "{} at {} is trashed: {}", missile.label, name(missile.target),
+            enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0])))));
   else if (e.values[1] <= e.values[2])  // the draw was above the kill probability
     say(missile.shooter,
         fmt::format("{} misses {} by {:.0f} m", missile.label, name(missile.target), e.values[0]));

@@ -50,7 +50,8 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     const model::AircraftType& type = library.aircraft[s.type];
 
     model::Kinematics& k = world.rows(c.kinematics)[row];
-    k = model::placed(library.reference, library.environment, s.position, s.heading, s.speed);
+    k = model::flight::placed(library.reference, library.environment, s.position, s.heading,
+                              s.speed);
     world.rows(c.fit)[row] = {.type = s.type,
                               .flight = player.flight,
                               .rank = player.rank,
@@ -66,7 +67,7 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     world.rows(c.stores)[row] = stores;
     model::GunState gun;
     if (type.index.gun)
-      gun = model::loaded(library.guns[*type.index.gun]);
+      gun = model::weapon::loaded(library.guns[*type.index.gun]);
     if (s.rounds)
       gun.rounds = *s.rounds;
     world.rows(c.gun)[row] = gun;
@@ -84,7 +85,7 @@ void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::W
     const Roster::Player& player = *scenario.roster.find(born->id);
     c.set_defaults(world, row);
     world.rows(c.kinematics)[row] =
-        model::parked(scenario.library->reference, s.position, s.heading, s.speed);
+        model::vehicle::parked(scenario.library->reference, s.position, s.heading, s.speed);
     world.rows(c.fit)[row] = {
         .type = s.type, .flight = player.flight, .rank = player.rank, .side = player.side};
     world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = s.tree ? s.speed : 0};
@@ -194,9 +195,9 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   const sim::Period decisions = sim::period_steps(scenario.spec.rates.decisions, dt);
   if (!decisions)
     return "decisions: " + decisions.error;
-  for (const std::string& problem : model::sensor_problems(*scenario.library, dt))
+  for (const std::string& problem : model::sensor::sensor_problems(*scenario.library, dt))
     return problem;
-  for (const std::string& problem : model::vehicle_problems(*scenario.library, dt))
+  for (const std::string& problem : model::vehicle::vehicle_problems(*scenario.library, dt))
     return problem;
 
   sim::SchemaBuilder schema;
@@ -213,18 +214,19 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
         static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
     driver::DriverSystem::add_orders(schema);
   }
-  std::vector<model::MovingTable> others;
+  std::vector<model::weapon::MovingTable> others;
   if (scenario.vehicles)
     others.push_back({scenario.vehicles->table, scenario.vehicles->kinematics});
   for (const auto& kind : kinds)
     if (!kind->is_empty())
       others.push_back(kind->define(schema));
   model::describe_events(schema);
-  model::add_orders(schema);
+  model::weapon::add_orders(schema);
   pilot::PilotSystem::add_orders(schema);
 
   sim::SimulationBuilder builder(schema.build(), dt);
-  builder.add<model::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
+  builder.add<model::sensor::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library,
+                                           dt);
   const auto& pilots =
       builder.add<pilot::PilotSystem>(pilot::PilotSetup{.columns = scenario.aircraft,
                                                         .agents = scenario.pilots,
@@ -235,7 +237,8 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                                         .period = decisions.steps});
   const driver::DriverSystem* drivers = nullptr;
   if (scenario.vehicles) {
-    builder.add<model::VehicleSystem>(*scenario.vehicles, scenario.aircraft, scenario.library, dt);
+    builder.add<model::vehicle::VehicleSystem>(*scenario.vehicles, scenario.aircraft,
+                                               scenario.library, dt);
     drivers = &builder.add<driver::DriverSystem>(driver::DriverSetup{.columns = *scenario.vehicles,
                                                                      .agents = scenario.drivers,
                                                                      .library = scenario.library,
@@ -247,15 +250,16 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   for (const auto& kind : kinds)
     if (!kind->is_empty())
       kind->add_systems(builder, scenario, dt, decisions.steps);
-  builder.add<model::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library, dt);
-  builder.add<model::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
-  builder.add<model::GunSystem>(scenario.aircraft, scenario.library);
-  builder.add<model::FlightSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::weapon::MissileSystem>(scenario.aircraft, scenario.missiles, scenario.library,
+                                            dt);
+  builder.add<model::weapon::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
+  builder.add<model::weapon::GunSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::flight::FlightSystem>(scenario.aircraft, scenario.library);
   builder.add<model::MotionCheck>(scenario.aircraft.table, scenario.aircraft.kinematics);
   builder.add<model::MotionCheck>(scenario.missiles.table, scenario.missiles.kinematics);
-  for (const model::MovingTable& other : others)
+  for (const model::weapon::MovingTable& other : others)
     builder.add<model::MotionCheck>(other.table, other.kinematics);
-  builder.add<model::DamageSystem>(scenario.aircraft, std::move(others));
+  builder.add<model::weapon::DamageSystem>(scenario.aircraft, std::move(others));
   scenario.simulation = builder.build();
   scenario.fleets = {std::make_shared<AircraftFleet>(scenario, &pilots),
                      std::make_shared<VehicleFleet>(scenario, drivers)};

@@ -332,7 +332,7 @@ class Loader {
   void give(const OrderSpec& order, PlayerId who, const Location& where) {
     const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
     if (order.lose)
-      return out_->orders.push_back(model::lose_order(step, who));
+      return out_->orders.push_back(model::weapon::lose_order(step, who));
     const std::string& name = *order.swap_tree;
     const std::size_t fleet = out_->roster.find(who)->fleet;
     std::optional<sim::Order> given;

@@ -50,7 +50,7 @@ class PlayerKind {
   /// Whether it has no players: then nothing below is asked but fleet().
   [[nodiscard]] virtual bool is_empty() const = 0;
   /// Adds its table and its order.
-  virtual model::MovingTable define(sim::SchemaBuilder& schema) = 0;
+  virtual model::weapon::MovingTable define(sim::SchemaBuilder& schema) = 0;
   /// Adds what perceives and decides, and what moves.
   virtual void add_systems(sim::SimulationBuilder& builder, const Scenario& scenario, double dt,
                            std::uint32_t decision_period) = 0;
@@ -82,7 +82,7 @@ class AgentKind : public PlayerKind {
     return tree ? std::optional(Agents::swap_tree_order(step, who, *tree)) : std::nullopt;
   }
   [[nodiscard]] bool is_empty() const override { return players_ == 0; }
-  model::MovingTable define(sim::SchemaBuilder& schema) override {
+  model::weapon::MovingTable define(sim::SchemaBuilder& schema) override {
     columns_ = Platform::Columns::define(schema, players_);
     brains_ = team::AgentColumns<typename Platform::Agent>::define(
         schema, columns_.table, static_cast<std::uint32_t>(trees_->max_memory()));

@@ -13,16 +13,17 @@
 namespace eyrie::sim {
 
 /// The kind of an event or an order. The kernel only counts and names kinds; a domain keeps its
-/// own `enum class ... : std::uint16_t` and converts without a cast. Kind 0 means none.
+/// own `enum class ... : std::uint16_t` and converts without a cast. KindCode 0 means none.
 template <class Tag>
-struct Kind {
+struct KindCode {
   std::uint16_t value = 0;
 
-  constexpr Kind() = default;
-  constexpr explicit Kind(std::uint16_t v) : value(v) {}
+  constexpr KindCode() = default;
+  constexpr explicit KindCode(std::uint16_t v) : value(v) {}
   template <class Enum>
   requires std::is_enum_v<Enum> && std::same_as<std::underlying_type_t<Enum>, std::uint16_t>
-  constexpr Kind(Enum e) : value(static_cast<std::uint16_t>(e)) {}  // NOLINT: implicit on purpose
+  constexpr KindCode(Enum e)
+      : value(static_cast<std::uint16_t>(e)) {}  // NOLINT: implicit on purpose
 
   /// The kind as the domain's own enumeration, for a switch.
   template <class Enum>
@@ -30,13 +31,13 @@ struct Kind {
     return static_cast<Enum>(value);
   }
   constexpr explicit operator bool() const { return value != 0; }
-  friend constexpr auto operator<=>(const Kind&, const Kind&) = default;
+  friend constexpr auto operator<=>(const KindCode&, const KindCode&) = default;
 
-  static constexpr auto fields() { return field_list(field("value", &Kind::value)); }
+  static constexpr auto fields() { return field_list(field("value", &KindCode::value)); }
 };
 
-using EventKind = Kind<struct EventTag>;
-using OrderKind = Kind<struct OrderTag>;
+using EventKind = KindCode<struct EventTag>;
+using OrderKind = KindCode<struct OrderTag>;
 
 /// The parts of a step, in the order in which they run and in which their events are sorted.
 enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };

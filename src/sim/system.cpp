@@ -10,7 +10,7 @@ std::string_view phase_name(Phase phase) {
 }
 
 bool CommitContext::remove(PlayerId who) {
-  const std::optional<Place> place = world_.find(who);
+  const std::optional<RowRef> place = world_.find(who);
   if (place)
     world_.remove(place->table, place->row);
   return place.has_value();

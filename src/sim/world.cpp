@@ -59,11 +59,11 @@ std::optional<std::uint32_t> World::row(TableId table, PlayerId who) const {
   return static_cast<std::uint32_t>(it - players.begin());
 }
 
-std::optional<Place> World::find(PlayerId who) const {
+std::optional<RowRef> World::find(PlayerId who) const {
   const auto tables = static_cast<std::uint32_t>(schema_->tables().size());
   for (std::uint32_t i = 1; i <= tables; ++i)
     if (const auto found = row(TableId{i}, who))
-      return Place{TableId{i}, *found};
+      return RowRef{TableId{i}, *found};
   return std::nullopt;
 }
 
@@ -151,7 +151,7 @@ bool World::canonical() const {
     const TableId table{i};
     PlayerId last{0};
     for (const PlayerId id : ids(table)) {
-      const std::optional<Place> place = find(id);
+      const std::optional<RowRef> place = find(id);
       if (id <= last || id >= next_id() || !place || place->table != table)
         return false;
       last = id;

@@ -15,10 +15,10 @@
 namespace eyrie::sim {
 
 /// Where a player is.
-struct Place {
+struct RowRef {
   TableId table{};
   std::uint32_t row = 0;
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const RowRef&, const RowRef&) = default;
 };
 
 /// A player that was just made.
@@ -101,7 +101,7 @@ class World {
   /// The row of a player in a table, by binary search.
   [[nodiscard]] std::optional<std::uint32_t> row(TableId table, PlayerId who) const;
   /// The table and row of a player.
-  [[nodiscard]] std::optional<Place> find(PlayerId who) const;
+  [[nodiscard]] std::optional<RowRef> find(PlayerId who) const;
 
   /// Appends a row of zeros with the next id. Nothing when the table is full or the ids are used
   /// up; that is counted, and the caller must cope. In a step only the commit may do this.

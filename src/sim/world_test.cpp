@@ -41,8 +41,8 @@ TEST(World, FindsAPlayerInWhateverTableItIs) {
   const Swarm swarm;
   World world = swarm.world(5);
   const auto pellet = world.spawn(swarm.keys.pellets);
-  EXPECT_EQ(world.find(pellet->id), (Place{swarm.keys.pellets, 0}));
-  EXPECT_EQ(world.find(PlayerId{4}), (Place{swarm.keys.birds, 3}));
+  EXPECT_EQ(world.find(pellet->id), (RowRef{swarm.keys.pellets, 0}));
+  EXPECT_EQ(world.find(PlayerId{4}), (RowRef{swarm.keys.birds, 3}));
   EXPECT_EQ(world.row(swarm.keys.birds, pellet->id), std::nullopt);
   EXPECT_EQ(world.find(PlayerId{}), std::nullopt);
   EXPECT_EQ(world.find(PlayerId{99}), std::nullopt);

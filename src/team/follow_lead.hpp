@@ -22,14 +22,14 @@ class FollowLead : public ubf::Behavior<typename Platform::State, typename Platf
   }
 
  protected:
-  struct Place {
+  struct Slot {
     Leader leader;
     Vec3 offset;  ///< m forward, right, down of the leader
   };
 
   /// Recommends heading and speed towards the own place; nothing if there is nobody to follow.
-  std::optional<Place> go(const ubf::Tick<typename Platform::State>& t,
-                          ubf::Proposal<typename Platform::Action>& out) const {
+  std::optional<Slot> go(const ubf::Tick<typename Platform::State>& t,
+                         ubf::Proposal<typename Platform::Action>& out) const {
     const auto& s = t.state;
     const std::optional<Leader> leader = s.leads() ? std::nullopt : s.leader();
     if (!leader) {
@@ -38,16 +38,17 @@ class FollowLead : public ubf::Behavior<typename Platform::State, typename Platf
     }
 
     const Vec3 offset = s.place();
-    const model::Guidance wanted = model::follow_guidance(s.guidance(), s.own,
-                                                          {.position = leader->position,
-                                                           .velocity = leader->velocity,
-                                                           .lead_heading = s.forward_of(*leader),
-                                                           .offset = offset},
-                                                          s.wind());
+    const model::flight::Guidance wanted =
+        model::flight::follow_guidance(s.guidance(), s.own,
+                                       {.position = leader->position,
+                                        .velocity = leader->velocity,
+                                        .lead_heading = s.forward_of(*leader),
+                                        .offset = offset},
+                                       s.wind());
     out.action.heading = wrap_tau(wanted.heading);
     out.action.speed = wanted.speed;
     out.vote = vote_;
-    return Place{*leader, offset};
+    return Slot{*leader, offset};
   }
 
   float vote_ = 20;

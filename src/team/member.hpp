@@ -7,9 +7,10 @@
 #include <span>
 
 #include "core/vec.hpp"
-#include "model/datalink/datalink_state.hpp"
+#include "model/columns.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/kinematics.hpp"
+#include "model/library.hpp"
 
 namespace eyrie::team {
 
@@ -30,15 +31,15 @@ concept MemberState = requires(const S& s, const Leader& leader) {
   { s.forward_of(leader) } -> std::same_as<double>;               // rad: where his forward is
   { s.routes() } -> std::same_as<std::span<const model::Route>>;  // of the flight
   { s.nav() } -> std::same_as<model::NavState>;                   // how far along them
-  { s.guidance() } -> std::same_as<const model::GuidanceGains&>;  // of the platform
-  { s.wind() } -> std::same_as<Vec3>;                             // m/s, north-east-down
+  { s.guidance() } -> std::same_as<const model::flight::GuidanceGains&>;  // of the platform
+  { s.wind() } -> std::same_as<Vec3>;                                     // m/s, north-east-down
 };
 
 /// Where a mate is now, if it has been heard of.
 [[nodiscard]] inline std::optional<Leader> heard(const model::Mate& mate, double time) {
   if (!mate.reported)
     return std::nullopt;
-  return Leader{model::position_at(mate, time),
+  return Leader{position_at(mate, time),
                 {static_cast<double>(mate.velocity[0]), static_cast<double>(mate.velocity[1]),
                  static_cast<double>(mate.velocity[2])}};
 }
@@ -49,13 +50,13 @@ concept MemberState = requires(const S& s, const Leader& leader) {
                                             std::uint32_t rank_at_birth) {
   if (datalink.count == 0)
     return rank_at_birth > 0 ? rank_at_birth : 1;
-  return model::living_rank(datalink);
+  return model::datalink::living_rank(datalink);
 }
 
 /// Keeps in `known` who is believed to lead. Gives who led before if `self` has just taken over.
 [[nodiscard]] inline PlayerId taken_over_from(PlayerId& known, const model::DatalinkState& datalink,
                                               PlayerId self) {
-  const model::Mate* lead = model::lead(datalink);
+  const model::Mate* lead = model::datalink::lead(datalink);
   if (!lead)
     return {};
   const PlayerId before = known;

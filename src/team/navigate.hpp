@@ -31,7 +31,7 @@ class Navigate : public ubf::Behavior<typename Platform::State, typename Platfor
   /// Where to go, and how far that has come.
   struct Way {
     ubf::Status status = ubf::Status::failure;
-    model::Guidance wanted = {};
+    model::flight::Guidance wanted = {};
   };
 
   /// Recommends heading and speed, unless the way has failed.
@@ -46,9 +46,9 @@ class Navigate : public ubf::Behavior<typename Platform::State, typename Platfor
     if (nav.route != route_)
       nav = {.leg = 0, .route = route_};
 
-    const model::GuidanceGains& gains = s.guidance();
-    const model::Guidance wanted =
-        model::route_guidance(gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
+    const model::flight::GuidanceGains& gains = s.guidance();
+    const model::flight::Guidance wanted = model::flight::route_guidance(
+        gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
     out.action.heading = wrap_tau(wanted.heading);
     out.action.speed = wanted.speed;
     out.vote = vote_;

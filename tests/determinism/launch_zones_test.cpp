@@ -15,7 +15,7 @@ namespace {
 TEST(LaunchZones, OfEveryShippedMissileAreKeptAsTheyAreFlown) {
   if (!std::filesystem::exists(EYRIE_ZONES))
     GTEST_SKIP() << "built for another machine";
-  model::KeptZones kept;
+  model::weapon::KeptZones kept;
   scenario::Source source = scenario::Source::disk(".");
   const auto names = source.data_names("missiles");
   EXPECT_EQ(kept.take(test::read_text(EYRIE_ZONES)), names.size());
@@ -26,7 +26,7 @@ TEST(LaunchZones, OfEveryShippedMissileAreKeptAsTheyAreFlown) {
     const auto index = loader.missile(name, {});
     ASSERT_TRUE(index) << diagnostics.text();
     const model::MissileType& type = library.missiles[*index];
-    EXPECT_TRUE(*kept.of(type).table() == model::fly_zone(type)) << name;
+    EXPECT_TRUE(*kept.of(type).table() == model::weapon::fly_zone(type)) << name;
   }
   EXPECT_EQ(kept.flown(), 0U);
 }

@@ -102,7 +102,7 @@ struct State : Bridge {
   double forward_of(const team::Leader&) const { return own.heading; }
   std::span<const model::Route> routes() const { return group.routes; }
   model::NavState nav() const { return helm.nav; }
-  const model::GuidanceGains& guidance() const { return hull().guidance; }
+  const model::flight::GuidanceGains& guidance() const { return hull().guidance; }
   Vec3 wind() const { return {}; }
 };
 std::vector<team::Perceived> perceived(const State& s) {
@@ -217,10 +217,11 @@ class Ships final : public sim::System {
   void move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
             sim::Outbox&) const override {
     for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-      model::drive(hull(), library_->reference,
-                   library_->flights[std::as_const(world).rows(ships_.fit)[i].flight].routes,
-                   std::as_const(world).rows(ships_.command)[i], info.dt,
-                   world.rows(ships_.kinematics)[i], world.rows(ships_.helm)[i]);
+      model::vehicle::drive(
+          hull(), library_->reference,
+          library_->flights[std::as_const(world).rows(ships_.fit)[i].flight].routes,
+          std::as_const(world).rows(ships_.command)[i], info.dt, world.rows(ships_.kinematics)[i],
+          world.rows(ships_.helm)[i]);
   }
   void commit(sim::World&, const sim::StepInfo& info, std::span<const sim::Event>,
               sim::CommitContext& context) const override {
@@ -303,7 +304,7 @@ class Kind final : public scenario::AgentKind<Platform> {
       const auto& player = *scenario.roster.find(born.value().id);
       columns_.set_defaults(world, born->row);
       world.rows(columns_.kinematics)[born->row] =
-          model::parked(scenario.library->reference, start.place, start.heading, 5);
+          model::vehicle::parked(scenario.library->reference, start.place, start.heading, 5);
       world.rows(columns_.fit)[born->row] = {
           .flight = player.flight, .rank = player.rank, .side = player.side};
       world.rows(columns_.command)[born->row] = {.heading = start.heading, .speed = 5};

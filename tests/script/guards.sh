@@ -66,6 +66,13 @@ refuses check-layers src/model/part.cpp '#include <nlohmann/json.hpp>'
 refuses check-layers src/page/part.cpp '#include <yaml.h>'
 lets check-layers src/pilot/part.cpp '#include "team/rank.hpp"'
 lets check-layers src/core/part.cpp '#include <yaml.h>'
+file src/model/track/file.hpp '#include "model/fuse/part.hpp"'
+file src/model/fuse/part.hpp '#include "model/columns.hpp"'
+lets check-layers src/model/sensor/part.hpp '#include "model/track/file.hpp"'
+refuses check-layers src/model/fuse/part.hpp '#include "model/track/part.hpp"'
+file src/model/fuse/part.hpp '#include "model/sensor/part.hpp"'
+refuses check-layers src/model/sensor/part.hpp '#include "model/track/file.hpp"'
+forget src/model/track/file.hpp; forget src/model/fuse/part.hpp
 
 for line in 'reach: 3 nmi' 'reach: 3 nmi  #' 'reach: 3 nmi  # m' 'reach: 3 nmi  # [judgement]' 'reach: 3 nmi  # guess' \
   '  value: [1, 2]' '  - 0.3  # 4 5 6'; do

@@ -15,7 +15,7 @@ class LaunchZones : public testing::Environment {
  public:
   void SetUp() override {
     std::ifstream file(EYRIE_ZONES, std::ios::binary);
-    eyrie::model::kept_zones().take(std::string(std::istreambuf_iterator<char>(file), {}));
+    eyrie::model::weapon::kept_zones().take(std::string(std::istreambuf_iterator<char>(file), {}));
   }
 };
 const auto* const kZones = testing::AddGlobalTestEnvironment(new LaunchZones);

@@ -14,7 +14,7 @@
 #include "model/kinematics.hpp"
 #include "model/track/track_file.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::datalink {
 
 /// Const and shared by the members of a flight.
 struct Datalink {
@@ -80,10 +80,10 @@ void forget_claims(TrackFile& tracks, std::uint8_t members);
 /// is taken over where it is unknown, but hostile only where no member of the flight (`state`) may
 /// be; claims (targeted, shot at) are marked with the mate's bit.
 /// Estimates are chosen, not averaged: the mate's may contain what was learned from here.
-void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
+void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMessage& message,
           const DatalinkState& state, std::uint32_t member);
 
 /// The track that lies where the mate says it is, is the mate: an unknown one becomes friendly.
-void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& mate);
+void recognize_mate(TrackFile& file, const track::TrackContext& context, const Mate& mate);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::datalink

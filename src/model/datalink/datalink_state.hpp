@@ -8,12 +8,11 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
+#include "model/fit.hpp"
 #include "model/track.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::datalink {
 
-/// A flight has at most so many members.
-inline constexpr std::size_t kMaxFlight = 8;
 inline constexpr std::size_t kSharedTracks = 4;
 inline constexpr std::size_t kMessages = 4;
 
@@ -146,4 +145,4 @@ static_assert(fields_cover_row<DatalinkState>());
                               dt * static_cast<double>(mate.velocity[2])};
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::datalink

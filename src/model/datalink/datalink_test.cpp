@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-namespace eyrie::model {
+namespace eyrie::model::datalink {
 namespace {
 
 constexpr PlayerId kLead{1}, kWing{2}, kThree{3};
 constexpr std::array kMembers{kLead, kWing, kThree};
 constexpr Datalink kLink{.rate = 1, .delay = 0.5, .timeout = 5};
-constexpr Tracker kTracker{};
+constexpr track::Tracker kTracker{};
 
 OwnReport report(double time, const Vec3& position = {}, TrackId target = {}) {
   return {.time = time,
@@ -194,8 +194,8 @@ TEST(Transmit, DoesNotPassOnWhatItOnlyHeard) {
 /// A receiver at the origin.
 struct Receiver {
   TrackFile file;
-  TrackNewsList news;
-  TrackContext at(double time) { return {kTracker, {}, time, 3, news}; }
+  track::TrackNewsList news;
+  track::TrackContext at(double time) { return {kTracker, {}, time, 3, news}; }
 };
 DatalinkMessage message_of(const TrackFile& tracks, TrackId target = {},
                            std::span<const TrackId> shots = {}) {
@@ -321,4 +321,4 @@ TEST(RecognizeMate, DoesNotPardonAHostile) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::datalink

@@ -5,7 +5,7 @@
 #include "model/datalink/datalink.hpp"
 #include "model/track/associate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::datalink {
 namespace {
 
 Vec3 widen(const std::array<float, 3>& v) {
@@ -23,14 +23,14 @@ constexpr double kSpeedSlack = 30;      ///< m/s, for the turn the mate made sin
 /// A remote track nearer to the own aircraft than this is the own aircraft, seen by the mate.
 constexpr double kSelf = 500;  ///< m
 
-Contact as_contact(const SharedTrack& shared, const TrackContext& context, double dt) {
-  const AxisState remote =
-      predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
-                 double(shared.velocity_sigma) * double(shared.velocity_sigma)},
-                dt, context.tracker.maneuver);
+Contact as_contact(const SharedTrack& shared, const track::TrackContext& context, double dt) {
+  const track::AxisState remote =
+      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                       dt, context.tracker.maneuver);
   Contact contact;
   contact.position = widen(shared.position) + dt * widen(shared.velocity);
-  const Vec3 sight = contact.position - context.observer.position;
+  const Vec3 sight = contact.position - context.ownship.position;
   contact.range = norm(sight);
   contact.line = normalized(sight, {1, 0, 0});
   contact.sigma_along = contact.sigma_across = std::sqrt(remote.position);
@@ -40,16 +40,16 @@ Contact as_contact(const SharedTrack& shared, const TrackContext& context, doubl
 }
 
 /// The track that fits best, or kMaxTracks.
-std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
+std::size_t nearest_track(const TrackFile& file, const track::TrackContext& context,
                           const Contact& contact, double& best) {
   std::size_t nearest = kMaxTracks;
-  const double far2 = reach2(context.tracker, contact);
+  const double far2 = track::reach2(context.tracker, contact);
   for (std::size_t i = 0; i < file.count; ++i) {
     const Track& track = file.tracks[i];
     if (norm2(position_at(track, context.time) - contact.position) > far2)
       continue;
-    const double deviations2 =
-        deviations_of(predict(track, context.tracker, context.observer, context.time), contact);
+    const double deviations2 = track::deviations_of(
+        track::predict(track, context.tracker, context.ownship, context.time), contact);
     if (deviations2 < best) {
       nearest = i;
       best = deviations2;
@@ -59,48 +59,50 @@ std::size_t nearest_track(const TrackFile& file, const TrackContext& context,
 }
 
 /// Where a mate says it is, carried on to now.
-Contact reported(const Mate& mate, const TrackContext& context) {
+Contact reported(const Mate& mate, const track::TrackContext& context) {
   Contact contact;
   contact.position = position_at(mate, context.time);
-  contact.line = normalized(contact.position - context.observer.position, {1, 0, 0});
+  contact.line = normalized(contact.position - context.ownship.position, {1, 0, 0});
   contact.sigma_along = contact.sigma_across = kSpeedSlack * (context.time - mate.time);
   return contact;
 }
 
 /// Whether the track could be a member of the own flight, as far as its places tell.
-bool may_be_mate(const Track& track, const DatalinkState& state, const TrackContext& context) {
+bool may_be_mate(const Track& track, const DatalinkState& state,
+                 const track::TrackContext& context) {
   const double gate = context.tracker.gate;
-  const Prediction place = predict(track, context.tracker, context.observer, context.time);
+  const track::Prediction place =
+      track::predict(track, context.tracker, context.ownship, context.time);
   for (std::uint32_t i = 0; i < state.count; ++i) {
     const Mate& mate = state.members[i];
     if (i == state.self || !mate.alive || !mate.reported)
       continue;
     const Contact contact = reported(mate, context);
-    if (norm2(contact.position - place.position) <= reach2(context.tracker, contact) &&
-        deviations_of(place, contact) <= gate * gate)
+    if (norm2(contact.position - place.position) <= track::reach2(context.tracker, contact) &&
+        track::deviations_of(place, contact) <= gate * gate)
       return true;
   }
   return false;
 }
 
 /// The track as the mate believes it to be, now.
-void take_over(Track& track, const SharedTrack& shared, const TrackContext& context,
+void take_over(Track& track, const SharedTrack& shared, const track::TrackContext& context,
                const Contact& contact, double dt) {
-  const AxisState state =
-      predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
-                 double(shared.velocity_sigma) * double(shared.velocity_sigma)},
-                dt, context.tracker.maneuver);
+  const track::AxisState state =
+      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                       dt, context.tracker.maneuver);
   track.position = contact.position;
   track.velocity = widen(shared.velocity);
   track.along = track.across = narrow(state);
   track.time = context.time;
   track.truth = shared.truth;
   track.fresh = kFromDatalink;
-  refresh_sigmas(track, context.tracker, context.time);
+  track::refresh_sigmas(track, context.tracker, context.time);
 }
 
-Track remote_track(const SharedTrack& shared, const TrackContext& context, const Contact& contact,
-                   double dt) {
+Track remote_track(const SharedTrack& shared, const track::TrackContext& context,
+                   const Contact& contact, double dt) {
   Track track;
   take_over(track, shared, context, contact, dt);
   track.first_time = context.time;
@@ -179,7 +181,7 @@ void forget_claims(TrackFile& tracks, std::uint8_t members) {
   }
 }
 
-void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& message,
+void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMessage& message,
           const DatalinkState& state, std::uint32_t member) {
   const auto bit = static_cast<std::uint8_t>(1u << member);
   forget_claims(file, bit);
@@ -196,18 +198,19 @@ void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& m
     if (index == kMaxTracks) {
       if (!shared.sensed)
         continue;
-      index = add_track(file, context, remote_track(shared, context, contact, dt));
+      index = track::add_track(file, context, remote_track(shared, context, contact, dt));
       if (index == kMaxTracks)
         continue;
       const Track& fresh = file.tracks[index];
-      context.news.add({.what = TrackNews::What::confirmed,
+      context.news.add({.what = track::TrackNews::What::confirmed,
                         .bits = fresh.sources,
                         .id = fresh.id,
                         .truth = fresh.truth,
                         .value = contact.range});
     } else if (shared.sensed) {
       Track& track = file.tracks[index];
-      const Prediction own = predict(track, context.tracker, context.observer, context.time);
+      const track::Prediction own =
+          track::predict(track, context.tracker, context.ownship, context.time);
       const double own_variance = std::max(own.along.position, own.across.position);
       if (contact.sigma_along * contact.sigma_along < own_variance)
         take_over(track, shared, context, contact, dt);
@@ -218,7 +221,7 @@ void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& m
     // the two may be neighbors: who stands where a friend may be is not called hostile for that
     if (track.identity == Identity::unknown &&
         (shared.identity != Identity::hostile || !may_be_mate(track, state, context)))
-      identify(track, shared.identity, context);
+      track::identify(track, shared.identity, context);
     if ((shared.engagement & kTargeted) != 0)
       track.targeted_by |= bit;
     if ((shared.engagement & kShotAt) != 0)
@@ -226,7 +229,7 @@ void fuse(TrackFile& file, const TrackContext& context, const DatalinkMessage& m
   }
 }
 
-void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& mate) {
+void recognize_mate(TrackFile& file, const track::TrackContext& context, const Mate& mate) {
   if (!mate.reported)
     return;
   const Contact contact = reported(mate, context);
@@ -239,7 +242,7 @@ void recognize_mate(TrackFile& file, const TrackContext& context, const Mate& ma
   if (norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
       norm(track.velocity - widen(mate.velocity)) <= speed_slack &&
       track.identity == Identity::unknown)
-    identify(track, Identity::friendly, context);
+    track::identify(track, Identity::friendly, context);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::datalink

@@ -3,7 +3,7 @@
 
 #include "model/datalink/datalink.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::datalink {
 namespace {
 
 std::array<float, 3> narrow(const Vec3& v) {
@@ -79,4 +79,4 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks)
   ++sent.sent;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::datalink

@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  How one kind of aircraft flies: mass, aerodynamics, engines, limits and autopilot.
+/// \file  The two equations of motion.
+#include <cstdint>
 #include <string_view>
 #include <tuple>
 
 #include "core/describe.hpp"
+#include "core/enum_names.hpp"
 #include "model/flight/autopilot.hpp"
 #include "model/flight/engine.hpp"
 #include "model/flight/laero.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
+
+/// Which equations of motion an aircraft flies by.
+enum class Dynamics : std::uint8_t {
+  laero,       ///< rate limits only, as the paper's aircraft
+  point_mass,  ///< lift, drag, thrust, weight and fuel
+};
+
+}  // namespace eyrie::model::flight
+
+template <>
+struct eyrie::EnumNames<eyrie::model::flight::Dynamics> {
+  using E = eyrie::model::flight::Dynamics;
+  static constexpr std::array names{std::pair<std::string_view, E>{"laero", E::laero},
+                                    std::pair<std::string_view, E>{"point_mass", E::point_mass}};
+};
+
+namespace eyrie::model::flight {
 
 /// Lift and drag, all per wing area: C_D = C_D0(M) + k(M) C_L^2, and k_s (|C_L| - C_Ls)^2 more from
 /// C_Ls on, where the flow over the wing begins to separate and leading-edge suction is lost. C_L
@@ -98,4 +117,4 @@ struct Airframe {
   }
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -11,7 +11,7 @@
 #include "model/flight/test_flight.hpp"
 #include "support/data_file.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 using test::TestFlight;
@@ -180,4 +180,4 @@ INSTANTIATE_TEST_SUITE_P(All, AirframeData, testing::ValuesIn(kAircraft),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -5,7 +5,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// Heading of a velocity over the ground, `fallback` below walking speed.
@@ -33,7 +33,7 @@ Guidance follow(const Autopilot& autopilot, const Kinematics& own, const Command
 }  // namespace
 
 Guidance guide(const Autopilot& autopilot, const Kinematics& own, const Command& command,
-               const FlightPlan& plan, Flying& memory, const Vec3& wind_ned, double time,
+               const RouteToFly& plan, Flying& memory, const Vec3& wind_ned, double time,
                double dt) {
   const GuidanceGains& gains = autopilot.guidance;
 
@@ -65,4 +65,4 @@ Guidance guide(const Autopilot& autopilot, const Kinematics& own, const Command&
   return {.heading = command.heading, .altitude = command.altitude, .speed = command.speed};
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -11,7 +11,7 @@
 #include "model/command.hpp"
 #include "model/flight/guidance.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Gains and limits. The guidance serves both dynamics, the rest is for point_mass (laero has its
 /// own rate limits). Const and shared.
@@ -57,7 +57,7 @@ struct Autopilot {
 };
 
 /// What guide() needs besides gains and command.
-struct FlightPlan {
+struct RouteToFly {
   std::span<const Route> routes;  ///< of the flight
   double turn_radius = 0;         ///< m, of its tightest turn: where turns onto a leg begin
 };
@@ -67,7 +67,7 @@ struct FlightPlan {
 /// wingman who becomes the lead knows where the flight is going. Circles are no tighter than it
 /// turns.
 [[nodiscard]] Guidance guide(const Autopilot& autopilot, const Kinematics& own,
-                             const Command& command, const FlightPlan& plan, Flying& memory,
+                             const Command& command, const RouteToFly& plan, Flying& memory,
                              const Vec3& wind_ned, double time, double dt);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

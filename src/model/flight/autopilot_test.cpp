@@ -9,7 +9,7 @@
 
 #include "model/flight/test_flight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 using test::kDt;
@@ -252,4 +252,4 @@ TEST(Placed, StartsWithTheWind) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -6,7 +6,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 struct Stagnation {
@@ -73,4 +73,4 @@ double military_lapse(double mach, const Air& air, double throttle_ratio) {
   return 0.6 * lapse(mach, air, throttle_ratio, 3.8);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

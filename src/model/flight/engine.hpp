@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "core/describe.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Thrust that is there at one Mach number and altitude.
 struct Thrust {
@@ -80,4 +80,4 @@ struct Engine {
 [[nodiscard]] double afterburner_lapse(double mach, const Air& air, double throttle_ratio);
 [[nodiscard]] double military_lapse(double mach, const Air& air, double throttle_ratio);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

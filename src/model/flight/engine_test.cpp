@@ -9,7 +9,7 @@
 
 #include "model/flight/test_flight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 TEST(Lapse, GivesTheNumbersOfTheBooksExample) {
@@ -134,4 +134,4 @@ TEST(Engine, SpoolsUpAndLightsInTheTimesGiven) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

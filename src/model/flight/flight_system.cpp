@@ -5,7 +5,7 @@
 
 #include "model/events.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library)
     : columns_(columns), library_(std::move(library)) {
@@ -21,9 +21,9 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
   }
 }
 
-Load FlightSystem::load_of(const Stores& stores) const {
+Load FlightSystem::load_of(const weapon::Stores& stores) const {
   Load load;
-  for (const Station& station : stores.stations)
+  for (const weapon::Station& station : stores.stations)
     if (station.store != 0 && station.count != 0) {
       const Load& each = stores_[station.store - 1u];
       load.mass += station.count * each.mass;
@@ -69,4 +69,4 @@ void FlightSystem::interact(sim::World& world, const sim::StepInfo&, sim::Chunk 
       out.emit({.kind = EventKind::crash, .who = ids[i], .place = kinematics[i].position});
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

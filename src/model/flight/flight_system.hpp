@@ -9,7 +9,7 @@
 #include "model/library.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Emits fuel_out when an aircraft's tanks run dry, and crash when it is below the ellipsoid (the
 /// ground is at altitude 0 everywhere).
@@ -25,7 +25,7 @@ class FlightSystem final : public sim::System {
                 sim::Outbox& out) const override;
 
   /// Mass and drag area of what hangs under an aircraft.
-  [[nodiscard]] Load load_of(const Stores& stores) const;
+  [[nodiscard]] Load load_of(const weapon::Stores& stores) const;
 
  private:
   /// What a step needs of an AircraftType.
@@ -40,4 +40,4 @@ class FlightSystem final : public sim::System {
   std::vector<Load> stores_;       ///< one per missile type
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

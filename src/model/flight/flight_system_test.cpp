@@ -10,7 +10,7 @@
 #include "sim/simulation.hpp"
 #include "support/no_allocation.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// Two types of aircraft over one airframe, and one missile to hang under them.
@@ -24,7 +24,7 @@ std::shared_ptr<const Library> library() {
     type.index.airframe = airframe;
     result->aircraft.add(type.label, type);
   }
-  MissileType missile;
+  weapon::MissileType missile;
   missile.motor.mass = Table1({0, 5}, {150, 100});
   missile.carriage_drag_area = 0.02;
   result->missiles.add("missile", missile);
@@ -144,7 +144,7 @@ TEST(FlightSystem, ReportsWhoHitsTheGround) {
 TEST(FlightSystem, AddsUpTheStores) {
   const Sky scene(1);
   const auto* system = dynamic_cast<const FlightSystem*>(scene.simulation->systems()[0].get());
-  Stores stores;
+  weapon::Stores stores;
   EXPECT_EQ(system->load_of(stores).mass, 0);
   stores.stations[0] = {.store = 1, .count = 2};
   stores.stations[5] = {.store = 1, .count = 1};
@@ -190,4 +190,4 @@ TEST(FlightSystem, GivesTheSameBitsForAnyNumberOfWorkers) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

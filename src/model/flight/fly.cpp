@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 void set_vertical(Kinematics& k, const Vertical& vertical) {
@@ -49,7 +49,7 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
   const Air air = context.environment.atmosphere.at(k.altitude);
   const Vec3 wind = context.environment.wind.at(k.altitude);
   const double load_factor = std::max(command.load_factor, 1.0);
-  FlightPlan plan{.routes = context.routes};
+  RouteToFly plan{.routes = context.routes};
 
   if (dynamics == Dynamics::laero) {
     const Laero& laero = airframe.laero;
@@ -74,4 +74,4 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
   return burn(rows.propulsion, context.dt);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One aircraft's step: autopilot, dynamics, fuel and the vertical at the new place.
-#include "model/environment/environment.hpp"
-#include "model/flight/dynamics.hpp"
+#include "model/environment.hpp"
+#include "model/flight/airframe.hpp"
 #include "model/flight/point_mass.hpp"
 #include "model/flight/steering.hpp"
 #include "model/frames.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// An aircraft in level flight at a place: local frame, heading (rad, true), true airspeed (m/s).
 [[nodiscard]] Kinematics placed(const Reference& reference, const Environment& environment,
@@ -35,4 +35,4 @@ struct FlightContext {
 [[nodiscard]] bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context,
                        FlightRows rows);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

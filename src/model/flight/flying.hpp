@@ -5,7 +5,7 @@
 
 #include "core/field.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// How far along its flight's routes an aircraft is.
 struct NavState {
@@ -47,4 +47,4 @@ struct Flying {
 };
 static_assert(fields_cover_row<Flying>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// A horizontal vector in the geodetic axes of the aircraft.
@@ -173,4 +173,4 @@ NavState advance_leg(const GuidanceGains& gains, const Kinematics& own, const Ro
   return nav;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

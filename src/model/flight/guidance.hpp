@@ -12,7 +12,7 @@
 #include "model/flight/route.hpp"
 #include "model/kinematics.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// What the inner loops of the autopilot fly.
 struct Guidance {
@@ -108,4 +108,4 @@ struct AirVector {
 /// The heading at which a true airspeed makes good a course over the ground.
 [[nodiscard]] double crab(double course, double speed, const Vec3& wind_ned);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

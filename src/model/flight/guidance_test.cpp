@@ -7,7 +7,7 @@
 
 #include "core/angle.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// Level flight in axes that are those of the local frame.
@@ -197,4 +197,4 @@ TEST(AdvanceLeg, AnticipatesATurnBackByThreeRadiiAtMost) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// Adams-Bashforth of order two: what one step adds.
@@ -79,4 +79,4 @@ void Laero::step(Kinematics& k, Flying& memory, const Guidance& wanted, double t
   k.load_factor = 1 / math::cos(k.roll);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

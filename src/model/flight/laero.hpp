@@ -7,13 +7,13 @@
 
 #include "core/describe.hpp"
 #include "core/units.hpp"
-#include "model/environment/environment.hpp"
+#include "model/environment.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/flight/propulsion.hpp"
 #include "model/kinematics.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Rate limits and time constants. Const and shared.
 struct Laero {
@@ -65,4 +65,4 @@ struct Laero {
             const Propulsion& engines, const Air& air, const Vec3& wind_ned, double dt) const;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -8,7 +8,7 @@
 
 #include "model/flight/test_flight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 using test::kDt;
@@ -150,4 +150,4 @@ TEST(Laero, KeepsItsSpeedLimits) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

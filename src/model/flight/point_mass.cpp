@@ -9,7 +9,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 Axis common(std::initializer_list<std::span<const double>> axes) {
@@ -167,4 +167,4 @@ void PointMass::step(Kinematics& k, Propulsion& engines, const FlightCondition& 
   }
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/table.hpp"
-#include "model/environment/environment.hpp"
+#include "model/environment.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/flight/propulsion.hpp"
 #include "model/kinematics.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// What hangs outside.
 struct Load {
@@ -87,4 +87,4 @@ class PointMass {
   std::vector<Power> power_;  ///< by Mach number, then by altitude
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -8,7 +8,7 @@
 
 #include "model/flight/test_flight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 using test::ideal_airframe;
@@ -268,4 +268,4 @@ TEST(PointMass, PushesNoHarderThanTheWingAllows) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

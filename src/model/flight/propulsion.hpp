@@ -3,7 +3,7 @@
 /// \file  What one aircraft's engines are doing and how much fuel is left.
 #include "core/field.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Written in move.
 struct Propulsion {
@@ -31,4 +31,4 @@ static_assert(fields_cover_row<Propulsion>());
   return true;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -10,7 +10,7 @@
 #include "core/enum_names.hpp"
 #include "core/vec.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// What to do after the last waypoint.
 enum class RouteEnd : std::uint8_t {
@@ -34,11 +34,11 @@ struct Route {
   RouteEnd end = RouteEnd::loiter;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight
 
 template <>
-struct eyrie::EnumNames<eyrie::model::RouteEnd> {
-  using E = eyrie::model::RouteEnd;
+struct eyrie::EnumNames<eyrie::model::flight::RouteEnd> {
+  using E = eyrie::model::flight::RouteEnd;
   static constexpr std::array names{std::pair<std::string_view, E>{"loiter", E::loiter},
                                     std::pair<std::string_view, E>{"straight", E::straight},
                                     std::pair<std::string_view, E>{"repeat", E::repeat},

@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 /// Sine of the climb angle that leads to the altitude, as far as energy allows.
@@ -89,4 +89,4 @@ Controls steer(const PointMass& model, const Kinematics& k, const FlightConditio
   return controls;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -5,7 +5,7 @@
 #include "model/flight/guidance.hpp"
 #include "model/flight/point_mass.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 
 /// Controls that fly `wanted` with at most `load_factor` (g), the structure and the wing
 /// permitting.
@@ -25,4 +25,4 @@ namespace eyrie::model {
 /// Fastest speed (m/s) by Mach number and equivalent airspeed.
 [[nodiscard]] double fastest_speed(const FlightLimits& limits, const FlightCondition& condition);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

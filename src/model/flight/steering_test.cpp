@@ -8,7 +8,7 @@
 
 #include "model/flight/test_flight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::flight {
 namespace {
 
 using test::simple_airframe;
@@ -225,4 +225,4 @@ TEST(Steering, FliesLevelEvenIfNoLoadFactorIsGranted) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::flight

@@ -14,8 +14,8 @@ namespace eyrie::model::test {
 inline constexpr double kDt = 0.02;
 
 /// An aircraft whose closed forms fit on a napkin: everything constant over Mach and altitude.
-inline Airframe simple_airframe() {
-  Airframe a;
+inline flight::Airframe simple_airframe() {
+  flight::Airframe a;
   a.empty_mass = 10000;
   a.internal_fuel = 3000;
   a.aerodynamics.wing_area = 30;
@@ -29,8 +29,8 @@ inline Airframe simple_airframe() {
 }
 
 /// The same without drag, without thrust and with all the lift it wants: only gravity does work.
-inline Airframe ideal_airframe() {
-  Airframe a = simple_airframe();
+inline flight::Airframe ideal_airframe() {
+  flight::Airframe a = simple_airframe();
   a.aerodynamics.zero_lift_drag = Table1::constant(0);
   a.aerodynamics.induced_drag = Table1::constant(0);
   a.aerodynamics.max_lift = Table1::constant(100);
@@ -40,11 +40,12 @@ inline Airframe ideal_airframe() {
 
 /// The lapse that data/airframes uses: less than the book's at speed, as NASA TP-1538 shows.
 inline double installed_military(double mach, const Air& air, double throttle_ratio) {
-  return military_lapse(mach, air, throttle_ratio) * (1 - 0.3 * std::max(mach - 0.6, 0.0));
+  return flight::military_lapse(mach, air, throttle_ratio) * (1 - 0.3 * std::max(mach - 0.6, 0.0));
 }
 
 struct TestFlight {
-  explicit TestFlight(const Airframe& airframe, Dynamics d = Dynamics::point_mass)
+  explicit TestFlight(const flight::Airframe& airframe,
+                      flight::Dynamics d = flight::Dynamics::point_mass)
       : model(airframe), dynamics(d) {
     propulsion.fuel = airframe.internal_fuel;
     start(5000, 0, 250);
@@ -55,7 +56,7 @@ struct TestFlight {
     Vec3 position{north, east, 0};
     for (int i = 0; i < 4; ++i)
       position.z += reference.vertical_at(position).altitude - altitude;
-    kinematics = placed(reference, environment, position, heading, speed);
+    kinematics = flight::placed(reference, environment, position, heading, speed);
     command.heading = heading;
     command.altitude = altitude;
     command.speed = speed;
@@ -63,13 +64,14 @@ struct TestFlight {
 
   /// With the autopilot. True if the tanks ran dry.
   bool step() {
-    const FlightContext context{.reference = reference,
-                                .environment = environment,
-                                .routes = routes,
-                                .load = load,
-                                .time = time,
-                                .dt = kDt};
-    const bool dry = fly(model, dynamics, context, {kinematics, flying, propulsion, command});
+    const flight::FlightContext context{.reference = reference,
+                                        .environment = environment,
+                                        .routes = routes,
+                                        .load = load,
+                                        .time = time,
+                                        .dt = kDt};
+    const bool dry =
+        flight::fly(model, dynamics, context, {kinematics, flying, propulsion, command});
     time += kDt;
     return dry;
   }
@@ -79,7 +81,7 @@ struct TestFlight {
   }
 
   /// Without the autopilot.
-  void step(const Controls& controls) {
+  void step(const flight::Controls& controls) {
     model.step(kinematics, propulsion, condition(), controls,
                environment.wind.at(kinematics.altitude), kDt);
     const Vertical vertical = reference.vertical_at(kinematics.position);
@@ -90,7 +92,7 @@ struct TestFlight {
     time += kDt;
   }
 
-  [[nodiscard]] FlightCondition condition() const {
+  [[nodiscard]] flight::FlightCondition condition() const {
     return model.condition(kinematics, environment.atmosphere.at(kinematics.altitude),
                            propulsion.fuel, load);
   }
@@ -101,13 +103,13 @@ struct TestFlight {
 
   Reference reference{Geodetic{.latitude = radians(40), .longitude = radians(10)}};
   Environment environment;
-  PointMass model;
-  Dynamics dynamics;
-  std::vector<Route> routes;
-  Load load;
+  flight::PointMass model;
+  flight::Dynamics dynamics;
+  std::vector<flight::Route> routes;
+  flight::Load load;
   Kinematics kinematics;
-  Flying flying;
-  Propulsion propulsion;
+  flight::Flying flying;
+  flight::Propulsion propulsion;
   Command command;
   double time = 0;
 };

@@ -11,7 +11,7 @@
 #include "model/fit.hpp"
 #include "model/track.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// Const and shared by every aircraft that carries it. Everybody carries a transponder.
 struct Iff {
@@ -36,24 +36,4 @@ struct Iff {
   return asking == asked && asking != Side::none && draw.chance(iff.reply_probability);
 }
 
-/// The declared rule. A reply makes a friend, even of a track that was held for hostile: a track
-/// may have passed from one aircraft to another. `tries` interrogations in a row without a reply
-/// make a hostile of an unknown, and an unknown again of a friend, for the same reason. A hostile
-/// stays one.
-constexpr void conclude(Track& track, std::uint32_t tries, bool reply) {
-  if (reply) {
-    track.identity = Identity::friendly;
-    track.unanswered = 0;
-    return;
-  }
-  if (track.unanswered < 255)
-    ++track.unanswered;
-  if (tries == 0 || track.unanswered < tries || track.identity == Identity::hostile)
-    return;
-  const bool was_friendly = track.identity == Identity::friendly;
-  track.identity = was_friendly ? Identity::unknown : Identity::hostile;
-  if (was_friendly)
-    track.unanswered = 0;
-}
-
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

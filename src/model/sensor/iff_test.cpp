@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 TEST(Iff, FriendsAnswerAsOftenAsTheySayAndOthersNever) {
@@ -21,55 +21,5 @@ TEST(Iff, FriendsAnswerAsOftenAsTheySayAndOthersNever) {
   EXPECT_NEAR(friends / double(kAsked), 0.9, 4 * std::sqrt(0.9 * 0.1 / kAsked));
 }
 
-TEST(Conclude, AReplyMakesAFriend) {
-  Track track{.unanswered = 2};
-  conclude(track, 3, true);
-  EXPECT_EQ(track.identity, Identity::friendly);
-}
-
-TEST(Conclude, SilenceToSoManyInterrogationsMakesAHostile) {
-  Track track;
-  conclude(track, 3, false);
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::unknown);
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::hostile);
-}
-
-TEST(Conclude, ZeroTriesNeverDeclareAnyoneHostile) {
-  Track track;
-  for (int i = 0; i < 1000; ++i)
-    conclude(track, 0, false);
-  EXPECT_EQ(track.identity, Identity::unknown);
-  EXPECT_EQ(track.unanswered, 255);
-}
-
-TEST(Conclude, MakesAFriendOfAHostileThatReplies) {
-  Track track{.identity = Identity::hostile};
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::hostile);
-  conclude(track, 3, true);
-  EXPECT_EQ(track.identity, Identity::friendly);
-}
-
-TEST(Conclude, AsksAFriendThatFallsSilentAnew) {
-  Track track{.identity = Identity::friendly};
-  conclude(track, 3, false);
-  conclude(track, 3, true);
-  conclude(track, 3, false);
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::friendly) << "not three in a row";
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::unknown) << "perhaps it is somebody else by now";
-  conclude(track, 3, false);
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::unknown);
-  conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::hostile);
-  for (int i = 0; i < 9; ++i)
-    conclude(track, 3, false);
-  EXPECT_EQ(track.identity, Identity::hostile);
-}
-
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -6,7 +6,7 @@
 #include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 bool beyond_horizon(const Kinematics& own, const Emission& emission, double altitude) {
@@ -77,15 +77,15 @@ void listen_for_seekers(const Scene& scene, Self& self) {
 }
 
 void read_datalink(const Scene& scene, Self& self) {
-  DatalinkState& state = self.datalink;
+  datalink::DatalinkState& state = self.datalink;
   const auto& members = scene.library.flights[self.fit.flight].members;
   if (state.count == 0)
     start(state, members, self.id, scene.time);
 
-  const Datalink* datalink = self.suite.datalink;
-  const TrackContext context = self.context(scene.time);
+  const datalink::Datalink* datalink = self.suite.datalink;
+  const track::TrackContext context = self.context(scene.time);
   for (std::uint32_t i = 0; i < state.count; ++i) {
-    Mate& mate = state.members[i];
+    datalink::Mate& mate = state.members[i];
     if (i == state.self)
       continue;
     const auto row = scene.world.row(scene.table, mate.id);
@@ -100,17 +100,17 @@ void read_datalink(const Scene& scene, Self& self) {
     const double reach = std::min(
         datalink->range, horizon_range(self.kinematics.altitude, other.altitude, kRadioEarth));
     const bool in_reach = norm2(other.position - self.kinematics.position) <= reach * reach;
-    const DatalinkMessage* message =
-        receive(mate, *datalink, scene.sent[*row], in_reach, scene.time,
-                scene.draw(self.id, Stream::datalink, mate.id));
+    const datalink::DatalinkMessage* message =
+        datalink::receive(mate, *datalink, scene.sent[*row], in_reach, scene.time,
+                          scene.draw(self.id, Stream::datalink, mate.id));
     if (message != nullptr) {
-      fuse(self.tracks, context, *message, state, i);
-      recognize_mate(self.tracks, context, mate);
+      datalink::fuse(self.tracks, context, *message, state, i);
+      datalink::recognize_mate(self.tracks, context, mate);
     }
   }
   if (datalink != nullptr)
-    if (const std::uint8_t lost = check_silence(state, *datalink, scene.time))
-      forget_claims(self.tracks, lost);
+    if (const std::uint8_t lost = datalink::check_silence(state, *datalink, scene.time))
+      datalink::forget_claims(self.tracks, lost);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

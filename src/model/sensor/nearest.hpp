@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// One of many, by its row, with its distance squared (m^2) or any other figure of merit.
 struct Candidate {
@@ -40,4 +40,4 @@ class Nearest {
   std::size_t count_ = 0, limit_;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

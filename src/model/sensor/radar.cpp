@@ -6,7 +6,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 /// How much of the echo is left beside the ground clutter, in [0, 1]. A pulse Doppler radar rejects
@@ -108,4 +108,4 @@ std::optional<Contact> look(const Radar& radar, const Antenna& antenna, const Ki
   return measure(radar, RadarMode::search, own, level_axes(own, own.heading), other, truth, noise);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

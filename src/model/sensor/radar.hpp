@@ -11,12 +11,11 @@
 #include "core/draw.hpp"
 #include "core/units.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/contact.hpp"
-#include "model/sensor/geometry.hpp"
 #include "model/sensor/radar_state.hpp"
-#include "model/sensor/signature.hpp"
+#include "model/signature.hpp"
+#include "model/track.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// Const and shared by every aircraft that carries it. It sees aircraft only: a missile's cross
 /// section is some hundred times smaller, so its range is a third or less, and the tracker of the
@@ -162,4 +161,4 @@ struct Antenna {
                                           const Kinematics& other, PlayerId truth, Draw detection,
                                           Draw noise);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

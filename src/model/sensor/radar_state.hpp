@@ -7,7 +7,7 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 enum class RadarMode : std::uint8_t {
   off,
@@ -15,17 +15,17 @@ enum class RadarMode : std::uint8_t {
   track,   ///< single target track: looks at nothing else, many times a second
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor
 
 template <>
-struct eyrie::EnumNames<eyrie::model::RadarMode> {
-  using E = eyrie::model::RadarMode;
+struct eyrie::EnumNames<eyrie::model::sensor::RadarMode> {
+  using E = eyrie::model::sensor::RadarMode;
   static constexpr std::array names{std::pair<std::string_view, E>{"off", E::off},
                                     std::pair<std::string_view, E>{"search", E::search},
                                     std::pair<std::string_view, E>{"track", E::track}};
 };
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// Angles of the scan are stabilised: azimuth from the own heading, elevation from the horizon.
 struct RadarState {
@@ -50,4 +50,4 @@ struct RadarState {
 };
 static_assert(fields_cover_row<RadarState>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

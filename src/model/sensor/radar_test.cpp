@@ -8,7 +8,7 @@
 
 #include "model/sensor/test_players.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::flying;
@@ -255,4 +255,4 @@ RC_GTEST_PROP(Look, OfAMirroredSceneIsTheMirroredContactForTheSameDraw, ()) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -6,7 +6,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 /// Order on the display: the more urgent kind, then who was heard first, then by fingerprint.
@@ -111,4 +111,4 @@ void forget(RwrState& state, const Rwr& rwr, double time) {
   state.count = kept;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

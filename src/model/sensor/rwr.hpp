@@ -11,10 +11,9 @@
 #include "core/units.hpp"
 #include "model/emission.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/geometry.hpp"
 #include "model/sensor/rwr_state.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// Const and shared by every aircraft that carries it. It hears main beams only: a radar that does
 /// not point here, or does not sweep over here, is not heard.
@@ -80,4 +79,4 @@ bool show(RwrState& state, const RwrWarning& warning);
 /// Takes off the display what has not been heard for longer than the memory.
 void forget(RwrState& state, const Rwr& rwr, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

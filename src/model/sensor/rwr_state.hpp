@@ -9,7 +9,7 @@
 #include "core/id.hpp"
 #include "model/emission.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// One emitter on the display: where from and what kind, never how far.
 struct RwrWarning {
@@ -46,4 +46,4 @@ struct RwrState {
 };
 static_assert(fields_cover_row<RwrState>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

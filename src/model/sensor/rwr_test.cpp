@@ -8,7 +8,7 @@
 
 #include "model/sensor/test_players.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::flying;
@@ -188,4 +188,4 @@ TEST(Forget, TakesOldWarningsOffTheDisplayAndLeavesNoTrace) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

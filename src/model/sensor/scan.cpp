@@ -8,7 +8,7 @@
 #include "model/sensor/scene.hpp"
 #include "model/track/associate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 /// A lock that nobody asked for is kept until the target is this much beyond lock_range.
@@ -119,7 +119,7 @@ void scan(const Scene& scene, Self& self) {
   const Detector detector(radar);
 
   // the nearest detections in the scan volume
-  Nearest<kMaxContacts> found(radar.max_contacts);
+  Nearest<track::kMaxContacts> found(radar.max_contacts);
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
     const Vec3 sight = scene.kinematics[j].position - antenna.position;
     const double range2 = norm2(sight);
@@ -130,12 +130,12 @@ void scan(const Scene& scene, Self& self) {
   if (found.items().empty())
     return;
 
-  std::array<Contact, kMaxContacts> contacts;
+  std::array<Contact, track::kMaxContacts> contacts;
   std::size_t count = 0;
   const Axes level = level_axes(self.kinematics, self.kinematics.heading);
   for (const Candidate& candidate : found.items())
     contacts[count++] = contact_with(scene, self, candidate.row, RadarMode::search, level);
-  update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
+  track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 
 void track_target(const Scene& scene, Self& self) {
@@ -158,7 +158,7 @@ void track_target(const Scene& scene, Self& self) {
     self.radar.lock_time = scene.time;
     const Axes level = level_axes(self.kinematics, self.kinematics.heading);
     const Contact contact = contact_with(scene, self, *row, RadarMode::track, level);
-    update(self.tracks, self.context(scene.time), std::span(&contact, 1));
+    track::update(self.tracks, self.context(scene.time), std::span(&contact, 1));
   } else if (scene.time - self.radar.lock_time > radar.lock_memory) {
     lose_lock(scene, self);
   }
@@ -201,4 +201,4 @@ Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
   return emission;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -11,7 +11,7 @@
 #include "model/track/track_file.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// The sensors of one type of aircraft, looked up once, with their rates in whole steps. What is
 /// null is not on board.
@@ -21,9 +21,9 @@ struct SensorSuite {
   const Rwr* rwr = nullptr;
   const Visual* visual = nullptr;
   const Iff* iff = nullptr;
-  const Datalink* datalink = nullptr;
-  const Tracker* tracker = nullptr;  ///< always there
-  std::uint16_t radar_index = 0;     ///< in the Library: the type of its emissions
+  const datalink::Datalink* datalink = nullptr;
+  const track::Tracker* tracker = nullptr;  ///< always there
+  std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
   std::uint32_t scan_steps = 1, track_steps = 1, rwr_steps = 1, seeker_steps = 1;
   std::uint32_t visual_steps = 1, upkeep_steps = 1, datalink_steps = 1;
 };
@@ -40,9 +40,9 @@ struct Scene {
   std::span<const Emission> emission;
   std::span<const PlayerId> missile_ids;
   std::span<const Kinematics> missile_kinematics;
-  std::span<const MissileState> missile_state;
+  std::span<const weapon::MissileState> missile_state;
   std::span<const Emission> missile_emission;
-  std::span<const DatalinkSent> sent;
+  std::span<const datalink::DatalinkSent> sent;
   std::uint64_t step = 0;
   std::uint64_t seed = 0;
   double time = 0;  ///< s
@@ -65,13 +65,13 @@ struct Self {
   TrackFile& tracks;
   RwrState& rwr;
   Threats& threats;
-  DatalinkState& datalink;
-  TrackNewsList& news;
+  datalink::DatalinkState& datalink;
+  track::TrackNewsList& news;
   sim::Outbox& out;
 
-  [[nodiscard]] TrackContext context(double time) const {
+  [[nodiscard]] track::TrackContext context(double time) const {
     return {.tracker = *suite.tracker,
-            .observer = {kinematics.position, kinematics.velocity},
+            .ownship = {kinematics.position, kinematics.velocity},
             .time = time,
             .iff_tries = suite.iff != nullptr ? suite.iff->tries : 0,
             .news = news};
@@ -107,4 +107,4 @@ void perceive_truth(const Scene& scene, Self& self);
 /// Tells that a missile was perceived for the first time.
 void tell_missile(const Self& self, const Sighting& sighting);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -15,7 +15,7 @@
 #include "model/track/tracker.hpp"
 #include "sim/rate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 /// Files of this kind are flat: one "key: value  # source" a line. The real loader is a layer
@@ -92,12 +92,12 @@ TEST(SensorData, TheRestIsWholeToo) {
   }
   for (const Iff& iff : all<Iff>("iff"))
     EXPECT_GT(iff.tries, 1u) << "one lost reply must not make a hostile of a friend";
-  for (const Datalink& link : all<Datalink>("datalinks")) {
+  for (const datalink::Datalink& link : all<datalink::Datalink>("datalinks")) {
     EXPECT_TRUE(fits(link.rate));
     EXPECT_EQ(link.problem(), "");
     EXPECT_GT(link.timeout, 2 / link.rate + link.delay);
   }
-  for (const Tracker& tracker : all<Tracker>("trackers"))
+  for (const track::Tracker& tracker : all<track::Tracker>("trackers"))
     EXPECT_TRUE(fits(tracker.rate));
 }
 
@@ -111,4 +111,4 @@ TEST(SensorData, AMissileSeekerIsHeardBeforeItArrives) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

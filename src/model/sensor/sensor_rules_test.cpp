@@ -10,7 +10,7 @@
 #include "model/sensor/test_world.hpp"
 #include "support/no_allocation.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::AirWar;
@@ -147,4 +147,4 @@ TEST(SensorRules, AnAircraftWithoutSensorsPerceivesNothingAndHarmsNobody) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

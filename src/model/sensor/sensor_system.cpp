@@ -10,13 +10,13 @@
 #include "model/events.hpp"
 #include "sim/rate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using sim::due;
 
 /// A tracker for those that name none.
-constexpr Tracker kPlainTracker{};
+constexpr track::Tracker kPlainTracker{};
 
 /// The own missiles in the air that one message can tell of.
 constexpr std::size_t kToldShots = 8;
@@ -84,20 +84,20 @@ std::vector<SensorSuite> suites_of(const Library& library, double dt,
 }
 
 void publish(const Self& self) {
-  for (const TrackNews& news : self.news.items()) {
+  for (const track::TrackNews& news : self.news.items()) {
     sim::Event event{.kind = EventKind::contact,
                      .who = self.id,
                      .whom = news.truth,
                      .place = self.kinematics.position};
     switch (news.what) {
-      case TrackNews::What::confirmed:
+      case track::TrackNews::What::confirmed:
         event.values = {static_cast<float>(news.value), static_cast<float>(news.bits)};
         break;
-      case TrackNews::What::lost:
+      case track::TrackNews::What::lost:
         event.kind = EventKind::track_lost;
         event.values = {static_cast<float>(news.value)};
         break;
-      case TrackNews::What::identified:
+      case track::TrackNews::What::identified:
         event.kind = EventKind::identified;
         event.values = {static_cast<float>(news.bits), static_cast<float>(news.value)};
         break;
@@ -143,7 +143,7 @@ void perceive_one(const Scene& scene, Self& self) {
   if (privileged) {
     perceive_truth(scene, self);
   } else {
-    upkeep(self.tracks, self.context(scene.time));
+    track::upkeep(self.tracks, self.context(scene.time));
     forget(self.threats, kThreatRules, scene.time);
   }
   if (suite.rwr != nullptr)
@@ -194,7 +194,7 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
   const auto rwr = world.rows(aircraft_.rwr);
   const auto threats = world.rows(aircraft_.threats);
   const auto datalink = world.rows(aircraft_.datalink);
-  TrackNewsList news;
+  track::TrackNewsList news;
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     news.clear();
@@ -236,18 +236,18 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
       continue;
     std::array<TrackId, kToldShots> shots;
     std::size_t count = 0;
-    for (const MissileState& missile : all.missile_state)
+    for (const weapon::MissileState& missile : all.missile_state)
       if (missile.shooter == id && count < kToldShots)
         shots[count++] = missile.track;
-    transmit(sent[i],
-             {.time = all.time,
-              .position = all.kinematics[i].position,
-              .velocity = all.kinematics[i].velocity,
-              .fuel = propulsion[i].fuel,
-              .target = request[i].target,
-              .shot_at = std::span(shots).first(count)},
-             tracks[i]);
+    datalink::transmit(sent[i],
+                       {.time = all.time,
+                        .position = all.kinematics[i].position,
+                        .velocity = all.kinematics[i].velocity,
+                        .fuel = propulsion[i].fuel,
+                        .target = request[i].target,
+                        .shot_at = std::span(shots).first(count)},
+                       tracks[i]);
   }
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -10,7 +10,7 @@
 #include "model/sensor/scene.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// What in the sensors of a library does not fit a step of `dt` seconds, or does not go together:
 /// rates that are no whole number of steps, a datalink slower than its ring, a flight that is too
@@ -44,4 +44,4 @@ class SensorSystem final : public sim::System {
   std::vector<SensorSuite> suites_;  ///< by Fit::type
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -7,7 +7,7 @@
 
 #include "model/sensor/test_world.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::AirWar;
@@ -224,8 +224,8 @@ TEST(SensorSystem, BelievesAMateThatIsGoneLostAfterTheTimeoutOnly) {
   const PlayerId wing = war.add(Side::blue, flying({0, 3000, kHigh}, 0, 250));
   war.build();
   war.fly(10);
-  DatalinkState* state = &war.row(war.aircraft.datalink, wing);
-  EXPECT_EQ(living_rank(*state), 2u);
+  datalink::DatalinkState* state = &war.row(war.aircraft.datalink, wing);
+  EXPECT_EQ(datalink::living_rank(*state), 2u);
   EXPECT_NEAR(
       norm(position_at(state->members[0], 10) - war.row(war.aircraft.kinematics, lead_id).position),
       0, 1);
@@ -234,10 +234,10 @@ TEST(SensorSystem, BelievesAMateThatIsGoneLostAfterTheTimeoutOnly) {
   war.world->compact();
   war.fly(4);
   state = &war.row(war.aircraft.datalink, wing);
-  EXPECT_EQ(living_rank(*state), 2u) << "nobody has told it yet";
+  EXPECT_EQ(datalink::living_rank(*state), 2u) << "nobody has told it yet";
   war.fly(3);
   state = &war.row(war.aircraft.datalink, wing);
-  EXPECT_EQ(living_rank(*state), 1u);
+  EXPECT_EQ(datalink::living_rank(*state), 1u);
   EXPECT_EQ(lead(*state)->id, wing);
 }
 
@@ -263,7 +263,7 @@ TEST(SensorSystem, GivesPrivilegedPlayersTheTruth) {
   war.world->remove(war.aircraft.table, 0);
   war.world->compact();
   war.fly(0.2);
-  EXPECT_EQ(living_rank(war.row(war.aircraft.datalink, mate)), 1u) << "knows at once";
+  EXPECT_EQ(datalink::living_rank(war.row(war.aircraft.datalink, mate)), 1u) << "knows at once";
 }
 
 TEST(SensorSystem, KeepsTheEnemyInSightOfAPrivilegedPlayerInACrowd) {
@@ -309,4 +309,4 @@ TEST(SensorSystem, TellsPrivilegedPlayersOfMissilesAimedAtThemOnly) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

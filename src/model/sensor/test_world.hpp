@@ -48,7 +48,7 @@ inline Library library() {
   type.index.datalink = l.datalinks.add("datalink", {});
   type.index.tracker = l.trackers.add("tracker", {});
   l.aircraft.add("fighter", type);
-  MissileType missile;
+  weapon::MissileType missile;
   missile.motor.thrust = Table1({0, 5}, {10e3, 10e3});
   l.missiles.add("missile", missile);
   l.flights.resize(2);
@@ -67,7 +67,7 @@ struct AirWar {
   std::shared_ptr<const sim::Simulation> simulation;
   std::unique_ptr<sim::World> world;
   std::unique_ptr<sim::Workspace> work;
-  const SensorSystem* sensors = nullptr;
+  const sensor::SensorSystem* sensors = nullptr;
   std::map<EventKind, std::vector<sim::Event>> events;
 
   /// Adds a player to the flight of its side; ids count from 1 in this order.
@@ -90,8 +90,8 @@ struct AirWar {
     aircraft = AircraftColumns::define(schema, static_cast<std::uint32_t>(players_.size()));
     missiles = MissileColumns::define(schema, 8);
     sim::SimulationBuilder builder(schema.build());
-    sensors = &builder.add<SensorSystem>(aircraft, missiles,
-                                         std::make_shared<const Library>(models), 0.02);
+    sensors = &builder.add<sensor::SensorSystem>(aircraft, missiles,
+                                                 std::make_shared<const Library>(models), 0.02);
     builder.add<StraightOn>(aircraft.table, aircraft.kinematics);
     builder.add<StraightOn>(missiles.table, missiles.kinematics);
     simulation = builder.build();
@@ -107,7 +107,7 @@ struct AirWar {
   PlayerId launch(PlayerId shooter, Side side, const Kinematics& k, PlayerId target) {
     const auto born = world->spawn(missiles.table);
     world->rows(missiles.kinematics)[born->row] = k;
-    MissileState& state = world->rows(missiles.state)[born->row];
+    weapon::MissileState& state = world->rows(missiles.state)[born->row];
     state.shooter = shooter;
     state.side = side;
     state.intended = target;
@@ -142,11 +142,11 @@ struct AirWar {
   }
 
  private:
-  struct Player {
+  struct Born {
     Fit fit;
     Kinematics kinematics;
   };
-  std::vector<Player> players_;
+  std::vector<Born> players_;
 };
 
 }  // namespace eyrie::model::test

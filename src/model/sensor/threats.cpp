@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 bool ThreatUpdate::note(const Sighting& sighting) {
   // the nearest bearing that is free; the one known longest wins a tie
@@ -65,4 +65,4 @@ void forget(Threats& threats, const ThreatRules& rules, double time) {
   threats.count = kept;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

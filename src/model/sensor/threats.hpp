@@ -9,7 +9,7 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// What told of the missile, as bits.
 enum ThreatSource : std::uint8_t {
@@ -99,4 +99,4 @@ class ThreatUpdate {
 /// Drops what has not been perceived for longer than the memory.
 void forget(Threats& threats, const ThreatRules& rules, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

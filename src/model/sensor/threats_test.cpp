@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 constexpr ThreatRules kRules{.gate = radians(30), .memory = 4};
@@ -94,4 +94,4 @@ TEST(ForgetThreats, DropsTheOldAndTheOldRange) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -7,7 +7,7 @@
 #include "model/sensor/scene.hpp"
 #include "model/sensor/visual.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 Identity true_identity(const Scene& scene, const Self& self, std::size_t j) {
@@ -55,7 +55,7 @@ void know_aircraft(const Scene& scene, Self& self) {
     while (n < items.size() && scene.ids[items[n].row] != file.tracks[i].truth)
       ++n;
     if (n == items.size() || known[n]) {
-      self.news.add({.what = TrackNews::What::lost,
+      self.news.add({.what = track::TrackNews::What::lost,
                      .bits = file.tracks[i].sources,
                      .id = file.tracks[i].id,
                      .truth = file.tracks[i].truth,
@@ -69,14 +69,14 @@ void know_aircraft(const Scene& scene, Self& self) {
     file.tracks[i] = {};
   file.count = kept;
 
-  const TrackContext context = self.context(scene.time);
+  const track::TrackContext context = self.context(scene.time);
   for (std::size_t n = 0; n < nearest.items().size(); ++n) {
     if (known[n])
       continue;
     Track fresh{.first_time = scene.time, .seen_time = kNever};
     const Track track = true_track(scene, self, nearest.items()[n].row, fresh);
-    if (const std::size_t i = add_track(file, context, track); i != kMaxTracks)
-      self.news.add({.what = TrackNews::What::confirmed,
+    if (const std::size_t i = track::add_track(file, context, track); i != kMaxTracks)
+      self.news.add({.what = track::TrackNews::What::confirmed,
                      .bits = kFromTruth,
                      .id = file.tracks[i].id,
                      .truth = track.truth,
@@ -122,9 +122,9 @@ void know_missiles(const Scene& scene, Self& self) {
 }
 
 void know_flight(const Scene& scene, Self& self) {
-  DatalinkState& state = self.datalink;
+  datalink::DatalinkState& state = self.datalink;
   for (std::uint32_t i = 0; i < state.count; ++i) {
-    Mate& mate = state.members[i];
+    datalink::Mate& mate = state.members[i];
     const auto row = scene.world.row(scene.table, mate.id);
     mate.alive = row.has_value();
     if (!row)
@@ -146,4 +146,4 @@ void perceive_truth(const Scene& scene, Self& self) {
   know_flight(scene, self);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -6,7 +6,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 Eyes eyes_of(const Kinematics& own) {
   return {own.position, own.velocity, body_axes(own), own.altitude};
@@ -102,4 +102,4 @@ bool looks_dangerous(const Visual& visual, const Vec3& relative_position,
   return turning <= visual.steady_rate;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

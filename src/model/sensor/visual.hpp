@@ -11,13 +11,11 @@
 #include "core/units.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/contact.hpp"
-#include "model/sensor/geometry.hpp"
-#include "model/sensor/signature.hpp"
 #include "model/sensor/threats.hpp"
+#include "model/signature.hpp"
 #include "model/track.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 
 /// Const and shared: the pilot's eyes and the cockpit they look out of. Daylight.
 struct Visual {
@@ -127,4 +125,4 @@ enum class Cue : std::uint8_t { none, cued, held };
 [[nodiscard]] bool looks_dangerous(const Visual& visual, const Vec3& relative_position,
                                    const Vec3& relative_velocity);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -8,7 +8,7 @@
 
 #include "model/sensor/test_players.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::flying;
@@ -140,4 +140,4 @@ TEST(LooksDangerous, OnlyWhatComesCloserOnASteadyBearing) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -9,7 +9,7 @@
 #include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 /// A pilot keeps track of no more aircraft than this at a time.
@@ -104,7 +104,7 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
                        scene.draw(self.id, Stream::visual_noise, other));
     contact.identity = recognized(scene, self, eyes, c.row, std::sqrt(c.distance2));
   }
-  update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
+  track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 
 void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
@@ -112,7 +112,7 @@ void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
   const Visual& visual = *self.suite.visual;
   ThreatUpdate threats(self.threats, kThreatRules, scene.time);
   for (std::size_t m = 0; m < scene.missile_ids.size(); ++m) {
-    const MissileState& state = scene.missile_state[m];
+    const weapon::MissileState& state = scene.missile_state[m];
     const Kinematics& missile = scene.missile_kinematics[m];
     const Vec3 sight = missile.position - eyes.position;
     const double range = norm(sight);
@@ -171,4 +171,4 @@ void look_around(const Scene& scene, Self& self) {
     look_for_missiles(scene, self, eyes, known);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

@@ -4,7 +4,7 @@
 
 #include "model/sensor/test_world.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::sensor {
 namespace {
 
 using test::AirWar;
@@ -93,4 +93,4 @@ TEST(Watch, KeepsItsEyesOnWhatItHasSeen) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::sensor

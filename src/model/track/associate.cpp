@@ -5,7 +5,7 @@
 
 #include "core/assert.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
 struct Pair {
@@ -54,4 +54,4 @@ std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
   return track_of;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <span>
 
-#include "model/sensor/contact.hpp"
+#include "model/track.hpp"
 #include "model/track/filter.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 
 /// m^2: no track is farther than that from a contact of its target. An eye judges a direction well
 /// and a range badly, so what the contact does not know along its line comes on top.
@@ -33,4 +33,4 @@ inline constexpr std::uint8_t kNoTrack = 255;
                                                                std::span<const Prediction> tracks,
                                                                std::span<const Contact> contacts);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

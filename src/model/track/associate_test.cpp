@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
 Prediction track_at(double x, double y) {
@@ -82,4 +82,4 @@ RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, 
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

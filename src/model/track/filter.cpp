@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
 /// The diagonal of a covariance that is turned by an angle with that sin^2 about a random axis
@@ -44,16 +44,16 @@ void stamp(Track& track, const Contact& contact, double time) {
 
 }  // namespace
 
-Prediction predict(const Track& track, const Tracker& tracker, const Observer& observer,
+Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship,
                    double time) {
   const double dt = time - track.time;
   Prediction result{position_at(track, time), track.velocity,
                     predicted(widen(track.along), dt, tracker.maneuver),
                     predicted(widen(track.across), dt, tracker.maneuver)};
-  const Vec3 sight = result.position - observer.position;
+  const Vec3 sight = result.position - ownship.position;
   const double range2 = norm2(sight);
   if (range2 > 0 && dt > 0) {
-    const Vec3 turned = cross(sight, track.velocity - observer.velocity) * (dt / range2);
+    const Vec3 turned = cross(sight, track.velocity - ownship.velocity) * (dt / range2);
     const double tangent2 = norm2(turned);  // the angle turned in dt, as its tangent, squared
     turn(result.along, result.across, tangent2 / (1 + tangent2));
   }
@@ -124,4 +124,4 @@ void refresh_sigmas(Track& track, const Tracker& tracker, double time) {
   track.velocity_sigma = worst_sigma(along.velocity, across.velocity);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

@@ -9,11 +9,10 @@
 #include <cmath>
 
 #include "core/vec.hpp"
-#include "model/sensor/contact.hpp"
 #include "model/track.hpp"
 #include "model/track/tracker.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 
 /// Covariance of (position, velocity) along one axis, in double precision.
 struct AxisState {
@@ -68,11 +67,11 @@ struct Prediction {
   AxisState along, across;
 };
 
-/// Carries a track on to `time` (s). When the line of sight from the observer has turned meanwhile,
+/// Carries a track on to `time` (s). When the line of sight from the ownship has turned meanwhile,
 /// the uncertainty along and across it mix: the diagonal of the turned covariance, which keeps its
-/// trace. `observer` is where the owner is at `time`.
-[[nodiscard]] Prediction predict(const Track& track, const Tracker& tracker,
-                                 const Observer& observer, double time);
+/// trace. `ownship` is where the owner is at `time`.
+[[nodiscard]] Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship,
+                                 double time);
 
 /// Distance of a contact from a prediction in standard deviations, squared, with the contact's own
 /// error in it (Mahalanobis distance).
@@ -88,4 +87,4 @@ void filter(Track& track, const Prediction& prediction, const Contact& contact, 
 /// Sets the two sigmas from the covariances, carried on to `time`.
 void refresh_sigmas(Track& track, const Tracker& tracker, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

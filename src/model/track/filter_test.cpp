@@ -9,10 +9,10 @@
 #include "core/angle.hpp"
 #include "core/draw.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
-constexpr Observer kAtRest{};
+constexpr Ownship kAtRest{};
 
 /// A contact at `place` with errors drawn as they are declared, seen from the origin.
 Contact noisy(const Vec3& place, const Vec3& velocity, double along, double across, double speed,
@@ -186,4 +186,4 @@ TEST(Kalman, IgnoresAMeasurementOfInfiniteVarianceAndBelievesAPerfectOne) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

@@ -5,16 +5,15 @@
 #include <cmath>
 
 #include "core/assert.hpp"
-#include "model/sensor/iff.hpp"
 #include "model/track/associate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
 constexpr std::uint8_t kOwnSensors = kFromRadar | kFromVisual;
 
 double range_of(const Track& track, const TrackContext& context) {
-  return norm(position_at(track, context.time) - context.observer.position);
+  return norm(position_at(track, context.time) - context.ownship.position);
 }
 
 void drop(TrackFile& file, std::size_t index, const TrackContext& context) {
@@ -92,7 +91,7 @@ bool may_be_one(const Track& a, const Track& b, const TrackContext& context) {
 bool coincide(const Prediction& a, const Prediction& b, const TrackContext& context) {
   const double gate2 = context.tracker.merge_gate * context.tracker.merge_gate;
   const Vec3 apart = a.position - b.position;
-  const Vec3 line = normalized(a.position - context.observer.position, {1, 0, 0});
+  const Vec3 line = normalized(a.position - context.ownship.position, {1, 0, 0});
   const double along = dot(apart, line), across2 = std::max(norm2(apart) - along * along, 0.0);
   if (across2 > context.tracker.max_gate * context.tracker.max_gate)
     return false;
@@ -149,8 +148,8 @@ void merge_duplicates(TrackFile& file, const TrackContext& context) {
         ++j;
         continue;
       }
-      const Prediction a = predict(older, context.tracker, context.observer, context.time);
-      const Prediction b = predict(newer, context.tracker, context.observer, context.time);
+      const Prediction a = predict(older, context.tracker, context.ownship, context.time);
+      const Prediction b = predict(newer, context.tracker, context.ownship, context.time);
       if (!coincide(a, b, context)) {
         ++j;
         continue;
@@ -205,7 +204,7 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
       return norm2(c.position - position) <= reach2(context.tracker, c);
     });
     if (near)
-      predictions[i] = predict(file.tracks[i], context.tracker, context.observer, context.time);
+      predictions[i] = predict(file.tracks[i], context.tracker, context.ownship, context.time);
     else
       predictions[i].position = position;
   }
@@ -249,4 +248,4 @@ void upkeep(TrackFile& file, const TrackContext& context) {
   merge_duplicates(file, context);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

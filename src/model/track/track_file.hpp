@@ -6,12 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include "model/sensor/contact.hpp"
 #include "model/track.hpp"
 #include "model/track/filter.hpp"
 #include "model/track/tracker.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 
 /// Something about a track that others may want to hear.
 struct TrackNews {
@@ -41,7 +40,7 @@ class TrackNewsList {
 /// What every change of a track file needs to know.
 struct TrackContext {
   const Tracker& tracker;
-  Observer observer;
+  Ownship ownship;
   double time = 0;              ///< s
   std::uint32_t iff_tries = 0;  ///< as Iff::tries
   TrackNewsList& news;
@@ -63,4 +62,24 @@ std::size_t add_track(TrackFile& file, const TrackContext& context, const Track&
 /// Sets who a track is and tells it, if that is new.
 void identify(Track& track, Identity identity, const TrackContext& context);
 
-}  // namespace eyrie::model
+/// The declared rule. A reply makes a friend, even of a track that was held for hostile: a track
+/// may have passed from one aircraft to another. `tries` interrogations in a row without a reply
+/// make a hostile of an unknown, and an unknown again of a friend, for the same reason. A hostile
+/// stays one.
+constexpr void conclude(Track& track, std::uint32_t tries, bool reply) {
+  if (reply) {
+    track.identity = Identity::friendly;
+    track.unanswered = 0;
+    return;
+  }
+  if (track.unanswered < 255)
+    ++track.unanswered;
+  if (tries == 0 || track.unanswered < tries || track.identity == Identity::hostile)
+    return;
+  const bool was_friendly = track.identity == Identity::friendly;
+  track.identity = was_friendly ? Identity::unknown : Identity::hostile;
+  if (was_friendly)
+    track.unanswered = 0;
+}
+
+}  // namespace eyrie::model::track

@@ -9,7 +9,7 @@
 
 #include "core/draw.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 namespace {
 
 constexpr Tracker kAging{.confirm_hits = 2, .coast_time = 12, .tentative_time = 6};
@@ -268,5 +268,55 @@ TEST(TrackFile, NeverReadsTheTruth) {
   EXPECT_EQ(std::memcmp(&a, &b, sizeof a), 0);
 }
 
+TEST(Conclude, AReplyMakesAFriend) {
+  Track track{.unanswered = 2};
+  conclude(track, 3, true);
+  EXPECT_EQ(track.identity, Identity::friendly);
+}
+
+TEST(Conclude, SilenceToSoManyInterrogationsMakesAHostile) {
+  Track track;
+  conclude(track, 3, false);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::unknown);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+}
+
+TEST(Conclude, ZeroTriesNeverDeclareAnyoneHostile) {
+  Track track;
+  for (int i = 0; i < 1000; ++i)
+    conclude(track, 0, false);
+  EXPECT_EQ(track.identity, Identity::unknown);
+  EXPECT_EQ(track.unanswered, 255);
+}
+
+TEST(Conclude, MakesAFriendOfAHostileThatReplies) {
+  Track track{.identity = Identity::hostile};
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+  conclude(track, 3, true);
+  EXPECT_EQ(track.identity, Identity::friendly);
+}
+
+TEST(Conclude, AsksAFriendThatFallsSilentAnew) {
+  Track track{.identity = Identity::friendly};
+  conclude(track, 3, false);
+  conclude(track, 3, true);
+  conclude(track, 3, false);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::friendly) << "not three in a row";
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::unknown) << "perhaps it is somebody else by now";
+  conclude(track, 3, false);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::unknown);
+  conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+  for (int i = 0; i < 9; ++i)
+    conclude(track, 3, false);
+  EXPECT_EQ(track.identity, Identity::hostile);
+}
+
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

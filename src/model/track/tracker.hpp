@@ -8,7 +8,7 @@
 #include "core/describe.hpp"
 #include "core/units.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::track {
 
 /// The tracker in the mission computer: const, shared, one for all sensors of an aircraft.
 struct Tracker {
@@ -51,4 +51,4 @@ struct Tracker {
   }
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::track

@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 namespace {
 
 /// m/s; slower, the wheels are turned as if for this.
@@ -57,8 +57,9 @@ Kinematics parked(const Reference& reference, const Vec3& position, double headi
   return k;
 }
 
-void drive(const VehicleType& type, const Reference& reference, std::span<const Route> routes,
-           const DriveCommand& command, double dt, Kinematics& k, Driving& driving) {
+void drive(const VehicleType& type, const Reference& reference,
+           std::span<const flight::Route> routes, const DriveCommand& command, double dt,
+           Kinematics& k, Driving& driving) {
   const double turn_rate = angle_between(k.heading, command.heading) / type.heading_time;
   const double wanted = math::atan(type.wheelbase * turn_rate / std::max(k.speed, kCreep));
   // sideways acceleration: speed^2 tan(steering) / wheelbase
@@ -83,8 +84,8 @@ void drive(const VehicleType& type, const Reference& reference, std::span<const 
   put_down(k, reference);
 
   if (driving.nav.route < routes.size())
-    driving.nav = advance_leg(type.guidance, k, routes[driving.nav.route], driving.nav,
-                              std::max(type.turn_radius(), k.speed * type.heading_time));
+    driving.nav = flight::advance_leg(type.guidance, k, routes[driving.nav.route], driving.nav,
+                                      std::max(type.turn_radius(), k.speed * type.heading_time));
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

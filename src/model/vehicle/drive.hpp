@@ -9,7 +9,7 @@
 #include "model/vehicle/vehicle_state.hpp"
 #include "model/vehicle/vehicle_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
 /// A vehicle at a place of the local frame (m), put onto the surface below or above it.
 [[nodiscard]] Kinematics parked(const Reference& reference, const Vec3& position, double heading,
@@ -20,7 +20,8 @@ namespace eyrie::model {
 /// kinematic bicycle does (Rajamani, Vehicle Dynamics and Control, 2nd ed. 2012, sec. 2.2), with
 /// its rear axle as the place: heading rate = speed tan(steering) / wheelbase. The leg of the route
 /// counts on, whoever leads.
-void drive(const VehicleType& type, const Reference& reference, std::span<const Route> routes,
-           const DriveCommand& command, double dt, Kinematics& k, Driving& driving);
+void drive(const VehicleType& type, const Reference& reference,
+           std::span<const flight::Route> routes, const DriveCommand& command, double dt,
+           Kinematics& k, Driving& driving);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

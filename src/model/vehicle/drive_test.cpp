@@ -9,7 +9,7 @@
 #include "core/angle.hpp"
 #include "core/units.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 namespace {
 
 constexpr double kStep = 0.02;
@@ -28,7 +28,7 @@ struct Drive {
 
   VehicleType type;
   Reference reference{{si(33, "deg"), si(-68, "deg"), 0}};
-  std::vector<Route> routes;
+  std::vector<flight::Route> routes;
   Kinematics k;
   Driving driving;
   DriveCommand command;
@@ -104,9 +104,10 @@ TEST(Drive, FollowsItsRouteAndCountsTheLegs) {
   Drive d(0, 10);
   d.routes = {{.name = "road",
                .waypoints = {{.position = {500, 0, 0}}, {.position = {500, 500, 0}}},
-               .end = RouteEnd::stop}};
+               .end = flight::RouteEnd::stop}};
   for (int i = 0; i < 12000; ++i) {
-    const Guidance wanted = route_guidance(d.type.guidance, d.k, d.routes[0], d.driving.nav, 10, 0);
+    const flight::Guidance wanted =
+        flight::route_guidance(d.type.guidance, d.k, d.routes[0], d.driving.nav, 10, 0);
     d.command = {wanted.heading, wanted.speed};
     d.go(kStep);
   }
@@ -139,4 +140,4 @@ RC_GTEST_PROP(Drive, KeepsItsLimitsWhateverIsAsked, ()) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
-void look_up(const Visual& visual, const Watcher& watcher, const Sky& sky, Lookout& lookout) {
-  const Eyes eyes = eyes_of(watcher.own);
+void look_up(const sensor::Visual& visual, const Watcher& watcher, const Sky& sky,
+             Lookout& lookout) {
+  const sensor::Eyes eyes = sensor::eyes_of(watcher.own);
   for (std::size_t j = 0; j < sky.ids.size(); ++j) {
     const Kinematics& other = sky.kinematics[j];
     const double range = norm(other.position - eyes.position);
@@ -17,21 +18,24 @@ void look_up(const Visual& visual, const Watcher& watcher, const Sky& sky, Looko
       return Draw(watcher.seed, watcher.id, stream, watcher.step, sky.ids[j].value);
     };
     const Sighted* known = lookout.find(sky.ids[j]);
-    const Cue cue = !known                                                ? Cue::none
-                    : watcher.time - known->seen_time <= visual.hold_time ? Cue::held
-                                                                          : Cue::cued;
+    const sensor::Cue cue = !known ? sensor::Cue::none
+                            : watcher.time - known->seen_time <= visual.hold_time
+                                ? sensor::Cue::held
+                                : sensor::Cue::cued;
     const Signature& signature = *sky.signatures[sky.fit[j].type];
-    if (!glimpsed(visual, eyes, other, signature, range, cue, draw(Stream::visual).uniform()))
+    if (!sensor::glimpsed(visual, eyes, other, signature, range, cue,
+                          draw(Stream::visual).uniform()))
       continue;
     const Contact contact =
         estimate(visual, eyes, other.position, sky.ids[j], draw(Stream::visual_noise));
-    const bool close = recognizes(visual, eyes, other, signature, range);
+    const bool close = sensor::recognizes(visual, eyes, other, signature, range);
     sight(lookout, eyes.position,
           {.position = contact.position,
            .time = watcher.time,
            .seen_time = watcher.time,
            .truth = sky.ids[j],
-           .identity = close ? identity_of(watcher.side, sky.fit[j].side) : Identity::unknown});
+           .identity =
+               close ? sensor::identity_of(watcher.side, sky.fit[j].side) : Identity::unknown});
   }
   forget(lookout, watcher.time);
 }
@@ -59,9 +63,9 @@ void sight(Lookout& lookout, const Vec3& eyes, const Sighted& seen) {
     *place = seen;
 }
 
-void warn(Lookout& lookout, const Vec3& eyes, const DatalinkMessage& message) {
+void warn(Lookout& lookout, const Vec3& eyes, const datalink::DatalinkMessage& message) {
   for (std::uint32_t i = 0; i < message.track_count; ++i) {
-    const SharedTrack& track = message.tracks[i];
+    const datalink::SharedTrack& track = message.tracks[i];
     sight(lookout, eyes,
           {.position = {track.position[0], track.position[1], track.position[2]},
            .time = message.time,
@@ -95,4 +99,4 @@ void forget(Lookout& lookout, double time) {
   lookout.count = kept;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -6,11 +6,11 @@
 #include "core/draw.hpp"
 #include "model/datalink/datalink_state.hpp"
 #include "model/fit.hpp"
-#include "model/sensor/signature.hpp"
 #include "model/sensor/visual.hpp"
+#include "model/signature.hpp"
 #include "model/vehicle/vehicle_state.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
 /// The aircraft there are. Which type of signature a row has is its Fit::type.
 struct Sky {
@@ -34,10 +34,11 @@ struct Watcher {
 
 /// One look around, by the same law of visual search as a pilot's. Of more aircraft than there is
 /// room for, the nearest are kept.
-void look_up(const Visual& visual, const Watcher& watcher, const Sky& sky, Lookout& lookout);
+void look_up(const sensor::Visual& visual, const Watcher& watcher, const Sky& sky,
+             Lookout& lookout);
 
 /// Takes in what a mate told of the sky.
-void warn(Lookout& lookout, const Vec3& eyes, const DatalinkMessage& message);
+void warn(Lookout& lookout, const Vec3& eyes, const datalink::DatalinkMessage& message);
 /// The same as tracks, to tell mates of.
 [[nodiscard]] TrackFile as_tracks(const Lookout& lookout);
 
@@ -46,4 +47,4 @@ void sight(Lookout& lookout, const Vec3& eyes, const Sighted& seen);
 /// Forgets who was not seen for long.
 void forget(Lookout& lookout, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

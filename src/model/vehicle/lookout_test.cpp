@@ -9,7 +9,7 @@
 #include "model/datalink/datalink.hpp"
 #include "model/sensor/test_players.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 namespace {
 
 Sighted at(std::uint32_t id, double north, double time = 0) {
@@ -47,7 +47,7 @@ TEST(Lookout, RemembersWhoItWasWhenItIsTooFarToTell) {
 
 /// A hundred looks of a driver at one aircraft `range` (m) to the north; how many saw it.
 int looks_that_see(double range, Lookout& lookout, std::uint64_t seed = 1, bool told = false) {
-  const Visual visual;
+  const sensor::Visual visual;
   const Kinematics driver = test::flying({}, 0, 0);
   const std::vector<PlayerId> ids{PlayerId{9}};
   const std::vector<Fit> fit{{.side = Side::red}};
@@ -104,8 +104,8 @@ TEST(Lookout, TellsMatesOfWhatItsOwnEyesHaveSeenAndPassesNothingOn) {
   own.identity = Identity::hostile;
   sight(lookout, {}, own);
   sight(lookout, {}, {.position = {5000, 0, 0}, .time = 100, .truth = PlayerId{2}});
-  DatalinkSent sent;
-  transmit(sent, {.time = 101}, as_tracks(lookout));
+  datalink::DatalinkSent sent;
+  datalink::transmit(sent, {.time = 101}, as_tracks(lookout));
   ASSERT_EQ(sent.messages[0].track_count, 1u);
 
   Lookout mate;
@@ -115,9 +115,9 @@ TEST(Lookout, TellsMatesOfWhatItsOwnEyesHaveSeenAndPassesNothingOn) {
   EXPECT_EQ(mate.sighted[0].identity, Identity::hostile);
   EXPECT_EQ(mate.sighted[0].time, 101);
   EXPECT_EQ(mate.sighted[0].seen_time, kNever);
-  transmit(sent, {.time = 101.5}, as_tracks(mate));
+  datalink::transmit(sent, {.time = 101.5}, as_tracks(mate));
   EXPECT_EQ(sent.messages[1].track_count, 0u) << "rumours would never end";
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -12,7 +12,7 @@
 #include "model/flight/flying.hpp"
 #include "model/track.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
 /// What the driver asks of the vehicle: written in decide.
 struct DriveCommand {
@@ -28,7 +28,7 @@ struct DriveCommand {
 /// Written in move.
 struct Driving {
   double steering = 0;  ///< rad, of the front wheels, positive right
-  NavState nav = {};
+  flight::NavState nav = {};
   std::uint8_t reserved[4] = {};
 
   static constexpr auto fields() {
@@ -79,4 +79,4 @@ struct Lookout {
 };
 static_assert(fields_cover_row<Lookout>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -8,19 +8,19 @@
 
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
-#include "model/sensor/geometry.hpp"
+#include "model/kinematics.hpp"
 #include "model/vehicle/drive.hpp"
 #include "model/vehicle/lookout.hpp"
 #include "sim/rate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 namespace {
 
 /// m; the aerial stands on the roof.
 constexpr double kAerial = 4;
 
 /// Whether a mate's radio is heard.
-bool reaches(const Datalink& datalink, const Kinematics& own, const Kinematics& other) {
+bool reaches(const datalink::Datalink& datalink, const Kinematics& own, const Kinematics& other) {
   const double reach = std::min(
       datalink.range, horizon_range(own.altitude + kAerial, other.altitude + kAerial, kRadioEarth));
   return norm2(other.position - own.position) <= reach * reach;
@@ -100,24 +100,24 @@ void VehicleSystem::listen(sim::World& world, const sim::StepInfo& info, sim::Ch
   const auto states = world.rows(vehicles_.datalink);
   const auto lookout = world.rows(vehicles_.lookout);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    const Datalink* datalink = suites_[fit[i].type].datalink;
+    const datalink::Datalink* datalink = suites_[fit[i].type].datalink;
     if (datalink == nullptr)
       continue;
-    DatalinkState& state = states[i];
+    datalink::DatalinkState& state = states[i];
     if (state.count == 0)
       start(state, library_->flights[fit[i].flight].members, ids[i], info.time());
     for (std::uint32_t m = 0; m < state.count; ++m) {
-      Mate& mate = state.members[m];
+      datalink::Mate& mate = state.members[m];
       const auto row = truth.row(vehicles_.table, mate.id);
       if (m == state.self || !row)
         continue;
-      const DatalinkMessage* message =
-          receive(mate, *datalink, sent[*row], reaches(*datalink, kinematics[i], kinematics[*row]),
-                  info.time(), Draw(info.seed, ids[i], Stream::datalink, info.step, mate.id.value));
+      const datalink::DatalinkMessage* message = datalink::receive(
+          mate, *datalink, sent[*row], reaches(*datalink, kinematics[i], kinematics[*row]),
+          info.time(), Draw(info.seed, ids[i], Stream::datalink, info.step, mate.id.value));
       if (message)
         warn(lookout[i], kinematics[i].position, *message);
     }
-    check_silence(state, *datalink, info.time());
+    datalink::check_silence(state, *datalink, info.time());
   }
 }
 
@@ -137,11 +137,11 @@ void VehicleSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Suite& suite = suites_[fit[i].type];
     if (suite.datalink != nullptr && sim::due(info.step, ids[i], suite.datalink_steps))
-      transmit(sent[i],
-               {.time = info.time(),
-                .position = kinematics[i].position,
-                .velocity = kinematics[i].velocity},
-               as_tracks(lookout[i]));
+      datalink::transmit(sent[i],
+                         {.time = info.time(),
+                          .position = kinematics[i].position,
+                          .velocity = kinematics[i].velocity},
+                         as_tracks(lookout[i]));
   }
 }
 
@@ -156,4 +156,4 @@ void VehicleSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chun
           library_->flights[fit[i].flight].routes, command[i], info.dt, kinematics[i], driving[i]);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -9,7 +9,7 @@
 #include "model/library.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
 /// Everything about vehicles but their drivers' decisions.
 class VehicleSystem final : public sim::System {
@@ -30,8 +30,8 @@ class VehicleSystem final : public sim::System {
  private:
   /// What a step needs of a VehicleType; what is null is not on board.
   struct Suite {
-    const Visual* visual = nullptr;
-    const Datalink* datalink = nullptr;
+    const sensor::Visual* visual = nullptr;
+    const datalink::Datalink* datalink = nullptr;
     std::uint32_t visual_steps = 1, datalink_steps = 1;
   };
   void look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
@@ -50,4 +50,4 @@ class VehicleSystem final : public sim::System {
 /// Rates that do not divide the rate of the world, and what else cannot be driven; in words.
 [[nodiscard]] std::vector<std::string> vehicle_problems(const Library& library, double dt);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -11,7 +11,7 @@
 #include "core/units.hpp"
 #include "model/flight/guidance.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::vehicle {
 
 /// Const and shared. docs/models/vehicle.md has the equations and what they are worth.
 struct VehicleType {
@@ -34,7 +34,7 @@ struct VehicleType {
     std::optional<std::uint16_t> visual, datalink;
   };
   Indices index;
-  GuidanceGains guidance;  ///< what prepare() makes of the parameters
+  flight::GuidanceGains guidance;  ///< what prepare() makes of the parameters
 
   static constexpr std::string_view type_name = "vehicle";
   static constexpr std::string_view help = "a type of ground vehicle";
@@ -70,4 +70,4 @@ struct VehicleType {
   void prepare();
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::vehicle

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/birth.hpp"
 
-#include "model/sensor/geometry.hpp"
+#include "model/kinematics.hpp"
 #include "model/weapon/line_of_sight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 Newborn launched(const Launch& launch, const Kinematics& shooter, const Track& track) {
   Newborn missile{.kinematics = shooter, .state = {}};
@@ -33,4 +33,4 @@ Newborn launched(const Launch& launch, const Kinematics& shooter, const Track& t
   return missile;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

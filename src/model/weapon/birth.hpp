@@ -8,7 +8,7 @@
 #include "model/weapon/missile_state.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 struct Launch {
   const MissileType& type;
@@ -28,4 +28,4 @@ struct Newborn {
 /// points at the track.
 [[nodiscard]] Newborn launched(const Launch& launch, const Kinematics& shooter, const Track& track);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -5,7 +5,7 @@
 
 #include "core/vec.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// The nearest point of a relative motion.
 struct ClosestApproach {
@@ -26,4 +26,4 @@ struct ClosestApproach {
   return {.time = time, .distance = norm(separation), .separation = separation};
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

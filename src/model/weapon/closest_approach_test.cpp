@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 TEST(ClosestApproach, IsExactForLinearMotion) {
@@ -35,4 +35,4 @@ RC_GTEST_PROP(ClosestApproach, IsNoFartherThanAnySample, ()) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

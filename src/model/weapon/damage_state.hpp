@@ -6,7 +6,7 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Written in commit only.
 struct Damage {
@@ -21,4 +21,4 @@ struct Damage {
 };
 static_assert(fields_cover_row<Damage>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

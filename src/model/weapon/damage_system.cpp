@@ -5,7 +5,7 @@
 
 #include "model/events.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -74,4 +74,4 @@ void DamageSystem::commit(sim::World& world, const sim::StepInfo&,
   }
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

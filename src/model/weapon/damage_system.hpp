@@ -8,7 +8,7 @@
 #include "sim/order.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Orders about who is in the run. An order of this kind has no payload.
 enum class OrderKind : std::uint16_t { none = 0, lose = 3 };
@@ -46,4 +46,4 @@ class DamageSystem final : public sim::System {
   std::vector<MovingTable> others_;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -5,7 +5,7 @@
 
 #include "model/weapon/test_range.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 /// Emits the events that a test prepared, in interact.
@@ -115,4 +115,4 @@ TEST_F(DamageTest, IgnoresHitsOnWhoIsGone) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -10,7 +10,7 @@
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/guidance.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -130,4 +130,4 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
   return result;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -3,11 +3,11 @@
 /// \file  One missile against one target over a flat Earth, with perfect knowledge: how the launch
 /// zone is found, and a laboratory for tests.
 #include "core/vec.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 #include "model/weapon/launch_zone.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// A launch at the origin, target `range` m away. x lies along the line of sight on the ground.
 struct Engagement {
@@ -39,4 +39,4 @@ struct EngagementResult {
 [[nodiscard]] EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
                                       const Engagement& engagement);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

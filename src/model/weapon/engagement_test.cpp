@@ -6,7 +6,7 @@
 #include "core/angle.hpp"
 #include "model/weapon/test_missiles.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kAtmosphere;
@@ -81,4 +81,4 @@ TEST(Engagement, FliesAlmostTheSameInLongSteps) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -5,7 +5,7 @@
 
 #include "model/weapon/line_of_sight.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -63,4 +63,4 @@ void fly(const MissileType& type, const Air& air, const Vec3& wind, const Vec3& 
   state.velocity = velocity;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

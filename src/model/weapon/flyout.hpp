@@ -2,10 +2,10 @@
 #pragma once
 /// \file  How a missile flies: a point mass with thrust, drag, lift and weight.
 #include "core/vec.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// What flying changes.
 struct Flyout {
@@ -31,4 +31,4 @@ struct FlyoutForces {
 void fly(const MissileType& type, const Air& air, const Vec3& wind, const Vec3& down, double age,
          double dt, const Vec3& wanted, Flyout& state);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

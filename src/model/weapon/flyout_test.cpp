@@ -7,7 +7,7 @@
 #include "model/weapon/line_of_sight.hpp"
 #include "model/weapon/test_missiles.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kAtmosphere;
@@ -148,4 +148,4 @@ RC_GTEST_PROP(Flyout, OfAMirroredSceneIsTheMirrorImage, ()) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -6,7 +6,7 @@
 #include "model/weapon/closest_approach.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// The closest approach in the step of `dt` s that has just been made, from where both are now
 /// (relative position, m) and how they move (relative velocity, m/s): time in [-dt, 0]. `passing`
@@ -34,4 +34,4 @@ struct Passage {
   return warhead.best_kill * math::exp(-x * x);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -6,7 +6,7 @@
 
 #include "core/draw.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 constexpr double kTick = 0.02;
@@ -75,4 +75,4 @@ RC_GTEST_PROP(KillProbability, NeverRisesWithTheMiss, ()) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/math.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -40,4 +40,4 @@ Vec3 lofted(const Loft& loft, const Vec3& relative_position, const Vec3& down, d
   return relative_position - std::min(beyond * math::tan(loft.angle), room) * down;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

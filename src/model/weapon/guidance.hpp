@@ -5,7 +5,7 @@
 #include "model/weapon/line_of_sight.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// m/s^2, what to ask of the autopilot of a missile that flies with `velocity` (m/s):
 /// true proportional navigation (Zarchan, eq. 2.1), where a target that closes more slowly than
@@ -22,4 +22,4 @@ namespace eyrie::model {
 [[nodiscard]] Vec3 lofted(const Loft& loft, const Vec3& relative_position, const Vec3& down,
                           double altitude);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

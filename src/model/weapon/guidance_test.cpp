@@ -7,7 +7,7 @@
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/test_missiles.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kAtmosphere;
@@ -100,4 +100,4 @@ TEST(Lofted, StaysBelowTheCeiling) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

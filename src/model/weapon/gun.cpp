@@ -6,9 +6,9 @@
 
 #include "core/angle.hpp"
 #include "core/math.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 GunState loaded(const GunType& gun) {
   return {.rounds = gun.rounds};
@@ -64,4 +64,4 @@ std::uint32_t fire(const GunType& gun, double dt, GunState& state) {
   return rounds;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

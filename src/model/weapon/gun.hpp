@@ -6,11 +6,11 @@
 
 #include "core/vec.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/signature.hpp"
+#include "model/signature.hpp"
 #include "model/weapon/gun_state.hpp"
 #include "model/weapon/gun_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// A full drum.
 [[nodiscard]] GunState loaded(const GunType& gun);
@@ -43,4 +43,4 @@ struct Lead {
 /// Rounds that leave in a step of `dt` s while the trigger is pressed; counts them.
 [[nodiscard]] std::uint32_t fire(const GunType& gun, double dt, GunState& state);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

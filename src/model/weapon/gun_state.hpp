@@ -6,7 +6,7 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Rounds left and the burst that is being fired.
 struct GunState {
@@ -26,4 +26,4 @@ struct GunState {
 };
 static_assert(fields_cover_row<GunState>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -8,7 +8,7 @@
 #include "model/events.hpp"
 #include "model/weapon/gun.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -99,4 +99,4 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
   }
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -8,7 +8,7 @@
 #include "model/weapon/gun_type.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// interact: rounds leave while Request::trigger is pressed; who is in the sight, friend or foe,
 /// may be hit. A hit counts at once: the flight of the rounds is in the lead and in the chance to
@@ -27,4 +27,4 @@ class GunSystem final : public sim::System {
   std::shared_ptr<const Library> library_;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -5,7 +5,7 @@
 
 #include "model/weapon/test_range.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::Range;
@@ -116,4 +116,4 @@ TEST(GunSystem, FiresNothingWithoutAGunOrTrigger) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/draw.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 #include "model/sensor/test_players.hpp"
 #include "support/data_file.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::flying;
@@ -141,4 +141,4 @@ TEST(GunData, IsReadableAndOrdered) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -9,7 +9,7 @@
 #include "core/describe.hpp"
 #include "core/units.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Const and shared by every aircraft that carries it. Fixed forward along the nose.
 struct GunType {
@@ -56,4 +56,4 @@ struct GunType {
   }
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

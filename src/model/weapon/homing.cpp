@@ -4,7 +4,7 @@
 #include "model/weapon/guidance.hpp"
 #include "model/weapon/seeker.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -101,4 +101,4 @@ Vec3 guide(const MissileType& type, const Kinematics& k, double time, const Miss
                k.down);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

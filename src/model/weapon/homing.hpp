@@ -8,7 +8,7 @@
 #include "model/weapon/missile_type.hpp"
 #include "model/weapon/target_scene.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Where the missile believes its target to be at `time` (s), m.
 [[nodiscard]] Vec3 believed_position(const MissileState& state, double time);
@@ -32,4 +32,4 @@ void hear(const Track& track, MissileState& state);
 [[nodiscard]] Vec3 guide(const MissileType& type, const Kinematics& k, double time,
                          const MissileState& state);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -6,7 +6,7 @@
 #include "model/weapon/birth.hpp"
 #include "model/weapon/test_range.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kMedium;
@@ -20,7 +20,8 @@ struct Missile {
 };
 Missile missile(const Range& range, std::uint16_t type, const Track& track) {
   const Library& library = range.library();
-  const Kinematics shooter = placed(library.reference, library.environment, {0, 0, -8000}, 0, 800);
+  const Kinematics shooter =
+      flight::placed(library.reference, library.environment, {0, 0, -8000}, 0, 800);
   const Newborn born = launched(
       {.type = library.missiles[type], .type_index = type, .shooter = PlayerId{1}, .time = -5},
       shooter, track);
@@ -141,4 +142,4 @@ TEST_F(Homing, OfAnInfraredMissilePrefersHeat) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -10,7 +10,7 @@
 #include "core/parameter_bits.hpp"
 #include "model/weapon/engagement.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 constexpr std::string_view kMagic = "Eyrie launch zones 1\n";
@@ -167,4 +167,4 @@ KeptZones& kept_zones() {
   return zones;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

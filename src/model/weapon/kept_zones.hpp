@@ -15,7 +15,7 @@
 #include "core/mutex.hpp"
 #include "model/weapon/launch_zone.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Each zone under every parameter that it depends on, bit by bit: what it gives has the bits of a
 /// flown one. May be used from any thread, never inside a step.
@@ -58,4 +58,4 @@ class KeptZones {
 /// Those of this process: MissileType::prepare() asks here.
 [[nodiscard]] KeptZones& kept_zones();
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -10,7 +10,7 @@
 #include "core/hash.hpp"
 #include "model/weapon/test_missiles.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::medium_range;
@@ -135,4 +135,4 @@ TEST(KeptZones, ForgetTheOldestWhenThereAreTooMany) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -10,12 +10,12 @@
 #include "core/angle.hpp"
 #include "core/math.hpp"
 #include "core/parameter_bits.hpp"
+#include "model/signature.hpp"
 #include "model/weapon/engagement.hpp"
-#include "model/weapon/infrared.hpp"
 #include "model/weapon/missile_type.hpp"
 #include "model/weapon/seeker.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -39,13 +39,13 @@ constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3};
 constexpr double kVersion = 1;  // of what Search does: raise it when that changes
 
 /// Where a value lies on an axis, clamped to it.
-struct Place {
+struct GridCell {
   std::size_t index;
   float share;  // of the upper neighbor
   [[nodiscard]] float weight(bool upper) const { return upper ? share : 1 - share; }
 };
 template <std::size_t N>
-Place place(const std::array<double, N>& axis, double x) {
+GridCell place(const std::array<double, N>& axis, double x) {
   std::size_t i = 0;
   while (i + 2 < N && x >= axis[i + 1])
     ++i;
@@ -202,17 +202,17 @@ LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable>
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   if (!table_ || (seeker_ && s.off_boresight > seeker_->gimbal))
     return {};
-  const Place shooter_speed = place(kShooterSpeed, s.shooter_speed);
-  const Place target_speed = place(kTargetSpeed, s.target_speed);
-  const Place off_boresight = place(kOffBoresight, s.off_boresight);
+  const GridCell shooter_speed = place(kShooterSpeed, s.shooter_speed);
+  const GridCell target_speed = place(kTargetSpeed, s.target_speed);
+  const GridCell off_boresight = place(kOffBoresight, s.off_boresight);
   std::array<float, kInner> inner;
   for (std::size_t i = 0; i < kInner; ++i)
     inner[i] = shooter_speed.weight((i & 4) != 0) * target_speed.weight((i & 2) != 0) *
                off_boresight.weight((i & 1) != 0);
 
-  const Place aspect = place(kAspect, s.aspect);
-  const Place altitude = place(kAltitude, s.shooter_altitude);
-  const Place climb = place(kClimb, s.target_altitude - s.shooter_altitude);
+  const GridCell aspect = place(kAspect, s.aspect);
+  const GridCell altitude = place(kAltitude, s.shooter_altitude);
+  const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
   ZoneTable::Cell sum;
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
@@ -237,4 +237,4 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
           .r_min = sum.r_min};
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

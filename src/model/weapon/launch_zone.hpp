@@ -10,7 +10,7 @@
 #include "core/vec.hpp"
 #include "model/weapon/seeker_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 struct MissileType;
 
@@ -82,4 +82,4 @@ class LaunchZone {
   std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

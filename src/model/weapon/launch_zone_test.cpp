@@ -10,7 +10,7 @@
 #include "model/weapon/missile_type.hpp"
 #include "model/weapon/test_missiles.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 constexpr double kNmi = si(1, "nmi");
@@ -146,4 +146,4 @@ TEST(LaunchSituation, ReadsTheGeometry) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -3,7 +3,7 @@
 /// \file  What one player sees of another: direction, how fast it turns, range and closing speed.
 #include "core/vec.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Geometry of a relative position and velocity; rates are exact for the instant.
 struct LineOfSight {
@@ -52,4 +52,4 @@ struct LineOfSight {
   return length2 > limit * limit ? v * (limit / std::sqrt(length2)) : v;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -6,7 +6,7 @@
 
 #include "core/angle.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 TEST(LineOfSight, OfACrossingTargetTurnsAtSpeedOverRange) {
@@ -61,4 +61,4 @@ TEST(Limited, KeepsTheDirection) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

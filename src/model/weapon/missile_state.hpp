@@ -8,7 +8,7 @@
 #include "core/vec.hpp"
 #include "model/fit.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Why a missile ended without its fuze: values[0] of EventKind::timeout.
 enum class MissileEnd : std::uint8_t {
@@ -19,11 +19,11 @@ enum class MissileEnd : std::uint8_t {
   lost,    ///< saw nothing for longer than it remembers and destroyed itself
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon
 
 template <>
-struct eyrie::EnumNames<eyrie::model::MissileEnd> {
-  using E = eyrie::model::MissileEnd;
+struct eyrie::EnumNames<eyrie::model::weapon::MissileEnd> {
+  using E = eyrie::model::weapon::MissileEnd;
   static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
                                     std::pair<std::string_view, E>{"ground", E::ground},
                                     std::pair<std::string_view, E>{"speed", E::speed},
@@ -31,7 +31,7 @@ struct eyrie::EnumNames<eyrie::model::MissileEnd> {
                                     std::pair<std::string_view, E>{"lost", E::lost}};
 };
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// The memory of one missile. It knows what it was told by its shooter and what its seeker saw,
 /// never the truth: `intended` is for scoring and `seen` names the echo that the seeker rests on.
@@ -77,4 +77,4 @@ struct MissileState {
 };
 static_assert(fields_cover_row<MissileState>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

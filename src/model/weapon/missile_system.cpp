@@ -13,7 +13,7 @@
 #include "model/weapon/homing.hpp"
 #include "sim/rate.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -245,4 +245,4 @@ MissileEnd end_of(const MissileType& type, const Kinematics& k, const MissileSta
   return MissileEnd::none;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

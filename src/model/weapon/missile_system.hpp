@@ -9,7 +9,7 @@
 #include "model/library.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// perceive: seeker; decide: link and guidance; act: emission; move: flight; interact: fuze, ground
 /// and the end; commit: removal of what has ended.
@@ -49,4 +49,4 @@ void move_missile(const MissileType& type, const Library& library, double time, 
 [[nodiscard]] MissileEnd end_of(const MissileType& type, const Kinematics& k,
                                 const MissileState& state, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

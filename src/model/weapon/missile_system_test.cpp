@@ -6,7 +6,7 @@
 #include "model/weapon/test_range.hpp"
 #include "support/no_allocation.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kMedium;
@@ -289,4 +289,4 @@ TEST(MissileSystem, RefusesALookRateThatDoesNotFitTheStep) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -10,7 +10,7 @@
 #include "model/weapon/launch_zone.hpp"
 #include "model/weapon/seeker_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Mass and thrust over the time since launch. The motor burns until the last breakpoint of thrust.
 struct Motor {
@@ -180,4 +180,4 @@ struct MissileType {
   }
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/math.hpp"
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "model/weapon/missile_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 double Motor::total_impulse() const {
   const auto time = thrust.breakpoints();
@@ -28,4 +28,4 @@ void MissileType::prepare() {
   zone = kept_zones().of(*this);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -4,7 +4,7 @@
 #include "model/weapon/missile_type.hpp"
 #include "support/data_file.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using eyrie::test::load;
@@ -38,4 +38,4 @@ TEST(Motor, BurnsSolidPropellantInEveryMissile) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -6,7 +6,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -96,4 +96,4 @@ Vec3 sight_at(const MissileState& state, double time) {
   return normalized(state.sight + dt * cross(state.sight_rate, state.sight), state.sight);
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -7,7 +7,7 @@
 #include "model/weapon/missile_state.hpp"
 #include "model/weapon/seeker_type.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Where a seeker is and where its missile points.
 struct SeekerView {
@@ -52,4 +52,4 @@ void follow(const SeekerType& seeker, const SeekerView& view, const SeekerLook& 
 /// The filtered line of sight carried on to `time` (s).
 [[nodiscard]] Vec3 sight_at(const MissileState& state, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

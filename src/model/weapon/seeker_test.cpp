@@ -5,9 +5,9 @@
 
 #include "core/angle.hpp"
 #include "core/units.hpp"
-#include "model/weapon/infrared.hpp"
+#include "model/signature.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 SeekerType radar() {
@@ -205,4 +205,4 @@ TEST(RadiantIntensity, IsBrightestFromBehindAndWithAfterburner) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -9,23 +9,23 @@
 
 #include "core/describe.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 enum class SeekerKind : std::uint8_t {
   radar,     ///< active: measures angles, range and closing speed; heard by warning receivers
   infrared,  ///< measures angles only; must be locked on before launch
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon
 
 template <>
-struct eyrie::EnumNames<eyrie::model::SeekerKind> {
-  using E = eyrie::model::SeekerKind;
+struct eyrie::EnumNames<eyrie::model::weapon::SeekerKind> {
+  using E = eyrie::model::weapon::SeekerKind;
   static constexpr std::array names{std::pair<std::string_view, E>{"radar", E::radar},
                                     std::pair<std::string_view, E>{"infrared", E::infrared}};
 };
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// Const. Angles in radians, everything else SI.
 struct SeekerType {
@@ -86,4 +86,4 @@ struct SeekerType {
   }
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -5,7 +5,7 @@
 
 #include "core/assert.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::optional<Ejection> finish_release(Stores& stores, bool track_held, double t
   return ejection;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

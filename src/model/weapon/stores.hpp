@@ -9,7 +9,7 @@
 #include "model/library.hpp"
 #include "model/weapon/stores_state.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// The stores of an aircraft at birth. std::logic_error for a store that is not in the library, for
 /// more stations than kMaxStations and for more than 255 missile types.
@@ -40,4 +40,4 @@ struct Ejection {
 /// without it, it stays. Either way nothing is under way afterwards.
 [[nodiscard]] std::optional<Ejection> finish_release(Stores& stores, bool track_held, double time);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -8,7 +8,7 @@
 #include "core/field.hpp"
 #include "core/id.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// One station: `count` stores of one type.
 struct Station {
@@ -44,4 +44,4 @@ struct Stores {
 };
 static_assert(fields_cover_row<Stores>());
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "model/events.hpp"
-#include "model/sensor/geometry.hpp"
+#include "model/kinematics.hpp"
 #include "model/weapon/birth.hpp"
 #include "model/weapon/stores.hpp"
 #include "model/weapon/target_scene.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 namespace {
 
@@ -119,4 +119,4 @@ void StoresSystem::launch(sim::World& world, const sim::StepInfo& info, const si
     context.emit({.kind = EventKind::winchester, .who = eject.who, .place = shooter.position});
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -7,7 +7,7 @@
 #include "model/library.hpp"
 #include "sim/system.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// act: a Request for a store becomes a release, and after the launch delay an eject; commit: each
 /// eject becomes a missile. A missile that must be locked on before launch is not released while
@@ -33,4 +33,4 @@ class StoresSystem final : public sim::System {
   std::shared_ptr<const Library> library_;
 };
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

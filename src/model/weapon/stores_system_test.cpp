@@ -5,7 +5,7 @@
 
 #include "model/weapon/test_range.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 using test::kMedium;
@@ -100,4 +100,4 @@ TEST_F(StoresTest, GivesUpNothingWhenTheShooterDiesBeforeLaunch) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

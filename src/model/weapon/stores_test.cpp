@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 namespace {
 
 Shelf<MissileType> shelf() {
@@ -108,4 +108,4 @@ TEST(Release, TellsTheLastMissileOnce) {
 }
 
 }  // namespace
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

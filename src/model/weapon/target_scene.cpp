@@ -3,7 +3,7 @@
 
 #include "core/math.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 TargetScene TargetScene::of(const sim::World& world, const AircraftColumns& columns,
                             const Library& library) {
@@ -60,4 +60,4 @@ std::optional<Seen> search(const SeekerType& seeker, const SeekerView& view,
   return best;
 }
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

@@ -11,7 +11,7 @@
 #include "model/weapon/seeker.hpp"
 #include "sim/world.hpp"
 
-namespace eyrie::model {
+namespace eyrie::model::weapon {
 
 /// A view of the rows of all aircraft. Good in phases in which nobody writes them: perceive, decide
 /// and act.
@@ -19,7 +19,7 @@ struct TargetScene {
   std::span<const PlayerId> ids;
   std::span<const Kinematics> kinematics;
   std::span<const Fit> fit;
-  std::span<const Propulsion> propulsion;
+  std::span<const flight::Propulsion> propulsion;
   const Library& library;
 
   [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
@@ -54,4 +54,4 @@ struct Seen {
 [[nodiscard]] std::optional<Seen> search(const SeekerType& seeker, const SeekerView& view,
                                          const TargetScene& scene, const SearchVolume& volume);
 
-}  // namespace eyrie::model
+}  // namespace eyrie::model::weapon

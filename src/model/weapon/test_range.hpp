@@ -62,13 +62,13 @@ class Range {
     aircraft_ = AircraftColumns::define(schema, 16);
     missiles_ = MissileColumns::define(schema, 32);
     describe_events(schema);
-    add_orders(schema);
+    weapon::add_orders(schema);
     sim::SimulationBuilder builder(schema.build());
     builder.add<Straight>(aircraft_, library_);
-    builder.add<StoresSystem>(aircraft_, missiles_, library_);
-    builder.add<MissileSystem>(aircraft_, missiles_, library_, sim::kDefaultDt);
-    builder.add<GunSystem>(aircraft_, library_);
-    builder.add<DamageSystem>(aircraft_);
+    builder.add<weapon::StoresSystem>(aircraft_, missiles_, library_);
+    builder.add<weapon::MissileSystem>(aircraft_, missiles_, library_, sim::kDefaultDt);
+    builder.add<weapon::GunSystem>(aircraft_, library_);
+    builder.add<weapon::DamageSystem>(aircraft_);
     simulation_ = builder.build();
     world_ = std::make_unique<sim::World>(simulation_->world(seed));
     work_ = std::make_unique<sim::Workspace>(*simulation_);
@@ -91,11 +91,11 @@ class Range {
   PlayerId add(const Vec3& position, double heading, double speed, Side side = Side::blue) {
     const auto born = world_->spawn(aircraft_.table);
     row(aircraft_.kinematics, born->id) =
-        placed(library_->reference, library_->environment, position, heading, speed);
+        flight::placed(library_->reference, library_->environment, position, heading, speed);
     row(aircraft_.fit, born->id).side = side;
     const AircraftType& type = library_->aircraft[0];
-    row(aircraft_.stores, born->id) = load_stores(type.stations, library_->missiles);
-    row(aircraft_.gun, born->id) = loaded(library_->guns[0]);
+    row(aircraft_.stores, born->id) = weapon::load_stores(type.stations, library_->missiles);
+    row(aircraft_.gun, born->id) = weapon::loaded(library_->guns[0]);
     return born->id;
   }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/environment/atmosphere.hpp"
+#include "model/environment.hpp"
 
 namespace eyrie::pilot {
 

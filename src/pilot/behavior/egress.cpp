@@ -32,9 +32,9 @@ Status Egress::tick(const Tick& t, Proposal& out) const {
     if (nav.route != *route_)
       nav = {.leg = 0, .route = *route_};
     if (nav.leg < route.waypoints.size()) {
-      const model::GuidanceGains& gains = s.airframe().autopilot.guidance;
-      const model::Guidance fly =
-          model::route_guidance(gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
+      const model::flight::GuidanceGains& gains = s.airframe().autopilot.guidance;
+      const model::flight::Guidance fly = model::flight::route_guidance(
+          gains, s.own, route, nav, speed_, gains.loiter_radius, s.wind());
       out.action.heading = wrap_tau(fly.heading);
       out.action.altitude = fly.altitude;
       out.action.speed = fly.speed;
@@ -45,7 +45,7 @@ Status Egress::tick(const Tick& t, Proposal& out) const {
   }
 
   const double bearing = bearing_of(to_ned(s.own, home - s.own.position));
-  out.action.heading = wrap_tau(model::crab(bearing, speed_, s.wind()));
+  out.action.heading = wrap_tau(model::flight::crab(bearing, speed_, s.wind()));
   if (!arrived) {
     out.action.mode = model::AutopilotMode::hold;
     return Status::running;

@@ -38,7 +38,7 @@ double Pursue::clearance(const State& s) const {
     const model::Mate& mate = s.datalink.members[i];
     if (!mate.alive || !mate.reported)
       continue;
-    const Vec3 apart = to_ned(s.own, model::position_at(mate, s.time) - s.own.position);
+    const Vec3 apart = to_ned(s.own, position_at(mate, s.time) - s.own.position);
     if (norm2(apart) < separation_ * separation_)
       return apart.z >= 0 ? separation_ : -separation_;
   }
@@ -49,17 +49,17 @@ void Pursue::follow(const State& s, const Seen& target, double altitude, Action&
   const Vec3 velocity = s.velocity_of(target);
   // who stands has no heading: follow him from where we are
   const double heading = bearing_of(norm2(velocity) > 0 ? velocity : target.ned);
-  const Follow follow{.position = model::position_at(*target.track, s.time),
+  const Follow follow{.position = position_at(*target.track, s.time),
                       .velocity = target.track->velocity,
                       .time = s.time,
                       .offset = {-behind_, 0, 0}};
-  const model::FollowOrder order{.position = follow.position,
-                                 .velocity = follow.velocity,
-                                 .lead_heading = heading,
-                                 .offset = follow.offset,
-                                 .altitude = altitude};
-  const model::Guidance fly =
-      model::follow_guidance(s.airframe().autopilot.guidance, s.own, order, s.wind());
+  const model::flight::FollowOrder order{.position = follow.position,
+                                         .velocity = follow.velocity,
+                                         .lead_heading = heading,
+                                         .offset = follow.offset,
+                                         .altitude = altitude};
+  const model::flight::Guidance fly =
+      model::flight::follow_guidance(s.airframe().autopilot.guidance, s.own, order, s.wind());
   action.heading = wrap_tau(fly.heading);
   action.altitude = fly.altitude;
   action.speed = fly.speed;

@@ -11,7 +11,7 @@
 namespace eyrie::pilot {
 
 std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const Seen& target) const {
-  const model::LaunchSituation situation = s.launch_situation(target);
+  const model::weapon::LaunchSituation situation = s.launch_situation(target);
   std::optional<std::uint16_t> best;
   double best_reach = 0;
   std::bitset<256> tried;
@@ -25,9 +25,9 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
         !missile.locks_before_launch() || target.range < missile.seeker.greatest_range;
     // a missile that is sent blind goes where the track is
     const bool knows = missile.locks_before_launch() || target.track->position_sigma <= max_error_;
-    if (!sees || !knows || !model::can_release(s.stores, store, s.time))
+    if (!sees || !knows || !model::weapon::can_release(s.stores, store, s.time))
       continue;
-    const model::EmploymentZone zone = missile.zone.at(situation);
+    const model::weapon::EmploymentZone zone = missile.zone.at(situation);
     const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);
     if (!zone.possible() || target.range < zone.r_min || target.range > reach ||
         (best && reach >= best_reach))

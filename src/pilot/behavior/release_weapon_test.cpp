@@ -21,7 +21,7 @@ Desk at_share(double share) {
   double range = 60e3;
   for (int i = 0; i < 20; ++i) {  // the zone hardly depends on the range: this converges at once
     const State s = desk.state();
-    const model::EmploymentZone zone = s.zone(kMedium, s.seen[0]);
+    const model::weapon::EmploymentZone zone = s.zone(kMedium, s.seen[0]);
     range = zone.r_ne + share * (zone.r_max - zone.r_ne);
     desk.tracks.tracks[0].position = desk.own.position + Vec3{range, 0, 0};
   }
@@ -82,7 +82,8 @@ TEST(ReleaseWeapon, FailsWithoutMissiles) {
 
 TEST(ReleaseWeapon, WaitsWhileAReleaseIsUnderWay) {
   Desk desk = at_share(0.2);
-  model::begin_release(desk.stores, kMedium, library().missiles[kMedium], TrackId{1}, desk.time);
+  model::weapon::begin_release(desk.stores, kMedium, library().missiles[kMedium], TrackId{1},
+                               desk.time);
   EXPECT_EQ(decide("{release_weapon: {salvo: 4}}", desk).status, kFailure);
 }
 

@@ -23,7 +23,7 @@ class Winchester final : public Condition {
     return std::tuple{param("gun", &Winchester::gun_, "true: with rounds left it does not hold")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
-    return model::missiles_left(t.state.stores) == 0 && (!gun_ || t.state.gun.rounds == 0);
+    return model::weapon::missiles_left(t.state.stores) == 0 && (!gun_ || t.state.gun.rounds == 0);
   }
 
  private:

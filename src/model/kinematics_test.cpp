@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/sensor/geometry.hpp"
+#include "model/kinematics.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/sensor/geometry.hpp"
+#include "model/kinematics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/sensor/signature.hpp"
+#include "model/signature.hpp"
 
 #include <cmath>
 
