@@ -51,7 +51,7 @@ void decide(benchmark::State& state, const char* tree) {
   NoAllocation guard;
   guard.dismiss();
   for (auto _ : state) {
-    const pilot::testing::Decision decision = pilot.decide(d);
+    const pilot::testing::Decided decision = pilot.decide(d);
     benchmark::DoNotOptimize(&decision);
     benchmark::ClobberMemory();
   }

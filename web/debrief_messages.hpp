@@ -110,8 +110,8 @@ struct Message<debrief::WhatIf> {
       Member{"spans", &T::spans, "s, from the first to the last of other decisions in a row."}};
 };
 template <>
-struct Message<debrief::Outcome::Side> {
-  using T = debrief::Outcome::Side;
+struct Message<debrief::Outcome::Score> {
+  using T = debrief::Outcome::Score;
   static constexpr std::string_view name = "Tally", help = "How a side fared.";
   static constexpr std::tuple members{
       Member{"losses", &T::losses, "Players lost."}, Member{"shots", &T::shots, "Missiles shot."},

@@ -53,7 +53,7 @@ class Twice {
 Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally) {
   const auto side = [&](model::Side s) {
     const auto sum = tally.side(s);
-    return Outcome::Side{sum.losses, sum.shots, sum.kills, sum.home};
+    return Outcome::Score{sum.losses, sum.shots, sum.kills, sum.home};
   };
   return {std::string(scenario::outcome_name(mission.outcome())), mission.run().time(),
           side(model::Side::blue), side(model::Side::red)};

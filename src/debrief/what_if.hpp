@@ -43,10 +43,10 @@ struct WhatIf {
 struct Outcome {
   std::string outcome;  ///< as scenario::outcome_name
   double time = 0;      ///< s
-  struct Side {
+  struct Score {
     std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
   };
-  Side blue, red;
+  Score blue, red;
 };
 
 /// Of a flight that was watched by `tally`.

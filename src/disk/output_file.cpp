@@ -32,7 +32,7 @@ OutputFile::OutputFile(const std::string& path, bool replace, mode_t mode)
       replace_(replace),
       mode_(mode),
       before_(replaceable(place_, replace)),
-      part_(place_, Kind::file, {}),
+      part_(place_, EntryKind::file, {}),
       sink_(part_.handle(), place_.path()) {}
 
 void OutputFile::commit() {

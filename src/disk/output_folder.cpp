@@ -35,7 +35,7 @@ OutputFolder::OutputFolder(const FolderWish& wish)
       place_(wish.path, Parents::are_made),
       path_(place_.path()),
       old_(wish.numbered ? std::nullopt : find_old()),
-      part_(place_, Kind::folder, wish.names) {
+      part_(place_, EntryKind::folder, wish.names) {
   remove_abandoned(place_, wish.names);
 }
 

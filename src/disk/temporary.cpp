@@ -55,7 +55,7 @@ bool is_temporary(std::string_view name) {
          name.find_first_not_of("0123456789abcdef", kPrefix.size()) == name.npos;
 }
 
-Temporary::Temporary(const Place& place, Kind kind, Names names)
+Temporary::Temporary(const Place& place, EntryKind kind, Names names)
     : place_(place), names_(names), kind_(kind) {
   for (std::size_t i = 0; i < slots.size() && slot_ < 0; ++i)
     if (!slots[i].used) {
@@ -65,7 +65,7 @@ Temporary::Temporary(const Place& place, Kind kind, Names names)
       slot_ = static_cast<int>(i);
     }
   constexpr int kTries = 100;
-  for (int i = 0; i < kTries && !make(kind == Kind::folder ? 0700 : 0600); ++i) {
+  for (int i = 0; i < kTries && !make(kind == EntryKind::folder ? 0700 : 0600); ++i) {
   }
   if (handle_)
     return;
@@ -84,7 +84,7 @@ bool Temporary::make(mode_t mode) {
     std::memcpy(slot->name.data(), name_.c_str(), name_.size() + 1);
     slot->used = true;
   }
-  if (kind_ == Kind::folder) {
+  if (kind_ == EntryKind::folder) {
     if (files().make_folder(folder, name_.c_str(), mode) != 0)
       return errno != EEXIST;
     handle_ = Handle(files().open(folder, name_.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0));
@@ -108,7 +108,7 @@ bool Temporary::make(mode_t mode) {
     files().remove(folder, name_.c_str(), AT_REMOVEDIR);
     errno = error;
   }
-  if (slot && kind_ == Kind::folder)
+  if (slot && kind_ == EntryKind::folder)
     slot->folder = handle();
   return !lost;
 }
@@ -125,8 +125,8 @@ Temporary::~Temporary() {
     return;
   // what fails may have failed for a moment only
   for (int i = 0; i < 2; ++i)
-    if (kind_ == Kind::folder ? remove_folder(place_.folder(), name_, handle(), names_)
-                              : files().remove(place_.folder(), name_.c_str(), 0) == 0)
+    if (kind_ == EntryKind::folder ? remove_folder(place_.folder(), name_, handle(), names_)
+                                   : files().remove(place_.folder(), name_.c_str(), 0) == 0)
       break;
   moved();
 }

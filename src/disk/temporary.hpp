@@ -12,7 +12,7 @@ namespace eyrie::disk {
 /// Names of files that Eyrie writes into a folder; the texts live as long as the program.
 using Names = std::span<const char* const>;
 
-enum class Kind { file, folder };
+enum class EntryKind { file, folder };
 
 /// A new file or folder beside a place, of a name that nobody can guess or has made before, and
 /// locked as long as this lives. It goes with all that Eyrie has put into it, unless it has been
@@ -20,7 +20,7 @@ enum class Kind { file, folder };
 class Temporary {
  public:
   /// `names` is what may be in a folder. Throws as cannot_make().
-  Temporary(const Place& place, Kind kind, Names names);
+  Temporary(const Place& place, EntryKind kind, Names names);
   ~Temporary();
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -36,7 +36,7 @@ class Temporary {
 
   const Place& place_;
   Names names_;
-  Kind kind_;
+  EntryKind kind_;
   std::string name_;
   Handle handle_;
   int slot_ = -1;

@@ -31,7 +31,7 @@ class Teller : public team::Telling {
 struct Driving : Platform {
   using Agent = driver::Agent;
   using Columns = model::VehicleColumns;
-  using Plan = ConvoyPlan;
+  using Plan = Spacing;
   using View = Cab;
   using Teller = driver::Teller;
   /// What he writes.
@@ -43,8 +43,8 @@ struct Driving : Platform {
   static constexpr std::string_view swap_tree_name = "swap_driver_tree";
 
   [[nodiscard]] static State perceive(const Cab& cab, const model::Library& library,
-                                      const model::Fit& fit, const ConvoyPlan& plan, double time) {
-    return {cab, library, fit, plan, time};
+                                      const model::Fit& fit, const Spacing& spacing, double time) {
+    return {cab, library, fit, spacing, time};
   }
   static void account(const State&, Agent&) {}
   static void rest(const Controls&) {}

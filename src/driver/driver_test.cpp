@@ -8,13 +8,13 @@
 #include "core/angle.hpp"
 #include "driver/behavior/scatter.hpp"
 #include "driver/behavior/ways.hpp"
-#include "driver/testing.hpp"
+#include "support/driver/cab.hpp"
 
 namespace eyrie::driver {
 namespace {
 
 using driver::testing::decide;
-using driver::testing::Decision;
+using driver::testing::Decided;
 using driver::testing::Desk;
 using driver::testing::Driver;
 
@@ -25,7 +25,7 @@ Desk in_column(std::uint32_t rank) {
 }
 
 TEST(DriverNavigate, DrivesAlongTheRouteAtTheSpeedOfTheLeg) {
-  const Decision d = decide("{navigate: {vote: 7, speed: 40 km/h}}", Desk());
+  const Decided d = decide("{navigate: {vote: 7, speed: 40 km/h}}", Desk());
   EXPECT_EQ(d.status, Status::running);
   EXPECT_NEAR(*d.action().heading, 0, 1e-9);
   EXPECT_EQ(d.action().speed, 12);
@@ -33,7 +33,7 @@ TEST(DriverNavigate, DrivesAlongTheRouteAtTheSpeedOfTheLeg) {
   Desk second;
   second.own = model::test::flying({2e3, 100, 0}, 0, 10);
   second.driving.nav.leg = 1;
-  const Decision there = decide("{navigate: {speed: 36 km/h}}", second);
+  const Decided there = decide("{navigate: {speed: 36 km/h}}", second);
   EXPECT_NEAR(*there.action().heading, kPi / 2, 1e-9);
   EXPECT_EQ(there.action().speed, 10) << "the leg gives no speed";
 }
@@ -41,7 +41,7 @@ TEST(DriverNavigate, DrivesAlongTheRouteAtTheSpeedOfTheLeg) {
 TEST(DriverNavigate, StandsAtTheEndOfTheRoute) {
   Desk desk;
   desk.driving.nav.leg = 2;
-  const Decision d = decide("navigate", desk);
+  const Decided d = decide("navigate", desk);
   EXPECT_EQ(d.status, Status::success);
   EXPECT_EQ(d.action().speed, 0);
   EXPECT_EQ(decide("route_done", desk).status, Status::success);
@@ -53,11 +53,11 @@ TEST(DriverNavigate, FailsWithoutSuchARoute) {
 
 TEST(DriverFollowLead, KeepsItsDistanceBehindTheVehicleAhead) {
   Desk desk = in_column(3);
-  const Decision d = decide("follow_lead", desk);
+  const Decided d = decide("follow_lead", desk);
   EXPECT_EQ(d.status, Status::running);
   EXPECT_NEAR(*d.action().heading, 0, 1e-9);
   EXPECT_NEAR(*d.action().speed, 10, 1e-9) << "in its place already";
-  desk.plan.gap = 30;
+  desk.spacing.gap = 30;
   EXPECT_NEAR(*decide("follow_lead", desk).action().speed,
               10 + 20 * testing::library().vehicles[0].gap_gain, 1e-9);
 }
@@ -82,8 +82,8 @@ TEST(DriverFollowLead, FailsForWhoeverLeads) {
 
 TEST(DriverFollowLead, WaitsInsteadOfTurningBackWhenItIsTooClose) {
   Desk desk = in_column(2);
-  desk.plan.gap = 500;
-  const Decision d = decide("follow_lead", desk);
+  desk.spacing.gap = 500;
+  const Decided d = decide("follow_lead", desk);
   EXPECT_EQ(*d.action().speed, 0);
   EXPECT_NEAR(std::remainder(*d.action().heading, kTau), 0, 1e-9);
 }
@@ -93,7 +93,7 @@ TEST(Scatter, LeavesTheRoadOnTheSideOfItsRank) {
   for (const std::uint32_t rank : {1u, 2u}) {
     Desk desk = in_column(rank);
     desk.see(7000);
-    const Decision d = decide("{scatter: {angle: 70 deg, speed: 8 m/s}}", desk);
+    const Decided d = decide("{scatter: {angle: 70 deg, speed: 8 m/s}}", desk);
     EXPECT_EQ(d.status, Status::running);
     EXPECT_EQ(d.action().call, Call::scatter);
     EXPECT_EQ(d.action().speed, 8);

@@ -24,11 +24,11 @@ std::int32_t nearest_stranger(const State& s) {
 }  // namespace
 
 State::State(const Cab& cab, const model::Library& models, const model::Fit& fit,
-             const ConvoyPlan& convoy_plan, double now)
+             const Spacing& driven_in, double now)
     : Cab(cab),
       type(models.vehicles[fit.type]),
       convoy(models.flights[fit.flight]),
-      plan(convoy_plan),
+      spacing(driven_in),
       time(now) {
   rank = team::rank_now(datalink, fit.rank);
   for (std::uint32_t i = 0; i < datalink.count; ++i)

@@ -16,7 +16,7 @@
 namespace eyrie::driver {
 
 /// What does not change about one convoy, for its drivers.
-struct ConvoyPlan {
+struct Spacing {
   double gap = 50;  ///< m, from vehicle to vehicle
 };
 
@@ -37,11 +37,11 @@ struct Cab {
 /// Views into the driver's own rows and what follows from them; good for one decision.
 struct State : Cab {
   State(const Cab& cab, const model::Library& models, const model::Fit& fit,
-        const ConvoyPlan& convoy_plan, double now);
+        const Spacing& driven_in, double now);
 
   const model::VehicleType& type;
   const model::Flight& convoy;
-  const ConvoyPlan& plan;
+  const Spacing& spacing;
   double time;  ///< s
 
   std::uint32_t rank = 1;           ///< among the members believed alive, 1 leads
@@ -64,7 +64,7 @@ struct State : Cab {
   [[nodiscard]] bool leads() const { return rank == 1; }
   /// The vehicle ahead in the column: the next lower rank that is believed alive.
   [[nodiscard]] std::optional<team::Leader> leader() const;
-  [[nodiscard]] Vec3 place() const { return {-plan.gap, 0, 0}; }
+  [[nodiscard]] Vec3 place() const { return {-spacing.gap, 0, 0}; }
   /// Straight at the vehicle ahead, so that a column does not swing out in bends.
   [[nodiscard]] double forward_of(const team::Leader& ahead) const {
     return bearing_to(ahead.position);

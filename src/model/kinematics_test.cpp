@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
-#include "model/sensor/test_players.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::model {
 namespace {

@@ -36,7 +36,7 @@ Json Motion::json(ColumnBytes& bytes) const {
 Motions::Motions(const scenario::Scenario& scenario, double period)
     : scenario_(scenario), period_(period), players_(scenario.roster.players.size()) {}
 
-void Motions::sample(Player& player, double time, const model::Kinematics& k, double fuel) {
+void Motions::sample(Flown& player, double time, const model::Kinematics& k, double fuel) {
   if (time <= player.motion.last_time())
     return;
   player.motion.add(time, scenario_.library->reference, k);
@@ -48,7 +48,7 @@ void Motions::sample(Player& player, double time, const model::Kinematics& k, do
 
 void Motions::look(const sim::World& world, bool players, bool missiles) {
   const auto see = [&](PlayerId id, const model::Kinematics& k, double fuel) {
-    Player& player = players_[id.value - 1];
+    Flown& player = players_[id.value - 1];
     if (!player.born) {
       player.born = true;
       player.born_time = time_;
@@ -95,7 +95,7 @@ void Motions::launched(const sim::Event& e, const sim::World& world) {
 
 void Motions::left(const record::Fate& fate, const sim::Event& e) {
   if (scenario_.roster.find(fate.who)) {
-    Player& player = players_[fate.who.value - 1];
+    Flown& player = players_[fate.who.value - 1];
     if (player.gone >= 0)
       return;
     player.gone = time_;
@@ -135,7 +135,7 @@ void Motions::observe(const sim::World& world, const sim::StepInfo& info,
 
 void Motions::finish(const sim::World& world) {
   look(world, true, true);
-  for (Player& player : players_)
+  for (Flown& player : players_)
     if (player.gone < 0)
       player.gone = time_;
   for (auto& [id, missile] : missiles_)
@@ -144,7 +144,7 @@ void Motions::finish(const sim::World& world) {
 }
 
 Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
-  const Player& p = players_[index];
+  const Flown& p = players_[index];
   Json j{{"born", p.born_time}, {"gone", p.gone}, {"end", p.end}};
   j["motion"] = p.motion.json(bytes);
   j["gauges"] = {{"speed", put(bytes, p.speed)},

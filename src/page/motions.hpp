@@ -44,7 +44,7 @@ class Motions final : public sim::Observer {
   [[nodiscard]] Json missiles(ColumnBytes& bytes) const;
 
  private:
-  struct Player {
+  struct Flown {
     double gone = -1;
     std::string_view end;
     Motion motion;
@@ -66,7 +66,7 @@ class Motions final : public sim::Observer {
   };
 
   void look(const sim::World& world, bool players, bool missiles);
-  void sample(Player& player, double time, const model::Kinematics& k, double fuel);
+  void sample(Flown& player, double time, const model::Kinematics& k, double fuel);
   void happened(const sim::Event& event, const sim::World& world);
   void launched(const sim::Event& event, const sim::World& world);
   void left(const record::Fate& fate, const sim::Event& event);
@@ -74,7 +74,7 @@ class Motions final : public sim::Observer {
   const scenario::Scenario& scenario_;
   double period_, time_ = 0, dt_ = 0.02;
   std::uint64_t players_every_ = 25, missiles_every_ = 5;
-  std::vector<Player> players_;
+  std::vector<Flown> players_;
   std::map<std::uint32_t, Missile> missiles_;
 };
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "model/flight/test_flight.hpp"
 #include "pilot/testing.hpp"
 #include "support/data_file.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::pilot {
 namespace {
@@ -27,13 +27,13 @@ struct Flown : model::test::TestFlight {
     reference = library().reference;
     propulsion.fuel = 4000;
   }
-  Decision decide() {
+  Decided decide() {
     desk.own = kinematics;
     desk.flying = flying;
     desk.propulsion = propulsion;
     desk.command = command;
     desk.time = time;
-    const Decision decision = pilot.fly(desk);
+    const Decided decision = pilot.fly(desk);
     command = desk.command;
     return decision;
   }
@@ -50,7 +50,7 @@ struct Flown : model::test::TestFlight {
     return false;
   }
   void fly_for(double seconds) {
-    fly_until(seconds, [](const Decision&) { return false; });
+    fly_until(seconds, [](const Decided&) { return false; });
   }
 
   Desk desk;
@@ -63,7 +63,7 @@ TEST(AvoidGround, KeepsAnAircraftThatDivesOnAndOnOffTheGround) {
       Flown f("{avoid_ground: {floor: 457 m}}");
       f.start(altitude, 0.3, speed);
       double lowest = altitude;
-      f.fly_until(400, [&](const Decision& d) {
+      f.fly_until(400, [&](const Decided& d) {
         if (d.status == kFailure)
           f.command = {.heading = 0.3, .altitude = -5000, .speed = speed, .load_factor = 5};
         lowest = std::min(lowest, f.kinematics.altitude);
@@ -83,7 +83,7 @@ TEST(Egress, LandsFromWhereverItBegins) {
         f.start(altitude, heading, 250, home.x, miles * kNmi);
         const double in_time = miles * kNmi / 200 + 400;
         EXPECT_TRUE(
-            f.fly_until(in_time, [](const Decision& d) { return d.action().call == Call::land; }))
+            f.fly_until(in_time, [](const Decided& d) { return d.action().call == Call::land; }))
             << miles << " nmi, " << altitude << " m, heading " << heading;
         EXPECT_LT(*f.desk.state().home_distance(), 5.01 * kNmi);
         EXPECT_LT(f.kinematics.altitude, si(6000, "ft"));
@@ -142,7 +142,7 @@ TEST(BreakTurn, PutsTheMissileBehindTheWingAndLosesHeight) {
   Flown f("{break_turn: {turn: 110 deg}}");
   f.start(6000, 0, 280);
   f.desk.threat(0.5, 3000);
-  EXPECT_TRUE(f.fly_until(20, [&](const Decision&) {
+  EXPECT_TRUE(f.fly_until(20, [&](const Decided&) {
     return std::fabs(angle_between(f.kinematics.heading, 0.5)) > si(105, "deg");
   }));
   EXPECT_LT(angle_between(0, f.kinematics.heading), 0);  // it came from the right

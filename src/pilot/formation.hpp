@@ -2,7 +2,10 @@
 #pragma once
 /// \file  The wall formation: where each rank flies.
 #include <cstdint>
+#include <string_view>
+#include <tuple>
 
+#include "core/describe.hpp"
 #include "core/units.hpp"
 #include "core/vec.hpp"
 
@@ -13,6 +16,16 @@ struct Formation {
   double abreast = si(6000, "ft");  ///< m to the side
   double behind = si(1000, "ft");   ///< m back
   double below = si(500, "ft");     ///< m down
+
+  static constexpr std::string_view type_name = "formation";
+  static constexpr std::string_view help = "the wall formation: spacing from one place to the next";
+  static constexpr auto params() {
+    using F = Formation;
+    return std::tuple{
+        param("abreast", &F::abreast, "m", range(50, 50e3), "to the side of the lead, per place"),
+        param("behind", &F::behind, "m", range(-50e3, 50e3), "behind the lead, per place"),
+        param("below", &F::below, "m", range(-5e3, 5e3), "below the lead, per place")};
+  }
 };
 
 /// Where a rank stands, in m forward, right and down of the lead's heading. Rank 2 is the first

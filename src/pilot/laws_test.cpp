@@ -77,7 +77,7 @@ Desk anything() {
 RC_GTEST_PROP(EveryBehavior, RecommendsNumbersThatCanBeFlown, ()) {
   const Desk s = anything();
   for (const std::string behavior : kBehaviors) {
-    const Decision answer = decide(behavior, s);
+    const Decided answer = decide(behavior, s);
     const Action& a = answer.action();
     RC_LOG() << behavior << '\n';
     if ((answer.status == kFailure)) {
@@ -156,7 +156,7 @@ RC_GTEST_PROP(EveryBehavior, PrefersNeitherLeftNorRight, ()) {
     if (behavior == "follow_lead" || (behavior == "break_turn" && has_threat_on_the_axis(s)))
       continue;
     RC_LOG() << behavior << '\n';
-    const Decision here = decide(behavior, s), there = decide(behavior, other);
+    const Decided here = decide(behavior, s), there = decide(behavior, other);
     const Action &a = here.action(), &b = there.action();
     RC_ASSERT(here.status == there.status);
     RC_ASSERT(here.proposal.vote == there.proposal.vote);

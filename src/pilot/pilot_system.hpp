@@ -22,7 +22,7 @@ enum class OrderKind : std::uint16_t { none = 0, swap_tree = 1 };
 struct Piloting : Platform {
   using Agent = pilot::Agent;
   using Columns = model::AircraftColumns;
-  using Plan = FlightPlan;
+  using Plan = Formation;
   using View = Cockpit;
   using Teller = pilot::Teller;
   /// What he writes.
@@ -35,8 +35,9 @@ struct Piloting : Platform {
   static constexpr std::string_view swap_tree_name = "swap_tree";
 
   [[nodiscard]] static State perceive(const Cockpit& cockpit, const model::Library& library,
-                                      const model::Fit& fit, const FlightPlan& plan, double time) {
-    return pilot::perceive(cockpit, library, fit, plan, time);
+                                      const model::Fit& fit, const Formation& formation,
+                                      double time) {
+    return pilot::perceive(cockpit, library, fit, formation, time);
   }
   static void account(const State& state, Agent& agent) { account_for_shots(state, agent); }
   /// A release is asked for once, not until the next decision.

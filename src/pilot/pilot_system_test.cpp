@@ -9,8 +9,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "pilot/testing_war.hpp"
 #include "support/no_allocation.hpp"
+#include "support/pilot/war.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -37,8 +37,8 @@ void count_flight(State& s, const model::Fit& fit) {
 }  // namespace
 
 State perceive(const Cockpit& cockpit, const model::Library& library, const model::Fit& fit,
-               const FlightPlan& plan, double time) {
-  State s(cockpit, library, fit, plan, time);
+               const Formation& formation, double time) {
+  State s(cockpit, library, fit, formation, time);
   s.velocity_ned = to_ned(s.own, s.own.velocity);
   s.seen_count = s.tracks.count;
   for (std::uint32_t i = 0; i < s.seen_count; ++i) {

@@ -34,11 +34,6 @@ struct Seen {
   [[nodiscard]] TrackId id() const { return track->id; }
 };
 
-/// What does not change about one flight, for its pilots.
-struct FlightPlan {
-  Formation formation;
-};
-
 /// The rows of one aircraft that its pilot reads.
 struct Cockpit {
   const model::Kinematics& own;
@@ -65,18 +60,18 @@ struct Cockpit {
 /// knows the difference.
 struct State : Cockpit {
   State(const Cockpit& cockpit, const model::Library& models, const model::Fit& fit,
-        const FlightPlan& flight_plan, double now)
+        const Formation& flown_in, double now)
       : Cockpit(cockpit),
         library(models),
         type(models.aircraft[fit.type]),
         flight(models.flights[fit.flight]),
-        plan(flight_plan),
+        formation(flown_in),
         time(now) {}
 
   const model::Library& library;
   const model::AircraftType& type;
   const model::Flight& flight;
-  const FlightPlan& plan;
+  const Formation& formation;
   double time;  ///< s
 
   std::uint32_t rank = 1;   ///< among the members believed alive, 1 leads
@@ -100,7 +95,7 @@ struct State : Cockpit {
   /// Where the lead is: by datalink, or else by a privileged player's track of him.
   [[nodiscard]] std::optional<team::Leader> leader() const;
   /// The own place in the wall, m forward, right and down of the lead's course.
-  [[nodiscard]] Vec3 place() const { return formation_offset(plan.formation, rank); }
+  [[nodiscard]] Vec3 place() const { return formation_offset(formation, rank); }
   [[nodiscard]] double forward_of(const team::Leader& who) const {
     return bearing_of(to_ned(own, who.velocity));
   }
@@ -142,6 +137,6 @@ struct State : Cockpit {
 
 /// Builds the state: carries every track on to `time`, counts the flight and chooses the target.
 [[nodiscard]] State perceive(const Cockpit& cockpit, const model::Library& library,
-                             const model::Fit& fit, const FlightPlan& plan, double time);
+                             const model::Fit& fit, const Formation& formation, double time);
 
 }  // namespace eyrie::pilot

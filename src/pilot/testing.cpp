@@ -8,6 +8,7 @@
 #include "pilot/catalog.hpp"
 #include "pilot/controller.hpp"
 #include "support/data_file.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::pilot::testing {
 namespace {
@@ -66,9 +67,9 @@ Registry& registry() {
 
 Pilot::Pilot(const std::string& text) : tree_(build(text)), slab_(tree_.memory_bytes() / 8) {}
 
-Decision Pilot::decide(const Desk& desk) {
+Decided Pilot::decide(const Desk& desk) {
   const State state = desk.state();
-  Decision d;
+  Decided d;
   d.status = tree_.tick({.state = state,
                          .time = desk.time,
                          .dt = 0.1,
@@ -79,16 +80,16 @@ Decision Pilot::decide(const Desk& desk) {
   return d;
 }
 
-Decision Pilot::fly(Desk& desk) {
+Decided Pilot::fly(Desk& desk) {
   const State state = desk.state();
   account_for_shots(state, desk.agent);
-  Decision d = decide(desk);
+  Decided d = decide(desk);
   ++desk.agent.ticks;
   execute(d.proposal.action, desk.state(), desk.command, desk.request, desk.agent);
   return d;
 }
 
-Decision decide(const std::string& text, const Desk& desk) {
+Decided decide(const std::string& text, const Desk& desk) {
   return Pilot(text).decide(desk);
 }
 

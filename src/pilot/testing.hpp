@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "model/flight/test_flight.hpp"
-#include "model/sensor/test_players.hpp"
 #include "model/weapon/gun.hpp"
 #include "model/weapon/stores.hpp"
 #include "pilot/controller.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::pilot::testing {
 
@@ -54,7 +53,7 @@ struct Desk {
   model::Request request;
   Agent agent{.bingo = 500, .tree = 0};
   model::Fit fit{.rank = 1, .side = model::Side::blue};
-  FlightPlan plan;
+  Formation formation;
   double time = 100;
 
   /// A confirmed track, up to date, `ned` m from the ownship.
@@ -108,12 +107,12 @@ struct Desk {
   [[nodiscard]] State state() const {
     return perceive(
         {own, propulsion, flying, stores, gun, tracks, rwr, threats, datalink, command, agent},
-        library(), fit, plan, time);
+        library(), fit, formation, time);
   }
 };
 
 /// What one decision came to.
-struct Decision {
+struct Decided {
   Status status = kFailure;
   Proposal proposal;
 
@@ -125,9 +124,9 @@ class Pilot {
  public:
   explicit Pilot(const std::string& text);
 
-  Decision decide(const Desk& desk);
+  Decided decide(const Desk& desk);
   /// Decides and carries it out.
-  Decision fly(Desk& desk);
+  Decided fly(Desk& desk);
 
  private:
   Tree tree_;
@@ -135,7 +134,7 @@ class Pilot {
 };
 
 /// One decision of a fresh pilot.
-Decision decide(const std::string& text, const Desk& desk);
+Decided decide(const std::string& text, const Desk& desk);
 /// Whether a condition holds for a fresh pilot.
 bool holds(const std::string& text, const Desk& desk);
 

@@ -24,14 +24,14 @@ void Tally::enter(PlayerId who, double time) {
 void Tally::observe(const sim::World&, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
   const double time = info.time() + info.dt;
-  const auto player = [&](PlayerId id) -> Player* {
+  const auto player = [&](PlayerId id) -> OfPlayer* {
     return scenario_.roster.find(id) ? &players_[id.value - 1] : nullptr;
   };
   for (const sim::Event& e : events) {
-    Player* const who = player(e.who);
+    OfPlayer* const who = player(e.who);
     switch (kind_of(e)) {
       case EventKind::launch:
-        if (Player* shooter = player(PlayerId{e.detail}))
+        if (OfPlayer* shooter = player(PlayerId{e.detail}))
           ++shooter->shots;
         break;
       case EventKind::gun_burst:
@@ -41,7 +41,7 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
       case EventKind::kill:
         if (who)
           ++who->kills;
-        if (Player* victim = player(e.whom); victim && !victim->lost) {
+        if (OfPlayer* victim = player(e.whom); victim && !victim->lost) {
           victim->lost = true;
           victim->end_time = time;
         }
@@ -85,8 +85,8 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
   }
 }
 
-Tally::Side Tally::side(model::Side side) const {
-  Side sum;
+Tally::OfSide Tally::side(model::Side side) const {
+  OfSide sum;
   for (std::size_t i = 0; i < players_.size(); ++i) {
     if (scenario_.roster.players[i].side != side)
       continue;

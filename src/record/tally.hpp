@@ -15,13 +15,13 @@ namespace eyrie::record {
 /// Reads nothing but committed events.
 class Tally final : public sim::Observer {
  public:
-  struct Player {
+  struct OfPlayer {
     std::uint32_t shots = 0, kills = 0;
     bool lost = false, home = false, bingo = false, winchester = false;
     double end_time = 0;  ///< s, when it was lost or came home
     std::string phase;    ///< of its outermost sequencer, "" if it has none
   };
-  struct Side {
+  struct OfSide {
     std::uint32_t players = 0;  ///< that may come home: aircraft
     std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
   };
@@ -38,9 +38,9 @@ class Tally final : public sim::Observer {
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
 
-  [[nodiscard]] const std::vector<Player>& players() const { return players_; }
+  [[nodiscard]] const std::vector<OfPlayer>& players() const { return players_; }
   [[nodiscard]] const std::vector<Phase>& phases() const { return phases_; }
-  [[nodiscard]] Side side(model::Side side) const;
+  [[nodiscard]] OfSide side(model::Side side) const;
   /// The phase that a flight is in, "" if none yet.
   [[nodiscard]] std::string_view phase(std::uint16_t flight) const;
 
@@ -48,7 +48,7 @@ class Tally final : public sim::Observer {
   void enter(PlayerId who, double time);
 
   const scenario::Scenario& scenario_;
-  std::vector<Player> players_;  ///< index: id - 1
+  std::vector<OfPlayer> players_;  ///< index: id - 1
   std::vector<Phase> phases_;
   std::vector<PlayerId> leads_;  ///< per flight
 };

@@ -232,7 +232,7 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                                         .agents = scenario.pilots,
                                                         .library = scenario.library,
                                                         .trees = scenario.trees,
-                                                        .plans = scenario.plans,
+                                                        .plans = scenario.formations,
                                                         .dt = dt,
                                                         .period = decisions.steps});
   const driver::DriverSystem* drivers = nullptr;

@@ -77,7 +77,7 @@ class Loader {
       convoy(plan);
     for (std::size_t kind = 0; kind < kinds_.size(); ++kind)
       kinds_[kind]->enter(*out_, *library_, static_cast<std::uint8_t>(kind + 2), diagnostics_);
-    out_->plans.resize(library_->flights.size());
+    out_->formations.resize(library_->flights.size());
     out_->convoys.resize(library_->flights.size());
     if (const auto problem = until_problem(out_->spec, out_->spec.until))
       error(place(document_, "until"), "until: " + *problem);
@@ -163,8 +163,7 @@ class Loader {
   void flight(const FlightPlan& plan) {
     model::Flight flight = enter(plan, 0, library_->aircraft, &PlayerSpec::aircraft);
     route(plan, flight);
-    const FormationSpec& wall = plan.spec.formation;
-    out_->plans.push_back({{wall.abreast, wall.behind, wall.below}});
+    out_->formations.push_back(plan.spec.formation);
     out_->convoys.emplace_back();
     if (plan.home && plan.sound)
       flight.home = resolve(*plan.home, 0, library_->reference, plan.home_where, diagnostics_);
@@ -175,7 +174,7 @@ class Loader {
 
   void convoy(const ConvoyPlan& plan) {
     model::Flight convoy = enter(plan, 1, library_->vehicles, &VehicleSpec::vehicle);
-    out_->plans.emplace_back();
+    out_->formations.emplace_back();
     out_->convoys.push_back({.gap = plan.spec.gap});
     if (plan.sound && !plan.spec.route.empty()) {
       model::Route route{.name = "mission", .waypoints = {}, .end = model::RouteEnd::stop};
@@ -241,7 +240,7 @@ class Loader {
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);
     begin = {.position = lead, .heading = *s.heading, .speed = *s.speed};
     if (!player.own_place && player.rank > 1) {
-      const Vec3 offset = pilot::formation_offset(out_->plans.back().formation, player.rank);
+      const Vec3 offset = pilot::formation_offset(out_->formations.back(), player.rank);
       begin.position = beside(library_->reference, lead, *s.heading, offset);
     }
   }

@@ -41,9 +41,9 @@ struct Scenario {
   model::AircraftColumns aircraft;
   model::MissileColumns missiles;
   pilot::PilotColumns pilots;
-  std::vector<pilot::FlightPlan> plans;  ///< by Fit::flight
+  std::vector<pilot::Formation> formations;  ///< by Fit::flight
   std::shared_ptr<const driver::Trees> driver_trees;
-  std::vector<driver::ConvoyPlan> convoys;           ///< by Fit::flight
+  std::vector<driver::Spacing> convoys;              ///< by Fit::flight
   std::optional<model::VehicleColumns> vehicles;     ///< if there are any
   driver::DriverColumns drivers;                     ///< of them
   std::vector<std::shared_ptr<const Fleet>> fleets;  ///< aircraft first

@@ -11,6 +11,7 @@
 
 #include "core/describe.hpp"
 #include "core/units.hpp"
+#include "pilot/formation.hpp"
 
 namespace eyrie::scenario {
 
@@ -72,20 +73,6 @@ struct WaypointSpec : PlaceSpec {
   std::optional<double> altitude, speed;
 };
 
-struct FormationSpec {
-  static constexpr std::string_view type_name = "formation";
-  static constexpr std::string_view help = "the wall formation: spacing from one place to the next";
-  static constexpr auto params() {
-    return std::tuple{
-        param("abreast", &FormationSpec::abreast, "m", range(50, 50e3),
-              "to the side of the lead, per place"),
-        param("behind", &FormationSpec::behind, "m", range(-50e3, 50e3),
-              "behind the lead, per place"),
-        param("below", &FormationSpec::below, "m", range(-5e3, 5e3), "below the lead, per place")};
-  }
-  double abreast = si(6000, "ft"), behind = si(1000, "ft"), below = si(500, "ft");
-};
-
 /// What may be said of a whole flight and again of one of its players.
 struct PlayerSpec {
   static constexpr std::string_view type_name = "player";
@@ -125,7 +112,7 @@ struct FlightSpec : PlayerSpec {
                    param("route", &FlightSpec::route, "the waypoints, in order"),
                    param("home", &FlightSpec::home, "where it lands; not given: the side's home")});
   }
-  FormationSpec formation;
+  pilot::Formation formation;
   std::vector<WaypointSpec> route;
   std::optional<PlaceSpec> home;
 };

@@ -74,7 +74,7 @@ const Registry& registry_with_new_behaviors() {
   return kRegistry;
 }
 
-using testing::Decision;
+using testing::Decided;
 using testing::Desk;
 
 Tree build(const char* text) {
@@ -87,11 +87,11 @@ Tree build(const char* text) {
 
 /// Chosen before pilot::testing::decide, whose registry does not know the page's behaviors.
 template <std::size_t N>
-Decision decide(const char (&text)[N], const Desk& desk) {
+Decided decide(const char (&text)[N], const Desk& desk) {
   const Tree tree = build(text);
   std::vector<std::byte> slab(tree.memory_bytes());
   const State state = desk.state();
-  Decision decision;
+  Decided decision;
   decision.status =
       tree.tick({.state = state, .time = desk.time, .memory = slab.data()}, decision.proposal);
   return decision;
@@ -100,7 +100,7 @@ Decision decide(const char (&text)[N], const Desk& desk) {
 TEST(ClimbAway, ClimbsOnItsHeadingUntilItIsHighEnough) {
   Desk desk;
   desk.own.altitude = 5000;
-  const Decision low = decide("{climb_away: {altitude: 9000 m}}", desk);
+  const Decided low = decide("{climb_away: {altitude: 9000 m}}", desk);
   EXPECT_EQ(low.status, Status::running);
   EXPECT_EQ(low.action().altitude, 9000);
   EXPECT_EQ(low.action().heading, desk.own.heading);

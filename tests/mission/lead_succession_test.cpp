@@ -16,7 +16,7 @@ double off_place(const Flight& f, std::string_view who, std::string_view lead, s
   const Vec3 ahead = normalized(at.velocity - dot(at.velocity, at.down) * at.down, at.north);
   const Vec3 right = cross(at.down, ahead);
   const auto& flight = f.scenario->roster.players[f.scenario->roster.find(who)->value - 1].flight;
-  const Vec3 offset = pilot::formation_offset(f.scenario->plans[flight].formation, rank);
+  const Vec3 offset = pilot::formation_offset(f.scenario->formations[flight], rank);
   const Vec3 place = at.position + offset.x * ahead + offset.y * right + offset.z * at.down;
   return norm(own.position - place);
 }

@@ -103,7 +103,7 @@ struct Flight {
     const auto id = scenario->roster.find(name);
     return id ? world().row(scenario->aircraft.table, *id) : std::nullopt;
   }
-  [[nodiscard]] const record::Tally::Player& player(std::string_view name) const {
+  [[nodiscard]] const record::Tally::OfPlayer& player(std::string_view name) const {
     return tally.players().at(scenario->roster.find(name).value().value - 1);
   }
 };

@@ -8,8 +8,8 @@
 #include <ostream>
 #include <string>
 
-#include "model/flight/test_flight.hpp"
 #include "support/data_file.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {
 namespace {

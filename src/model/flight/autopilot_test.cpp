@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "model/flight/test_flight.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/flight/test_flight.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {
 namespace {

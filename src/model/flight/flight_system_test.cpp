@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "model/events.hpp"
-#include "model/flight/test_flight.hpp"
 #include "sim/simulation.hpp"
+#include "support/model/lone_flight.hpp"
 #include "support/no_allocation.hpp"
 
 namespace eyrie::model::flight {

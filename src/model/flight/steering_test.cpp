@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/flight/test_flight.hpp"
+#include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {
 namespace {

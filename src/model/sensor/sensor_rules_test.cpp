@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/sensor/sensor_system.hpp"
-#include "model/sensor/test_world.hpp"
+#include "support/model/air_war.hpp"
 #include "support/no_allocation.hpp"
 
 namespace eyrie::model::sensor {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "model/sensor/test_world.hpp"
+#include "support/model/air_war.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

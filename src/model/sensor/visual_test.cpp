@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "model/sensor/test_players.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

@@ -2,7 +2,7 @@
 // The eyes and the missile warnings of the sensor system.
 #include <gtest/gtest.h>
 
-#include "model/sensor/test_world.hpp"
+#include "support/model/air_war.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

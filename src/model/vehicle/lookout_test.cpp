@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 #include "model/datalink/datalink.hpp"
-#include "model/sensor/test_players.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::model::vehicle {
 namespace {

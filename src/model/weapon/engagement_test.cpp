@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/angle.hpp"
-#include "model/weapon/test_missiles.hpp"
+#include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

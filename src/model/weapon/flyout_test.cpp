@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "model/weapon/line_of_sight.hpp"
-#include "model/weapon/test_missiles.hpp"
+#include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

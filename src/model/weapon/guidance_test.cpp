@@ -5,7 +5,7 @@
 
 #include "model/weapon/closest_approach.hpp"
 #include "model/weapon/flyout.hpp"
-#include "model/weapon/test_missiles.hpp"
+#include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/draw.hpp"
 #include "model/environment.hpp"
-#include "model/sensor/test_players.hpp"
 #include "support/data_file.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

@@ -41,8 +41,8 @@ bool switch_on(const MissileType& type, const Kinematics& k, double time, Missil
   return true;
 }
 
-std::optional<Seen> look(const MissileType& type, const Kinematics& k, double time,
-                         const TargetScene& scene, Draw noise, MissileState& state) {
+std::optional<Detected> look(const MissileType& type, const Kinematics& k, double time,
+                             const TargetScene& scene, Draw noise, MissileState& state) {
   const SeekerType& seeker = type.seeker;
   const SeekerView view = view_of(k);
 

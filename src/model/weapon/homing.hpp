@@ -20,8 +20,9 @@ namespace eyrie::model::weapon {
 
 /// One look of a seeker that is on: follows whom it rests on or searches where it believes the
 /// target. What it now sees for the first time, if anybody.
-[[nodiscard]] std::optional<Seen> look(const MissileType& type, const Kinematics& k, double time,
-                                       const TargetScene& scene, Draw noise, MissileState& state);
+[[nodiscard]] std::optional<Detected> look(const MissileType& type, const Kinematics& k,
+                                           double time, const TargetScene& scene, Draw noise,
+                                           MissileState& state);
 
 /// Takes over what the shooter's track says, if it is newer and the seeker sees nobody itself.
 void hear(const Track& track, MissileState& state);

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/weapon/birth.hpp"
-#include "model/weapon/test_range.hpp"
+#include "support/model/firing_range.hpp"
 
 namespace eyrie::model::weapon {
 namespace {
@@ -37,7 +37,7 @@ struct Homing : ::testing::Test {
     const Kinematics& k = range.row(range.aircraft().kinematics, whom);
     return {.position = k.position, .velocity = k.velocity, .id = TrackId{1}, .truth = whom};
   }
-  std::optional<Seen> look_once(Missile& m, double time = 0) {
+  std::optional<Detected> look_once(Missile& m, double time = 0) {
     return look(range.library().missiles[m.state.type], m.k, time, scene(),
                 Draw(1, PlayerId{9}, Stream::seeker, 0), m.state);
   }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/hash.hpp"
-#include "model/weapon/test_missiles.hpp"
+#include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/missile_type.hpp"
-#include "model/weapon/test_missiles.hpp"
+#include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/weapon/test_range.hpp"
+#include "support/model/firing_range.hpp"
 #include "support/no_allocation.hpp"
 
 namespace eyrie::model::weapon {

@@ -23,22 +23,22 @@ double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& dire
   return radiant_intensity(type.infrared, cos_aspect, propulsion[row].throttle);
 }
 
-std::optional<Seen> look_at(const SeekerType& seeker, const SeekerView& view,
-                            const TargetScene& scene, std::uint32_t row) {
+std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
+                                const TargetScene& scene, std::uint32_t row) {
   const Kinematics& target = scene.kinematics[row];
   const LineOfSight los =
       line_of_sight(target.position - view.position, target.velocity - view.velocity);
   const double signature = scene.signature(seeker.kind, row, los.direction);
   if (!visible(seeker, view, los, target.velocity, signature))
     return std::nullopt;
-  return Seen{.row = row, .id = scene.ids[row], .los = los};
+  return Detected{.row = row, .id = scene.ids[row], .los = los};
 }
 
-std::optional<Seen> search(const SeekerType& seeker, const SeekerView& view,
-                           const TargetScene& scene, const SearchVolume& volume) {
+std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
+                               const TargetScene& scene, const SearchVolume& volume) {
   const double range2 = seeker.greatest_range * seeker.greatest_range;
   const double edge = math::cos(seeker.field_of_view / 2);
-  std::optional<Seen> best;
+  std::optional<Detected> best;
   double least = 0;
   for (std::uint32_t row = 0; row < scene.ids.size(); ++row) {
     // cheap tests first: most players are nowhere near the field of view

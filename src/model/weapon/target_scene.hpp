@@ -39,19 +39,19 @@ struct SearchVolume {
 };
 
 /// An aircraft that a seeker sees.
-struct Seen {
+struct Detected {
   std::uint32_t row = 0;  ///< of the aircraft table
   PlayerId id;
   LineOfSight los;
 };
 
 /// Whether the seeker can rest on aircraft `row`, and how it sees it then.
-[[nodiscard]] std::optional<Seen> look_at(const SeekerType& seeker, const SeekerView& view,
-                                          const TargetScene& scene, std::uint32_t row);
+[[nodiscard]] std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
+                                              const TargetScene& scene, std::uint32_t row);
 
 /// The aircraft in the field of view that is nearest to the expected place, friend or foe: a
 /// missile does not ask. Between equals the first row wins.
-[[nodiscard]] std::optional<Seen> search(const SeekerType& seeker, const SeekerView& view,
-                                         const TargetScene& scene, const SearchVolume& volume);
+[[nodiscard]] std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
+                                             const TargetScene& scene, const SearchVolume& volume);
 
 }  // namespace eyrie::model::weapon

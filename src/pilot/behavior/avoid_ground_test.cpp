@@ -23,7 +23,7 @@ TEST(AvoidGround, FailsHighAndLevel) {
 }
 
 TEST(AvoidGround, PullsUpWingsLevelBelowTheFloor) {
-  const Decision d = decide("{avoid_ground: {vote: 100, floor: 500 m, pull: 5}}", at(499));
+  const Decided d = decide("{avoid_ground: {vote: 100, floor: 500 m, pull: 5}}", at(499));
   EXPECT_EQ(d.status, kRunning);
   EXPECT_NEAR(*d.action().heading, 1.25, 1e-12);
   EXPECT_GT(*d.action().altitude, 600);

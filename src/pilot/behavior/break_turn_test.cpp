@@ -15,7 +15,7 @@ using namespace pilot::testing;
 const std::string kBreak = "{break_turn: {vote: 70, near_vote: 80}}";
 
 TEST(BreakTurn, FailsWithoutAThreat) {
-  const Decision d = decide(kBreak, Desk());
+  const Decided d = decide(kBreak, Desk());
   EXPECT_EQ(d.status, kFailure);
   EXPECT_TRUE(d.proposal.is_empty());
 }
@@ -23,7 +23,7 @@ TEST(BreakTurn, FailsWithoutAThreat) {
 TEST(BreakTurn, TurnsTowardsAFarMissileAndClimbs) {
   Desk desk;
   desk.threat(70 * kDegree, 5 * kNmi);
-  const Decision d = decide("{break_turn: {vote: 70, climb: 1000 m}}", desk);
+  const Decided d = decide("{break_turn: {vote: 70, climb: 1000 m}}", desk);
   EXPECT_EQ(d.status, kRunning);
   EXPECT_NEAR(*d.action().heading, 70 * kDegree, 1e-12);
   EXPECT_NEAR(*d.action().altitude, 9000, 1e-9);
@@ -35,7 +35,7 @@ TEST(BreakTurn, TurnsTowardsAFarMissileAndClimbs) {
 TEST(BreakTurn, BreaksAwayNoseLowInsideTwoMiles) {
   Desk desk;
   desk.threat(70 * kDegree, 1.99 * kNmi);
-  const Decision d = decide("{break_turn: {near_vote: 80, turn: 110 deg, dive: 1000 m}}", desk);
+  const Decided d = decide("{break_turn: {near_vote: 80, turn: 110 deg, dive: 1000 m}}", desk);
   EXPECT_NEAR(*d.action().heading, wrap_tau((70 - 110) * kDegree), 1e-12);  // to the left
   EXPECT_NEAR(*d.action().altitude, 7000, 1e-9);
   EXPECT_EQ(d.action().call, Call::defend_near);

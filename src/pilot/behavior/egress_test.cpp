@@ -19,7 +19,7 @@ Desk from_home(double miles, double altitude = 8000) {
 }
 
 TEST(Egress, GoesStraightHome) {
-  const Decision d =
+  const Decided d =
       decide("{egress: {vote: 30, speed: 240 m/s, altitude: 7500 m}}", from_home(100));
   EXPECT_EQ(d.status, kRunning);
   EXPECT_NEAR(*d.action().heading, 3 * kPi / 2, 1e-9);
@@ -50,7 +50,7 @@ TEST(Egress, LandsWhenItIsHomeAndLow) {
 }
 
 TEST(Egress, CirclesOverHomeWhileItIsTooHigh) {
-  const Decision d = decide("egress", from_home(2, 12'000));
+  const Decided d = decide("egress", from_home(2, 12'000));
   EXPECT_EQ(d.action().mode, model::AutopilotMode::loiter);
   ASSERT_TRUE(d.action().follow.has_value());
   EXPECT_EQ(d.action().follow->position, *library().flights[0].home);
@@ -64,7 +64,7 @@ TEST(Egress, FailsWithoutAHome) {
 
 TEST(Egress, FliesTheRouteHomeFirst) {
   Desk desk = from_home(60);
-  const Decision d = decide("{egress: {route: 0}}", desk);
+  const Decided d = decide("{egress: {route: 0}}", desk);
   EXPECT_EQ(d.action().mode, model::AutopilotMode::route);
   desk.flying.nav.leg = 2;  // flown
   EXPECT_EQ(decide("{egress: {route: 0}}", desk).action().mode, model::AutopilotMode::hold);

@@ -34,7 +34,7 @@ TEST(FollowLead, PutsTheSecondWhereThePaperHasIt) {
 TEST(FollowLead, FollowsWhereTheLeadIsNow) {
   Desk desk = wingman(2);
   desk.datalink.members[0].time -= 2;
-  const Decision d = decide("{follow_lead: {vote: 20}}", desk);
+  const Decided d = decide("{follow_lead: {vote: 20}}", desk);
   EXPECT_EQ(d.status, kRunning);
   EXPECT_EQ(d.action().mode, model::AutopilotMode::follow);
   EXPECT_NEAR(d.action().follow->position.x, desk.datalink.members[0].position.x + 2 * 250, 1e-6);
@@ -62,7 +62,7 @@ TEST(FollowLead, FailsWithoutADatalink) {
 TEST(FollowLead, FollowsTheSecondWhenTheLeadIsLost) {
   Desk desk = wingman(3);
   desk.lose(1);
-  const Decision d = decide("follow_lead", desk);
+  const Decided d = decide("follow_lead", desk);
   EXPECT_NEAR(d.action().follow->position.y, desk.datalink.members[1].position.y, 1e-6);
 }
 

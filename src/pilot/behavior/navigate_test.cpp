@@ -13,7 +13,7 @@ using namespace pilot::testing;
 TEST(Navigate, FliesToTheWaypointOfTheLeg) {
   Desk desk;
   desk.own = model::test::flying({0, -20e3, -8000}, 2, 250);  // the first waypoint is north-east
-  const Decision d = decide("{navigate: {vote: 10, speed: 240 m/s}}", desk);
+  const Decided d = decide("{navigate: {vote: 10, speed: 240 m/s}}", desk);
   EXPECT_EQ(d.status, kRunning);
   EXPECT_NEAR(*d.action().heading, kPi / 4, 1e-9);
   EXPECT_EQ(d.action().altitude, 7000);
@@ -37,7 +37,7 @@ TEST(Navigate, GoesOnFromTheLegThatTheAutopilotHasReached) {
 TEST(Navigate, SucceedsPastTheLastWaypointAndKeepsFlying) {
   Desk desk;
   desk.flying.nav.leg = 2;
-  const Decision d = decide("navigate", desk);
+  const Decided d = decide("navigate", desk);
   EXPECT_EQ(d.status, kSuccess);
   EXPECT_TRUE(d.action().heading.has_value());
 }

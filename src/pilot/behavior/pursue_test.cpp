@@ -23,7 +23,7 @@ TEST(Pursue, FailsWithoutAHostile) {
 TEST(Pursue, FliesTheCollisionCourse) {
   Desk desk;
   desk.track({30e3, 0, 0}, kPi / 2, 200);  // crosses to the right
-  const Decision d = decide("{pursue: {vote: 40, mode: intercept, speed: 290 m/s}}", desk);
+  const Decided d = decide("{pursue: {vote: 40, mode: intercept, speed: 290 m/s}}", desk);
   EXPECT_EQ(d.status, kRunning);
   EXPECT_NEAR(std::sin(*d.action().heading), 200.0 / 250.0, 1e-9);  // equal way to the east
   EXPECT_EQ(d.action().speed, 290);
@@ -56,7 +56,7 @@ TEST(Pursue, FollowsNobodyIntoTheGround) {
 TEST(Pursue, HandsAFollowedTargetToTheAutopilot) {
   Desk desk;
   desk.track({9000, 0, 0}, 0, 240).time -= 2;
-  const Decision d = decide("{pursue: {mode: follow, behind: 2 km}}", desk);
+  const Decided d = decide("{pursue: {mode: follow, behind: 2 km}}", desk);
   EXPECT_EQ(d.action().mode, model::AutopilotMode::follow);
   ASSERT_TRUE(d.action().follow.has_value());
   EXPECT_NEAR(d.action().follow->position.x, 9000 + 2 * 240, 1e-6);
@@ -94,7 +94,7 @@ TEST(Pursue, AimsTheGunWhenItIsNear) {
   const State s = desk.state();
   const auto sight = gun_sight(s, s.seen[0]);
   ASSERT_TRUE(sight.has_value());
-  const Decision d = decide("{pursue: {mode: lead, gun_range: 1 km}}", desk);
+  const Decided d = decide("{pursue: {mode: lead, gun_range: 1 km}}", desk);
   EXPECT_NEAR(*d.action().heading, bearing_of(sight->aim), 1e-12);
   EXPECT_GT(*d.action().altitude, 8000);
   // without a gun in reach it is an intercept

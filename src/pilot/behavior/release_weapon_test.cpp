@@ -30,7 +30,7 @@ Desk at_share(double share) {
 
 TEST(ReleaseWeapon, ShootsInsideTheZone) {
   const Desk desk = at_share(0.35);
-  const Decision d = decide(kRelease, desk);
+  const Decided d = decide(kRelease, desk);
   ASSERT_EQ(d.status, kRunning);
   EXPECT_EQ(d.action().release, (Release{TrackId{1}, kMedium}));
   EXPECT_EQ(d.action().target, TrackId{1});
@@ -49,7 +49,7 @@ TEST(ReleaseWeapon, ShootsNoEarlierThanItsParameterSays) {
 TEST(ReleaseWeapon, TakesTheMissileWithTheShortestReachThatWillDo) {
   Desk desk;
   desk.track({3000, 0, 0}, 0, 250);  // close astern of him
-  const Decision d = decide(kRelease, desk);
+  const Decided d = decide(kRelease, desk);
   ASSERT_EQ(d.status, kRunning);
   EXPECT_EQ(d.action().release->store, kShort);
 }
@@ -204,7 +204,7 @@ RC_GTEST_PROP(ReleaseWeapon, NeverShootsAtAnybodyButAConfirmedHostile, ()) {
   for (int i = *rc::gen::inRange(1, 10); i > 0; --i)
     any_track(desk);
   desk.agent.target = TrackId{*rc::gen::inRange(0U, 10U)};
-  const Decision d = decide("{release_weapon: {zone: 1, off_boresight: 3 rad}}", desk);
+  const Decided d = decide("{release_weapon: {zone: 1, off_boresight: 3 rad}}", desk);
   RC_CLASSIFY(d.status == kRunning, "shoots");
   if (!d.action().release)
     return;

@@ -21,7 +21,7 @@ Desk astern(double range = 500) {
 }
 
 TEST(ShootGun, FiresWithTheNoseOnTheLeadPoint) {
-  const Decision d = decide(kGun, astern());
+  const Decided d = decide(kGun, astern());
   EXPECT_EQ(d.status, kRunning);
   EXPECT_EQ(d.action().trigger, true);
   EXPECT_EQ(d.action().target, TrackId{1});
@@ -86,7 +86,7 @@ RC_GTEST_PROP(ShootGun, NeverFiresAtAnybodyButAConfirmedHostile, ()) {
     t.identity = static_cast<model::Identity>(*rc::gen::inRange(0, 3));
     t.confirmed = *rc::gen::inRange<std::uint8_t>(0, 2);
   }
-  const Decision d = decide("{shoot_gun: {clear_cone: 0 rad, tolerance: 5 deg}}", desk);
+  const Decided d = decide("{shoot_gun: {clear_cone: 0 rad, tolerance: 5 deg}}", desk);
   RC_CLASSIFY(d.status == kRunning, "fires");
   if (!d.action().trigger.value_or(false))
     return;

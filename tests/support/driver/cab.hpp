@@ -9,7 +9,7 @@
 #include "core/yaml.hpp"
 #include "driver/catalog.hpp"
 #include "driver/state.hpp"
-#include "model/sensor/test_players.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::driver::testing {
 
@@ -42,7 +42,7 @@ struct Desk {
   model::DriveCommand command;
   Agent agent{.tree = 0};
   model::Fit fit{.rank = 1, .side = model::Side::blue};
-  ConvoyPlan plan;
+  Spacing spacing;
   double time = 100;
 
   /// A convoy of `count`, of which this is number `rank` from 1; all alive and heard of, 50 m apart
@@ -71,11 +71,11 @@ struct Desk {
                                         .identity = identity};
   }
   [[nodiscard]] State state() const {
-    return {{own, driving, lookout, datalink, agent}, library(), fit, plan, time};
+    return {{own, driving, lookout, datalink, agent}, library(), fit, spacing, time};
   }
 };
 
-struct Decision {
+struct Decided {
   Status status = Status::failure;
   Proposal proposal;
   [[nodiscard]] const Action& action() const { return proposal.action; }
@@ -86,9 +86,9 @@ class Driver {
  public:
   explicit Driver(const std::string& text) : tree_(build(text)), slab_(tree_.memory_bytes() / 8) {}
 
-  Decision decide(const Desk& desk) {
+  Decided decide(const Desk& desk) {
     const State state = desk.state();
-    Decision d;
+    Decided d;
     d.status = tree_.tick({.state = state,
                            .time = desk.time,
                            .dt = 0.1,
@@ -115,7 +115,7 @@ class Driver {
 };
 
 /// One decision of a fresh driver.
-inline Decision decide(const std::string& text, const Desk& desk) {
+inline Decided decide(const std::string& text, const Desk& desk) {
   return Driver(text).decide(desk);
 }
 

@@ -11,8 +11,8 @@
 #include "model/events.hpp"
 #include "model/library.hpp"
 #include "model/sensor/sensor_system.hpp"
-#include "model/sensor/test_players.hpp"
 #include "sim/simulation.hpp"
+#include "support/model/flying.hpp"
 
 namespace eyrie::model::test {
 
