@@ -17,6 +17,11 @@
 
 namespace eyrie::web {
 
+/// A hash as the terminal prints it.
+[[nodiscard]] std::string hex(std::uint64_t hash);
+/// Progress is told every so many steps.
+inline constexpr std::uint64_t kTell = 1024;
+
 /// One scenario or run at a time. A scenario is loaded and flown, and is then a run as one that was
 /// opened: it can be looked at in any step, explained, questioned and flown on otherwise. Whoever
 /// asks for what is not there, such as a moment before anything was loaded, gets BadRequest; a
@@ -43,9 +48,10 @@ class Engine {
   /// Opens a run file.
   About open(std::string_view run_file);
 
-  /// The run once more from its start to its end, every hash compared with the recorded ones,
-  /// packed for the page (page::page_bytes); seek() is quick from then on.
-  std::string page();
+  /// The run once more from its start on, every hash compared with the recorded ones: as far as it
+  /// was asked for, packed for the page (page::Packer). What was flown is not flown again by the
+  /// next question; seek() and branch() are quick in it.
+  Moment page(const Until& until, std::string& packed);
   /// Goes to a step of the run.
   Moment seek(const Step& step);
   /// A table of the world there.
@@ -56,8 +62,10 @@ class Engine {
   Decided decide(const Otherwise& otherwise);
   /// What it would have decided during the whole run, its states being what they were.
   [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise) const;
-  /// How the run would have ended, flown on from there with other trees and models.
-  [[nodiscard]] debrief::Outcome branch(const Branch& branch) const;
+  /// How the run ended.
+  [[nodiscard]] debrief::Outcome outcome() const;
+  /// How it would have ended, flown on from there with other trees and models, packed for the page.
+  [[nodiscard]] debrief::Outcome branch(const Branch& branch, std::string& packed) const;
 
  private:
   [[nodiscard]] const debrief::Recorded& run() const;
@@ -66,13 +74,10 @@ class Engine {
       const std::string& player, const std::vector<std::string>& sets) const;
   About about(const scenario::Scenario& scenario, std::uint64_t seed, std::string build,
               double until) const;
-  void keep(const sim::World& world);
-  /// The worlds around the step that follows seek(), and its orders.
-  struct Around {
-    sim::World before, after;
-    std::vector<sim::Order> orders;
-  };
-  [[nodiscard]] Around around() const;
+  void tell(const sim::World& world) const;
+  /// The run at a step; the events are left out if nobody wants them.
+  [[nodiscard]] debrief::Past past(std::uint64_t step, bool with_events) const;
+  [[nodiscard]] Decided decision(PlayerId who, const scenario::Scenario& trees) const;
 
   Progress progress_;
   // what is being flown
@@ -83,8 +88,11 @@ class Engine {
   std::unique_ptr<Flight, FlightDeleter> flight_;
   // what was
   std::optional<debrief::Recorded> recorded_;
-  std::string file_;
-  std::vector<sim::World> kept_;  ///< worlds of the run, by step
+  struct Reflown;
+  struct ReflownDeleter {
+    void operator()(Reflown* reflown) const;
+  };
+  std::unique_ptr<Reflown, ReflownDeleter> reflown_;
   std::optional<sim::World> here_;
 };
 

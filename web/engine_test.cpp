@@ -66,7 +66,11 @@ TEST(WebEngine, OpensTheRunFileThatItWroteAndVerifiesIt) {
   const std::string file = first.run_file();
   Engine second;
   EXPECT_EQ(second.open(file).until, 2.0);
-  EXPECT_FALSE(second.page().empty());
+  std::string packed;
+  EXPECT_EQ(second.page({.until = 1.0}, packed).step, 50u);
+  const std::size_t part = packed.size();
+  EXPECT_EQ(second.page({}, packed).step, 100u);
+  EXPECT_GT(packed.size(), part);
   EXPECT_EQ(second.run_file(), file);
 
   std::string damaged = file;
@@ -80,7 +84,8 @@ TEST(WebEngine, GoesToAnyStepForthAndBack) {
   const Moment early = engine.seek({.step = 3});
   EXPECT_EQ(early.step, 3u);
   EXPECT_NE(early.hash, late.hash);
-  engine.page();  // keeps worlds on the way
+  std::string packed;
+  engine.page({}, packed);  // keeps worlds on the way
   EXPECT_EQ(engine.seek({.step = 97}).hash, late.hash);
   EXPECT_THROW(engine.seek({.step = 101}), BadRequest);
 }
@@ -141,10 +146,16 @@ TEST(WebEngine, SaysHowManyDecisionsOtherTreesWouldHaveChanged) {
 TEST(WebEngine, FliesOnOtherwiseFromAMoment) {
   Engine engine = flown({{"until: 2 s", "until: 4 s"}});
   engine.seek({.step = 50});
-  const auto outcome =
-      engine.branch({.sets = {"root/navigate.vote=30"}, .player = "eagle1", .until = 3.0});
+  const Branch branch{.sets = {"root/navigate.vote=30"}, .player = "eagle1", .until = 3.0};
+  std::string packed, again;
+  const auto outcome = engine.branch(branch, packed);
   EXPECT_EQ(outcome.outcome, "time");
   EXPECT_DOUBLE_EQ(outcome.time, 3.0);
+  EXPECT_EQ(engine.outcome().time, 4.0);
+  // from what page() has kept it flies to the same end
+  engine.page({}, again);
+  EXPECT_EQ(engine.branch(branch, again).time, 3.0);
+  EXPECT_EQ(packed, again);
 }
 
 TEST(WebEngine, SaysWhatTreesAreMadeOf) {

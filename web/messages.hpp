@@ -91,9 +91,6 @@ struct Problem {
 struct Problems {
   std::vector<Problem> problems;
 };
-struct Size {
-  std::uint64_t bytes = 0;
-};
 struct Parameter {
   std::string name, kind, unit, help, standard;
   std::optional<double> min, max;
@@ -243,11 +240,6 @@ struct Message<Problems> {
   static constexpr std::string_view name = "Problems", help = "Every mistake that was found.";
   static constexpr std::tuple members{Member{"problems", &Problems::problems,
                                              "In the order of the texts; empty: it can be flown."}};
-};
-template <>
-struct Message<Size> {
-  static constexpr std::string_view name = "Size", help = "Bytes that come with the answer.";
-  static constexpr std::tuple members{Member{"bytes", &Size::bytes, "How many."}};
 };
 template <>
 struct Message<Parameter> {

@@ -22,13 +22,14 @@ Request read(const Json& json) {
 }
 
 template <class Request, class Answer>
-std::string declared(std::map<std::string, std::string>& all, std::string_view with = "") {
+std::string declared(std::map<std::string, std::string>& all, std::string_view with = "",
+                     std::string_view besides = "") {
   std::string parameter;
   if constexpr (!std::same_as<Request, Nothing>)
     parameter = "request: " + typescript<Request>(all);
   if (!with.empty())
     parameter += parameter.empty() ? std::string(with) : fmt::format(", {}", with);
-  return fmt::format("({}): Promise<{}>", parameter, typescript<Answer>(all));
+  return fmt::format("({}): Promise<{}{}>", parameter, typescript<Answer>(all), besides);
 }
 
 /// A question whose request and answer are JSON alone.
@@ -43,17 +44,16 @@ constexpr Question question(std::string_view name, std::string_view help) {
           [](std::map<std::string, std::string>& all) { return declared<Request, Answer>(all); }};
 }
 
-/// A question whose answer is bytes.
-template <auto kAsk>
+/// A question whose answer comes with bytes.
+template <class Request, class Answer, auto kAsk>
 constexpr Question bytes_question(std::string_view name, std::string_view help) {
-  return {
-      name, help,
-      [](Engine& engine, const Json& json, std::string& bytes) {
-        static_cast<void>(read<Nothing>(json));
-        bytes = std::invoke(kAsk, engine);
-        return to_json(Size{bytes.size()});
-      },
-      [](std::map<std::string, std::string>&) -> std::string { return "(): Promise<Uint8Array>"; }};
+  return {name, help,
+          [](Engine& engine, const Json& json, std::string& bytes) {
+            return to_json(Answer(std::invoke(kAsk, engine, read<Request>(json), bytes)));
+          },
+          [](std::map<std::string, std::string>& all) {
+            return declared<Request, Answer>(all, "", " & { bytes: Uint8Array }");
+          }};
 }
 
 /// A question that comes with the bytes of a file.
@@ -71,6 +71,13 @@ constexpr Question file_question(std::string_view name, std::string_view help) {
           }};
 }
 
+Nothing run_file(Engine& engine, const Nothing&, std::string& bytes) {
+  bytes = engine.run_file();
+  return {};
+}
+debrief::Outcome outcome(Engine& engine, const Nothing&) {
+  return engine.outcome();
+}
 Nothing take_zones(Engine&, std::string_view file) {
   Engine::take_zones(file);
   return {};
@@ -90,12 +97,13 @@ const std::array kQuestions{
     question<Load, About, &Engine::load>("load", "Reads a scenario; fly() begins at its start."),
     question<Until, Flown, &Engine::fly>(
         "fly", "On with what was loaded; when it is over it has become a run."),
-    bytes_question<&Engine::run_file>("run_file", "The run file of what was flown to its end."),
+    bytes_question<Nothing, Nothing, run_file>("run_file",
+                                               "The run file of what was flown to its end."),
     file_question<About, &Engine::open>("open", "Opens a run file."),
-    bytes_question<&Engine::page>(
-        "page",
-        "The run once more from start to end, every hash compared with the recorded ones; what "
-        "src/run/decode.ts reads."),
+    bytes_question<Until, Moment, &Engine::page>("page",
+                                                 "The run once more from the start on, every hash "
+                                                 "compared with the recorded ones; the bytes are "
+                                                 "what src/run/decode.ts reads."),
     question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
     question<Table, Rows, &Engine::rows>("rows", "A table of the world there."),
     question<Who, Decided, &Engine::explain>("explain",
@@ -105,8 +113,12 @@ const std::array kQuestions{
     question<Otherwise, debrief::WhatIf, &Engine::what_if>(
         "what_if",
         "What it would have decided during the whole run, its states being what they were."),
-    question<Branch, debrief::Outcome, &Engine::branch>(
-        "branch", "How the run would have ended, flown on from there with other trees and models."),
+    question<Nothing, debrief::Outcome, outcome>("outcome", "How the run ended."),
+    bytes_question<Branch, debrief::Outcome, &Engine::branch>(
+        "branch",
+        "How it would have ended, flown on from there with other trees and models; the bytes are "
+        "as of "
+        "page()."),
 };
 
 Json error_json(const std::string& message) {

@@ -65,8 +65,8 @@ page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shel
   if (!columns && recorded.plugins.empty() && page::has_engine(shell.bytes))
     return page::run_file_part(recorded.run);
   Counter counter(recorded.until());
-  std::string data = page::page_data(recorded, [&](const debrief::Reflight& flight) {
-    counter.at(flight.time());
+  std::string data = page::page_data(recorded, [&](double time) {
+    counter.at(time);
     return !interrupted();
   });
   return {"run", std::move(data)};

@@ -215,16 +215,18 @@ int what_if(const WhatIfOptions& options) {
   }
   if (options.branch && result.first) {
     std::string problem;
-    const auto branched = debrief::branch(*recorded, other, result.first->step, until, problem);
+    const auto branched = debrief::branch(
+        *recorded, other, debrief::past_at(*recorded, result.first->step), until, problem);
     if (!branched) {
       complain("--branch: {}\n", problem);
       return 2;
     }
-    json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(*branched)}};
+    const debrief::Outcome ended = branched->fly();
+    json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(ended)}};
     if (!options.json) {
       print_outcome_head();
       print_outcome("flown", *flown);
-      print_outcome("otherwise", *branched);
+      print_outcome("otherwise", ended);
     }
   }
   if (options.seeds > 0)

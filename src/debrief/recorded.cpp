@@ -70,14 +70,32 @@ std::shared_ptr<const scenario::Scenario> with_overrides(
       scenario::Source::bundle(recorded.run.files));
 }
 
-Reflight::Reflight(const Recorded& recorded)
+Past past_at(const Recorded& recorded, std::uint64_t step) {
+  Reflight flight(recorded);
+  std::vector<Happened> events;
+  while (flight.after().step() < step && flight.step())
+    if (!flight.events().empty())
+      events.push_back(flight.happened());
+  return {flight.after(), std::move(events)};
+}
+
+Reflight::Reflight(const Recorded& recorded, sim::World from)
     : recorded_(recorded),
-      run_(recorded.scenario->simulation, recorded.scenario->world(recorded.run.seed)),
-      checker_(recorded.run.trail),
+      run_(recorded.scenario->simulation, std::move(from)),
       before_(run_.world()) {
   for (const sim::Order& order : recorded.run.orders)
-    EYRIE_DEMAND(run_.submit(order).empty(), "open() refuses such orders");
-  run_.attach(checker_);
+    if (order.step >= before_.step())
+      EYRIE_DEMAND(run_.submit(order).empty(), "open() refuses such orders");
+}
+
+Reflight::Reflight(const Recorded& recorded)
+    : Reflight(recorded, recorded.scenario->world(recorded.run.seed)) {
+  run_.attach(checker_.emplace(recorded.run.trail));
+}
+
+Happened Reflight::happened() const {
+  return {{before_.step(), recorded_.run.seed, run_.simulation().dt()},
+          {events_.begin(), events_.end()}};
 }
 
 bool Reflight::step() {
@@ -85,10 +103,6 @@ bool Reflight::step() {
   if (run_.world().step() >= recorded_.last_step())
     return false;
   before_ = run_.world();
-  orders_.clear();
-  const auto all = run_.orders();  // by step
-  while (next_order_ < all.size() && all[next_order_].step == before_.step())
-    orders_.push_back(all[next_order_++]);
   events_ = run_.step();
   if (const sim::Fault* fault = run_.fault())
     throw std::runtime_error(fmt::format(
@@ -99,14 +113,14 @@ bool Reflight::step() {
 }
 
 void Reflight::demand_the_same() {
-  if (!checker_.departure())
+  if (!checker_ || !checker_->departure())
     return;
   // up to the next mark, which knows the field
-  while (!checker_.done() && !run_.fault() && run_.world().step() < recorded_.last_step())
+  while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
     run_.step();
   throw std::runtime_error(fmt::format("{}: this is not the run that was recorded by {}: {}",
                                        recorded_.file, recorded_.run.build,
-                                       checker_.departure()->reason));
+                                       checker_->departure()->reason));
 }
 
 }  // namespace eyrie::debrief

@@ -54,11 +54,26 @@ struct Opened {
     const Recorded& recorded, const std::vector<std::string>& sets,
     std::vector<scenario::TreeChange> changes = {});
 
+/// What happened in a step.
+struct Happened {
+  sim::StepInfo info;
+  std::vector<sim::Event> events;
+};
+/// A run up to one of its worlds, and what had happened until then.
+struct Past {
+  sim::World world;
+  std::vector<Happened> events;  ///< of the steps before it, those in which something happened
+};
+/// Flies the run to a step, at most to its end.
+[[nodiscard]] Past past_at(const Recorded& recorded, std::uint64_t step);
+
 /// Flies a recorded run again, with every step's world before and after, and compares it with the
 /// recording on the way. The recording must outlive it.
 class Reflight {
  public:
   explicit Reflight(const Recorded& recorded);
+  /// From one of its worlds on; what follows is compared no more.
+  Reflight(const Recorded& recorded, sim::World from);
 
   /// It must outlive the last step.
   void attach(sim::Observer& observer) { run_.attach(observer); }
@@ -69,7 +84,10 @@ class Reflight {
   [[nodiscard]] const sim::World& after() const { return run_.world(); }
   /// Those of the step.
   [[nodiscard]] std::span<const sim::Event> events() const { return events_; }
-  [[nodiscard]] std::span<const sim::Order> orders() const { return orders_; }
+  [[nodiscard]] Happened happened() const;
+  [[nodiscard]] std::span<const sim::Order> orders() const {
+    return run_.orders_for(before_.step());
+  }
   /// s, of the decisions in the step.
   [[nodiscard]] double time() const {
     return static_cast<double>(before_.step()) * run_.simulation().dt();
@@ -80,11 +98,9 @@ class Reflight {
 
   const Recorded& recorded_;
   sim::Run run_;
-  sim::TrailChecker checker_;
+  std::optional<sim::TrailChecker> checker_;
   sim::World before_;
   std::span<const sim::Event> events_;
-  std::vector<sim::Order> orders_;
-  std::size_t next_order_ = 0;
 };
 
 }  // namespace eyrie::debrief

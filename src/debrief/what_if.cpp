@@ -83,9 +83,9 @@ Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint
 }
 
 Outcome outcome_of(const Recorded& recorded) {
-  std::string problem;
-  return branch(recorded, recorded.scenario, recorded.last_step(), recorded.until(), problem)
-      .value();
+  return Branch(recorded, recorded.scenario, past_at(recorded, recorded.last_step()),
+                recorded.until())
+      .fly();
 }
 
 std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
@@ -93,31 +93,45 @@ std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
   return out_of_time ? std::optional(recorded.until()) : std::nullopt;
 }
 
-std::optional<Outcome> branch(const Recorded& recorded,
-                              std::shared_ptr<const scenario::Scenario> other, std::uint64_t step,
-                              std::optional<double> until, std::string& problem) {
-  record::Tally tally(*recorded.scenario);
-  Reflight flight(recorded);
-  flight.attach(tally);
-  bool any_home = false;
-  while (flight.after().step() < step && flight.step())
-    for (const sim::Event& e : flight.events())
-      any_home |= e.kind == sim::EventKind(model::EventKind::home);
+Branch::Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenario> other,
+               const Past& past, std::optional<double> until)
+    : tally_(*recorded.scenario), before_(past.world) {
+  for (const Happened& happened : past.events)
+    tally_.observe(past.world, happened.info, happened.events);
+  const double end = until.value_or(other->spec.until);
+  mission_.emplace(std::move(other), past.world, end, tally_.side(model::Side::blue).home > 0);
+  for (const sim::Order& order : recorded.run.orders)
+    if (order.step >= before_.step())
+      static_cast<void>(mission_->run().submit(order));
+  mission_->run().attach(tally_);
+}
+
+std::unique_ptr<Branch> branch(const Recorded& recorded,
+                               std::shared_ptr<const scenario::Scenario> other, const Past& past,
+                               std::optional<double> until, std::string& problem) {
   std::stringstream bytes;
-  EYRIE_DEMAND(sim::save(flight.after(), bytes), "a stream in memory does not fail");
+  EYRIE_DEMAND(sim::save(past.world, bytes), "a stream in memory does not fail");
   sim::Loaded loaded = sim::load(other->simulation->shared_schema(), bytes);
   if (!loaded.world) {
     problem = "the change gives another world than the one flown: " + loaded.error;
-    return std::nullopt;
+    return nullptr;
   }
-  scenario::Mission mission(other, std::move(*loaded.world), until.value_or(other->spec.until),
-                            any_home);
-  for (const sim::Order& order : recorded.run.orders)
-    if (order.step >= step)
-      static_cast<void>(mission.run().submit(order));
-  mission.run().attach(tally);
-  mission.fly();
-  return outcome_of(mission, tally);
+  return std::make_unique<Branch>(recorded, std::move(other),
+                                  Past{std::move(*loaded.world), past.events}, until);
+}
+
+bool Branch::step() {
+  before_ = mission_->run().world();
+  if (mission_->step())
+    return true;
+  mission_->run().finish();
+  return false;
+}
+
+Outcome Branch::fly() {
+  while (step()) {
+  }
+  return outcome();
 }
 
 }  // namespace eyrie::debrief

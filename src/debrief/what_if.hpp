@@ -3,7 +3,9 @@
 /// \file  What an agent would have decided with another tree or other parameters: its recorded
 /// states are arbitrated again, without flying.
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,13 +58,41 @@ struct Outcome {
 /// When flights are over that are compared with this run, which ended as `flown` (s): with it if it
 /// ran out of time. One that its sides ended says nothing of the others: as the scenario says.
 [[nodiscard]] std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown);
-/// Flown as recorded up to `step`, and from there on with the trees and models of `other`, at most
-/// until `until` (s) if that is given instead of the scenario's own. Nothing if that has another
-/// world, such as trees that remember more: `problem` says so.
-[[nodiscard]] std::optional<Outcome> branch(const Recorded& recorded,
-                                            std::shared_ptr<const scenario::Scenario> other,
-                                            std::uint64_t step, std::optional<double> until,
-                                            std::string& problem);
+/// A run flown on from one of its worlds with the trees and models of another scenario.
+class Branch {
+ public:
+  /// `past.world` is one of `other`; `until` (s) is when it ends at the latest if it is given,
+  /// instead of the scenario's own. The recording must outlive it.
+  Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenario> other,
+         const Past& past, std::optional<double> until);
+
+  /// It must outlive the last step.
+  void attach(sim::Observer& observer) { mission_->run().attach(observer); }
+  /// One step; false when it is over.
+  bool step();
+  [[nodiscard]] const sim::World& before() const { return before_; }
+  [[nodiscard]] const sim::World& after() const { return mission_->run().world(); }
+  /// Those of the step.
+  [[nodiscard]] std::span<const sim::Order> orders() const {
+    return mission_->run().orders_for(before_.step());
+  }
+  /// As of now, with what had happened before.
+  [[nodiscard]] Outcome outcome() const { return outcome_of(*mission_, tally_); }
+  /// Steps to the end.
+  Outcome fly();
+
+ private:
+  record::Tally tally_;
+  std::optional<scenario::Mission> mission_;
+  sim::World before_;
+};
+
+/// Flown as recorded up to `past`, and from there on with `other`. Null if that has another world,
+/// such as trees that remember more: `problem` says so.
+[[nodiscard]] std::unique_ptr<Branch> branch(const Recorded& recorded,
+                                             std::shared_ptr<const scenario::Scenario> other,
+                                             const Past& past, std::optional<double> until,
+                                             std::string& problem);
 /// A whole flight of a scenario; `until` as for branch().
 [[nodiscard]] Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario,
                                  std::uint64_t seed, std::optional<double> until);

@@ -100,7 +100,8 @@ void Motions::left(const record::Fate& fate, const sim::Event& e) {
       return;
     player.gone = time_;
     player.end = fate.end;
-    sample(player, time_, player.last, player.last_fuel);
+    if (player.born)
+      sample(player, time_, player.last, player.last_fuel);
   } else if (const auto at = missiles_.find(fate.who.value);
              fate.end != "lost" && at != missiles_.end() && at->second.gone < 0) {
     Missile& missile = at->second;
@@ -111,7 +112,8 @@ void Motions::left(const record::Fate& fate, const sim::Event& e) {
             ? fmt::format("by {:.0f} m", e.values[0])
             : std::string(
                   enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0]))));
-    missile.motion.add(time_, scenario_.library->reference, missile.last);
+    if (!missile.motion.empty())
+      missile.motion.add(time_, scenario_.library->reference, missile.last);
   }
 }
 
@@ -133,19 +135,20 @@ void Motions::observe(const sim::World& world, const sim::StepInfo& info,
   look(world, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
 }
 
+void Motions::remember(const sim::World& world, const sim::StepInfo& info,
+                       std::span<const sim::Event> events) {
+  time_ = info.time() + info.dt;
+  for (const sim::Event& e : events)
+    happened(e, world);
+}
+
 void Motions::finish(const sim::World& world) {
   look(world, true, true);
-  for (Flown& player : players_)
-    if (player.gone < 0)
-      player.gone = time_;
-  for (auto& [id, missile] : missiles_)
-    if (missile.gone < 0)
-      missile.gone = time_;
 }
 
 Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
   const Flown& p = players_[index];
-  Json j{{"born", p.born_time}, {"gone", p.gone}, {"end", p.end}};
+  Json j{{"born", p.born_time}, {"gone", gone(p.gone)}, {"end", p.end}};
   j["motion"] = p.motion.json(bytes);
   j["gauges"] = {{"speed", put(bytes, p.speed)},
                  {"mach", put(bytes, p.mach)},
@@ -160,17 +163,18 @@ Json Motions::missiles(ColumnBytes& bytes) const {
   };
   Json all = Json::array();
   for (const auto& [id, m] : missiles_)
-    all.push_back({{"id", id},
-                   {"type", m.type},
-                   {"side", scenario::side_name(m.side)},
-                   {"shooter", index(m.shooter)},
-                   {"target", index(m.target)},
-                   {"born", m.born},
-                   {"gone", m.gone},
-                   {"active", number_or_null(m.active)},
-                   {"end", m.end},
-                   {"detail", m.detail},
-                   {"motion", m.motion.json(bytes)}});
+    if (!m.motion.empty())
+      all.push_back({{"id", id},
+                     {"type", m.type},
+                     {"side", scenario::side_name(m.side)},
+                     {"shooter", index(m.shooter)},
+                     {"target", index(m.target)},
+                     {"born", m.born},
+                     {"gone", gone(m.gone)},
+                     {"active", number_or_null(m.active)},
+                     {"end", m.end},
+                     {"detail", m.detail},
+                     {"motion", m.motion.json(bytes)}});
   return all;
 }
 

@@ -38,6 +38,9 @@ class Motions final : public sim::Observer {
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
   void finish(const sim::World& world) override;
+  /// What happened in a step before begin(); `world` is the one that it will be given.
+  void remember(const sim::World& world, const sim::StepInfo& info,
+                std::span<const sim::Event> events);
 
   /// Of a player, by its place in the roster: born, gone, end, motion, gauges.
   [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const;
@@ -70,6 +73,8 @@ class Motions final : public sim::Observer {
   void happened(const sim::Event& event, const sim::World& world);
   void launched(const sim::Event& event, const sim::World& world);
   void left(const record::Fate& fate, const sim::Event& event);
+  /// Who is still there is gone at the end of what was seen.
+  [[nodiscard]] double gone(double time) const { return time < 0 ? time_ : time; }
 
   const scenario::Scenario& scenario_;
   double period_, time_ = 0, dt_ = 0.02;

@@ -38,8 +38,17 @@ std::string base64(std::string_view bytes) {
 }
 
 std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
-  const std::string bytes = page_bytes(recorded, progress, plenty);
-  return bytes.empty() ? "" : base64(deflated(bytes));
+  constexpr std::uint64_t kTell = 512;  // steps
+  const auto packer = make_packer(*recorded.scenario, recorded.until(), plenty);
+  debrief::Reflight flight(recorded);
+  flight.attach(*packer);
+  while (flight.step()) {
+    packer->look(flight.before(), flight.after(), flight.orders());
+    if (progress && flight.after().step() % kTell == 0 && !progress(flight.time()))
+      return {};
+  }
+  packer->finish(flight.after());
+  return base64(deflated(packer->packed(facts_of(recorded))));
 }
 
 }  // namespace eyrie::page

@@ -91,14 +91,12 @@ class Platform {
   std::vector<std::vector<debrief::Answer>> blank_;
 };
 
-class Writer {
+class Writer final : public Packer {
  public:
-  Writer(const debrief::Recorded& recorded, double plenty)
-      : recorded_(recorded),
-        scenario_(*recorded.scenario),
+  Writer(const scenario::Scenario& scenario, double until, double plenty)
+      : scenario_(scenario),
         periods_(periods(scenario_.roster.players.size(),
-                         static_cast<double>(scenario_.roster.players.size()) * recorded.until(),
-                         plenty)),
+                         static_cast<double>(scenario_.roster.players.size()) * until, plenty)),
         shapes_(texts_),
         pilots_(*scenario_.trees, 0),
         drivers_(*scenario_.driver_trees, scenario_.trees->size()),
@@ -110,51 +108,52 @@ class Writer {
       agents_.push_back({Decisions(shapes_, texts_), Sights(scenario_, texts_)});
   }
 
-  /// False if `progress` gave up.
-  bool fly(const Progress& progress) {
-    debrief::Reflight flight(recorded_);
-    flight.attach(motions_);
-    flight.attach(story_);
-    constexpr std::uint64_t kTell = 512;  // steps
-    while (flight.step()) {
-      look(flight);
-      if (progress && flight.after().step() % kTell == 0 && !progress(flight))
-        return false;
-    }
-    motions_.finish(flight.after());
-    return true;
+  void remember(const sim::World& world, const debrief::Happened& happened) override {
+    motions_.remember(world, happened.info, happened.events);
+    story_.observe(world, happened.info, happened.events);
   }
+  void begin(const sim::World& world, double dt) override {
+    motions_.begin(world, dt);
+    story_.begin(world, dt);
+  }
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    motions_.observe(world, info, events);
+    story_.observe(world, info, events);
+  }
+  void finish(const sim::World& world) override { motions_.finish(world); }
 
-  [[nodiscard]] std::string packed() const {
+  [[nodiscard]] std::string packed(const FlightFacts& facts) const override {
     ColumnBytes bytes;
-    const std::string document = record::json_text(json(bytes));
+    const std::string document = record::json_text(json(facts, bytes));
     std::string all;
     for (int shift = 0; shift < 32; shift += 8)
       all.push_back(static_cast<char>(document.size() >> shift & 255));
     return all + document + bytes.bytes();
   }
 
- private:
-  void look(const debrief::Reflight& flight) {
+  void look(const sim::World& before, const sim::World& after,
+            std::span<const sim::Order> orders) override {
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       const PlayerId who{static_cast<std::uint32_t>(i + 1)};
       Agent& agent = agents_[i];
       if (scenario_.fleet_of(who).agents == driver_system_)
-        driver_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
-                                [&](const team::Moment<driver::State>& m) {
-                                  drivers_.decide(m, agent, periods_, [&](const driver::State& s) {
-                                    agent.sights.add(s);
-                                  });
-                                });
+        driver_system_->revisit(
+            before, after, who, orders, [&](const team::Moment<driver::State>& m) {
+              drivers_.decide(m, agent, periods_,
+                              [&](const driver::State& s) { agent.sights.add(s); });
+            });
       else
-        pilot_system_->revisit(flight.before(), flight.after(), who, flight.orders(),
+        pilot_system_->revisit(before, after, who, orders,
                                [&](const team::Moment<pilot::State>& m) {
                                  pilots_.decide(m, agent, periods_, [&](const pilot::State& s) {
-                                   agent.sights.add(s, radar_of(flight.after(), who));
+                                   agent.sights.add(s, radar_of(after, who));
                                  });
                                });
     }
   }
+
+ private:
   [[nodiscard]] const model::RadarState* radar_of(const sim::World& world, PlayerId who) const {
     const auto row = world.row(scenario_.aircraft.table, who);
     return row ? &world.rows(scenario_.aircraft.radar)[*row] : nullptr;
@@ -171,7 +170,7 @@ class Writer {
                       {"text", line.text}});
   }
 
-  [[nodiscard]] Json json(ColumnBytes& bytes) const {
+  [[nodiscard]] Json json(const FlightFacts& facts, ColumnBytes& bytes) const {
     Json trees = Json::array(), players = Json::array();
     pilots_.put_trees("aircraft", trees);
     drivers_.put_trees("vehicle", trees);
@@ -179,7 +178,7 @@ class Writer {
       players.push_back(player(i, bytes));
     const Geodetic& origin = scenario_.library->reference.origin();
     return {{"format", 1},
-            {"about", about()},
+            {"about", about(facts)},
             {"origin",
              {{"latitude", degrees(origin.latitude)}, {"longitude", degrees(origin.longitude)}}},
             {"flights", flights()},
@@ -194,20 +193,19 @@ class Writer {
             {"story", lines_}};
   }
 
-  [[nodiscard]] Json about() const {
-    const auto& run = recorded_.run;
+  [[nodiscard]] Json about(const FlightFacts& facts) const {
     const double dt = scenario_.simulation->dt();
     const double period = pilot_system_->setup().dt * pilot_system_->setup().period;
     return {{"scenario", scenario_.spec.name},
             {"help", scenario_.spec.help_text},
-            {"file", run.scenario},
-            {"seed", std::to_string(run.seed)},
-            {"hash", fmt::format("{:#018x}", run.trail.last_hash)},
-            {"build", run.build},
-            {"steps", recorded_.last_step()},
+            {"file", facts.file},
+            {"seed", std::to_string(facts.seed)},
+            {"hash", fmt::format("{:#018x}", facts.hash)},
+            {"build", facts.build},
+            {"steps", facts.steps},
             {"dt", dt},
-            {"duration", recorded_.until()},
-            {"outcome", run.outcome},
+            {"duration", static_cast<double>(facts.steps) * dt},
+            {"outcome", facts.outcome},
             {"decision_period", std::max(periods_.decisions, period)},
             {"thinned", periods_.decisions > 0}};
   }
@@ -264,7 +262,6 @@ class Writer {
             {"range", radar.reference_range}};
   }
 
-  const debrief::Recorded& recorded_;
   const scenario::Scenario& scenario_;
   Periods periods_;
   TextBook texts_;
@@ -281,9 +278,15 @@ class Writer {
 
 }  // namespace
 
-std::string page_bytes(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
-  Writer writer(recorded, plenty);
-  return writer.fly(progress) ? writer.packed() : "";
+std::unique_ptr<Packer> make_packer(const scenario::Scenario& scenario, double until,
+                                    double plenty) {
+  return std::make_unique<Writer>(scenario, until, plenty);
+}
+
+FlightFacts facts_of(const debrief::Recorded& recorded) {
+  const record::RunFile& run = recorded.run;
+  return {run.scenario, run.build,           run.outcome,
+          run.seed,     run.trail.last_hash, recorded.last_step()};
 }
 
 }  // namespace eyrie::page

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A recorded run as the debrief page reads it.
+/// \file  A flight as the debrief page reads it (viewer/src/run/decode.ts).
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <span>
 #include <string>
 
 #include "debrief/recorded.hpp"
 
 namespace eyrie::page {
 
-/// Called now and then while the run is flown again; false gives up.
-using Progress = std::function<bool(const debrief::Reflight&)>;
+/// Told s of simulated time now and then while a run is flown again; false gives up.
+using Progress = std::function<bool(double)>;
 
 /// With more players than this decisions are kept when they are other ones than before, and once a
 /// second, motions once a second, and what is seen every five seconds.
@@ -19,12 +22,32 @@ inline constexpr std::size_t kManyPlayers = 16;
 /// anyway.
 inline constexpr double kManyPlayerSeconds = 60'000;
 
-/// Flies the run again with tracing and gives what the page shows, as viewer/src/run/decode.ts
-/// describes it. Empty if `progress` gave up. `plenty` is for tests.
-[[nodiscard]] std::string page_bytes(const debrief::Recorded& recorded,
-                                     const Progress& progress = {},
-                                     double plenty = kManyPlayerSeconds);
-/// The same as a page without the engine carries it: base64 of a zlib stream.
+/// What a page says of a flight besides what was seen of it.
+struct FlightFacts {
+  std::string file, build, outcome;
+  std::uint64_t seed = 0, hash = 0, steps = 0;
+};
+[[nodiscard]] FlightFacts facts_of(const debrief::Recorded& recorded);
+
+/// Watches a flight and packs what the page shows of it, of a part as well as of the whole.
+class Packer : public sim::Observer {
+ public:
+  /// What had happened in a run before this flight branches off at `world`, step by step: its
+  /// story, and whose missiles are in the air. Before it observes anything.
+  virtual void remember(const sim::World& world, const debrief::Happened& happened) = 0;
+  /// To be called after each step, with its orders: the decisions in it.
+  virtual void look(const sim::World& before, const sim::World& after,
+                    std::span<const sim::Order> orders) = 0;
+  /// What has been seen so far.
+  [[nodiscard]] virtual std::string packed(const FlightFacts& facts) const = 0;
+};
+/// The scenario must outlive it; `until` (s) is when the flight ends at the latest. `plenty` is for
+/// tests.
+[[nodiscard]] std::unique_ptr<Packer> make_packer(const scenario::Scenario& scenario, double until,
+                                                  double plenty = kManyPlayerSeconds);
+
+/// A recorded run, flown again for a page without the engine: base64 of a zlib stream. Empty if
+/// `progress` gave up.
 [[nodiscard]] std::string page_data(const debrief::Recorded& recorded,
                                     const Progress& progress = {},
                                     double plenty = kManyPlayerSeconds);

@@ -54,6 +54,8 @@ class Run {
   [[nodiscard]] std::string submit(const Order& order);
   /// All orders accepted so far, by step.
   [[nodiscard]] std::span<const Order> orders() const { return orders_; }
+  /// Those of a step.
+  [[nodiscard]] std::span<const Order> orders_for(std::uint64_t step) const;
 
   /// One step; the events are good until the next one. After a fault nothing happens any more.
   std::span<const Event> step();
@@ -83,7 +85,6 @@ class Run {
   std::uint64_t steps_per_check_;  ///< in one simulated second
   std::optional<Fault> fault_;
 
-  [[nodiscard]] std::span<const Order> orders_for(std::uint64_t step) const;
   void end_with(Fault fault);
 };
 

@@ -109,17 +109,19 @@ TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
   const Recorded run = recorded_flight("sweep", 3600, 13);
   const Outcome flown = outcome_of(run);
   std::string problem;
-  const auto branched = branch(run, run.scenario, 20'000, limit_of(run, flown), problem);
+  const auto branched =
+      branch(run, run.scenario, past_at(run, 20'000), limit_of(run, flown), problem);
   ASSERT_TRUE(branched) << problem;
-  EXPECT_EQ(branched->outcome, flown.outcome);
-  EXPECT_EQ(branched->time, flown.time);
-  EXPECT_EQ(branched->blue.shots, flown.blue.shots);
-  EXPECT_EQ(branched->red.losses, flown.red.losses);
-  EXPECT_EQ(branched->blue.home, flown.blue.home);
+  const Outcome same = branched->fly();
+  EXPECT_EQ(same.outcome, flown.outcome);
+  EXPECT_EQ(same.time, flown.time);
+  EXPECT_EQ(same.blue.shots, flown.blue.shots);
+  EXPECT_EQ(same.red.losses, flown.red.losses);
+  EXPECT_EQ(same.blue.home, flown.blue.home);
   const auto fewer = branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=0"}),
-                            20'000, limit_of(run, flown), problem);
+                            past_at(run, 20'000), limit_of(run, flown), problem);
   ASSERT_TRUE(fewer) << problem;
-  EXPECT_LT(fewer->blue.shots, flown.blue.shots);
+  EXPECT_LT(fewer->fly().blue.shots, flown.blue.shots);
 }
 
 TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
@@ -130,11 +132,12 @@ TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
   // slower on the way home: later there
   std::string problem;
   const auto slower = with_overrides(whole, {"trees.home.winner_takes_all.egress.speed=350 kt"});
-  const auto later = branch(whole, slower, 20'000, limit_of(whole, ended), problem);
+  const auto later = branch(whole, slower, past_at(whole, 20'000), limit_of(whole, ended), problem);
   ASSERT_TRUE(later) << problem;
-  EXPECT_EQ(later->outcome, ended.outcome);
-  EXPECT_EQ(later->blue.home, ended.blue.home);
-  EXPECT_GT(later->time, ended.time);
+  const Outcome home = later->fly();
+  EXPECT_EQ(home.outcome, ended.outcome);
+  EXPECT_EQ(home.blue.home, ended.blue.home);
+  EXPECT_GT(home.time, ended.time);
   const Recorded cut = recorded_flight("sweep", 500, 13);
   EXPECT_EQ(outcome_of(cut).outcome, "time");
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);

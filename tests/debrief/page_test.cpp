@@ -203,7 +203,7 @@ TEST(Page, CarriesARunFileThatFliesAsTheRunDid) {
 
 TEST(PageData, GivesUpWhenItsProgressSaysSo) {
   const debrief::Recorded recorded = test::recorded_flight("sweep", 60);
-  EXPECT_EQ(page_data(recorded, [](const debrief::Reflight&) { return false; }), "");
+  EXPECT_EQ(page_data(recorded, [](double) { return false; }), "");
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ const kWatch: Watch = {
   },
 };
 
-/** Plays until `end` (s). Returns how to stop it for good. */
-export function run_clock(store: Store, end: number, watch = kWatch): () => void {
+/** Plays to the end of the timeline. Returns how to stop it for good. */
+export function run_clock(store: Store, watch = kWatch): () => void {
   let handle = 0;
   let last = 0;
   const frame = (now: number): void => {
-    const { playing, time, rate } = store.get();
+    const { playing, time, rate, end } = store.get();
     handle = 0;
     if (!playing) return;
     const passed = Math.min(now - last, kLongestFrame) / 1000;

@@ -34,7 +34,7 @@ export async function flown_again(module: WebAssembly.Module, file: Uint8Array, 
   let until = Infinity;
   const engine = await started(module, (time) => told(time / until));
   until = (await engine.open(file)).until ?? Infinity;
-  return { ...decode(await engine.page()), engine };
+  return { ...decode((await engine.page({})).bytes), engine };
 }
 
 export function put_theme(theme: View['theme']): void {
@@ -42,11 +42,11 @@ export function put_theme(theme: View['theme']): void {
 }
 
 function pages_of(runs: Run[], view: Partial<View>): Page[] {
-  const duration = Math.max(...runs.map((run) => run.about.duration));
+  const end = Math.max(...runs.map((run) => run.about.duration));
   const colors = leader_colors(runs);
   return runs.map((run, i) => {
-    const store = new Store({ ...first_view(0), ...view, ...read_link(run, location.hash, duration) });
-    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '', duration, colors);
+    const store = new Store({ ...first_view(0), ...view, end, ...read_link(run, location.hash, end) });
+    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '', colors);
   });
 }
 
@@ -65,7 +65,7 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   if (second) link_pages(first, second);
   const stops = [
     first.store.subscribe((now, before) => now.theme !== before.theme && put_theme(now.theme)),
-    run_clock(first.store, first.duration), keep_in_sight(first), follow_address(first),
+    run_clock(first.store), keep_in_sight(first), follow_address(first),
   ];
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
   const scenes = new Map<Page, SceneHandle>();

@@ -22,6 +22,8 @@ export interface View {
   /** s */
   time: number;
   playing: boolean;
+  /** s: how far the timeline goes. */
+  end: number;
   /** Times real time. */
   rate: number;
   /** Index into Run.players. */
@@ -69,6 +71,7 @@ export function first_view(selected: number): View {
   return {
     time: 0,
     playing: false,
+    end: 0,
     rate: 8,
     selected,
     camera: 'whole',

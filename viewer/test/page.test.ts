@@ -226,6 +226,39 @@ describe('what if', { skip: kNoPage }, () => {
     await page.waitForSelector('.future [data-outcome]');
     assert.match((await page.textContent('.future'))!, /as flown.*blue home at 27:09.*with it from 10:00/s);
   });
+  test('the other future flies beside the one that was flown, to the end of either', { skip: kNoProgram }, async () => {
+    const rows = () => page.$$eval('.row.leader', (all) => all.map((row) => (row as HTMLElement).dataset['row']));
+    const end = () => page.evaluate(() => window.eyrie!.store.get().end);
+    // when the camera has come to rest
+    const scene = async () => {
+      for (let last = Buffer.alloc(0);;) {
+        await page.waitForTimeout(300);
+        const now = await page.locator('.scene').screenshot();
+        if (now.equals(last)) return now;
+        last = now;
+      }
+    };
+    const told = (await page.textContent('.future'))!;
+    const ends = [...told.matchAll(/at (\d+):([\d.]+)/g)].map(([, minutes, seconds]) => 60 * Number(minutes) + Number(seconds));
+    assert.equal(ends.length, 2, told);
+    assert.ok(Math.abs((await end()) - Math.max(...ends)) < 0.06, `${await end()} s`);
+    assert.ok((await rows()).includes('leader flown on'));
+    // where it goes with it and where without
+    const both = async (time: number): Promise<boolean> => {
+      await go_to(time);
+      const with_it = await scene();
+      await shoot(page, `flown-on-${time}`);
+      await page.click('.future button:last-child');
+      assert.ok(!(await rows()).includes('leader flown on'));
+      return (await scene()).equals(with_it);
+    };
+    assert.ok(await both(599), 'it is drawn before the two part');
+    await go_to(600);
+    await page.click('.future button');
+    await page.waitForSelector('.future [data-outcome]');
+    assert.ok(!(await both(660)), 'nothing is drawn of it');
+    await go_to(600);
+  });
   test('is as flown again after a reset', async () => {
     await page.click('.what-if header button');
     assert.equal((await page.$eval('[data-decisions]', (e) => (e as HTMLElement).dataset['decisions'])), '');

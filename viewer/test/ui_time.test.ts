@@ -123,10 +123,10 @@ class Stopped implements Watch {
 test('the clock moves the time by what has passed times the rate, and stops at the end', () => {
   const frames: FrameRequestCallback[] = [];
   Object.assign(globalThis, { requestAnimationFrame: (f: FrameRequestCallback) => frames.push(f), cancelAnimationFrame: () => undefined });
-  const { store } = page_of(kRun, { rate: 4 });
+  const { store } = page_of(kRun, { rate: 4, end: 0.6 });
   const watch = new Stopped();
   watch.pass(5000);
-  const stop = run_clock(store, 0.6, watch);
+  const stop = run_clock(store, watch);
   store.set({ playing: true });
   frames.pop()!(5100);
   near(store.get().time, 0.4);

@@ -24,7 +24,7 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
     const { done, failed } = waiting.get(data.id)!;
     waiting.delete(data.id);
     if ('error' in data) failed(new EngineError(data.error, data.problems));
-    else done(data.bytes.length ? data.bytes : data.answer);
+    else done(data.bytes.length ? { ...(data.answer as object), bytes: data.bytes } : data.answer);
   };
   const fail = (words: string): void => {
     for (const { failed } of waiting.values()) failed(new EngineError(words));

@@ -390,11 +390,11 @@ export interface Engine {
   /** On with what was loaded; when it is over it has become a run. */
   fly(request: Until): Promise<Flown>;
   /** The run file of what was flown to its end. */
-  run_file(): Promise<Uint8Array>;
+  run_file(): Promise<Nothing & { bytes: Uint8Array }>;
   /** Opens a run file. */
   open(file: Uint8Array): Promise<About>;
-  /** The run once more from start to end, every hash compared with the recorded ones; what src/run/decode.ts reads. */
-  page(): Promise<Uint8Array>;
+  /** The run once more from the start on, every hash compared with the recorded ones; the bytes are what src/run/decode.ts reads. */
+  page(request: Until): Promise<Moment & { bytes: Uint8Array }>;
   /** Goes to a step of the run. */
   seek(request: Step): Promise<Moment>;
   /** A table of the world there. */
@@ -405,6 +405,8 @@ export interface Engine {
   decide(request: Otherwise): Promise<Decided>;
   /** What it would have decided during the whole run, its states being what they were. */
   what_if(request: Otherwise): Promise<WhatIf>;
-  /** How the run would have ended, flown on from there with other trees and models. */
-  branch(request: Branch): Promise<Outcome>;
+  /** How the run ended. */
+  outcome(): Promise<Outcome>;
+  /** How it would have ended, flown on from there with other trees and models; the bytes are as of page(). */
+  branch(request: Branch): Promise<Outcome & { bytes: Uint8Array }>;
 }

@@ -51,7 +51,7 @@ export class Flier {
         ...(flown.result && { outcome: flown.result }),
       };
     }
-    flight.file = await engine.run_file();
+    flight.file = (await engine.run_file()).bytes;
     return flight;
   }
 

@@ -4,6 +4,7 @@ import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
 import type { Eye } from './eye.ts';
 import type { Mark, Notes } from './notes.ts';
+import type { Other } from './other.ts';
 import type { Discs, Pens } from './painter.ts';
 import type { Palette } from './palette.ts';
 import type { Poses } from './poses.ts';
@@ -11,6 +12,8 @@ import type { Eyesight } from './sight.ts';
 
 export interface Frame {
   run: Run;
+  /** Flown on otherwise; null: nobody has asked. */
+  other: Other | null;
   view: View;
   players: Poses;
   missiles: Poses;

@@ -2,6 +2,7 @@
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
 import type { Run } from '../run/run.ts';
 import type { Store, View } from '../store.ts';
+import type { Cell } from '../ui/cell.ts';
 import { draw_tracks, draw_zone } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
 import { type Easel, set_up } from './choose.ts';
@@ -16,6 +17,7 @@ import { Pilot } from './pilot.ts';
 import { Poses } from './poses.ts';
 import { draw_radar, type Volume } from './radar.ts';
 import { draw_routes } from './routes.ts';
+import { draw_other, type Other } from './other.ts';
 import { kRest, Sharpness } from './sharpness.ts';
 import { SightReader } from './sight.ts';
 import { told } from './told.ts';
@@ -51,14 +53,14 @@ class AirPicture {
   private rester = 0;
   private readonly stops: (() => void)[] = [];
 
-  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store) {
+  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store, private readonly other: Cell<Other | null>) {
     const palette = palette_of(store.get().theme);
     const eye = new Eye();
     this.easel = set_up(run, eye);
     const { painter, flat } = this.easel;
     this.pilot = new Pilot(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
-      run, view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
+      run, other: other.get(), view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
       lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, flat), palette, hovered: -1,
     };
     const over = this.frame.notes.canvas;
@@ -73,7 +75,10 @@ class AirPicture {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.host);
     this.stops.push(
-      () => observer.disconnect(), this.store.subscribe((now, before) => this.follow(now, before)),
+      () => observer.disconnect(), this.other.subscribe((now) => {
+        this.frame.other = now;
+        this.wake();
+      }), this.store.subscribe((now, before) => this.follow(now, before)),
       listen(this.frame.notes.canvas, this.hand()));
     const restored = (): void => this.wake();
     const { canvas } = this.easel;
@@ -171,6 +176,7 @@ class AirPicture {
     draw_zone(frame);
     draw_tracks(frame);
     draw_ruler(frame);
+    draw_other(frame);
     draw_ghost(frame);
     draw_names(frame);
     frame.notes.end();
@@ -252,10 +258,10 @@ class AirPicture {
 }
 
 /** Fills `host`, whose size it follows. */
-export function mount_scene(host: HTMLElement, run: Run, store: Store): SceneHandle {
+export function mount_scene(host: HTMLElement, run: Run, store: Store, other: Cell<Other | null>): SceneHandle {
   if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
   host.style.overflow = 'hidden';
   host.setAttribute('role', 'img');
-  const picture = new AirPicture(host, run, store);
+  const picture = new AirPicture(host, run, store, other);
   return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read() };
 }

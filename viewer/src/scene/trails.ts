@@ -1,38 +1,44 @@
 // SPDX-License-Identifier: MIT
 /** Where everybody came from, and how high they are: trails, drop lines and the selected player's staff of altitudes. */
+import type { Motion } from '../run/run.ts';
 import { type Frame, kFoot, kSideMark } from './frame.ts';
 import { place_at } from './motion.ts';
 
 /** s */
-const kTrail = 60;
+export const kTrail = 60;
 const kTallest = 50;
 const at = { east: 0, north: 0, up: 0 };
 
-/** The way over the last minute, each leg paler with its age. Legs end at whole multiples of their duration. */
-export function draw_trails({ run, view, players, lines, palette }: Frame): void {
-  if (!view.layers.trails) return;
+/** A way from `first` to `last` (s), each leg paler with its age. Legs end at whole multiples of their duration; of a broken way
+ * a second is drawn and a second left out. */
+export function draw_way({ view, players, lines }: Frame, motion: Motion, first: number, last: number, broken = false): void {
   const leg = players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5;
+  const dash = Math.max(1, leg);
+  if (last <= first) return;
+  let x = NaN;
+  let y = 0;
+  let z = 0;
+  let pale = 0;
+  for (let t = first; ;) {
+    if (!place_at(motion, t, at)) return;
+    const alpha = 0.8 * (1 - (view.time - t) / kTrail);
+    if (!Number.isNaN(x) && !(broken && Math.floor((t - 1e-6) / dash) % 2)) lines.add(x, y, z, at.east / 1000, at.up / 1000, -at.north / 1000, pale, alpha);
+    x = at.east / 1000;
+    y = at.up / 1000;
+    z = -at.north / 1000;
+    pale = alpha;
+    if (t >= last) return;
+    t = Math.min(last, (Math.floor(t / leg + 1e-6) + 1) * leg);
+  }
+}
+
+/** Where everybody was in the last minute. */
+export function draw_trails(frame: Frame): void {
+  const { run, view, lines, palette } = frame;
+  if (!view.layers.trails) return;
   for (const player of run.players) {
-    const last = Math.min(view.time, player.gone);
-    const first = Math.max(player.born, view.time - kTrail);
-    if (last <= first) continue;
     lines.pen(palette.side[player.side], player.index === view.selected ? 2.6 : 1.8);
-    let x = NaN;
-    let y = 0;
-    let z = 0;
-    let pale = 0;
-    for (let t = first; ;) {
-      if (!place_at(player.motion, t, at)) break;
-      const alpha = 0.8 * (1 - (view.time - t) / kTrail);
-      if (!Number.isNaN(x)) lines.add(x, y, z, at.east / 1000, at.up / 1000, -at.north / 1000, pale, alpha);
-      x = at.east / 1000;
-      y = at.up / 1000;
-      z = -at.north / 1000;
-      pale = alpha;
-      if (t >= last) break;
-      t = Math.min(last, (Math.floor(t / leg + 1e-6) + 1) * leg);
-    }
-    if (players.shown[player.index]) lines.add(x, y, z, players.x[player.index]!, players.y[player.index]!, players.z[player.index]!, pale);
+    draw_way(frame, player.motion, Math.max(player.born, view.time - kTrail), Math.min(view.time, player.gone));
   }
 }
 

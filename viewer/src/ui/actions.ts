@@ -3,7 +3,7 @@
 import { last_at } from '../run/run.ts';
 import type { Camera } from '../store.ts';
 import { neighbor } from './marks.ts';
-import { shown_range, type Page } from './page.ts';
+import { range_of, type Page } from './page.ts';
 import { leader_spans } from './spans.ts';
 
 export const kRates = [0.5, 1, 2, 4, 8, 16, 32, 64];
@@ -77,7 +77,7 @@ export function toggle_theme({ store }: Page): void {
 
 /** Makes the strips show `factor` times as much, with `around` (s) staying in its place. */
 export function zoom_by(page: Page, factor: number, around: number): void {
-  const [from, to] = shown_range(page);
+  const [from, to] = range_of(page.store.get());
   const width = Math.max((to - from) * factor, kShortest);
   if (width >= page.duration) return page.store.set({ zoom: null });
   const part = (around - from) / (to - from);
@@ -93,7 +93,7 @@ export function zoom_to({ store, duration }: Page, from: number, to: number): vo
 }
 
 export function pan_by(page: Page, seconds: number): void {
-  const [from, to] = shown_range(page);
+  const [from, to] = range_of(page.store.get());
   if (page.store.get().zoom) zoom_to(page, from + seconds, to + seconds);
 }
 

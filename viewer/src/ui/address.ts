@@ -8,7 +8,7 @@ import type { Page } from './page.ts';
 const kPace = 500;
 
 /** Returns how to stop it. */
-export function follow_address({ run, store, duration }: Page): () => void {
+export function follow_address({ run, store }: Page): () => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   const write = (): void => {
     timer = null;
@@ -19,7 +19,7 @@ export function follow_address({ run, store, duration }: Page): () => void {
   const stop = store.subscribe((now, before) => {
     if (keys.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
   });
-  const read = (): void => store.set(read_link(run, location.hash, duration));
+  const read = (): void => store.set(read_link(run, location.hash, store.get().end));
   addEventListener('hashchange', read);
   return () => {
     stop();

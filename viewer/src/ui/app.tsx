@@ -8,7 +8,7 @@ import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys } from './keys.tsx';
-import { EveryoneRow, LeaderRow, Legend, WhatIfRow } from './leaders.tsx';
+import { EveryoneRow, LeaderRow, Legend, OtherRow, WhatIfRow } from './leaders.tsx';
 import { mind_manners } from './manners.ts';
 import { PageContext, use_page, type Page } from './page.ts';
 import { Players } from './players.tsx';
@@ -54,6 +54,7 @@ function Bottom({ pages }: { pages: Page[] }) {
         <Events />
         {pages.length > 1 ? <CompareRows pages={pages} player={player} /> : <LeaderRow player={player} />}
         <WhatIfRow player={player} />
+        <OtherRow player={player} />
         <Legend player={player} />
         {everyone && <EveryoneRow />}
         <Strips />

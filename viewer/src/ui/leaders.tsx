@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** Who was in charge in a player's tree over time, as flown and as it would have been. */
 import { useEffect, useMemo } from 'preact/hooks';
-import type { Player } from '../run/run.ts';
+import type { Player, Run } from '../run/run.ts';
 import { select } from './actions.ts';
 import { fitted, use_canvas, type Sheet } from './canvas.ts';
 import { clock_text } from './format.ts';
 import { use_page, type Page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';
-import { use_cell, use_view } from './use.ts';
+import { use_cell, use_range, use_view } from './use.ts';
 import { use_answer, would_lead } from './what_if_answer.ts';
 
 /** CSS pixels: a single decision can be seen in a run of half an hour. */
@@ -48,11 +48,6 @@ export function draw_spans(page: Page, { pen, width, rem }: Sheet, spans: Span[]
   }
 }
 
-function use_range(page: Page): [number, number] {
-  const zoom = use_view(page.store, (v) => v.zoom);
-  return useMemo(() => zoom ?? [0, page.duration], [zoom, page]);
-}
-
 /** A line through a strip with a notch above it. */
 function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, to]: [number, number]): void {
   const x = ((t - from) / (to - from)) * width;
@@ -69,7 +64,7 @@ function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, t
 /** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */
 function SpanStrip({ spans, marked, cut, label }: { spans: Span[]; marked?: [number, number][]; cut?: number | undefined; label: string }) {
   const page = use_page();
-  const range = use_range(page);
+  const range = use_range();
   const { box, canvas } = use_canvas((sheet) => {
     const bar = marked ? Math.round(0.28 * sheet.rem) : 0;
     draw_spans(page, sheet, spans, range, { top: bar, height: sheet.height - bar, words: true });
@@ -96,10 +91,10 @@ function use_tip(row: string, name: string, spans: Span[] | null): void {
   }, [tips, row, name, spans]);
 }
 
-/** `cut` is where it parts from another run. */
-export function LeaderRow({ player, label, cut }: { player: Player; label?: string; cut?: number | undefined }) {
+/** `cut` is where it parts from another run; `run` is the player's if that is not the page's. */
+export function LeaderRow({ player, run, label, cut }: { player: Player; run?: Run; label?: string; cut?: number | undefined }) {
   const page = use_page();
-  const spans = leader_spans(page.run, player);
+  const spans = leader_spans(run ?? page.run, player);
   const row = `leader ${label ?? player.name}`;
   use_tip(row, label ?? player.name, spans);
   return (
@@ -122,6 +117,12 @@ export function WhatIfRow({ player }: { player: Player }) {
       <SpanStrip spans={spans} marked={answer.spans} label={`Which behavior would have led ${player.name}`} />
     </Row>
   );
+}
+
+/** Who led in the other future. */
+export function OtherRow({ player }: { player: Player }) {
+  const other = use_cell(use_page().other);
+  return other && <LeaderRow player={other.run.players[player.index]!} run={other.run} label="flown on" />;
 }
 
 /** What the colours mean, for one player. */
@@ -152,7 +153,7 @@ export function Chip({ label }: { label: string }) {
 /** A thin lane for every player, to see who did what at the same time. */
 export function EveryoneRow() {
   const page = use_page();
-  const range = use_range(page);
+  const range = use_range();
   const selected = use_view(page.store, (v) => v.selected);
   const { players } = page.run;
   const { box, canvas } = use_canvas((sheet) => {

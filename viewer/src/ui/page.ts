@@ -4,7 +4,8 @@ import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Change } from '../ask/change.ts';
 import type { Run } from '../run/run.ts';
-import type { Store } from '../store.ts';
+import type { Other } from '../scene/other.ts';
+import type { Store, View } from '../store.ts';
 import { Cell } from './cell.ts';
 import { marks_of, type Mark } from './marks.ts';
 import type { QuantityKey } from './series.ts';
@@ -28,8 +29,10 @@ export interface Page {
   store: Store;
   /** "" for the only run, otherwise "A" or "B". */
   letter: string;
-  /** s, of the longer one of the runs. */
-  duration: number;
+  /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
+  readonly duration: number;
+  /** The run flown on otherwise from a moment on, beside the one that was flown. */
+  other: Cell<Other | null>;
   /** By label of who leads in a tree: the same colour wherever it is drawn. */
   colors: Map<string, string>;
   /** In order of time. */
@@ -47,9 +50,11 @@ export interface Page {
   strips: Cell<StripChoice>;
 }
 
-export function make_page(run: Run, store: Store, letter: string, duration: number, colors: Map<string, string>): Page {
+export function make_page(run: Run, store: Store, letter: string, colors: Map<string, string>): Page {
   return {
-    run, store, letter, duration, colors, marks: marks_of(run),
+    run, store, letter, colors, marks: marks_of(run),
+    get duration() { return store.get().end; },
+    other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),
     node: new Cell(-1),
     pointed: new Cell(-1),
@@ -67,7 +72,7 @@ export function use_page(): Page {
   return page;
 }
 
-/** s: what the strips show now. */
-export function shown_range(page: Page): [number, number] {
-  return page.store.get().zoom ?? [0, page.duration];
+/** s: what the strips show of a view. */
+export function range_of({ zoom, end }: View): [number, number] {
+  return zoom ?? [0, end];
 }

@@ -5,9 +5,9 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { jump, select } from './actions.ts';
 import { clock_text } from './format.ts';
 import { kMarkWords, pick_mark } from './marks.ts';
-import { shown_range, use_page, type Page } from './page.ts';
+import { range_of, use_page, type Page } from './page.ts';
 import { watch_pointer } from './stack_pointer.ts';
-import { use_cell, use_size, use_view } from './use.ts';
+import { use_cell, use_range, use_size } from './use.ts';
 
 /** CSS pixels: a glyph this near is meant. */
 const kReach = 9;
@@ -18,8 +18,7 @@ function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brus
   const now = useRef<HTMLDivElement>(null);
   const [width] = use_size(plot);
   const hover = use_cell(page.hover);
-  const zoom = use_view(page.store, (v) => v.zoom);
-  const [from, to] = zoom ?? [0, page.duration];
+  const [from, to] = use_range();
   const x = (t: number): number => ((t - from) / (to - from)) * width;
   useEffect(() => {
     const line = now.current!;
@@ -70,7 +69,7 @@ export function Stack({ children }: { children: ComponentChildren }) {
   const plot = useRef<HTMLDivElement>(null);
   const [brush, set_brush] = useState<[number, number] | null>(null);
   useEffect(() => watch_pointer(stack.current!, plot.current!, page, {
-    brushed: (range) => set_brush(range && clipped(range, shown_range(page))),
+    brushed: (range) => set_brush(range && clipped(range, range_of(page.store.get()))),
     clicked: (row, t, per_pixel) => {
       const mark = row === 'events' ? pick_mark(page.marks, t, kReach * per_pixel) : null;
       if (!mark) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The pointer over the timeline and the strips: click jumps, drag scrubs or zooms, wheel zooms or moves. */
 import { jump, pan_by, zoom_by, zoom_to } from './actions.ts';
-import { shown_range, type Page } from './page.ts';
+import { range_of, type Page } from './page.ts';
 
 /** CSS pixels: less is a click. */
 const kClick = 4;
@@ -28,7 +28,7 @@ export function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page,
 
   const place = (event: MouseEvent): { t: number; inside: boolean; per_pixel: number } => {
     const { left, width } = plot.getBoundingClientRect();
-    const [from, to] = shown_range(page);
+    const [from, to] = range_of(page.store.get());
     const part = (event.clientX - left) / width;
     return { t: from + part * (to - from), inside: part >= 0 && part <= 1, per_pixel: (to - from) / width };
   };

@@ -45,10 +45,10 @@ function Tools() {
 }
 
 export function Stage({ onMount }: { onMount: (scene: SceneHandle) => void }) {
-  const { run, store, letter } = use_page();
+  const { run, store, other, letter } = use_page();
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const scene = mount_scene(host.current!, run, store);
+    const scene = mount_scene(host.current!, run, store, other);
     onMount(scene);
     return () => scene.dispose();
   }, [run, store]);

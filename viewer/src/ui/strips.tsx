@@ -8,7 +8,7 @@ import { count_text } from './format.ts';
 import { use_page, type Page } from './page.ts';
 import { kQuantities, resample, series_of, type Quantity } from './series.ts';
 import { ticks_of } from './timeline.tsx';
-import { use_cell, use_paced, use_size, use_view } from './use.ts';
+import { use_cell, use_paced, use_range, use_size, use_view } from './use.ts';
 
 /** Samples a pixel: finer shows no more. */
 const kFine = 1.5;
@@ -80,9 +80,8 @@ function Strip({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
   const host = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
   const [width, height] = use_size(host);
-  const zoom = use_view(page.store, (v) => v.zoom);
   const theme = use_view(page.store, (v) => v.theme);
-  const [from, to] = zoom ?? [0, page.duration];
+  const [from, to] = use_range();
   useEffect(() => {
     if (!width || !height) return;
     const style = getComputedStyle(host.current!);

@@ -7,7 +7,7 @@ import { tick_text } from './format.ts';
 import { kGlyphs, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
-import { use_paced, use_view } from './use.ts';
+import { use_paced, use_range, use_view } from './use.ts';
 
 const kTicks = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600];
 
@@ -75,8 +75,7 @@ function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], fr
 
 export function Events() {
   const page = use_page();
-  const zoom = use_view(page.store, (v) => v.zoom);
-  const [from, to] = zoom ?? [0, page.duration];
+  const [from, to] = use_range();
   const { marks } = page;
   const { box, canvas } = use_canvas((sheet) => {
     draw_ticks(sheet, from, to);
@@ -94,16 +93,17 @@ export function Overview() {
   const page = use_page();
   const zoom = use_view(page.store, (v) => v.zoom);
   const time = use_paced(page.store, (v) => v.time);
+  const end = use_view(page.store, (v) => v.end);
   const marks = useMemo(() => page.marks.filter((m) => m.kind !== 'contact'), [page]);
   const { box, canvas } = use_canvas(({ pen, width, height, color }) => {
     for (const { t, kind, side } of marks) {
       pen.fillStyle = color(side === 'none' ? 'dim' : side);
       const tall = kind === 'kill' ? height : height * 0.5;
-      pen.fillRect(Math.round((t / page.duration) * width), (height - tall) / 2, kind === 'kill' ? 2 : 1, tall);
+      pen.fillRect(Math.round((t / end) * width), (height - tall) / 2, kind === 'kill' ? 2 : 1, tall);
     }
-  }, [marks]);
+  }, [marks, end]);
   const moving = useRef<number | null>(null);
-  const percent = (t: number): string => `${((t / page.duration) * 100).toFixed(3)}%`;
+  const percent = (t: number): string => `${((t / end) * 100).toFixed(3)}%`;
   return (
     <div class="overview" title="The whole run; drag the window to move it">
       <div class="row-label" />

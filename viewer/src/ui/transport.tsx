@@ -13,7 +13,8 @@ import { subscribe_paced } from '../clock.ts';
 
 /** Written at the pace of panels: nobody reads faster, and each time the line is laid out anew. */
 function Time() {
-  const { store, duration } = use_page();
+  const { store } = use_page();
+  const end = use_view(store, (v) => v.end);
   const text = useRef<HTMLOutputElement>(null);
   useEffect(() => {
     const write = (): void => {
@@ -24,7 +25,7 @@ function Time() {
   }, [store]);
   return (
     <span class="time">
-      <output ref={text} aria-label="Time" aria-live="off" /><span class="dim"> / {clock_text(duration)}</span>
+      <output ref={text} aria-label="Time" aria-live="off" /><span class="dim"> / {clock_text(end)}</span>
     </span>
   );
 }

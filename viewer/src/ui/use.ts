@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Hooks by which panels follow the store and redraw only if what they show has changed. */
-import { useEffect, useReducer, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 import { subscribe_paced } from '../clock.ts';
 import { last_at, type Player } from '../run/run.ts';
@@ -33,6 +33,14 @@ export function use_view<T>(store: Store, pick: (view: View) => T): T {
 /** The same at the pace of panels, for what changes with time. */
 export function use_paced<T>(store: Store, pick: (view: View) => T): T {
   return use_picked(store, pick, subscribe_paced);
+}
+
+/** s: what the strips show now; the same array as long as that is the same. */
+export function use_range(): [number, number] {
+  const { store } = use_page();
+  const zoom = use_view(store, (v) => v.zoom);
+  const end = use_view(store, (v) => v.end);
+  return useMemo(() => zoom ?? [0, end], [zoom, end]);
 }
 
 export function use_cell<T>(cell: Cell<T>): T {

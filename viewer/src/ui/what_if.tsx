@@ -4,12 +4,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { command_of, type Change } from '../ask/change.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
+import type { Other } from '../scene/other.ts';
 import { jump } from './actions.ts';
 import { clock_text, count_text } from './format.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
-import { branch, use_answer, use_question, type Asked as AskedOf } from './what_if_answer.ts';
+import { branch, use_answer, use_question, type Asked as AskedOf, type Future } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
 export async function copy_text(text: string, shown: HTMLElement | null): Promise<boolean> {
@@ -90,18 +91,29 @@ function tally(of: Outcome): string {
   return `${of.outcome.replaceAll('_', ' ')} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
 }
 
-/** The other future from now on: how it ends. */
+/** The other future from now on: how it ends, and in the air picture where everybody would be. */
 function FlyOn({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const [future, put] = useState<(Omit<AskedOf<{ flown: Outcome; other: Outcome }>, 'key'> & { from: number }) | null>(null);
-  useEffect(() => put(null), [changes, player]);
+  const [future, put] = useState<(Omit<AskedOf<Future>, 'key'> & { from: number }) | null>(null);
+  const show = (other: Other | null): void => {
+    page.other.set(other);
+    page.store.set({ end: Math.max(page.run.about.duration, other?.run.about.duration ?? 0) });
+  };
+  useEffect(() => {
+    put(null);
+    if (page.other.get()) show(null);
+  }, [changes, player]);
   const fly = (): void => {
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
+    const step = Math.min(Math.round(time / dt), steps);
     put({ from: time });
-    branch(page.run, player.index, changes, Math.min(Math.round(time / dt), steps)).then(
-      (value) => put({ from: time, value }),
+    branch(page.run, player.index, changes, step).then(
+      (value) => {
+        put({ from: time, value });
+        show({ from: step * dt, run: value.run });
+      },
       (error: unknown) => put({ from: time, problem: error instanceof Error ? error.message : String(error) }),
     );
   };
@@ -111,10 +123,13 @@ function FlyOn({ player }: { player: Player }) {
       {future && !future.value && !future.problem && <p class="dim">Flying on from {clock_text(future.from)} …</p>}
       {future?.problem && <p class="caution">⚠ {future.problem}</p>}
       {future?.value && (
-        <dl data-outcome={future.value.other.outcome}>
-          <dt>as flown</dt><dd>{tally(future.value.flown)}</dd>
-          <dt>with it from {clock_text(future.from)}</dt><dd>{tally(future.value.other)}</dd>
-        </dl>
+        <>
+          <dl data-outcome={future.value.other.outcome}>
+            <dt>as flown</dt><dd>{tally(future.value.flown)}</dd>
+            <dt>with it from {clock_text(future.from)}, hollow and broken in the air picture</dt><dd>{tally(future.value.other)}</dd>
+          </dl>
+          <button type="button" onClick={() => { put(null); show(null); }}>only as flown</button>
+        </>
       )}
     </div>
   );

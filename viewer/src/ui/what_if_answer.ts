@@ -3,6 +3,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { sets_of, type Change } from '../ask/change.ts';
 import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
+import { decode } from '../run/decode.ts';
 import type { Player, Run } from '../run/run.ts';
 import { Cell } from './cell.ts';
 import { use_page, type Page } from './page.ts';
@@ -85,13 +86,20 @@ export function use_node_types(kind: 'aircraft' | 'vehicle'): NodeType[] {
   return types?.value ?? [];
 }
 
-/** How the run ended, and how it would have, flown on from a step with the changes. */
-export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<{ flown: Outcome; other: Outcome }> {
+/** How a run ended, and how it would have: `run` is that other flight. */
+export interface Future {
+  flown: Outcome;
+  other: Outcome;
+  run: Run;
+}
+
+/** Flies on from a step with the changes. */
+export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<Future> {
   const engine = run.engine!;
-  const { name } = run.players[player]!;
   await engine.seek({ step });
-  const flown = await engine.branch({ sets: [], player: name });
-  return { flown, other: await engine.branch({ sets: sets_of(run, player, changes), player: name }) };
+  const flown = await engine.outcome();
+  const { bytes, ...other } = await engine.branch({ sets: sets_of(run, player, changes), player: run.players[player]!.name });
+  return { flown, other, run: decode(bytes) };
 }
 
 export function change_of(changes: readonly Change[], tree: number, node: number): Change | undefined {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+/** The other future beside the one that was flown: where everybody would be, drawn hollow and broken from where the two part. */
+import type { Run, Side } from '../run/run.ts';
+import { type Frame, kSideMark } from './frame.ts';
+import { Poses } from './poses.ts';
+import { draw_way, kTrail } from './trails.ts';
+
+export interface Other {
+  /** s: where it parts from the run. */
+  from: number;
+  run: Run;
+}
+
+/** km: nearer than this the two futures are one in the picture. */
+const kApart = 0.05;
+/** s: how long the way of a missile is drawn. */
+const kSmoke = 20;
+
+const kPoses = new WeakMap<Run, { players: Poses; missiles: Poses }>();
+
+export function draw_other(frame: Frame): void {
+  const { other, view, players, lines, palette, eye, notes } = frame;
+  if (!other || view.time < other.from) return;
+  const { run } = other;
+  let poses = kPoses.get(run);
+  if (!poses) kPoses.set(run, (poses = { players: new Poses(run.players), missiles: new Poses(run.missiles) }));
+  poses.players.update(view.time);
+  poses.missiles.update(view.time);
+  const place = (all: Poses, i: number): boolean => eye.project(all.x[i]!, all.y[i]!, all.z[i]!) && eye.on_screen();
+  const tint = (side: Side): number => palette.side[side];
+
+  for (const player of run.players) {
+    const i = player.index;
+    const { x, y, z, shown, noted } = poses.players;
+    const apart = Math.hypot(x[i]! - players.x[i]!, y[i]! - players.y[i]!, z[i]! - players.z[i]!) > kApart || shown[i] !== players.shown[i];
+    if (!apart) continue;
+    lines.pen(tint(player.side), i === view.selected ? 2.2 : 1.6);
+    if (view.layers.trails) draw_way(frame, player.motion, Math.max(other.from, view.time - kTrail), Math.min(view.time, player.gone), true);
+    if (shown[i] && players.shown[i]) {
+      lines.pen(palette.faint, 1, 3);
+      lines.add(x[i]!, y[i]!, z[i]!, players.x[i]!, players.y[i]!, players.z[i]!, 0.5);
+    }
+    if (!(shown[i] || noted[i]) || !place(poses.players, i)) continue;
+    notes.mark(shown[i] ? kSideMark[player.side] : 'cross', eye.px, eye.py, 6, tint(player.side), 1.8);
+    if (view.layers.labels) notes.tag(30000 + i, eye.px, eye.py, player.name, shown[i] ? 'flown on' : 'lost, flown on', tint(player.side), null, i === view.selected ? 90 : 20);
+  }
+  run.missiles.forEach((missile, i) => {
+    if (view.time < missile.born || view.time > missile.gone + kSmoke) return;
+    lines.pen(palette.smoke, 1.8);
+    if (view.layers.trails) draw_way(frame, missile.motion, Math.max(missile.born, view.time - kSmoke), Math.min(view.time, missile.gone), true);
+    if (poses.missiles.shown[i] && place(poses.missiles, i)) notes.mark('diamond', eye.px, eye.py, 3, tint(missile.side), 1.4);
+  });
+}

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+/// \file  The engine's answers about a run.
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "debrief/node_sets.hpp"
+#include "debrief/what_if.hpp"
+#include "page/page_data.hpp"
+#include "web/engine.hpp"
+
+namespace eyrie::web {
+namespace {
+
+constexpr double kBetweenKept = 5;  // s
+
+Moment moment(const sim::World& world, double dt) {
+  return {world.step(), static_cast<double>(world.step()) * dt, hex(world.hash())};
+}
+
+double number(const std::byte* at, Scalar type) {
+  const auto read = [at]<class T>(T value) {
+    std::memcpy(&value, at, sizeof value);
+    return static_cast<double>(value);
+  };
+  switch (type) {
+    case Scalar::f64:
+      return read(double{});
+    case Scalar::f32:
+      return read(float{});
+    case Scalar::u16:
+      return read(std::uint16_t{});
+    case Scalar::u32:
+      return read(std::uint32_t{});
+    case Scalar::u64:
+      return read(std::uint64_t{});
+    case Scalar::i8:
+      return read(std::int8_t{});
+    case Scalar::i16:
+      return read(std::int16_t{});
+    case Scalar::i32:
+      return read(std::int32_t{});
+    case Scalar::i64:
+      return read(std::int64_t{});
+    case Scalar::u8:
+    case Scalar::bytes:
+      break;
+  }
+  return read(std::uint8_t{});
+}
+
+}  // namespace
+
+const debrief::Recorded& Engine::run() const {
+  if (!recorded_)
+    throw BadRequest("there is no run: open one, or fly to the end");
+  return *recorded_;
+}
+
+/// The run as page() flies it again, with what is kept on the way.
+struct Engine::Reflown {
+  explicit Reflown(const debrief::Recorded& recorded)
+      : packer(page::make_packer(*recorded.scenario, recorded.until())),
+        flight(recorded),
+        kept{flight.after()},
+        between_kept(
+            static_cast<std::uint64_t>(kBetweenKept / recorded.scenario->simulation->dt())) {
+    flight.attach(*packer);
+  }
+
+  /// False, once, at the end.
+  bool step() {
+    if (!flight.step()) {
+      packer->finish(flight.after());
+      return false;
+    }
+    packer->look(flight.before(), flight.after(), flight.orders());
+    if (!flight.events().empty())
+      events.push_back(flight.happened());
+    if (flight.after().step() - kept.back().step() >= between_kept)
+      kept.push_back(flight.after());
+    return true;
+  }
+
+  std::unique_ptr<page::Packer> packer;
+  debrief::Reflight flight;
+  std::vector<sim::World> kept;  ///< by step
+  std::vector<debrief::Happened> events;
+  std::uint64_t between_kept;
+  bool over = false;
+};
+
+void Engine::ReflownDeleter::operator()(Reflown* reflown) const {
+  delete reflown;
+}
+
+void Engine::tell(const sim::World& world) const {
+  if (progress_ && world.step() % kTell == 0)
+    progress_(static_cast<double>(world.step()) * run().scenario->simulation->dt());
+}
+
+Moment Engine::page(const Until& until, std::string& packed) {
+  const debrief::Recorded& recorded = run();
+  const double dt = recorded.scenario->simulation->dt();
+  if (!reflown_ || reflown_->over)
+    reflown_.reset(new Reflown(recorded));
+  const sim::World& world = reflown_->flight.after();
+  while (!until.until || static_cast<double>(world.step()) * dt < *until.until) {
+    if (!reflown_->step()) {
+      reflown_->over = true;
+      break;
+    }
+    tell(world);
+  }
+  packed = reflown_->packer->packed(page::facts_of(recorded));
+  return moment(world, dt);
+}
+
+Moment Engine::seek(const Step& step) {
+  const debrief::Recorded& recorded = run();
+  if (step.step > recorded.last_step())
+    throw BadRequest(fmt::format("step: the run ends at {}", recorded.last_step()));
+  here_ = past(step.step, false).world;
+  return moment(*here_, recorded.scenario->simulation->dt());
+}
+
+debrief::Past Engine::past(std::uint64_t step, bool with_events) const {
+  const debrief::Recorded& recorded = run();
+  const bool reflown = reflown_ && reflown_->flight.after().step() >= step;
+  if (with_events && !reflown)
+    return debrief::past_at(recorded, step);
+  // from the nearest world that is at hand
+  const sim::World* from = here_->step() <= step ? &*here_ : nullptr;
+  debrief::Past past{recorded.scenario->world(recorded.run.seed), {}};
+  if (reflown) {
+    const auto later = std::upper_bound(
+        reflown_->kept.begin(), reflown_->kept.end(), step,
+        [](std::uint64_t wanted, const sim::World& world) { return wanted < world.step(); });
+    if (!from || (later - 1)->step() > from->step())
+      from = &*(later - 1);
+    for (const debrief::Happened& happened : reflown_->events)
+      if (with_events && happened.info.step < step)
+        past.events.push_back(happened);
+  }
+  debrief::Reflight flight(recorded, from ? *from : std::move(past.world));
+  while (flight.after().step() < step && flight.step()) {
+  }
+  past.world = flight.after();
+  return past;
+}
+
+Rows Engine::rows(const Table& wanted) const {
+  const sim::Schema& schema = run().scenario->simulation->schema();
+  const TableId table = schema.find_table(wanted.table);
+  if (!table) {
+    std::vector<std::string> names;
+    for (const sim::TableInfo& one : schema.tables())
+      names.push_back(one.name);
+    throw BadRequest("there is no table " + quote(wanted.table) +
+                     did_you_mean(wanted.table, names));
+  }
+  Rows rows;
+  for (const PlayerId id : here_->ids(table))
+    rows.ids.push_back(id.value);
+  for (const std::uint32_t index : schema.table(table).columns) {
+    const sim::ColumnInfo& column = schema.column(index);
+    const std::byte* bytes = here_->column_bytes(index).data();
+    for (const FieldInfo& field : column.fields)
+      for (std::uint32_t i = 0; i < field.count; ++i) {
+        Column& out = rows.columns.emplace_back();
+        out.name = fmt::format("{}.{}", column.name, std::string_view(field.name));
+        if (field.count > 1)
+          out.name += fmt::format("[{}]", i);
+        out.unit = field.unit;
+        for (std::size_t row = 0; row < rows.ids.size(); ++row)
+          out.values.push_back(
+              number(bytes + row * column.stride + field.offset + i * scalar_size(field.type),
+                     field.type));
+      }
+  }
+  return rows;
+}
+
+PlayerId Engine::player(const std::string& name) const {
+  const scenario::Roster& roster = run().scenario->roster;
+  const auto found = roster.find(name);
+  if (!found) {
+    std::vector<std::string> names;
+    for (const auto& one : roster.players)
+      names.push_back(one.name);
+    throw BadRequest("there is no player " + quote(name) + did_you_mean(name, names));
+  }
+  return *found;
+}
+
+std::shared_ptr<const scenario::Scenario> Engine::other(
+    const std::string& name, const std::vector<std::string>& sets) const {
+  Diagnostics wrong;
+  auto overrides = debrief::read_overrides(*run().scenario, player(name), sets, wrong);
+  if (!wrong.ok())
+    throw ConfigError(wrong);
+  return debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
+}
+
+Decided Engine::decision(PlayerId who, const scenario::Scenario& trees) const {
+  debrief::Reflight flight(run(), *here_);
+  if (!flight.step())
+    return {};
+  return {debrief::Explainer(*run().scenario, trees)
+              .explain(flight.before(), flight.after(), who, flight.orders())};
+}
+
+Decided Engine::explain(const Who& who) {
+  return decision(player(who.player), *run().scenario);
+}
+
+Decided Engine::decide(const Otherwise& otherwise) {
+  return decision(player(otherwise.player), *other(otherwise.player, otherwise.sets));
+}
+
+debrief::WhatIf Engine::what_if(const Otherwise& otherwise) const {
+  return debrief::what_if(run(), *other(otherwise.player, otherwise.sets), player(otherwise.player),
+                          otherwise.from.value_or(0));
+}
+
+debrief::Outcome Engine::outcome() const {
+  const debrief::Recorded& recorded = run();
+  return debrief::Branch(recorded, recorded.scenario, past(recorded.last_step(), true),
+                         recorded.until())
+      .fly();
+}
+
+debrief::Outcome Engine::branch(const Branch& wanted, std::string& packed) const {
+  const debrief::Recorded& recorded = run();
+  const auto changed = other(wanted.player, wanted.sets);
+  const debrief::Past before = past(here_->step(), true);
+  std::string problem;
+  const auto branch = debrief::branch(recorded, changed, before, wanted.until, problem);
+  if (!branch)
+    throw BadRequest(problem);
+  const auto packer = page::make_packer(*changed, wanted.until.value_or(changed->spec.until));
+  for (const debrief::Happened& happened : before.events)
+    packer->remember(branch->after(), happened);
+  branch->attach(*packer);
+  while (branch->step()) {
+    packer->look(branch->before(), branch->after(), branch->orders());
+    tell(branch->after());
+  }
+  debrief::Outcome outcome = branch->outcome();
+  const sim::World& end = branch->after();
+  packed = packer->packed({recorded.run.scenario, recorded.run.build, outcome.outcome,
+                           recorded.run.seed, end.hash(), end.step()});
+  return outcome;
+}
+
+}  // namespace eyrie::web
