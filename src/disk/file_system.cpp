@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -71,14 +72,19 @@ int FileSystem::list(int folder, std::vector<std::string>& names) {
       ::close(again);
     return -1;
   }
-  errno = 0;
-  while (const dirent* entry = ::readdir(stream)) {
-    const std::string_view name = entry->d_name;
-    if (name != "." && name != "..")
-      names.emplace_back(name);
+  int error = 0;
+  try {
     errno = 0;
+    while (const dirent* entry = ::readdir(stream)) {
+      const std::string_view name = entry->d_name;
+      if (name != "." && name != "..")
+        names.emplace_back(name);
+      errno = 0;
+    }
+    error = errno;
+  } catch (const std::bad_alloc&) {
+    error = ENOMEM;
   }
-  const int error = errno;
   ::closedir(stream);
   errno = error;
   return error ? -1 : 0;

@@ -137,10 +137,11 @@ std::string OutputFolder::commit() {
                   : fmt::format("{} has been taken or changed in the meantime", quoted(path_));
     for (int i = 2; put.how != Put::done; ++i) {
       const std::string name = fmt::format("{}.{}", place_.name(), i);
+      std::string there = place_.beside(name);
       put = put_new(place_.folder(), part, name);
       if (put.how == Put::failed)
         cannot_make(path_, put.error);
-      path_ = place_.beside(name);
+      path_ = std::move(there);
     }
     part_.moved();
   }

@@ -35,11 +35,14 @@ Place::Place(std::string path, Parents parents) : path_(std::move(path)) {
 
 void Place::make_parents() {
   for (std::size_t at = before_.find('/', 1); at != before_.npos; at = before_.find('/', at + 1)) {
-    std::string folder = before_.substr(0, at);
-    if (files().make_folder(AT_FDCWD, folder.c_str(), 0777) == 0)
-      made_.folders.push_back(std::move(folder));
-    else if (errno != EEXIST)
-      cannot_make(path_, errno);
+    // noted first: there may be no memory for it afterwards
+    made_.folders.push_back(before_.substr(0, at));
+    if (files().make_folder(AT_FDCWD, made_.folders.back().c_str(), 0777) == 0)
+      continue;
+    const int error = errno;
+    made_.folders.pop_back();
+    if (error != EEXIST)
+      cannot_make(path_, error);
   }
 }
 
