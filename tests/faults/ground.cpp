@@ -96,6 +96,8 @@ Child::Child(const fs::path& folder, const std::function<int()>& command, Fault 
     return;
   redirect(streams_ / "out", STDOUT_FILENO);
   redirect(streams_ / "err", STDERR_FILENO);
+  for (const int asked : {SIGINT, SIGTERM, SIGHUP})  // a background job begins without them
+    ::signal(asked, SIG_DFL);
   ::setenv("EYRIE_VIEWER", (source_root() + "/tests/support/viewer.html").c_str(), 0);
   ::setenv("EYRIE_HOME", source_root().c_str(), 1);
   const rlimit none{0, 0};
