@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "model/flight/fly.hpp"
 #include "page/page_data.hpp"

@@ -2,7 +2,7 @@
 /// Why does eagle1 do what it does? Its decision again, with every node's answer.
 #include <fmt/format.h>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "scenario/mission.hpp"
 
 using namespace eyrie;

@@ -9,7 +9,7 @@
 #include "core/printable.hpp"
 #include "debrief/report.hpp"
 #include "fuzz/memory_file.hpp"
-#include "record/events_csv.hpp"
+#include "record/csv.hpp"
 
 namespace {
 

@@ -6,9 +6,8 @@
 
 #include "core/printable.hpp"
 #include "fuzz/named_flight.hpp"
-#include "record/czml.hpp"
-#include "record/geojson.hpp"
 #include "record/json_text.hpp"
+#include "record/paths.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "record/story.hpp"
 #include "scenario/mission.hpp"

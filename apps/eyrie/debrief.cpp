@@ -12,7 +12,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "disk/failure.hpp"
-#include "disk/output_file.hpp"
+#include "disk/output.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"

@@ -13,7 +13,7 @@
 
 #include "commands.hpp"
 #include "core/units.hpp"
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "debrief/report.hpp"
 #include "record/names.hpp"

@@ -5,12 +5,11 @@
 #include <filesystem>
 
 #include "commands.hpp"
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "debrief/report.hpp"
-#include "disk/output_file.hpp"
+#include "disk/output.hpp"
 #include "interrupt.hpp"
-#include "record/czml.hpp"
-#include "record/geojson.hpp"
+#include "record/paths.hpp"
 #include "record/run_folder.hpp"
 #include "say.hpp"
 

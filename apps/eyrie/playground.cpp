@@ -11,7 +11,7 @@
 
 #include "commands.hpp"
 #include "disk/failure.hpp"
-#include "disk/output_folder.hpp"
+#include "disk/output.hpp"
 #include "disk/read_file.hpp"
 #include "interrupt.hpp"
 #include "locate.hpp"

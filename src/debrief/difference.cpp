@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "record/story.hpp"
 #include "sim/difference.hpp"
 

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace eyrie::disk {
@@ -64,5 +65,28 @@ class Instead {
 
 /// What errno means, in words: "No space left on device".
 [[nodiscard]] std::string words_of(int error);
+
+// An open file or folder that is closed when nobody needs it any more.
+
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(int file) : file_(file) {}
+  ~Handle() {
+    if (file_ >= 0)
+      files().close(file_);
+  }
+  Handle(Handle&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+
+  [[nodiscard]] int get() const { return file_; }
+  explicit operator bool() const { return file_ >= 0; }
+
+ private:
+  int file_ = -1;
+};
 
 }  // namespace eyrie::disk

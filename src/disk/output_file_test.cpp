@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "disk/output_file.hpp"
+#include "disk/output.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

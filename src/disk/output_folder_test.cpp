@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "disk/output_folder.hpp"
+#include "disk/output.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "disk/handle.hpp"
+#include "disk/file_system.hpp"
 
 namespace eyrie::disk {
 

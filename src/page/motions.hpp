@@ -9,7 +9,7 @@
 
 #include "page/json.hpp"
 #include "page/sights.hpp"
-#include "record/fate.hpp"
+#include "record/names.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 

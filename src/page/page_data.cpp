@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "page/decisions.hpp"
 #include "page/motions.hpp"
 #include "page/sights.hpp"

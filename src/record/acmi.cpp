@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "core/angle.hpp"
-#include "record/acmi_text.hpp"
+#include "record/acmi_object.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
+
+#include "disk/sink.hpp"
+#include "scenario/scenario.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::record {
 
@@ -11,5 +17,23 @@ namespace eyrie::record {
 [[nodiscard]] std::string csv_text(std::string_view text);
 /// The same, always in quotes: a text where other rows have a number.
 [[nodiscard]] std::string csv_quoted(std::string_view text);
+
+// events.csv: every committed event, one row each.
+
+/// Columns: time_s, step, event, who, who_id, whom, whom_id, north_m, east_m, down_m, detail,
+/// values. `values` holds `name=value` pairs separated by blanks, named as the schema names them.
+class EventsCsv final : public sim::Observer {
+ public:
+  EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink);
+
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+  void finish(const sim::World& world) override;
+
+ private:
+  const scenario::Scenario& scenario_;
+  disk::Sink& sink_;
+  fmt::memory_buffer out_;
+};
 
 }  // namespace eyrie::record

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What events mean in names: phases, stores, behaviors.
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "model/events.hpp"
 #include "scenario/scenario.hpp"
@@ -19,5 +21,32 @@ namespace eyrie::record {
 [[nodiscard]] std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase);
 /// Label of a missile type by its index in the library, "?" if there is none.
 [[nodiscard]] std::string store_label(const scenario::Scenario& scenario, float index);
+
+// Who leaves the run by an event, and how.
+
+struct Fate {
+  PlayerId who;
+  std::string_view end;  ///< "lost", "home"; of a missile "kill", "miss", "trashed"
+};
+
+/// Nothing for an event by which nobody leaves.
+[[nodiscard]] inline std::optional<Fate> fate_of(const sim::Event& e) {
+  using model::EventKind;
+  switch (kind_of(e)) {
+    case EventKind::detonation:  // the draw was below the kill probability
+      return Fate{e.who, e.values[2] < e.values[1] ? "kill" : "miss"};
+    case EventKind::timeout:
+      return Fate{e.who, "trashed"};
+    case EventKind::kill:
+      return Fate{e.whom, "lost"};
+    case EventKind::crash:
+    case EventKind::loss:
+      return Fate{e.who, "lost"};
+    case EventKind::home:
+      return Fate{e.who, "home"};
+    default:
+      return std::nullopt;
+  }
+}
 
 }  // namespace eyrie::record

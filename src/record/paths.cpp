@@ -4,10 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "record/fate.hpp"
+#include "core/angle.hpp"
+#include "record/json_text.hpp"
+#include "record/names.hpp"
 
 namespace eyrie::record {
+
 using model::EventKind;
 
 void Paths::keep(std::uint32_t id) {
@@ -103,6 +107,196 @@ void Paths::finish(const sim::World& world) {
   for (auto& [id, last] : last_)
     last.pause = 0;  // the end is kept
   look(world, true, true);
+}
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// ISO 8601; a run begins at noon.
+std::string date(double seconds) {
+  const auto hundredths = static_cast<long long>(std::floor(seconds * 100 + 0.5)) + 12LL * 360'000;
+  const long long day = hundredths / 8'640'000, rest = hundredths % 8'640'000;
+  return fmt::format("2026-01-{:02}T{:02}:{:02}:{:02}.{:02}Z", 1 + day, rest / 360'000,
+                     rest / 6'000 % 60, rest / 100 % 60, rest % 100);
+}
+std::string interval(double from, double to) {
+  return date(from) + "/" + date(to);
+}
+
+ordered_json color(model::Side side) {  // told apart by the colour-blind: Okabe and Ito, 2008
+  return {{"rgba", side == model::Side::blue  ? ordered_json{86, 180, 233, 255}
+                   : side == model::Side::red ? ordered_json{213, 94, 0, 255}
+                                              : ordered_json{200, 200, 200, 255}}};
+}
+
+ordered_json position(const Path& path) {
+  ordered_json samples = ordered_json::array();
+  for (const Path::Point& p : path.points) {
+    samples.push_back(std::round(p.time * 100) / 100);
+    samples.push_back(std::round(degrees(p.place.longitude) * 1e7) / 1e7);  // 1 cm
+    samples.push_back(std::round(degrees(p.place.latitude) * 1e7) / 1e7);
+    samples.push_back(std::round(p.place.altitude * 10) / 10);
+  }
+  return {{"epoch", date(0)},
+          {"interpolationAlgorithm", "LAGRANGE"},
+          {"interpolationDegree", path.points.size() > 3 ? 3 : 1},
+          {"cartographicDegrees", std::move(samples)}};
+}
+
+/// Name, who leads and its vote, over time.
+ordered_json label(const Path& path, double end) {
+  ordered_json texts = ordered_json::array();
+  for (std::size_t i = 0; i < path.led.size(); ++i) {
+    const double to = i + 1 < path.led.size() ? path.led[i + 1].time : end;
+    if (to > path.led[i].time)
+      texts.push_back({{"interval", interval(path.led[i].time, to)},
+                       {"string", fmt::format("{}  {} {:g}", path.name, path.led[i].behavior,
+                                              path.led[i].vote)}});
+  }
+  return {{"text", texts.empty() ? ordered_json(path.name) : texts},
+          {"font", "12px sans-serif"},
+          {"fillColor", color(path.side)},
+          {"horizontalOrigin", "LEFT"},
+          {"pixelOffset", {{"cartesian2", {10, 0}}}}};
+}
+
+ordered_json packet(std::uint32_t id, const Path& path) {
+  const double from = path.points.front().time, to = path.points.back().time;
+  const bool missile = path.kind == "missile";
+  ordered_json j{{"id", fmt::format("player-{}", id)}, {"name", path.name}};
+  j["availability"] = interval(from, to);
+  j["description"] = fmt::format("{}, {}{}{}", path.type, scenario::side_name(path.side),
+                                 path.target.empty() ? "" : ", at " + path.target,
+                                 path.end.empty() ? "" : "; " + path.end);
+  j["position"] = position(path);
+  j["orientation"] = {{"velocityReference", "#position"}};
+  j["point"] = {{"pixelSize", missile ? 4 : 9}, {"color", color(path.side)}};
+  j["path"] = {{"width", missile ? 1 : 2},
+               {"leadTime", 0},
+               {"trailTime", missile ? 30 : 120},
+               {"material", {{"solidColor", {{"color", color(path.side)}}}}}};
+  if (!missile)
+    j["label"] = label(path, to);
+  return j;
+}
+
+}  // namespace
+
+std::string czml(const Paths& paths) {
+  const auto& spec = paths.scenario().spec;
+  ordered_json all = ordered_json::array();
+  all.push_back({{"id", "document"},
+                 {"name", spec.name},
+                 {"version", "1.0"},
+                 {"clock",
+                  {{"interval", interval(0, paths.end_time())},
+                   {"currentTime", date(0)},
+                   {"multiplier", 10},
+                   {"range", "LOOP_STOP"}}}});
+  for (const auto& [id, path] : paths.all())
+    if (path.points.size() > 1)
+      all.push_back(packet(id, path));
+  return json_text(all) + "\n";
+}
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json coordinates(const Geodetic& place) {
+  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  return {rounded(degrees(wrap_pi(place.longitude)), 1e7), rounded(degrees(place.latitude), 1e7),
+          rounded(place.altitude, 10)};
+}
+
+ordered_json feature(ordered_json geometry, ordered_json properties) {
+  return {{"type", "Feature"},
+          {"geometry", std::move(geometry)},
+          {"properties", std::move(properties)}};
+}
+
+/// Lines, cut where they cross the 180th meridian: at the last point before and the first behind.
+ordered_json lines(const std::vector<Path::Point>& points) {
+  ordered_json all = ordered_json::array();
+  ordered_json line = ordered_json::array();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool crosses = i > 0 && std::fabs(wrap_pi(points[i].place.longitude) -
+                                            wrap_pi(points[i - 1].place.longitude)) > kPi;
+    if (crosses && line.size() > 1)
+      all.push_back(line);
+    if (crosses)
+      line = ordered_json::array();
+    line.push_back(coordinates(points[i].place));
+  }
+  if (line.size() > 1)
+    all.push_back(std::move(line));
+  return all;
+}
+
+ordered_json path_feature(const Path& path) {
+  ordered_json times = ordered_json::array(), led = ordered_json::array();
+  for (const Path::Point& p : path.points)
+    times.push_back(std::round(p.time * 100) / 100);
+  for (const Path::Led& l : path.led)
+    led.push_back({{"from_s", l.time}, {"behavior", l.behavior}, {"vote", l.vote}});
+  ordered_json properties{{"name", path.name},
+                          {"kind", path.kind},
+                          {"type", path.type},
+                          {"side", scenario::side_name(path.side)}};
+  if (!path.target.empty())
+    properties["target"] = path.target;
+  if (!path.end.empty())
+    properties["end"] = path.end;
+  properties["times_s"] = std::move(times);
+  if (!led.empty())
+    properties["led_by"] = std::move(led);
+  return feature({{"type", "MultiLineString"}, {"coordinates", lines(path.points)}},
+                 std::move(properties));
+}
+
+/// The route of a flight with its home.
+void add_plan(const model::Library& library, const model::Flight& flight, ordered_json& features) {
+  const ordered_json about{{"flight", flight.name}, {"side", scenario::side_name(flight.side)}};
+  if (!flight.routes.empty() && flight.routes[0].waypoints.size() > 1) {
+    std::vector<Path::Point> points;
+    for (const model::Waypoint& waypoint : flight.routes[0].waypoints) {
+      Geodetic place = library.reference.to_geodetic(waypoint.position);
+      place.altitude = waypoint.altitude;
+      points.push_back({0, place});
+    }
+    ordered_json properties = about;
+    properties["kind"] = "route";
+    features.push_back(feature({{"type", "MultiLineString"}, {"coordinates", lines(points)}},
+                               std::move(properties)));
+  }
+  if (flight.home) {
+    ordered_json properties = about;
+    properties["kind"] = "home";
+    features.push_back(
+        feature({{"type", "Point"},
+                 {"coordinates", coordinates(library.reference.to_geodetic(*flight.home))}},
+                std::move(properties)));
+  }
+}
+
+}  // namespace
+
+std::string geojson(const Paths& paths) {
+  ordered_json features = ordered_json::array();
+  for (const model::Flight& flight : paths.scenario().library->flights)
+    add_plan(*paths.scenario().library, flight, features);
+  for (const auto& [id, path] : paths.all()) {
+    if (path.points.size() < 2)
+      continue;
+    features.push_back(path_feature(path));
+    if (path.end == "lost")
+      features.push_back(
+          feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},
+                  {{"name", path.name}, {"kind", "loss"}, {"time_s", path.points.back().time}}));
+  }
+  return json_text(ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}) +
+         "\n";
 }
 
 }  // namespace eyrie::record

@@ -77,4 +77,15 @@ class Paths final : public sim::Observer {
   std::map<std::uint32_t, Last> last_;
 };
 
+/// The run for Cesium: a packet per player and missile with its path over time, its attitude along
+/// the velocity, and a label that says which behavior leads, with its vote. Times count from
+/// 2026-01-01T12:00:00Z, as in the Tacview file.
+/// https://github.com/AnalyticalGraphicsInc/czml-writer/wiki/CZML-Guide (as of 2025).
+[[nodiscard]] std::string czml(const Paths& paths);
+
+/// Paths, routes and ends on a map: RFC 7946. Positions are longitude and latitude in degrees, then
+/// metres above the ellipsoid; times (s) stand beside them in `properties.times_s`. A path over the
+/// 180th meridian is cut there (section 3.1.9).
+[[nodiscard]] std::string geojson(const Paths& paths);
+
 }  // namespace eyrie::record

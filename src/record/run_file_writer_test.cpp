@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/run_file_writer.hpp"
+#include "record/run_file.hpp"
 
 #include <gtest/gtest.h>
 

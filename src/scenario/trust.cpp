@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "core/diagnostics.hpp"
-#include "disk/output_file.hpp"
+#include "disk/output.hpp"
 #include "disk/read_file.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/sha256.hpp"

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "debrief/decision.hpp"
 #include "debrief/difference.hpp"
-#include "debrief/explainer.hpp"
 #include "debrief/what_if.hpp"
 #include "support/recorded.hpp"
 

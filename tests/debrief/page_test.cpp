@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "debrief/report.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"

@@ -10,7 +10,7 @@
 #include "disk/sink.hpp"
 #include "pilot/pilot_system.hpp"
 #include "record/acmi.hpp"
-#include "record/events_csv.hpp"
+#include "record/csv.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"
 #include "sim/snapshot.hpp"

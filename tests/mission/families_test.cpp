@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <set>
 
-#include "debrief/explainer.hpp"
+#include "debrief/decision.hpp"
 #include "pilot/catalog.hpp"
 #include "support/recorded.hpp"
 

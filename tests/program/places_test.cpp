@@ -5,8 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "record/czml.hpp"
-#include "record/geojson.hpp"
+#include "record/paths.hpp"
 #include "support/flight.hpp"
 #include "support/program.hpp"
 #include "support/truth.hpp"
