@@ -231,7 +231,7 @@ describe('what if', { skip: kNoPage }, () => {
     const end = () => page.evaluate(() => window.eyrie!.store.get().end);
     // when the camera has come to rest
     const scene = async () => {
-      for (let last = Buffer.alloc(0);;) {
+      for (let last: Uint8Array = new Uint8Array();;) {
         await page.waitForTimeout(300);
         const now = await page.locator('.scene').screenshot();
         if (now.equals(last)) return now;
