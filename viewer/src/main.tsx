@@ -4,7 +4,7 @@ import { render } from 'preact';
 import { engine_module, is_part, painted, parts, unpack } from './parts.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
-import { flown_again, put_theme, show, unless_damaged } from './show.tsx';
+import { flown_again, put_theme, show_as_flown, unless_damaged } from './show.tsx';
 import { first_view } from './store.ts';
 
 const kMostRuns = 2;
@@ -18,9 +18,9 @@ function tell(script: Element, done: number, host: HTMLElement): void {
   if (words) words.textContent = `Flying the run again: ${percent} %`;
 }
 
-async function flown(script: Element, module: Promise<WebAssembly.Module>, host: HTMLElement): Promise<Run> {
+async function flown(script: Element, module: Promise<WebAssembly.Module>, host: HTMLElement, begun: (run: Run) => void): Promise<Run> {
   share.set(script, 0);
-  return unless_damaged(async () => flown_again(await module, await unpack(script), (done) => tell(script, done, host)));
+  return unless_damaged(async () => flown_again(await module, await unpack(script), (done) => tell(script, done, host), begun));
 }
 
 async function open(host: HTMLElement): Promise<void> {
@@ -30,9 +30,8 @@ async function open(host: HTMLElement): Promise<void> {
   if (scripts.length > kMostRuns) throw new Error(`there are ${scripts.length} runs in this page, and it shows ${kMostRuns} at most`);
   await painted();
   const module = scripts.some((script) => is_part(script, 'run-file')) ? engine_module() : null;
-  const runs = await Promise.all(scripts.map((script) =>
-    module && is_part(script, 'run-file') ? flown(script, module, host) : unless_damaged(async () => decode(await unpack(script)))));
-  show(runs, host);
+  await show_as_flown(scripts.map((script) => (begun) =>
+    module && is_part(script, 'run-file') ? flown(script, module, host, begun) : unless_damaged(async () => decode(await unpack(script)))), host);
 }
 
 function fail(host: HTMLElement, error: unknown): void {

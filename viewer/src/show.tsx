@@ -29,11 +29,15 @@ export async function unless_damaged<T>(unpacked: () => Promise<T>): Promise<T> 
   }
 }
 
-/** Flies a run file again, which compares every hash with the recorded one; `told` which part is done. */
-export async function flown_again(module: WebAssembly.Module, file: Uint8Array, told: (part: number) => void): Promise<Run> {
+/** s: so much of a run is shown while the rest of it is being flown. */
+const kFirst = 20;
+
+/** Flies a run file again, which compares every hash with the recorded one; `told` which part is done, `begun` with its beginning. */
+export async function flown_again(module: WebAssembly.Module, file: Uint8Array, told: (part: number) => void, begun: (run: Run) => void): Promise<Run> {
   let until = Infinity;
   const engine = await started(module, (time) => told(time / until));
   until = (await engine.open(file)).until ?? Infinity;
+  begun({ ...decode((await engine.page({ until: kFirst })).bytes), engine, is_part: true });
   return { ...decode((await engine.page({})).bytes), engine };
 }
 
@@ -51,16 +55,24 @@ function pages_of(runs: Run[], view: Partial<View>): Page[] {
 }
 
 function ready(pages: Page[], scene: SceneHandle): void {
-  window.eyrie = { run: pages[0]!.run, store: pages[0]!.store, scene, runs: pages.map((page) => page.run) };
-  document.body.dataset['ready'] = 'true';
+  const { run, store } = pages[0]!;
   // from the beginning of the navigation
-  performance.measure('eyrie-open');
+  performance.measure(run.is_part ? 'eyrie-picture' : 'eyrie-open');
+  if (run.is_part) return;
+  window.eyrie = { run, store, scene, runs: pages.map((page) => page.run) };
+  document.body.dataset['ready'] = 'true';
 }
 
-/** Shows one run, or two to compare, first as `view` says; `back` is where the page came from. Returns how to take it away. */
-export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back): () => void {
+export interface Shown {
+  /** The same runs, whole. */
+  update(runs: Run[]): void;
+  close(): void;
+}
+
+/** Shows one run, or two to compare, first as `view` says; `back` is where the page came from. */
+export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back): Shown {
   if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
-  const pages = pages_of(runs, view);
+  let pages = pages_of(runs, view);
   const [first, second] = pages as [Page, Page | undefined];
   if (second) link_pages(first, second);
   const stops = [
@@ -68,17 +80,47 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
     run_clock(first.store), keep_in_sight(first), follow_address(first),
   ];
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
-  const scenes = new Map<Page, SceneHandle>();
-  const mounted = (page: Page, scene: SceneHandle): void => {
-    scenes.set(page, scene);
-    if (scenes.size === pages.length) ready(pages, scenes.get(first)!);
+  const draw = (key: string): void => {
+    const scenes = new Map<Page, SceneHandle>();
+    const mounted = (page: Page, scene: SceneHandle): void => {
+      scenes.set(page, scene);
+      if (scenes.size === pages.length) ready(pages, scenes.get(pages[0]!)!);
+    };
+    render(<App key={key} pages={pages} back={back} onScene={mounted} />, host);
   };
   host.replaceChildren();
-  render(<App pages={pages} back={back} onScene={mounted} />, host);
-  return () => {
-    for (const stop of stops) stop();
-    render(null, host);
-    delete window.eyrie;
-    delete document.body.dataset['ready'];
+  draw('first');
+  return {
+    update(whole) {
+      const colors = leader_colors(whole);
+      pages = pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter, colors));
+      draw('whole');
+    },
+    close() {
+      for (const stop of stops) stop();
+      render(null, host);
+      delete window.eyrie;
+      delete document.body.dataset['ready'];
+    },
   };
+}
+
+/** Shows runs as soon as there is a part of each of them, and whole when they are. */
+export async function show_as_flown(
+  flights: ((begun: (run: Run) => void) => Promise<Run>)[], host: HTMLElement, view: Partial<View> = {}, back?: Back,
+): Promise<Shown> {
+  const parts = new Map<number, Run>();
+  let shown: Shown | null = null;
+  try {
+    const runs = await Promise.all(flights.map((flight, i) => flight((part) => {
+      parts.set(i, part);
+      if (parts.size === flights.length) shown = show(flights.map((_, k) => parts.get(k)!), host, view, back);
+    })));
+    const begun = shown as Shown | null;
+    begun?.update(runs);
+    return begun ?? show(runs, host, view, back);
+  } catch (error) {
+    (shown as Shown | null)?.close();
+    throw error;
+  }
 }

@@ -4,7 +4,9 @@ import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import { EngineError } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { started } from '../parts.ts';
-import { flown_again, put_theme, show, unless_damaged } from '../show.tsx';
+import type { RunningEngine } from '../engine/engine.ts';
+import type { Run } from '../run/run.ts';
+import { flown_again, put_theme, show_as_flown, unless_damaged } from '../show.tsx';
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
@@ -162,19 +164,35 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         parts[i] = part;
         put_busy(`Making the debrief: ${Math.floor((100 * parts.reduce((a, b) => a + b, 0)) / parts.length)} %`);
       };
-      const opened = await Promise.all(runs.map((run, i) => unless_damaged(() => flown_again(module, run.file!, told(i)))));
-      const box = document.body.appendChild(Object.assign(document.createElement('div'), { className: 'debriefed' }));
-      host.hidden = true;
-      const close = show(opened, box, { theme, ...first }, {
+      const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
+      const engines = new Set<RunningEngine | undefined>();
+      let is_open = true;
+      const leave = (): void => {
+        is_open = false;
+        set_theme(window.eyrie?.store.get().theme ?? theme);
+        for (const engine of engines) engine?.end();
+        box.remove();
+        host.hidden = false;
+        document.title = 'Eyrie playground';
+      };
+      const back = {
         label: 'editor',
         go: () => {
-          set_theme(window.eyrie?.store.get().theme ?? theme);
-          close();
-          for (const { engine } of opened) engine?.end();
-          box.remove();
-          host.hidden = false;
-          document.title = 'Eyrie playground';
+          leave();
+          closing.then((shown) => shown.close(), () => {});
         },
+      };
+      const flights = runs.map((run, i) => (begun: (part: Run) => void) => unless_damaged(() => flown_again(module, run.file!, told(i), (part) => {
+        engines.add(part.engine);
+        document.body.append(box);
+        host.hidden = true;
+        begun(part);
+      })));
+      const closing = show_as_flown(flights, box, { theme, ...first }, back);
+      await closing.catch((error: unknown) => {
+        if (!is_open) return;
+        leave();
+        throw error;
       });
     } catch (error) {
       put_note(words_of(error));

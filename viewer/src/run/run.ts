@@ -257,6 +257,8 @@ export interface Run {
   platforms: Record<PlayerKind, Platform>;
   texts: string[];
   story: StoryLine[];
+  /** Only its beginning: the rest is being flown. */
+  is_part?: boolean;
   /** Who flew it again and can be asked; none if the page has its columns only. */
   engine?: RunningEngine;
 }

@@ -22,7 +22,8 @@ function About({ page: { run, letter } }: { page: Page }) {
     <details class="menu about">
       <summary aria-label={`About run ${letter || about.scenario}`}>
         {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{about.outcome}</span>
-        {run.engine && <span class="verified" title="Flown again in this page: every hash is the one that was recorded">✓ same bits</span>}
+        {run.is_part && <span class="verified" role="status">flying it again …</span>}
+        {run.engine && !run.is_part && <span class="verified" title="Flown again in this page: every hash is the one that was recorded">✓ same bits</span>}
       </summary>
       <div class="menu-body">
         <p>{about.help}</p>
