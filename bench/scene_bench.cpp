@@ -14,7 +14,7 @@
 
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
-#include "model/flight/fly.hpp"
+#include "model/flight/flight_system.hpp"
 #include "page/page_data.hpp"
 #include "scenario/mission.hpp"
 #include "support/no_allocation.hpp"

@@ -2,7 +2,7 @@
 #include "driver/driver_system.hpp"
 
 #include "core/angle.hpp"
-#include "team/values.hpp"
+#include "team/decision.hpp"
 
 namespace eyrie::driver {
 

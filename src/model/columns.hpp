@@ -6,21 +6,20 @@
 #include <tuple>
 
 #include "model/command.hpp"
-#include "model/datalink/datalink_state.hpp"
+#include "model/datalink/datalink.hpp"
 #include "model/emission.hpp"
 #include "model/fit.hpp"
 #include "model/flight/flying.hpp"
-#include "model/flight/propulsion.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/radar_state.hpp"
-#include "model/sensor/rwr_state.hpp"
+#include "model/sensor/radar.hpp"
+#include "model/sensor/rwr.hpp"
 #include "model/sensor/threats.hpp"
 #include "model/track.hpp"
-#include "model/vehicle/vehicle_state.hpp"
+#include "model/vehicle/vehicle.hpp"
 #include "model/weapon/damage_state.hpp"
-#include "model/weapon/gun_state.hpp"
-#include "model/weapon/missile_state.hpp"
-#include "model/weapon/stores_state.hpp"
+#include "model/weapon/gun.hpp"
+#include "model/weapon/missile.hpp"
+#include "model/weapon/stores.hpp"
 #include "sim/columns.hpp"
 
 namespace eyrie::model {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The standard atmosphere: temperature, pressure, density and speed of sound with height.
+/// \file  The air and the wind.
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -16,16 +16,15 @@
 #include "model/environment.hpp"
 #include "model/fit.hpp"
 #include "model/flight/airframe.hpp"
-#include "model/flight/route.hpp"
+#include "model/flight/guidance.hpp"
 #include "model/frames.hpp"
-#include "model/sensor/iff.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
-#include "model/track/tracker.hpp"
-#include "model/vehicle/vehicle_type.hpp"
-#include "model/weapon/gun_type.hpp"
-#include "model/weapon/missile_type.hpp"
+#include "model/track/filter.hpp"
+#include "model/vehicle/vehicle.hpp"
+#include "model/weapon/gun.hpp"
+#include "model/weapon/missile.hpp"
 
 namespace eyrie::model {
 
@@ -92,5 +91,16 @@ struct Library {
   Shelf<VehicleType> vehicles;   ///< Fit::type of vehicles
   std::vector<Flight> flights;   ///< Fit::flight; convoys behind the flights
 };
+
+/// One of them: `data.<kind>.<model>.<parameter>`, and why there is no such period.
+struct RateProblem {
+  std::string_view kind;  ///< "radars", as in files
+  std::string model;
+  std::string_view parameter;
+  std::string problem;
+};
+
+/// Of every model on the shelves, flown or not, in steps of `dt` seconds.
+[[nodiscard]] std::vector<RateProblem> rate_problems(const Library& library, double dt);
 
 }  // namespace eyrie::model

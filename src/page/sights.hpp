@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "driver/state.hpp"
-#include "model/map.hpp"
+#include "model/frames.hpp"
 #include "page/json.hpp"
 #include "page/text_book.hpp"
 #include "pilot/state.hpp"

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/catalog.hpp"
 
-#include "pilot/behavior/avoid_ground.hpp"
 #include "pilot/behavior/break_turn.hpp"
-#include "pilot/behavior/egress.hpp"
-#include "pilot/behavior/follow_lead.hpp"
-#include "pilot/behavior/navigate.hpp"
 #include "pilot/behavior/pursue.hpp"
 #include "pilot/behavior/release_weapon.hpp"
 #include "pilot/behavior/shoot_gun.hpp"
-#include "pilot/condition/own.hpp"
-#include "pilot/condition/situation.hpp"
+#include "pilot/behavior/ways.hpp"
+#include "pilot/conditions.hpp"
 #include "ubf/standard_nodes.hpp"
 
 namespace eyrie::pilot {

@@ -11,7 +11,6 @@
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "pilot/agent.hpp"
-#include "pilot/formation.hpp"
 #include "pilot/geometry.hpp"
 #include "team/decision.hpp"
 #include "team/member.hpp"

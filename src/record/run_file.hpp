@@ -13,7 +13,7 @@
 #include "disk/sink.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/scenario.hpp"
-#include "sim/order.hpp"
+#include "sim/event.hpp"
 #include "sim/system.hpp"
 #include "sim/trail.hpp"
 

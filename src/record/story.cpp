@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 #include "model/track.hpp"
-#include "model/weapon/missile_state.hpp"
+#include "model/weapon/missile.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {

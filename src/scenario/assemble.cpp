@@ -13,7 +13,7 @@
 #include "model/flight/flight_system.hpp"
 #include "model/motion_check.hpp"
 #include "model/sensor/sensor_system.hpp"
-#include "model/vehicle/drive.hpp"
+#include "model/vehicle/vehicle.hpp"
 #include "model/vehicle/vehicle_system.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "model/weapon/gun.hpp"
@@ -22,7 +22,7 @@
 #include "model/weapon/stores_system.hpp"
 #include "pilot/pilot_system.hpp"
 #include "scenario/place.hpp"
-#include "sim/rate.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/diagnostics.hpp"
 #include "model/frames.hpp"
-#include "model/weapon/stores_state.hpp"
+#include "model/weapon/stores.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/scenario.hpp"
 

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "scenario/plugin_file.hpp"
-#include "team/blame.hpp"
+#include "team/moment.hpp"
 
 namespace eyrie::scenario {
 namespace {

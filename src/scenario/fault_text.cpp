@@ -7,7 +7,7 @@
 
 #include "scenario/end_guard.hpp"
 #include "scenario/plugin_file.hpp"
-#include "team/blame.hpp"
+#include "team/moment.hpp"
 
 namespace eyrie::scenario {
 

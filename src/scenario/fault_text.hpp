@@ -3,7 +3,7 @@
 #include <string>
 
 #include "scenario/roster.hpp"
-#include "sim/fault.hpp"
+#include "sim/event.hpp"
 
 namespace eyrie::scenario {
 

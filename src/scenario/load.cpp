@@ -10,7 +10,7 @@
 #include "core/bind.hpp"
 #include "driver/driver_system.hpp"
 #include "model/events.hpp"
-#include "model/rates.hpp"
+#include "model/library.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "pilot/pilot_system.hpp"
 #include "scenario/assemble.hpp"

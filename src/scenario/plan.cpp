@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/bind.hpp"
-#include "model/datalink/datalink_state.hpp"
+#include "model/datalink/datalink.hpp"
 
 namespace eyrie::scenario {
 namespace {

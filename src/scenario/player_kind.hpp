@@ -19,8 +19,8 @@
 #include "scenario/fleet.hpp"
 #include "scenario/plugin.hpp"
 #include "scenario/scenario.hpp"
-#include "sim/rate.hpp"
 #include "sim/simulation.hpp"
+#include "sim/system.hpp"
 #include "team/agent_system.hpp"
 
 namespace eyrie::scenario {

@@ -24,7 +24,7 @@
 #include "scenario/spec.hpp"
 #include "scenario/tree_change.hpp"
 #include "scenario/trust.hpp"
-#include "sim/order.hpp"
+#include "sim/event.hpp"
 #include "sim/simulation.hpp"
 #include "sim/world.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "core/describe.hpp"
 #include "core/units.hpp"
-#include "pilot/formation.hpp"
+#include "pilot/geometry.hpp"
 
 namespace eyrie::scenario {
 

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "sim/digest.hpp"
 #include "sim/swarm_test.hpp"
 
 namespace eyrie::sim {

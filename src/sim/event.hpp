@@ -1,21 +1,76 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What happened in a step, and where parallel phases write it down.
+/// \file  Small words of the kernel: the parts of a step, events, orders, and what ends a run.
 #include <array>
+#include <compare>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
+#include <string>
+#include <string_view>
 #include <type_traits>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
-#include "sim/fault.hpp"
-#include "sim/kind.hpp"
 
 namespace eyrie::sim {
+
+/// The kind of an event or an order. The kernel only counts and names kinds; a domain keeps its
+/// own `enum class ... : std::uint16_t` and converts without a cast. KindCode 0 means none.
+template <class Tag>
+struct KindCode {
+  std::uint16_t value = 0;
+
+  constexpr KindCode() = default;
+  constexpr explicit KindCode(std::uint16_t v) : value(v) {}
+  template <class Enum>
+  requires std::is_enum_v<Enum> && std::same_as<std::underlying_type_t<Enum>, std::uint16_t>
+  constexpr KindCode(Enum e)
+      : value(static_cast<std::uint16_t>(e)) {}  // NOLINT: implicit on purpose
+
+  /// The kind as the domain's own enumeration, for a switch.
+  template <class Enum>
+  [[nodiscard]] constexpr Enum as() const {
+    return static_cast<Enum>(value);
+  }
+  constexpr explicit operator bool() const { return value != 0; }
+  friend constexpr auto operator<=>(const KindCode&, const KindCode&) = default;
+
+  static constexpr auto fields() { return field_list(field("value", &KindCode::value)); }
+};
+
+using EventKind = KindCode<struct EventTag>;
+using OrderKind = KindCode<struct OrderTag>;
+
+/// The parts of a step, in the order in which they run and in which their events are sorted.
+enum class Phase : std::uint8_t { orders, perceive, decide, act, move, interact, commit };
+inline constexpr std::size_t kPhases = 7;
+[[nodiscard]] std::string_view phase_name(Phase phase);
+
+/// A system that writes a column, by its name (a literal), and when.
+struct WrittenBy {
+  std::string_view system;
+  Phase phase = Phase::orders;
+  friend constexpr bool operator==(const WrittenBy&, const WrittenBy&) = default;
+};
+
+/// Somebody's code threw in a step, or gave a value that means nothing (NaN, infinity, 1e300). The
+/// step is not finished and nobody observes it; the run ends with the last whole one.
+struct Fault {
+  PlayerId player{};
+  std::string agent = {};  ///< whose part it was: the tree and the path of the node; may be empty
+  const std::type_info* node = nullptr;  ///< its type, by which the library with its code is found
+  std::string what = {};                 ///< "heading is nan rad", "threw: no fuel"
+  std::string_view system = {};          ///< filled in by the step
+  std::uint64_t step = 0;                ///< likewise: the one that was not finished
+};
 
 /// Something that happened. Plain bytes without padding; what `aux`, `detail` and `values` mean is
 /// said once per kind, by the domain and in the schema. The units of `place` are the domain's
@@ -72,5 +127,38 @@ class alignas(64) Outbox {
   std::uint64_t growths_ = 0;
   std::unique_ptr<Fault> fault_;
 };
+
+/// An order from an operator, a network or Python to one player. Plain bytes without padding: a
+/// recording is the initial world plus the orders.
+struct Order {
+  static constexpr std::size_t kPayload = 32;
+
+  std::uint64_t step = 0;  ///< applied before the perceive phase of this step
+  PlayerId player{};
+  OrderKind kind{};
+  std::uint16_t reserved = 0;
+  alignas(8) std::array<std::byte, kPayload> payload{};
+
+  /// The payload as the row that the kind was described with.
+  template <class Payload>
+  [[nodiscard]] Payload as() const {
+    static_assert(std::is_trivially_copyable_v<Payload> && sizeof(Payload) <= kPayload);
+    Payload out;
+    std::memcpy(&out, payload.data(), sizeof out);
+    return out;
+  }
+};
+static_assert(std::is_trivially_copyable_v<Order>);
+static_assert(sizeof(Order) == 48, "no padding");
+
+/// `order_for(step, player, Orders::turn, Turn{.heading = 1.5})`
+template <class Payload>
+[[nodiscard]] Order order_for(std::uint64_t step, PlayerId player, OrderKind kind,
+                              const Payload& payload) {
+  static_assert(std::is_trivially_copyable_v<Payload> && sizeof(Payload) <= Order::kPayload);
+  Order order{.step = step, .player = player, .kind = kind};
+  std::memcpy(order.payload.data(), &payload, sizeof payload);
+  return order;
+}
 
 }  // namespace eyrie::sim

@@ -3,12 +3,87 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/order.hpp"
+#include <algorithm>
+#include <vector>
+
+#include "sim/run.hpp"
 #include "sim/swarm_rows_test.hpp"
+#include "sim/swarm_test.hpp"
 #include "support/no_allocation.hpp"
 
 namespace eyrie::sim {
 namespace {
+
+using swarm::Vitals;
+
+constexpr std::uint32_t kFlock = 1000;  // four chunks
+
+/// Counts a hit of everybody in each step; from a step on the players that it is given fail.
+class Fails final : public System {
+ public:
+  Fails(const swarm::Keys& keys, std::vector<std::uint32_t> players, std::uint64_t from)
+      : keys_(keys), players_(std::move(players)), from_(from) {}
+  std::string_view name() const override { return "fails"; }
+  TableId table() const override { return keys_.birds; }
+  void move(World& world, const StepInfo& info, Chunk chunk, Outbox& out) const override {
+    for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
+      const PlayerId who = world.ids(keys_.birds)[row];
+      ++world.rows(keys_.vitals)[row].hits;
+      if (info.step >= from_ &&
+          std::find(players_.begin(), players_.end(), who.value) != players_.end())
+        out.fail({.player = who, .what = "is " + std::to_string(who.value)});
+    }
+  }
+
+ private:
+  swarm::Keys keys_;
+  std::vector<std::uint32_t> players_;
+  std::uint64_t from_;
+};
+
+/// Keeps the hash of every world that it is shown.
+class Hashes final : public Observer {
+ public:
+  void observe(const World& world, const StepInfo&, std::span<const Event>) override {
+    seen.push_back(world.hash());
+  }
+  void finish(const World& world) override { last = world.hash(); }
+  std::vector<std::uint64_t> seen;
+  std::uint64_t last = 0;
+};
+
+TEST(FaultInAStep, IsTheFirstByRowForAnyNumberOfWorkers) {
+  swarm::Keys keys;
+  SchemaBuilder schema;
+  keys.birds = schema.add_table("bird", kFlock);
+  keys.vitals = schema.add_column<Vitals>(keys.birds, "vitals");
+  SimulationBuilder builder(schema.build());
+  builder.add<Fails>(keys, std::vector<std::uint32_t>{999, 700, 301, 620}, 60);
+  const auto simulation = builder.build();
+  World world = simulation->world(1);
+  for (std::uint32_t i = 0; i < kFlock; ++i)
+    ASSERT_TRUE(world.spawn(keys.birds));
+
+  for (const unsigned workers : {1U, 2U, 3U, 7U}) {
+    sim::Run run(simulation, world, {.workers = workers});
+    Hashes hashes;
+    run.attach(hashes);
+    while (!run.fault() && run.world().step() < 100)
+      run.step();
+    run.finish();
+    ASSERT_TRUE(run.fault());
+    EXPECT_EQ(run.fault()->player, PlayerId{301});
+    EXPECT_EQ(run.fault()->what, "is 301");
+    EXPECT_EQ(run.fault()->system, "fails");
+    EXPECT_EQ(run.fault()->step, 60U);
+    // nobody saw the step, and the world is that of the last whole one
+    EXPECT_EQ(hashes.seen.size(), 60U);
+    EXPECT_EQ(run.world().step(), 60U);
+    EXPECT_EQ(hashes.last, hashes.seen.back());
+    EXPECT_EQ(run.world().rows(keys.vitals)[0].hits, 60U);
+    EXPECT_TRUE(run.step().empty()) << "it is over";
+  }
+}
 
 TEST(Outbox, AllocatesNothingWithinItsRoom) {
   Outbox outbox(8);

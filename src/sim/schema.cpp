@@ -10,7 +10,6 @@
 
 #include "core/hash.hpp"
 #include "sim/event.hpp"
-#include "sim/order.hpp"
 #include "sim/world.hpp"
 
 namespace eyrie::sim {

@@ -16,7 +16,7 @@
 
 #include "core/field.hpp"
 #include "core/id.hpp"
-#include "sim/kind.hpp"
+#include "sim/event.hpp"
 
 namespace eyrie::sim {
 

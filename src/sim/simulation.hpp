@@ -11,12 +11,11 @@
 #include <vector>
 
 #include "core/executor.hpp"
+#include "sim/check.hpp"
 #include "sim/event.hpp"
-#include "sim/order.hpp"
 #include "sim/schema.hpp"
 #include "sim/system.hpp"
 #include "sim/world.hpp"
-#include "sim/write_check.hpp"
 
 namespace eyrie::sim {
 

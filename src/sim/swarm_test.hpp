@@ -13,9 +13,9 @@
 
 #include "core/draw.hpp"
 #include "core/vec.hpp"
-#include "sim/rate.hpp"
 #include "sim/simulation.hpp"
 #include "sim/swarm_rows_test.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::sim::swarm {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/order.hpp"
+#include "sim/event.hpp"
 #include "sim/system.hpp"
 #include "team/decision.hpp"
 

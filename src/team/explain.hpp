@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/angle.hpp"
+#include "team/decision.hpp"
 #include "team/moment.hpp"
-#include "team/values.hpp"
 #include "ubf/outline.hpp"
 
 namespace eyrie::team {

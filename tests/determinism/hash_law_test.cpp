@@ -14,7 +14,6 @@
 #include "core/field.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/difference.hpp"
-#include "sim/digest.hpp"
 #include "sim/world.hpp"
 
 namespace eyrie {

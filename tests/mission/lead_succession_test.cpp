@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "model/frames.hpp"
-#include "pilot/formation.hpp"
+#include "pilot/geometry.hpp"
 #include "support/flight.hpp"
 
 namespace eyrie::test {

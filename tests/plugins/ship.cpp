@@ -8,12 +8,12 @@
 #include "core/bind.hpp"
 #include "core/math.hpp"
 #include "model/motion_check.hpp"
-#include "model/vehicle/drive.hpp"
+#include "model/vehicle/vehicle.hpp"
 #include "scenario/place.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/spec.hpp"
-#include "team/navigate.hpp"
-#include "team/values.hpp"
+#include "team/decision.hpp"
+#include "team/member.hpp"
 #include "ubf/standard_nodes.hpp"
 
 namespace ship {

@@ -3,20 +3,18 @@
 /// \file  What drivers do as all platforms do: the behaviors of src/team, with nothing added.
 #include "driver/state.hpp"
 #include "driver/trees.hpp"
-#include "team/conditions.hpp"
-#include "team/follow_lead.hpp"
-#include "team/navigate.hpp"
+#include "team/member.hpp"
 
 namespace eyrie::driver {
 
-/// Drives along a route of the convoy (team/navigate.hpp).
+/// Drives along a route of the convoy (team/member.hpp).
 class Navigate final : public team::Navigate<Platform> {
  public:
   static constexpr std::string_view help = "drives along the waypoints of the convoy's route";
   Status tick(const Tick& t, Proposal& out) const override { return go(t, out).status; }
 };
 
-/// Keeps its distance behind the vehicle ahead (team/follow_lead.hpp).
+/// Keeps its distance behind the vehicle ahead (team/member.hpp).
 class FollowLead final : public team::FollowLead<Platform> {
  public:
   static constexpr std::string_view help = "keeps its distance behind the vehicle ahead";

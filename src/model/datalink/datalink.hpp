@@ -2,6 +2,8 @@
 #pragma once
 /// \file  The datalink inside a flight: who is where, who is alive, who shoots at what.
 /// docs/models/datalink.md says what it is worth.
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -9,12 +11,148 @@
 
 #include "core/describe.hpp"
 #include "core/draw.hpp"
+#include "core/field.hpp"
+#include "core/id.hpp"
 #include "core/units.hpp"
-#include "model/datalink/datalink_state.hpp"
+#include "core/vec.hpp"
+#include "model/fit.hpp"
 #include "model/kinematics.hpp"
+#include "model/track.hpp"
 #include "model/track/track_file.hpp"
 
 namespace eyrie::model::datalink {
+
+inline constexpr std::size_t kSharedTracks = 4;
+inline constexpr std::size_t kMessages = 4;
+
+/// What the sender says about one of its tracks, as bits of SharedTrack::engagement.
+enum TrackEngagement : std::uint8_t {
+  kTargeted = 1,  ///< it is the sender's target
+  kShotAt = 2,    ///< the sender has a missile on its way to it
+};
+
+/// One track of the sender, at the time of the message. Single precision: 0.03 m at 500 km.
+struct SharedTrack {
+  std::array<float, 3> position{};  ///< m, local frame
+  std::array<float, 3> velocity{};  ///< m/s
+  float position_sigma = 0;         ///< m
+  float velocity_sigma = 0;         ///< m/s
+  PlayerId truth{};                 ///< passed on for debrief only
+  Identity identity = Identity::unknown;
+  std::uint8_t engagement = 0;  ///< bits of TrackEngagement
+  std::uint8_t sensed = 0;      ///< 1: held by a sensor of the sender, worth fusing
+  std::uint8_t reserved = 0;
+
+  static constexpr auto fields() {
+    return field_list(
+        field("position", &SharedTrack::position, "m"),
+        field("velocity", &SharedTrack::velocity, "m/s"),
+        field("position_sigma", &SharedTrack::position_sigma, "m"),
+        field("velocity_sigma", &SharedTrack::velocity_sigma, "m/s"),
+        field("truth", &SharedTrack::truth), field("identity", &SharedTrack::identity),
+        field("engagement", &SharedTrack::engagement), field("sensed", &SharedTrack::sensed),
+        field("reserved", &SharedTrack::reserved));
+  }
+};
+static_assert(fields_cover_row<SharedTrack>());
+
+/// What one aircraft tells its flight.
+struct DatalinkMessage {
+  double time = 0;                  ///< s, when it was sent and what it describes
+  Vec3 position{};                  ///< m, local frame
+  std::array<float, 3> velocity{};  ///< m/s
+  float fuel = 0;                   ///< kg
+  std::array<SharedTrack, kSharedTracks> tracks{};
+  std::uint32_t track_count = 0;
+  std::uint8_t reserved[4] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("time", &DatalinkMessage::time, "s"),
+                      field("position", &DatalinkMessage::position, "m"),
+                      field("velocity", &DatalinkMessage::velocity, "m/s"),
+                      field("fuel", &DatalinkMessage::fuel, "kg"),
+                      field("tracks", &DatalinkMessage::tracks),
+                      field("track_count", &DatalinkMessage::track_count),
+                      field("reserved", &DatalinkMessage::reserved));
+  }
+};
+static_assert(fields_cover_row<DatalinkMessage>());
+
+/// The last messages of one aircraft, written in act by the sender alone; its mates read it in
+/// perceive. Message n lies in slot n modulo kMessages.
+struct DatalinkSent {
+  std::array<DatalinkMessage, kMessages> messages{};
+  std::uint32_t sent = 0;  ///< messages so far
+  std::uint8_t reserved[4] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("messages", &DatalinkSent::messages),
+                      field("sent", &DatalinkSent::sent),
+                      field("reserved", &DatalinkSent::reserved));
+  }
+};
+
+/// What one aircraft knows of one member of its flight.
+struct Mate {
+  Vec3 position{};                  ///< m, local frame, at `time`
+  std::array<float, 3> velocity{};  ///< m/s
+  float fuel = 0;                   ///< kg
+  double time = 0;                  ///< s, of the last message, when it was sent
+  double heard_time = 0;            ///< s, when the last message arrived
+  PlayerId id{};                    ///< none: no such member
+  std::uint32_t received = 0;       ///< messages of it looked at so far (its `sent`)
+  std::uint8_t alive = 0;           ///< 1: believed alive
+  std::uint8_t reported = 0;        ///< 1: position, velocity and fuel are known
+  std::uint8_t reserved[6] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("position", &Mate::position, "m"),
+                      field("velocity", &Mate::velocity, "m/s"), field("fuel", &Mate::fuel, "kg"),
+                      field("time", &Mate::time, "s"), field("heard_time", &Mate::heard_time, "s"),
+                      field("id", &Mate::id), field("received", &Mate::received),
+                      field("alive", &Mate::alive), field("reported", &Mate::reported),
+                      field("reserved", &Mate::reserved));
+  }
+};
+static_assert(fields_cover_row<Mate>());
+
+/// The flight as one of its members believes it to be. Index = rank at birth - 1; the own entry
+/// has the own id and is always alive.
+struct DatalinkState {
+  std::array<Mate, kMaxFlight> members{};
+  std::uint32_t count = 0;  ///< members of the flight
+  std::uint32_t self = 0;   ///< own index
+
+  static constexpr auto fields() {
+    return field_list(field("members", &DatalinkState::members),
+                      field("count", &DatalinkState::count), field("self", &DatalinkState::self));
+  }
+};
+static_assert(fields_cover_row<DatalinkState>());
+
+/// Rank among the members believed alive: 1 for the lead.
+[[nodiscard]] constexpr std::uint32_t living_rank(const DatalinkState& state) {
+  std::uint32_t rank = 1;
+  for (std::uint32_t i = 0; i < state.self; ++i)
+    rank += state.members[i].alive;
+  return rank;
+}
+
+/// The member believed to lead: the first one alive. Null before the first upkeep.
+[[nodiscard]] constexpr const Mate* lead(const DatalinkState& state) {
+  for (std::uint32_t i = 0; i < state.count; ++i)
+    if (state.members[i].alive)
+      return &state.members[i];
+  return nullptr;
+}
+
+/// Where a mate is believed to be at `time` (s); needs Mate::reported.
+[[nodiscard]] constexpr Vec3 position_at(const Mate& mate, double time) {
+  const double dt = time - mate.time;
+  return mate.position + Vec3{dt * static_cast<double>(mate.velocity[0]),
+                              dt * static_cast<double>(mate.velocity[1]),
+                              dt * static_cast<double>(mate.velocity[2])};
+}
 
 /// Const and shared by the members of a flight.
 struct Datalink {

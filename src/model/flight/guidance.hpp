@@ -1,16 +1,56 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Where to fly next: pure functions from a mission (route, lead, circle) to the heading,
-/// altitude and speed that the autopilot holds and that pilot behaviors recommend.
+/// \file  Where to fly: routes, circles, a place beside a lead.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "core/describe.hpp"
+#include "core/enum_names.hpp"
 #include "core/math.hpp"
 #include "core/units.hpp"
+#include "core/vec.hpp"
 #include "model/flight/flying.hpp"
-#include "model/flight/route.hpp"
 #include "model/kinematics.hpp"
+
+namespace eyrie::model::flight {
+
+/// What to do after the last waypoint.
+enum class RouteEnd : std::uint8_t {
+  loiter,    ///< circle around it
+  straight,  ///< keep flying as the last leg went
+  repeat,    ///< start again with the first
+  stop,      ///< stand there; for who is on the ground
+};
+
+/// A place to fly over. Positions are in the scenario's local frame.
+struct Waypoint {
+  Vec3 position;                     ///< m; only its place on the ground counts
+  double altitude = 0;               ///< m above the ellipsoid, flown on the leg towards it
+  std::optional<double> speed = {};  ///< m/s true airspeed on that leg; none: as the command says
+};
+
+/// Waypoints in order. The first leg leads from wherever the aircraft is to the first one.
+struct Route {
+  std::string name;
+  std::vector<Waypoint> waypoints;
+  RouteEnd end = RouteEnd::loiter;
+};
+
+}  // namespace eyrie::model::flight
+
+template <>
+struct eyrie::EnumNames<eyrie::model::flight::RouteEnd> {
+  using E = eyrie::model::flight::RouteEnd;
+  static constexpr std::array names{std::pair<std::string_view, E>{"loiter", E::loiter},
+                                    std::pair<std::string_view, E>{"straight", E::straight},
+                                    std::pair<std::string_view, E>{"repeat", E::repeat},
+                                    std::pair<std::string_view, E>{"stop", E::stop}};
+};
 
 namespace eyrie::model::flight {
 

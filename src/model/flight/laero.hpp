@@ -10,7 +10,6 @@
 #include "model/environment.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/guidance.hpp"
-#include "model/flight/propulsion.hpp"
 #include "model/kinematics.hpp"
 
 namespace eyrie::model::flight {

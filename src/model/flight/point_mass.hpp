@@ -9,7 +9,7 @@
 #include "core/table.hpp"
 #include "model/environment.hpp"
 #include "model/flight/airframe.hpp"
-#include "model/flight/propulsion.hpp"
+#include "model/flight/flying.hpp"
 #include "model/kinematics.hpp"
 
 namespace eyrie::model::flight {

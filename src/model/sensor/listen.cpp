@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "model/events.hpp"
-#include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
 
 namespace eyrie::model::sensor {

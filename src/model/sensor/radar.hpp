@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A fighter's radar: range equation, scan volume, Doppler notch and measurement errors.
-/// docs/models/radar.md has the equations and what they are worth.
+/// \file  A fighter's radar: range equation, scan volume, Doppler notch and measurement errors; and
+/// the interrogator that rides on its looks. docs/models/radar.md has the equations and what they
+/// are worth.
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -9,13 +11,56 @@
 
 #include "core/describe.hpp"
 #include "core/draw.hpp"
+#include "core/field.hpp"
+#include "core/id.hpp"
 #include "core/units.hpp"
+#include "model/fit.hpp"
 #include "model/kinematics.hpp"
-#include "model/sensor/radar_state.hpp"
 #include "model/signature.hpp"
 #include "model/track.hpp"
 
 namespace eyrie::model::sensor {
+
+enum class RadarMode : std::uint8_t {
+  off,
+  search,  ///< track while scan: one look per frame at everything in the scan volume
+  track,   ///< single target track: looks at nothing else, many times a second
+};
+
+}  // namespace eyrie::model::sensor
+
+template <>
+struct eyrie::EnumNames<eyrie::model::sensor::RadarMode> {
+  using E = eyrie::model::sensor::RadarMode;
+  static constexpr std::array names{std::pair<std::string_view, E>{"off", E::off},
+                                    std::pair<std::string_view, E>{"search", E::search},
+                                    std::pair<std::string_view, E>{"track", E::track}};
+};
+
+namespace eyrie::model::sensor {
+
+/// Angles of the scan are stabilised: azimuth from the own heading, elevation from the horizon.
+struct RadarState {
+  double scan_azimuth = 0;    ///< rad, middle of the scan, clockwise from the heading
+  double scan_elevation = 0;  ///< rad, middle of the scan, up from the horizontal
+  double lock_time = 0;       ///< s, last detection in track mode, or when the mode was entered
+  double search_until = 0;    ///< s, no new lock before: the frame after a lock was lost
+  TrackId designated{};       ///< the track that the scan follows
+  PlayerId locked{};          ///< whose echo the range gate rests on in track mode
+  RadarMode mode = RadarMode::off;
+  std::uint8_t reserved[7] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("scan_azimuth", &RadarState::scan_azimuth, "rad"),
+                      field("scan_elevation", &RadarState::scan_elevation, "rad"),
+                      field("lock_time", &RadarState::lock_time, "s"),
+                      field("search_until", &RadarState::search_until, "s"),
+                      field("designated", &RadarState::designated),
+                      field("locked", &RadarState::locked), field("mode", &RadarState::mode),
+                      field("reserved", &RadarState::reserved));
+  }
+};
+static_assert(fields_cover_row<RadarState>());
 
 /// Const and shared by every aircraft that carries it. It sees aircraft only: a missile's cross
 /// section is some hundred times smaller, so its range is a third or less, and the tracker of the
@@ -160,5 +205,28 @@ struct Antenna {
                                           const Kinematics& own, const Signature& signature,
                                           const Kinematics& other, PlayerId truth, Draw detection,
                                           Draw noise);
+
+/// Const and shared by every aircraft that carries it. Everybody carries a transponder.
+struct Iff {
+  double range = si(100, "nmi");
+  double reply_probability = 0.95;
+  std::uint32_t tries = 3;
+
+  static constexpr std::string_view type_name = "iff";
+  static constexpr std::string_view help = "interrogator: a friend answers, nobody else does";
+  static constexpr auto params() {
+    return std::tuple{
+        param("range", &Iff::range, "m", eyrie::range(0, 1e6), "asks no target beyond"),
+        param("reply_probability", &Iff::reply_probability, eyrie::range(0, 1),
+              "chance that a friend's reply is received and decoded"),
+        param("tries", &Iff::tries, eyrie::range(0, 255),
+              "so many interrogations in a row without a reply declare a track hostile; 0: never")};
+  }
+};
+
+/// Whether the player that gave an echo answers to `asking`.
+[[nodiscard]] inline bool answers(const Iff& iff, Side asking, Side asked, Draw draw) {
+  return asking == asked && asking != Side::none && draw.chance(iff.reply_probability);
+}
 
 }  // namespace eyrie::model::sensor

@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "core/math.hpp"
-#include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
-#include "model/track/associate.hpp"
+#include "model/track/filter.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

@@ -8,12 +8,11 @@
 
 #include "core/bind.hpp"
 #include "model/datalink/datalink.hpp"
-#include "model/sensor/iff.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
-#include "model/track/tracker.hpp"
-#include "sim/rate.hpp"
+#include "model/track/filter.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

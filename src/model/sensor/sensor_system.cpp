@@ -8,7 +8,7 @@
 
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
-#include "sim/rate.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
 #include "model/sensor/visual.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "core/math.hpp"
 #include "model/events.hpp"
-#include "model/sensor/nearest.hpp"
 #include "model/sensor/scene.hpp"
 
 namespace eyrie::model::sensor {

@@ -1,18 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The filter of one track: two-state Kalman filters along and across the line of sight.
-///
-/// A radar knows range a hundred times better than direction, the eye the other way round, so one
-/// gain for all three axes would waste most of what a sensor says. A full six-state covariance is
-/// not needed either: errors of one look are uncorrelated along and across the line of sight, and
-/// the two axes across are alike. So the covariance is kept for one axis along and one across.
+/// \file  How contacts become tracks: which contact belongs to which track, and the filter.
+/// docs/models/tracks.md has the equations.
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <tuple>
 
+#include "core/describe.hpp"
+#include "core/units.hpp"
 #include "core/vec.hpp"
 #include "model/track.hpp"
-#include "model/track/tracker.hpp"
 
 namespace eyrie::model::track {
+
+/// The tracker in the mission computer: const, shared, one for all sensors of an aircraft.
+struct Tracker {
+  double rate = 10;
+  double gate = 4;
+  double max_gate = si(5, "km");
+  std::uint32_t confirm_hits = 2;
+  double maneuver = 20;
+  double initial_speed = 250;
+  double coast_time = 12;
+  double tentative_time = 6;
+  double merge_gate = 2;
+  double glance_time = 0.2;
+
+  static constexpr std::string_view type_name = "tracker";
+  static constexpr std::string_view help = "association, filter and life of tracks";
+  static constexpr auto params() {
+    return std::tuple{
+        param(
+            "rate", &Tracker::rate, "Hz", range(0.1, 100),
+            "how often the tracks are looked after, the datalink is read and the beam is steered"),
+        param("gate", &Tracker::gate, range(1, 10),
+              "a contact belongs to a track within so many standard deviations"),
+        param("max_gate", &Tracker::max_gate, "m", range(1, 1e5),
+              "and, but for the error of its range, never farther away than this"),
+        param("confirm_hits", &Tracker::confirm_hits, range(1, 255),
+              "contacts after which a track is believed"),
+        param("maneuver", &Tracker::maneuver, "m/s2", range(0, 500),
+              "acceleration that a target may have, 1-sigma per axis"),
+        param("initial_speed", &Tracker::initial_speed, "m/s", range(1, 2000),
+              "speed that a new target may have, 1-sigma per axis"),
+        param("coast_time", &Tracker::coast_time, "s", range(0.1, 600),
+              "a confirmed track is dropped so long after its last update"),
+        param("tentative_time", &Tracker::tentative_time, "s", range(0.1, 600),
+              "a tentative track is dropped so long after its last update"),
+        param("merge_gate", &Tracker::merge_gate, range(0, 10),
+              "tracks closer than so many standard deviations are one"),
+        param("glance_time", &Tracker::glance_time, "s", range(0, 60),
+              "two tracks that the eyes last saw so far apart in time may be one aircraft")};
+  }
+};
 
 /// Covariance of (position, velocity) along one axis, in double precision.
 struct AxisState {
@@ -86,5 +130,27 @@ void filter(Track& track, const Prediction& prediction, const Contact& contact, 
 
 /// Sets the two sigmas from the covariances, carried on to `time`.
 void refresh_sigmas(Track& track, const Tracker& tracker, double time);
+
+/// m^2: no track is farther than that from a contact of its target. An eye judges a direction well
+/// and a range badly, so what the contact does not know along its line comes on top.
+[[nodiscard]] inline double reach2(const Tracker& tracker, const Contact& contact) {
+  const double reach = tracker.max_gate + tracker.gate * contact.sigma_along;
+  return reach * reach;
+}
+
+inline constexpr std::size_t kMaxContacts = 32;
+
+/// Marks a contact that belongs to no track.
+inline constexpr std::uint8_t kNoTrack = 255;
+
+/// For each contact the index of its track, or kNoTrack. A pair must lie within the gates; of all
+/// pairs the closest one (in standard deviations) is taken first, then the closest of the rest, so
+/// each contact and each track is used at most once. Of equal pairs the older track and then the
+/// earlier contact goes first. This greedy global nearest neighbor is the common choice where
+/// targets are farther apart than the errors (Blackman & Popoli, Design and Analysis of Modern
+/// Tracking Systems, sec. 6.4). At most kMaxContacts contacts and kMaxTracks predictions.
+[[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
+                                                               std::span<const Prediction> tracks,
+                                                               std::span<const Contact> contacts);
 
 }  // namespace eyrie::model::track

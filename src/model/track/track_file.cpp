@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/assert.hpp"
-#include "model/track/associate.hpp"
+#include "model/track/filter.hpp"
 
 namespace eyrie::model::track {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "model/track.hpp"
 #include "model/track/filter.hpp"
-#include "model/track/tracker.hpp"
 
 namespace eyrie::model::track {
 

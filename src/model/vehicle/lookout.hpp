@@ -4,11 +4,11 @@
 #include <span>
 
 #include "core/draw.hpp"
-#include "model/datalink/datalink_state.hpp"
+#include "model/datalink/datalink.hpp"
 #include "model/fit.hpp"
 #include "model/sensor/visual.hpp"
 #include "model/signature.hpp"
-#include "model/vehicle/vehicle_state.hpp"
+#include "model/vehicle/vehicle.hpp"
 
 namespace eyrie::model::vehicle {
 

@@ -9,9 +9,9 @@
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
 #include "model/kinematics.hpp"
-#include "model/vehicle/drive.hpp"
 #include "model/vehicle/lookout.hpp"
-#include "sim/rate.hpp"
+#include "model/vehicle/vehicle.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::model::vehicle {
 namespace {

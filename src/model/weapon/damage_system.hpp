@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/columns.hpp"
-#include "sim/order.hpp"
+#include "sim/event.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::model::weapon {

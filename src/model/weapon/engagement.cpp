@@ -6,9 +6,7 @@
 #include <limits>
 
 #include "core/math.hpp"
-#include "model/weapon/closest_approach.hpp"
 #include "model/weapon/flyout.hpp"
-#include "model/weapon/guidance.hpp"
 
 namespace eyrie::model::weapon {
 

@@ -5,7 +5,7 @@
 #include "core/vec.hpp"
 #include "model/environment.hpp"
 #include "model/weapon/launch_zone.hpp"
-#include "model/weapon/missile_type.hpp"
+#include "model/weapon/missile.hpp"
 
 namespace eyrie::model::weapon {
 

@@ -5,7 +5,7 @@
 
 #include "model/columns.hpp"
 #include "model/library.hpp"
-#include "model/weapon/gun_type.hpp"
+#include "model/weapon/gun.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,14 +1,62 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What one missile does with what it is told and what it sees: link, seeker, guidance.
+/// \file  What a missile's seeker finds among the aircraft, and how the missile homes on it.
+#include <cstdint>
+#include <optional>
+#include <span>
+
 #include "core/draw.hpp"
+#include "core/id.hpp"
+#include "model/columns.hpp"
 #include "model/kinematics.hpp"
+#include "model/library.hpp"
 #include "model/track.hpp"
-#include "model/weapon/missile_state.hpp"
-#include "model/weapon/missile_type.hpp"
-#include "model/weapon/target_scene.hpp"
+#include "model/weapon/missile.hpp"
+#include "model/weapon/seeker.hpp"
+#include "sim/world.hpp"
 
 namespace eyrie::model::weapon {
+
+/// A view of the rows of all aircraft. Good in phases in which nobody writes them: perceive, decide
+/// and act.
+struct TargetScene {
+  std::span<const PlayerId> ids;
+  std::span<const Kinematics> kinematics;
+  std::span<const Fit> fit;
+  std::span<const flight::Propulsion> propulsion;
+  const Library& library;
+
+  [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
+                                      const Library& library);
+
+  /// Radar cross section (m^2) or radiant intensity (W/sr) of aircraft `row` seen along `direction`
+  /// (unit vector from the observer to it).
+  [[nodiscard]] double signature(SeekerKind kind, std::size_t row, const Vec3& direction) const;
+};
+
+/// Where a seeker searches.
+struct SearchVolume {
+  Vec3 direction{1, 0, 0};  ///< unit vector: middle of the field of view
+  std::optional<Vec3> place =
+      std::nullopt;   ///< m, where a radar expects the target; without it the angle decides
+  PlayerId except{};  ///< who is not looked at
+};
+
+/// An aircraft that a seeker sees.
+struct Detected {
+  std::uint32_t row = 0;  ///< of the aircraft table
+  PlayerId id;
+  LineOfSight los;
+};
+
+/// Whether the seeker can rest on aircraft `row`, and how it sees it then.
+[[nodiscard]] std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
+                                              const TargetScene& scene, std::uint32_t row);
+
+/// The aircraft in the field of view that is nearest to the expected place, friend or foe: a
+/// missile does not ask. Between equals the first row wins.
+[[nodiscard]] std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
+                                             const TargetScene& scene, const SearchVolume& volume);
 
 /// Where the missile believes its target to be at `time` (s), m.
 [[nodiscard]] Vec3 believed_position(const MissileState& state, double time);

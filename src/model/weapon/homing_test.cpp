@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/weapon/birth.hpp"
+#include "model/weapon/missile.hpp"
 #include "support/model/firing_range.hpp"
 
 namespace eyrie::model::weapon {

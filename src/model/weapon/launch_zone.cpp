@@ -12,7 +12,7 @@
 #include "core/parameter_bits.hpp"
 #include "model/signature.hpp"
 #include "model/weapon/engagement.hpp"
-#include "model/weapon/missile_type.hpp"
+#include "model/weapon/missile.hpp"
 #include "model/weapon/seeker.hpp"
 
 namespace eyrie::model::weapon {

@@ -7,7 +7,7 @@
 #include "core/angle.hpp"
 #include "core/units.hpp"
 #include "model/weapon/engagement.hpp"
-#include "model/weapon/missile_type.hpp"
+#include "model/weapon/missile.hpp"
 #include "support/model/missiles.hpp"
 
 namespace eyrie::model::weapon {

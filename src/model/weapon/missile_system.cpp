@@ -9,9 +9,8 @@
 #include "core/math.hpp"
 #include "model/events.hpp"
 #include "model/weapon/flyout.hpp"
-#include "model/weapon/fuze.hpp"
 #include "model/weapon/homing.hpp"
-#include "sim/rate.hpp"
+#include "sim/system.hpp"
 
 namespace eyrie::model::weapon {
 

@@ -3,8 +3,8 @@
 /// \file  What a missile's seeker sees and how it follows it.
 #include "core/draw.hpp"
 #include "core/vec.hpp"
-#include "model/weapon/line_of_sight.hpp"
-#include "model/weapon/missile_state.hpp"
+#include "model/weapon/flyout.hpp"
+#include "model/weapon/missile.hpp"
 #include "model/weapon/seeker_type.hpp"
 
 namespace eyrie::model::weapon {

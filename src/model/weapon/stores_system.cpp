@@ -5,9 +5,9 @@
 
 #include "model/events.hpp"
 #include "model/kinematics.hpp"
-#include "model/weapon/birth.hpp"
+#include "model/weapon/homing.hpp"
+#include "model/weapon/missile.hpp"
 #include "model/weapon/stores.hpp"
-#include "model/weapon/target_scene.hpp"
 
 namespace eyrie::model::weapon {
 

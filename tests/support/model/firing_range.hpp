@@ -10,7 +10,7 @@
 
 #include "model/columns.hpp"
 #include "model/events.hpp"
-#include "model/flight/fly.hpp"
+#include "model/flight/flight_system.hpp"
 #include "model/library.hpp"
 #include "model/weapon/damage_system.hpp"
 #include "model/weapon/gun.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "model/flight/fly.hpp"
+#include "model/flight/flight_system.hpp"
 
 namespace eyrie::model::test {
 

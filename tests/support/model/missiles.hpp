@@ -4,7 +4,7 @@
 /// in.
 #include "core/vec.hpp"
 #include "model/environment.hpp"
-#include "model/weapon/missile_type.hpp"
+#include "model/weapon/missile.hpp"
 #include "support/data_file.hpp"
 
 namespace eyrie::model::test {

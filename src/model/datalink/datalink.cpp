@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "model/datalink/datalink.hpp"
+
+#include <algorithm>
+
+#include "core/assert.hpp"
+#include "model/track/filter.hpp"
+
+namespace eyrie::model::datalink {
+namespace {
+
+std::array<float, 3> narrow(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// A track counts as held by the own sensors for so long after their last contact (s).
+constexpr double kHeld = 5;
+
+bool held(const Track& track, double time) {
+  return time - track.sensed_time <= kHeld || (track.fresh & kFromTruth) != 0;
+}
+
+std::uint8_t engagement(const Track& track, const OwnReport& own) {
+  const bool shot =
+      std::find(own.shot_at.begin(), own.shot_at.end(), track.id) != own.shot_at.end();
+  return static_cast<std::uint8_t>((track.id == own.target ? kTargeted : 0) | (shot ? kShotAt : 0));
+}
+
+SharedTrack share(const Track& track, const OwnReport& own) {
+  return {.position = narrow(position_at(track, own.time)),
+          .velocity = narrow(track.velocity),
+          .position_sigma = track.position_sigma,
+          .velocity_sigma = track.velocity_sigma,
+          .truth = track.truth,
+          .identity = track.identity,
+          .engagement = engagement(track, own),
+          .sensed = held(track, own.time)};
+}
+
+/// Smaller goes first: what is shot at, the target, then by distance.
+struct Merit {
+  int group = 0;
+  double distance2 = 0;
+  std::uint32_t index = 0;
+  friend auto operator<=>(const Merit&, const Merit&) = default;
+};
+
+}  // namespace
+
+std::string_view Datalink::problem() const {
+  if (delay * rate > static_cast<double>(kMessages - 2))
+    return "the delay must not be longer than two messages are apart";
+  return {};
+}
+
+void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks) {
+  std::array<Merit, kMaxTracks> merits;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < tracks.count; ++i) {
+    const Track& track = tracks.tracks[i];
+    const std::uint8_t engaged = engagement(track, own);
+    const bool worth_sharing =
+        track.confirmed && track.identity != Identity::friendly && held(track, own.time);
+    if (engaged == 0 && !worth_sharing)
+      continue;
+    merits[count++] = {(engaged & kShotAt) != 0 ? 0
+                       : engaged != 0           ? 1
+                                                : 2,
+                       norm2(position_at(track, own.time) - own.position), i};
+  }
+  std::sort(merits.begin(), merits.begin() + static_cast<std::ptrdiff_t>(count));
+
+  DatalinkMessage& message = sent.messages[sent.sent % kMessages];
+  message = {};
+  message.time = own.time;
+  message.position = own.position;
+  message.velocity = narrow(own.velocity);
+  message.fuel = static_cast<float>(own.fuel);
+  message.track_count = static_cast<std::uint32_t>(std::min(count, kSharedTracks));
+  for (std::uint32_t i = 0; i < message.track_count; ++i)
+    message.tracks[i] = share(tracks.tracks[merits[i].index], own);
+  ++sent.sent;
+}
+
+namespace {
+
+Vec3 widen(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// Slack for sums of binary fractions when a time is compared with a delay (s).
+constexpr double kClockSlack = 1e-9;
+
+/// What a mate says about itself counts as one of the own tracks only if it fits as well as this.
+constexpr double kRecognized = 2;       ///< standard deviations
+constexpr double kRecognizedFar = 1e3;  ///< m
+constexpr double kSpeedSlack = 30;      ///< m/s, for the turn the mate made since its message
+
+/// A remote track nearer to the own aircraft than this is the own aircraft, seen by the mate.
+constexpr double kSelf = 500;  ///< m
+
+Contact as_contact(const SharedTrack& shared, const track::TrackContext& context, double dt) {
+  const track::AxisState remote =
+      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                       dt, context.tracker.maneuver);
+  Contact contact;
+  contact.position = widen(shared.position) + dt * widen(shared.velocity);
+  const Vec3 sight = contact.position - context.ownship.position;
+  contact.range = norm(sight);
+  contact.line = normalized(sight, {1, 0, 0});
+  contact.sigma_along = contact.sigma_across = std::sqrt(remote.position);
+  contact.truth = shared.truth;
+  contact.source = kFromDatalink;
+  return contact;
+}
+
+/// The track that fits best, or kMaxTracks.
+std::size_t nearest_track(const TrackFile& file, const track::TrackContext& context,
+                          const Contact& contact, double& best) {
+  std::size_t nearest = kMaxTracks;
+  const double far2 = track::reach2(context.tracker, contact);
+  for (std::size_t i = 0; i < file.count; ++i) {
+    const Track& track = file.tracks[i];
+    if (norm2(position_at(track, context.time) - contact.position) > far2)
+      continue;
+    const double deviations2 = track::deviations_of(
+        track::predict(track, context.tracker, context.ownship, context.time), contact);
+    if (deviations2 < best) {
+      nearest = i;
+      best = deviations2;
+    }
+  }
+  return nearest;
+}
+
+/// Where a mate says it is, carried on to now.
+Contact reported(const Mate& mate, const track::TrackContext& context) {
+  Contact contact;
+  contact.position = position_at(mate, context.time);
+  contact.line = normalized(contact.position - context.ownship.position, {1, 0, 0});
+  contact.sigma_along = contact.sigma_across = kSpeedSlack * (context.time - mate.time);
+  return contact;
+}
+
+/// Whether the track could be a member of the own flight, as far as its places tell.
+bool may_be_mate(const Track& track, const DatalinkState& state,
+                 const track::TrackContext& context) {
+  const double gate = context.tracker.gate;
+  const track::Prediction place =
+      track::predict(track, context.tracker, context.ownship, context.time);
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    const Mate& mate = state.members[i];
+    if (i == state.self || !mate.alive || !mate.reported)
+      continue;
+    const Contact contact = reported(mate, context);
+    if (norm2(contact.position - place.position) <= track::reach2(context.tracker, contact) &&
+        track::deviations_of(place, contact) <= gate * gate)
+      return true;
+  }
+  return false;
+}
+
+/// The track as the mate believes it to be, now.
+void take_over(Track& track, const SharedTrack& shared, const track::TrackContext& context,
+               const Contact& contact, double dt) {
+  const track::AxisState state =
+      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
+                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
+                       dt, context.tracker.maneuver);
+  track.position = contact.position;
+  track.velocity = widen(shared.velocity);
+  track.along = track.across = narrow(state);
+  track.time = context.time;
+  track.truth = shared.truth;
+  track.fresh = kFromDatalink;
+  track::refresh_sigmas(track, context.tracker, context.time);
+}
+
+Track remote_track(const SharedTrack& shared, const track::TrackContext& context,
+                   const Contact& contact, double dt) {
+  Track track;
+  take_over(track, shared, context, contact, dt);
+  track.first_time = context.time;
+  track.sensed_time = track.seen_time = kNever;
+  track.sources = kFromDatalink;
+  track.hits = static_cast<std::uint8_t>(std::min(context.tracker.confirm_hits, 255u));
+  track.confirmed = 1;  // the sender has confirmed it
+  return track;
+}
+
+}  // namespace
+
+const DatalinkMessage* newest_arrived(const DatalinkSent& sent, double delay, double time,
+                                      std::uint32_t& number) {
+  const std::uint32_t kept = std::min<std::uint32_t>(sent.sent, kMessages);
+  for (std::uint32_t back = 0; back < kept; ++back) {
+    number = sent.sent - back;
+    const DatalinkMessage& message = sent.messages[(number - 1) % kMessages];
+    if (time - message.time >= delay - kClockSlack)
+      return &message;
+  }
+  number = 0;
+  return nullptr;
+}
+
+void start(DatalinkState& state, std::span<const PlayerId> members, PlayerId self, double time) {
+  EYRIE_ASSERT(members.size() <= kMaxFlight);
+  state = {};
+  state.count = static_cast<std::uint32_t>(members.size());
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    mate.id = members[i];
+    mate.time = mate.heard_time = time;
+    mate.alive = 1;
+    if (members[i] == self)
+      state.self = i;
+  }
+}
+
+const DatalinkMessage* receive(Mate& mate, const Datalink& datalink, const DatalinkSent& sent,
+                               bool in_reach, double time, Draw draw) {
+  std::uint32_t number = 0;
+  const DatalinkMessage* message = newest_arrived(sent, datalink.delay, time, number);
+  if (message == nullptr || number <= mate.received)
+    return nullptr;
+  mate.received = number;
+  if (!in_reach || (datalink.loss > 0 && draw.chance(datalink.loss)))
+    return nullptr;
+  mate.position = message->position;
+  mate.velocity = message->velocity;
+  mate.fuel = message->fuel;
+  mate.time = message->time;
+  mate.heard_time = time;
+  mate.alive = 1;
+  mate.reported = 1;
+  return message;
+}
+
+std::uint8_t check_silence(DatalinkState& state, const Datalink& datalink, double time) {
+  std::uint8_t lost = 0;
+  for (std::uint32_t i = 0; i < state.count; ++i) {
+    Mate& mate = state.members[i];
+    if (i == state.self || !mate.alive || time - mate.heard_time <= datalink.timeout + kClockSlack)
+      continue;
+    mate.alive = 0;
+    lost = static_cast<std::uint8_t>(lost | 1u << i);
+  }
+  return lost;
+}
+
+void forget_claims(TrackFile& tracks, std::uint8_t members) {
+  const auto others = static_cast<std::uint8_t>(~members);
+  for (std::uint32_t t = 0; t < tracks.count; ++t) {
+    tracks.tracks[t].targeted_by &= others;
+    tracks.tracks[t].shot_by &= others;
+  }
+}
+
+void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMessage& message,
+          const DatalinkState& state, std::uint32_t member) {
+  const auto bit = static_cast<std::uint8_t>(1u << member);
+  forget_claims(file, bit);
+
+  const double dt = context.time - message.time;
+  for (std::uint32_t i = 0; i < message.track_count; ++i) {
+    const SharedTrack& shared = message.tracks[i];
+    const Contact contact = as_contact(shared, context, dt);
+    if (contact.range < kSelf + context.tracker.gate * contact.sigma_along)
+      continue;
+
+    double best = context.tracker.gate * context.tracker.gate;
+    std::size_t index = nearest_track(file, context, contact, best);
+    if (index == kMaxTracks) {
+      if (!shared.sensed)
+        continue;
+      index = track::add_track(file, context, remote_track(shared, context, contact, dt));
+      if (index == kMaxTracks)
+        continue;
+      const Track& fresh = file.tracks[index];
+      context.news.add({.what = track::TrackNews::What::confirmed,
+                        .bits = fresh.sources,
+                        .id = fresh.id,
+                        .truth = fresh.truth,
+                        .value = contact.range});
+    } else if (shared.sensed) {
+      Track& track = file.tracks[index];
+      const track::Prediction own =
+          track::predict(track, context.tracker, context.ownship, context.time);
+      const double own_variance = std::max(own.along.position, own.across.position);
+      if (contact.sigma_along * contact.sigma_along < own_variance)
+        take_over(track, shared, context, contact, dt);
+      track.sources = static_cast<std::uint8_t>(track.sources | kFromDatalink);
+    }
+
+    Track& track = file.tracks[index];
+    // the two may be neighbors: who stands where a friend may be is not called hostile for that
+    if (track.identity == Identity::unknown &&
+        (shared.identity != Identity::hostile || !may_be_mate(track, state, context)))
+      track::identify(track, shared.identity, context);
+    if ((shared.engagement & kTargeted) != 0)
+      track.targeted_by |= bit;
+    if ((shared.engagement & kShotAt) != 0)
+      track.shot_by |= bit;
+  }
+}
+
+void recognize_mate(TrackFile& file, const track::TrackContext& context, const Mate& mate) {
+  if (!mate.reported)
+    return;
+  const Contact contact = reported(mate, context);
+  double best = kRecognized * kRecognized;
+  const std::size_t index = nearest_track(file, context, contact, best);
+  if (index == kMaxTracks)
+    return;
+  Track& track = file.tracks[index];
+  const double speed_slack = kSpeedSlack + kRecognized * static_cast<double>(track.velocity_sigma);
+  if (norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
+      norm(track.velocity - widen(mate.velocity)) <= speed_slack &&
+      track.identity == Identity::unknown)
+    track::identify(track, Identity::friendly, context);
+}
+
+}  // namespace eyrie::model::datalink

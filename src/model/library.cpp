@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "model/library.hpp"
+
+#include "sim/system.hpp"
+
+namespace eyrie::model {
+
+std::vector<RateProblem> rate_problems(const Library& library, double dt) {
+  std::vector<RateProblem> problems;
+  const auto look = [&](std::string_view kind, const auto& shelf, std::string_view parameter,
+                        auto rate) {
+    for (std::size_t i = 0; i < shelf.size(); ++i)
+      if (const sim::Period period = sim::period_steps(shelf[i].*rate, dt); !period)
+        problems.push_back({kind, shelf.name(i), parameter, period.error});
+  };
+  look("radars", library.radars, "scan_rate", &Radar::scan_rate);
+  look("radars", library.radars, "track_rate", &Radar::track_rate);
+  look("rwr", library.rwrs, "search_rate", &Rwr::search_rate);
+  look("rwr", library.rwrs, "seeker_rate", &Rwr::seeker_rate);
+  look("visual", library.visuals, "rate", &Visual::rate);
+  look("trackers", library.trackers, "rate", &Tracker::rate);
+  look("datalinks", library.datalinks, "rate", &Datalink::rate);
+  return problems;
+}
+
+}  // namespace eyrie::model
