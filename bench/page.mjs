@@ -2,7 +2,7 @@
 // How fast the debrief page opens and plays, in headless Chromium without a graphics card: ./eyrie bench page.
 // usage: node bench/page.mjs PROGRAM   a program that has its page beside it; CHROMIUM=/usr/bin/chromium
 import { execFileSync } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -10,7 +10,7 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const [program] = process.argv.slice(2);
-const { chromium } = createRequire(join(root, 'viewer/package.json'))('playwright-core');
+const { default: puppeteer } = await import(createRequire(join(root, 'viewer/package.json')).resolve('puppeteer-core'));
 const executablePath = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
 const args = ['--no-sandbox', '--disable-dev-shm-usage'];
 /** ms that are played, and how often a page is opened. */
@@ -35,33 +35,51 @@ function war() {
 seed: 1\nuntil: 10 min\nends: time\n${side('blue', 'e', -130)}\n${side('red', 'b', 130)}\n`;
 }
 
+const rest = (ms) => new Promise((done) => setTimeout(done, ms));
 const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
 const shown = (ms) => `${(ms / 1000).toFixed(2)} s`;
 
 async function with_page(url, size, use) {
-  const browser = await chromium.launch({ executablePath, args });
+  const browser = await puppeteer.launch({ headless: true, executablePath, args, defaultViewport: size });
   try {
-    const page = await browser.newPage({ viewport: size });
-    const began = performance.now();
-    await page.goto(url, { waitUntil: 'commit' });
-    await page.waitForSelector('body[data-ready=true]', { state: 'attached', timeout: 120_000 });
-    return await use(page, performance.now() - began);
+    const page = await browser.newPage();
+    await page.goto(url, { waitUntil: 'domcontentloaded' });
+    await page.waitForSelector('body[data-ready=true]', { timeout: 120_000 });
+    return await use(page, browser);
   } finally {
     await browser.close();
   }
 }
 
+/** MB that the process of the page keeps, with its worker and what it shares with nobody. */
+async function memory(browser) {
+  const session = await browser.target().createCDPSession();
+  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+  const kept = processInfo.filter(({ type }) => type === 'renderer')
+    .map(({ id }) => Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${id}/smaps_rollup`, 'utf8'))[1]) / 1000);
+  return Math.max(...kept);
+}
+
+/** From the beginning of the navigation: until the first picture is there, and until the whole run has been flown. */
 async function opening(name, url) {
-  const times = [];
-  for (let i = 0; i < kOpened; ++i) times.push(await with_page(url, { width: 1280, height: 720 }, (_, ms) => ms));
-  console.log(`opens/${name.padEnd(28)} median ${shown(median(times))}   best ${shown(Math.min(...times))}`);
+  const [pictures, wholes, sizes] = [[], [], []];
+  for (let i = 0; i < kOpened; ++i)
+    await with_page(url, { width: 1280, height: 720 }, async (page, browser) => {
+      const after = (what) => page.evaluate((one) => performance.getEntriesByName(one)[0].duration, what);
+      pictures.push(await after('eyrie-picture'));
+      wholes.push(await after('eyrie-open'));
+      sizes.push(await memory(browser));
+    });
+  console.log(`opens/${name.padEnd(28)} first picture median ${shown(median(pictures))} best ${shown(Math.min(...pictures))}   ` +
+    `whole run median ${shown(median(wholes))} best ${shown(Math.min(...wholes))}   memory ${median(sizes).toFixed(0)} MB   ` +
+    `page ${(statSync(fileURLToPath(url)).size / 1e6).toFixed(2)} MB`);
 }
 
 /** Pictures that the browser's trace says were drawn while the page played from `t`. */
 async function playing(name, url, t, size = { width: 1280, height: 720 }) {
   await with_page(`${url}#t=${t}`, size, async (page) => {
-    await page.waitForTimeout(2000);
-    const session = await page.context().newCDPSession(page);
+    await rest(2000);
+    const session = await page.createCDPSession();
     const events = [];
     session.on('Tracing.dataCollected', ({ value }) => events.push(...value));
     await session.send('Tracing.start', {
@@ -71,7 +89,7 @@ async function playing(name, url, t, size = { width: 1280, height: 720 }) {
       window.eyrie.scene.frames();
       window.eyrie.store.set({ playing: true });
     });
-    await page.waitForTimeout(kPlayed);
+    await rest(kPlayed);
     const frames = await page.evaluate(() => {
       window.eyrie.store.set({ playing: false });
       return window.eyrie.scene.frames();

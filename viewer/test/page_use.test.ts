@@ -2,12 +2,13 @@
 /** The page in the hands of somebody with a mouse, and of somebody who cannot see it. */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import type { Browser, Page } from 'playwright-core';
-import { kNoPage, launch, open_page, shoot, type Opened } from './page_kit.ts';
+import type { Browser } from 'puppeteer-core';
+import type { Opened, UserPage } from './browsers.ts';
+import { kNoPage, launch, open_page, shoot } from './page_kit.ts';
 
 let browser: Browser;
 let opened: Opened;
-let page: Page;
+let page: UserPage;
 
 before(async () => {
   if (kNoPage) return;
@@ -41,26 +42,19 @@ test('every control has a name for a screen reader, with every menu open', { ski
 });
 
 test('a loser that is pointed at shows where it would have led, in the air picture too', { skip: kNoPage }, async () => {
-  const rival = page.locator('tbody[data-field=heading] .rival').first();
-  const label = (await rival.textContent())!.trim();
-  await rival.scrollIntoViewIfNeeded();
+  const rival = 'tbody[data-field=heading] .rival';
+  const label = (await page.textContent(rival)).trim();
+  await page.$eval(rival, (e) => e.scrollIntoView({ block: 'nearest' }));
   await page.mouse.move(5, 5);
-  const picture = () => page.locator('.stage').first().screenshot();
   await page.waitForFunction(() => window.eyrie!.store.get().ghost === null);
-  let without = await picture();
-  for (let rests = false; !rests;) {
-    await page.waitForTimeout(300);
-    const next = await picture();
-    rests = next.equals(without);
-    without = next;
-  }
-  await rival.hover();
+  const without = await page.at_rest('.stage');
+  await page.hover(rival);
   await page.waitForFunction(() => window.eyrie!.store.get().ghost !== null);
   const { ghost, selected } = await view();
   assert.ok(label.startsWith(ghost!.label), `${label} is not ${ghost!.label}`);
   assert.equal(ghost!.player, selected);
   await page.waitForTimeout(300);
-  assert.ok(!(await picture()).equals(without), 'nothing is drawn of it');
+  assert.ok(!(await page.screenshot('.stage')).equals(without), 'nothing is drawn of it');
   await shoot(page, 'ghost');
   await page.mouse.move(5, 5);
   await page.waitForFunction(() => window.eyrie!.store.get().ghost === null);
@@ -84,9 +78,8 @@ describe('the story', { skip: kNoPage }, () => {
   });
   test('leads to where it happened, and to whom', async () => {
     await page.selectOption('select[aria-label="Kind of events"]', 'kill');
-    const line = page.locator('.story .told').first();
-    const [t, text] = [Number(await line.getAttribute('data-t')), (await line.textContent())!];
-    await line.click();
+    const [t, text] = await page.$eval('.story .told', (e) => [Number((e as HTMLElement).dataset['t']), e.textContent!] as const);
+    await page.click('.story .told');
     await page.waitForFunction((time) => Math.abs(window.eyrie!.store.get().time - time) < 0.2, t);
     const who = await page.evaluate(() => window.eyrie!.run.players[window.eyrie!.store.get().selected]!.name);
     assert.ok(text.includes(who), `${who} is not in "${text}"`);
@@ -95,8 +88,8 @@ describe('the story', { skip: kNoPage }, () => {
 });
 
 test('the strips lead to a time, zoom, and play as fast as asked', { skip: kNoPage }, async () => {
-  const plot = (await page.locator('.stack-plot').boundingBox())!;
-  const row = (await page.locator('.row.leader').first().boundingBox())!;
+  const plot = await page.box('.stack-plot');
+  const row = await page.box('.row.leader');
   const axis = async () => {
     const { from, to } = await page.$eval('.stack-plot', (e) => ({ ...(e as HTMLElement).dataset }));
     return [Number(from), Number(to)] as const;

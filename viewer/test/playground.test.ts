@@ -8,8 +8,8 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
-import type { Browser, Page } from 'puppeteer-core';
-import { kBrowsers, launch, open_url, type Opened } from './browsers.ts';
+import type { Browser } from 'puppeteer-core';
+import { kBrowsers, launch, open_url, type Opened, type UserPage } from './browsers.ts';
 
 const { env } = process;
 const kPlayground = env['EYRIE_PLAYGROUND'] ?? '';
@@ -33,19 +33,19 @@ async function flown_by_program(text: string, seed: string): Promise<string> {
 }
 
 const open = async (browser: Browser, fragment = ''): Promise<Opened> => {
-  const opened = await open_url(browser, kUrl + fragment);
+  const opened = await open_url(browser, kUrl + fragment, { width: 1440, height: 900 });
   await opened.page.waitForSelector('body[data-open=true]');
   await reads(opened.page);
   return opened;
 };
 /** Until the loader has read what the text is now. */
-async function reads(page: Page): Promise<void> {
-  await page.waitForFunction(() => document.querySelector('.problems')?.getAttribute('data-state') === 'reading', { timeout: 500 }).catch(() => {});
+async function reads(page: UserPage): Promise<void> {
+  await page.waitForFunction(() => document.querySelector('.problems')?.getAttribute('data-state') === 'reading', null, { timeout: 500 }).catch(() => {});
   await page.waitForSelector('.problems:not([data-state=reading])');
 }
-const problems = (page: Page): Promise<string[]> => page.$$eval('.problem', (all) => all.map((one) => one.textContent!));
+const problems = (page: UserPage): Promise<string[]> => page.$$eval('.problem', (all) => all.map((one) => one.textContent!));
 /** Puts the cursor at the end of the first line that holds `text`, and types. */
-async function type_behind(page: Page, text: string, typed: string): Promise<void> {
+async function type_behind(page: UserPage, text: string, typed: string): Promise<void> {
   const line = await page.evaluateHandle((wanted) => {
     const lines = [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll<HTMLElement>('.cm-line')];
     return lines.find((one) => one.textContent!.includes(wanted))!;
@@ -54,19 +54,18 @@ async function type_behind(page: Page, text: string, typed: string): Promise<voi
   await page.keyboard.press('End');
   await page.keyboard.type(typed);
 }
-const marked = (page: Page): Promise<string[]> =>
+const marked = (page: UserPage): Promise<string[]> =>
   page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-lintRange-error')].map((one) => one.textContent!));
-const text_now = (page: Page): Promise<string> =>
+const text_now = (page: UserPage): Promise<string> =>
   page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-line')].map((one) => one.textContent!).join('\n'));
-async function fly(page: Page, seed: string): Promise<string> {
+async function fly(page: UserPage, seed: string): Promise<string> {
   const before = await page.$$eval('.last', (all) => all.map((one) => one.getAttribute('data-hash')));
-  await page.$eval('[aria-label=Seed]', (field) => ((field as HTMLInputElement).value = ''));
-  await page.type('[aria-label=Seed]', seed);
+  await page.fill('[aria-label=Seed]', seed);
   await page.click('.top .fly');
   await page.waitForFunction((old) => {
     const hash = document.querySelector('.last')?.getAttribute('data-hash');
     return hash && hash !== old;
-  }, {}, before[0] ?? null);
+  }, before[0] ?? null);
   return page.$eval('.last', (last) => last.getAttribute('data-hash')!);
 }
 const golden = (): string => /sweep seed 13[^]*?hash (\w+)/.exec(readFileSync(join(kHome, 'tests/determinism/golden_runs.txt'), 'utf8'))![1]!;
@@ -75,7 +74,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
   describe(`in ${where}`, { skip: kNone }, () => {
     let browser: Browser;
     let opened: Opened;
-    let page: Page;
+    let page: UserPage;
     before(async () => {
       browser = await launch(where);
       opened = await open(browser);
@@ -104,7 +103,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
 
     test('keys, names and units are proposed and taken', async () => {
       const proposed = (): Promise<string[]> => page.$eval('.editor', (editor) => [...editor.shadowRoot!.querySelectorAll('.cm-completionLabel')].map((one) => one.textContent!));
-      const until_proposed = (label: string) => page.waitForFunction((wanted) => [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-completionLabel')].some((one) => one.textContent === wanted), {}, label);
+      const until_proposed = (label: string) => page.waitForFunction((wanted) => [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-completionLabel')].some((one) => one.textContent === wanted), label);
       await type_behind(page, 'bingo: 2200', '\nfue');
       await until_proposed('fuel');
       assert.ok(!(await proposed()).includes('navigate'), 'nodes are proposed where flights have their keys');

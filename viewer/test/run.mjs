@@ -19,7 +19,7 @@ const out = mkdtempSync(join(tmpdir(), 'eyrie-viewer-'));
 try {
   await build({
     entryPoints: names.map((f) => join(here, f)), outdir: out, outExtension: { '.js': '.mjs' }, bundle: true, platform: 'node', format: 'esm',
-    target: 'node18', jsx: 'automatic', jsxImportSource: 'preact', sourcemap: 'inline', logLevel: 'warning', external: ['playwright-core', 'puppeteer-core'],
+    target: 'node18', jsx: 'automatic', jsxImportSource: 'preact', sourcemap: 'inline', logLevel: 'warning', external: ['puppeteer-core'],
     plugins: [worker_text({})],
   });
   const files = names.map((f) => join(out, basename(f).replace(/\.ts$/, '.mjs')));
