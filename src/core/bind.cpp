@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <vector>
 
-#include "core/check_values.hpp"
 #include "core/text.hpp"
 
 namespace eyrie::detail {
@@ -61,34 +61,6 @@ std::string prefix(std::string_view path) {
 
 }  // namespace
 
-ParamInfo brief_info(const ParamLine& line, std::string_view path) {
-  ParamInfo info;
-  info.name = path.empty() ? std::string(line.name) : fmt::format("{}.{}", path, line.name);
-  info.unit = line.unit;
-  info.limits = line.limits;
-  info.help = line.help;
-  info.required = line.is_required;
-  info.min_items = line.min_items;
-  info.max_items = line.max_items;
-  for (const TableAxis& axis : line.axes)
-    if (!axis.name.empty())
-      info.axes.push_back(axis);
-  return info;
-}
-
-std::string limits_text(const Range& limits, Dimension dimension) {
-  const auto show = [&](double x) { return exact_quantity(x, dimension); };
-  if (!std::isfinite(limits.min))
-    return fmt::format("more than {}", show(limits.max));
-  if (!std::isfinite(limits.max))
-    return limits.exclusive_min ? limits.min == 0
-                                      ? std::string("not positive")
-                                      : fmt::format("not more than {}", show(limits.min))
-                                : fmt::format("less than {}", show(limits.min));
-  return fmt::format("outside {}{}, {}]", limits.exclusive_min ? '(' : '[', show(limits.min),
-                     show(limits.max));
-}
-
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics) {
@@ -136,20 +108,39 @@ bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnos
   return true;
 }
 
-bool read_float(float& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
-  double wide = 0;
-  if (!read_number(wide, value, info, diagnostics))
-    return false;
-  if (std::fabs(wide) > double(std::numeric_limits<float>::max())) {
-    report(value, info, fmt::format("{} is too large for this parameter", as_written(value)),
-           diagnostics);
+bool check_list(const Value& value, std::size_t least, std::size_t most, const ParamInfo& info,
+                Diagnostics& diagnostics) {
+  if (!value.is_list()) {
+    report(value, info, "expected a list, got " + value.shown(), diagnostics);
     return false;
   }
-  out = static_cast<float>(wide);
-  return true;
+  const std::size_t size = value.items.size();
+  if (size >= least && size <= most)
+    return true;
+  const bool exact = least == most;
+  const std::size_t bound = size < least ? least : most;
+  report(value, info,
+         fmt::format("expected {} {} {}, got {}",
+                     exact          ? "exactly"
+                     : size < least ? "at least"
+                                    : "at most",
+                     bound, bound == 1 ? "item" : "items", size),
+         diagnostics);
+  return false;
 }
 
-bool read_boolean(bool& out, const Value& value, const ParamInfo& info, Diagnostics& diagnostics) {
+ParamInfo item_info(const ParamInfo& list, std::size_t index) {
+  ParamInfo item;
+  item.name = fmt::format("{}[{}]", list.name, index);
+  item.unit = list.unit;
+  item.limits = list.limits;
+  return item;
+}
+
+namespace {
+
+bool read_boolean(std::uint64_t& out, const Value& value, const ParamInfo& info,
+                  Diagnostics& diagnostics) {
   const bool plain = value.is_scalar() && !value.quoted;
   if (!plain || (value.text != "true" && value.text != "false")) {
     report(value, info, "expected true or false, got " + shown(value), diagnostics);
@@ -159,10 +150,11 @@ bool read_boolean(bool& out, const Value& value, const ParamInfo& info, Diagnost
   return true;
 }
 
-bool read_integer(bool& negative, std::uint64_t& magnitude, const Value& value, WholeLimits type,
+bool read_integer(std::uint64_t& out, const ValueType& type, const Value& value,
                   const ParamInfo& info, Diagnostics& diagnostics) {
   std::string_view digits = trimmed(value.text);
-  negative = digits.starts_with('-');
+  std::uint64_t magnitude = 0;
+  const bool negative = digits.starts_with('-');
   if (negative || digits.starts_with('+'))
     digits.remove_prefix(1);
   const auto [end, error] =
@@ -173,14 +165,15 @@ bool read_integer(bool& negative, std::uint64_t& magnitude, const Value& value, 
     report(value, info, "expected a whole number, got " + shown(value), diagnostics);
     return false;
   }
-  const std::uint64_t lowest = 0 - static_cast<std::uint64_t>(type.min);
-  if (error != std::errc{} || magnitude > (negative ? lowest : type.max)) {
+  const std::uint64_t lowest = 0 - static_cast<std::uint64_t>(type.least);
+  if (error != std::errc{} || magnitude > (negative ? lowest : type.most)) {
     report(value, info,
-           fmt::format("{} is outside [{}, {}]", as_written(value), type.min, type.max),
+           fmt::format("{} is outside [{}, {}]", as_written(value), type.least, type.most),
            diagnostics);
     return false;
   }
   const double x = negative ? -static_cast<double>(magnitude) : static_cast<double>(magnitude);
+  out = negative ? 0 - magnitude : magnitude;
   return check_range(x, value, info, diagnostics);
 }
 
@@ -209,8 +202,9 @@ bool read_text(std::string& out, const Value& value, const ParamInfo& info,
   return problem.empty();
 }
 
-bool read_choice(std::size_t& out, const Value& value, std::span<const std::string_view> names,
+bool read_choice(std::uint64_t& out, const ValueType& type, const Value& value,
                  const ParamInfo& info, Diagnostics& diagnostics) {
+  const std::span<const std::string_view> names = type.names;
   const auto found =
       value.is_scalar() ? std::find(names.begin(), names.end(), value.text) : names.end();
   if (found == names.end()) {
@@ -221,37 +215,93 @@ bool read_choice(std::size_t& out, const Value& value, std::span<const std::stri
            diagnostics);
     return false;
   }
-  out = static_cast<std::size_t>(found - names.begin());
+  out = type.values[static_cast<std::size_t>(found - names.begin())];
   return true;
 }
 
-bool check_list(const Value& value, std::size_t least, std::size_t most, const ParamInfo& info,
+/// All parts, or none after a mistake in one of them.
+bool read_parts(const ValueType& type, void* out, const Value& value, const ParamInfo& info,
                 Diagnostics& diagnostics) {
-  if (!value.is_list()) {
-    report(value, info, "expected a list, got " + value.shown(), diagnostics);
-    return false;
+  const std::size_t before = diagnostics.count();
+  if (type.is_optional) {
+    const auto fill = [&](void* part, std::size_t) {
+      return read(*type.part, part, value, info, diagnostics);
+    };
+    type.build(out, value.is_null() ? 0 : 1, fill);
+    return diagnostics.count() == before;
   }
+  const bool fixed = type.fixed != 0;
+  if (!check_list(value, fixed ? type.fixed : info.min_items, fixed ? type.fixed : info.max_items,
+                  info, diagnostics))
+    return false;
   const std::size_t size = value.items.size();
-  if (size >= least && size <= most)
-    return true;
-  const bool exact = least == most;
-  const std::size_t bound = size < least ? least : most;
-  report(value, info,
-         fmt::format("expected {} {} {}, got {}",
-                     exact          ? "exactly"
-                     : size < least ? "at least"
-                                    : "at most",
-                     bound, bound == 1 ? "item" : "items", size),
-         diagnostics);
-  return false;
+  type.build(out, size, [&](void* part, std::size_t i) {
+    read(*type.part, part, value.items[i], item_info(info, i), diagnostics);
+    return i + 1 < size || diagnostics.count() == before;  // every mistake is told
+  });
+  return diagnostics.count() == before;
 }
 
-ParamInfo item_info(const ParamInfo& list, std::size_t index) {
-  ParamInfo item;
-  item.name = fmt::format("{}[{}]", list.name, index);
-  item.unit = list.unit;
-  item.limits = list.limits;
-  return item;
+}  // namespace
+
+bool read(const ValueType& type, void* out, const Value& value, const ParamInfo& info,
+          Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.count();
+  std::uint64_t bits = 0;
+  double number = 0;
+  bool good = true;
+  switch (type.kind) {
+    case ParamKind::custom:
+      type.bind(out, value, diagnostics, info);
+      return diagnostics.count() == before;
+    case ParamKind::text:
+      return read_text(*static_cast<std::string*>(out), value, info, diagnostics);
+    case ParamKind::table1:
+      return read_table(*static_cast<Table1*>(out), value, info, diagnostics);
+    case ParamKind::table2:
+      return read_table(*static_cast<Table2*>(out), value, info, diagnostics);
+    case ParamKind::list:
+      return read_parts(type, out, value, info, diagnostics);
+    case ParamKind::group:
+      return bind(*type.group, out, value, info.name, diagnostics, {});
+    case ParamKind::number:
+      good = read_number(number, value, info, diagnostics);
+      if (good && type.is_float && std::fabs(number) > double(std::numeric_limits<float>::max())) {
+        report(value, info, fmt::format("{} is too large for this parameter", as_written(value)),
+               diagnostics);
+        good = false;
+      }
+      bits = std::bit_cast<std::uint64_t>(number);
+      break;
+    case ParamKind::integer:
+      good = read_integer(bits, type, value, info, diagnostics);
+      break;
+    case ParamKind::boolean:
+      good = read_boolean(bits, value, info, diagnostics);
+      break;
+    case ParamKind::choice:
+      good = read_choice(bits, type, value, info, diagnostics);
+      break;
+  }
+  if (good)
+    type.store(out, bits);
+  return good;
+}
+
+bool bind(const Description& type, void* out, const Value& map, std::string_view path,
+          Diagnostics& diagnostics, std::span<const std::string_view> also_allowed) {
+  const std::size_t before = diagnostics.count();
+  std::vector<std::string_view> names;
+  for (const Parameter& p : type.parameters)
+    names.push_back(p.name);
+  if (!check_keys(map, type.type_name, path, names, also_allowed, diagnostics))
+    return false;
+  for (const Parameter& p : type.parameters)
+    if (const Value* value = map.find(p.name))
+      read(*p.type, p.member(out), *value, brief_info(p, path), diagnostics);
+    else if (p.is_required)
+      report_missing(map, type.type_name, path, p.name, diagnostics);
+  return diagnostics.count() == before;
 }
 
 }  // namespace eyrie::detail

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/bind.hpp"
-#include "core/describe_check.hpp"
 
 namespace eyrie {
 namespace described {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/parameter_bits.hpp"
+#include "core/describe.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/trace_text.hpp"
+#include "ubf/trace.hpp"
 
 namespace eyrie::pilot {
 namespace {

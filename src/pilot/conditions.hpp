@@ -8,7 +8,7 @@
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
 #include "team/member.hpp"
-#include "ubf/simulated_time.hpp"
+#include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
 

@@ -7,7 +7,7 @@
 
 #include "record/json_parameter.hpp"
 #include "record/json_text.hpp"
-#include "ubf/sequencer_spec.hpp"
+#include "ubf/spec.hpp"
 
 namespace eyrie::record {
 namespace {

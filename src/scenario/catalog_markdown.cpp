@@ -11,7 +11,7 @@
 #include "core/units.hpp"
 #include "scenario/catalog.hpp"
 #include "scenario/param_text.hpp"
-#include "ubf/sequencer_spec.hpp"
+#include "ubf/spec.hpp"
 
 namespace eyrie::scenario {
 namespace {

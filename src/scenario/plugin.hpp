@@ -22,6 +22,7 @@
 #include "model/library.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
+#include "ubf/composite.hpp"
 
 namespace eyrie::scenario {
 

@@ -21,7 +21,7 @@
 #include "team/member.hpp"
 #include "team/moment.hpp"
 #include "ubf/agent.hpp"
-#include "ubf/transition.hpp"
+#include "ubf/watch.hpp"
 
 namespace eyrie::team {
 

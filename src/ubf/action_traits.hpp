@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -87,14 +88,6 @@ constexpr void for_each_field(Fn&& fn) {
   (std::make_index_sequence<kFields<Action>>{});
 }
 
-/// The names of the fields, in order.
-template <class Action>
-[[nodiscard]] constexpr std::array<std::string_view, kFields<Action>> field_names() {
-  std::array<std::string_view, kFields<Action>> names;
-  for_each_field<Action>([&](const auto& f, auto i) { names[i] = f.name; });
-  return names;
-}
-
 /// Whether the table lists the whole struct: each field once, and no member beside them. Members
 /// are counted by initialising an action with a value for every field listed and one more.
 template <class Action>
@@ -141,27 +134,61 @@ constexpr void copy(const Action& from, Action& to) noexcept {
   });
 }
 
-/// Field number `field` of an action as a number; nothing if it is not set, or is none.
-template <class Action>
-[[nodiscard]] std::optional<double> number_of(const Action& action, std::size_t field) {
-  std::optional<double> value;
-  for_each_field<Action>([&](const auto& f, auto i) {
-    if constexpr (std::remove_cvref_t<decltype(f)>::is_number)
-      if (i == field && action.*f.member)
-        value = static_cast<double>(*(action.*f.member));
-  });
-  return value;
+/// A field of an action at run time.
+struct ActionFieldInfo {
+  std::string_view name;
+  Unit unit;
+  bool is_number, is_real, is_direction, is_mean;
+  /// A number as it is; of anything else 1, but 0 for a flag that says no. Nothing if it is not
+  /// set.
+  std::optional<double> (*get)(const void* action);
+  /// Sets or empties a real number.
+  void (*set)(void* action, std::optional<double>);
+};
+
+namespace detail {
+template <class Action, std::size_t I>
+constexpr auto& member_of(Action& action) {
+  return action.*std::get<I>(ActionTraits<std::remove_const_t<Action>>::fields).member;
 }
-/// Sets or empties field number `field`, which is a real number.
+template <class Action, std::size_t I>
+constexpr ActionFieldInfo action_field() {
+  constexpr auto kField = std::get<I>(ActionTraits<Action>::fields);
+  using Field = std::remove_cvref_t<decltype(kField)>;
+  using T = typename Field::Value;
+  return {.name = kField.name,
+          .unit = kField.unit,
+          .is_number = Field::is_number,
+          .is_real = Field::is_real,
+          .is_direction = Field::is_direction,
+          .is_mean = std::is_same_v<typename Field::BlendTag, blend::Mean>,
+          .get = [](const void* action) -> std::optional<double> {
+            const auto& value = member_of<const Action, I>(*static_cast<const Action*>(action));
+            if (!value)
+              return std::nullopt;
+            if constexpr (std::is_arithmetic_v<T>)
+              return static_cast<double>(*value);
+            else
+              return 1;
+          },
+          .set =
+              [](void* action, std::optional<double> value) {
+                if constexpr (Field::is_real)
+                  member_of<Action, I>(*static_cast<Action*>(action)) =
+                      value ? std::optional(static_cast<T>(*value)) : std::nullopt;
+              }};
+}
 template <class Action>
-void set_number(Action& action, std::size_t field, std::optional<double> value) {
-  for_each_field<Action>([&](const auto& f, auto i) {
-    using Field = std::remove_cvref_t<decltype(f)>;
-    if constexpr (Field::is_real)
-      if (i == field)
-        action.*f.member =
-            value ? std::optional(static_cast<typename Field::Value>(*value)) : std::nullopt;
-  });
+inline constexpr auto kActionFields = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array<ActionFieldInfo, sizeof...(I)>{action_field<Action, I>()...};
+}
+(std::make_index_sequence<kFields<Action>>{});
+}  // namespace detail
+
+/// The fields of an action, in order.
+template <class Action>
+[[nodiscard]] constexpr std::span<const ActionFieldInfo> action_fields() {
+  return detail::kActionFields<Action>;
 }
 
 /// A part of a value that is not plausible.

@@ -61,9 +61,9 @@ const Action kFull{.heading = 1, .altitude = 2, .speed = 3.0F, .release = 4, .mo
 
 TEST(ActionTraits, KnowsTheFieldsInOrder) {
   EXPECT_EQ(kFields<Action>, 5u);
-  const auto names = field_names<Action>();
-  EXPECT_EQ(names.front(), "heading");
-  EXPECT_EQ(names.back(), "mode");
+  const auto fields = action_fields<Action>();
+  EXPECT_EQ(fields.front().name, "heading");
+  EXPECT_EQ(fields.back().name, "mode");
 }
 
 TEST(ActionTraits, NoticesAForgottenField) {

@@ -18,15 +18,13 @@
 #include <utility>
 
 #include "core/assert.hpp"
-#include "core/check_values.hpp"
 #include "core/draw.hpp"
 #include "core/id.hpp"
 #include "ubf/action_traits.hpp"
-#include "ubf/any_trace.hpp"
-#include "ubf/memory.hpp"
+#include "ubf/node.hpp"
 #include "ubf/proposal.hpp"
-#include "ubf/transition.hpp"
-#include "ubf/vote_curve.hpp"
+#include "ubf/state_fields.hpp"
+#include "ubf/watch.hpp"
 
 namespace eyrie::ubf {
 
@@ -38,22 +36,6 @@ enum class Status : std::uint8_t { failure, running, success };
   constexpr std::string_view kNames[] = {"failure", "running", "success"};
   return kNames[static_cast<std::size_t>(status)];
 }
-
-/// What sort of node a type is, for the catalog.
-enum class Kind : std::uint8_t { behavior, condition, arbiter, control, decorator };
-
-[[nodiscard]] constexpr std::string_view to_text(Kind kind) {
-  constexpr std::string_view kNames[] = {"behavior", "condition", "arbiter", "control",
-                                         "decorator"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
-/// An answer that means nothing: a vote that is none, or a field that is NaN, infinite or beyond
-/// what is plausible. Whoever gives it is taken to have failed.
-struct Mistake {
-  NodeIndex node = kNone;
-  std::string what;  ///< "votes what means nothing: vote is nan"
-};
 
 /// Everything a node may look at during one tick. Nothing in it outlives the tick.
 template <class State>
@@ -93,37 +75,14 @@ template <class State, class Action>
 }  // namespace detail
 
 template <class State, class Action>
-class Tree;
-template <class State, class Action>
 class Appraiser;
-template <class State, class Action>
-class Behavior;
 
-/// A type of node at run time, described once by its `params()`.
+/// A node of a tree over one kind of state and action.
 template <class State, class Action>
-struct NodeType {
-  using Node = Behavior<State, Action>;
-
-  std::string_view name = "behavior";  ///< under which it is registered
-  Kind kind = Kind::behavior;
-  /// Adds what is wrong with the values of a node's parameters.
-  void (*check)(const Node&, std::vector<std::string>& problems) = nullptr;
-  /// Adds the parameters of a node that have a value.
-  void (*values)(const Node&, std::vector<ParamValue>& values) = nullptr;
-};
-
-/// A node of a tree. Nodes are set up once, then immutable and shared by every agent that uses
-/// them; what a node must remember lives in the agent's slab (see WithMemory).
-template <class State, class Action>
-class Behavior {
+class Behavior : public AnyNode {
  public:
   using StateType = State;
   using ActionType = Action;
-
-  Behavior() = default;
-  virtual ~Behavior() = default;
-  Behavior(const Behavior&) = delete;
-  Behavior& operator=(const Behavior&) = delete;
 
   /// No parameters, unless the type says otherwise (core/describe.hpp).
   [[nodiscard]] static constexpr auto params() { return std::tuple<>{}; }
@@ -138,55 +97,9 @@ class Behavior {
       weigh(t, out);
     return status;
   }
-
-  [[nodiscard]] virtual std::span<const std::unique_ptr<Behavior>> children() const noexcept {
-    return {};
-  }
-  /// Bytes of slab that this node alone needs; asked once, when the tree is laid out.
-  [[nodiscard]] virtual std::size_t memory_bytes() const noexcept { return 0; }
-  /// Whether what this node does depends on what it remembers. A node that only notes which child
-  /// it has to halt does not, and may serve where every tick is the first.
-  [[nodiscard]] virtual bool remembers() const noexcept { return memory_bytes() > 0; }
-  /// Whether the node stays open although it answered success or failure, because it asks its
-  /// children every time it is asked and their memory goes on: true for arbiters. Asked once, after
-  /// the children were asked.
-  [[nodiscard]] virtual bool stands() const noexcept { return false; }
-  /// Which child is in charge according to a slab, kNone if the node does not remember that.
-  [[nodiscard]] virtual NodeIndex active_child(const std::byte* /*slab*/) const noexcept {
-    return kNone;
-  }
-  /// Whether the active child is a phase of the agent, worth telling: true for sequencers.
-  [[nodiscard]] virtual bool is_sequencer() const noexcept { return false; }
-  /// This node as one that judges candidates (ubf/appraiser.hpp), or null.
+  /// This node as one that judges candidates, or null.
   [[nodiscard]] virtual const Appraiser<State, Action>* appraiser() const noexcept {
     return nullptr;
-  }
-  /// What is wrong with the parameters taken together, in words; empty if nothing is.
-  [[nodiscard]] virtual std::string problem() const { return {}; }
-
-  /// Pre-order position in the tree; the subtree is [index, end_index).
-  [[nodiscard]] NodeIndex index() const noexcept { return index_; }
-  [[nodiscard]] NodeIndex end_index() const noexcept { return end_index_; }
-  /// What the user called this node; the type's name if he did not.
-  [[nodiscard]] std::string_view label() const noexcept { return label_.empty() ? type() : label_; }
-  /// The name under which the type is registered.
-  [[nodiscard]] std::string_view type() const noexcept { return type_->name; }
-  [[nodiscard]] Kind node_kind() const noexcept { return type_->kind; }
-  /// Its parameters that have a value.
-  [[nodiscard]] std::vector<ParamValue> values() const {
-    std::vector<ParamValue> all;
-    if (type_->values)
-      type_->values(*this, all);
-    return all;
-  }
-
-  void set_label(std::string label) { label_ = std::move(label); }
-  void set_type(const NodeType<State, Action>& type) { type_ = &type; }
-
-  /// How its vote follows the state; null if it does not.
-  [[nodiscard]] const VoteCurve* vote_curve() const noexcept { return vote_curve_.get(); }
-  void set_vote_curve(VoteCurve curve) {
-    vote_curve_ = std::make_unique<const VoteCurve>(std::move(curve));
   }
 
  protected:
@@ -200,14 +113,8 @@ class Behavior {
   [[nodiscard]] Draw draw(const Tick<State>& t) const {
     return Draw(t.seed, t.player, Stream::behavior, t.step, index_);
   }
-  [[nodiscard]] std::size_t memory_begin() const noexcept { return memory_begin_; }
 
  private:
-  template <class, class>
-  friend class Tree;
-  template <class, class>
-  friend class Composite;
-
   [[gnu::noinline]] void weigh(const Tick<State>& t, Proposal<Action>& out) const {
     VoteCurve::Scores scores{};
     const StateField<State>* fields = StateFields<State>::all().data();
@@ -216,14 +123,6 @@ class Behavior {
     if (t.trace)
       t.trace->weighed(index_, scores);
   }
-
-  NodeIndex index_ = 0, end_index_ = 1;
-  bool stands_ = false;
-  std::uint32_t memory_begin_ = 0, memory_end_ = 0;  ///< of the subtree
-  std::unique_ptr<const VoteCurve> vote_curve_;
-  static constexpr NodeType<State, Action> kAny{};
-  const NodeType<State, Action>* type_ = &kAny;
-  std::string label_;
 };
 
 /// A node that only looks: it holds or it does not, and recommends nothing.
@@ -237,8 +136,34 @@ class Condition : public Behavior<State, Action> {
   }
 };
 
+/// A behavior that says of every candidate what it is worth, for the arbiters vote_grid and
+/// utility. Its tick answers the status and, as the vote, the weight of its opinion; the action may
+/// hold orders and whatever else is not decided on the grid. Under any other arbiter it is a
+/// behavior like another.
+///
+///   class Avoid : public Appraiser<State, Action> {
+///     Status tick(const Tick<State>&, Proposal<Action>& out) const override {
+///       out.vote = 10;                          // how much the opinion weighs
+///       return Status::running;
+///     }
+///     double appraise(const Tick<State>& t, const Action& candidate) const override {
+///       return free_ahead(t.state, *candidate.heading) ? 0 : -1;
+///     }
+///   };
+template <class State, class Action>
+class Appraiser : public Behavior<State, Action> {
+ public:
+  /// What a command is worth: a vote in [-1, 1] for vote_grid, the utility of the outcome, any
+  /// finite number, for utility. The fields of the grid are set in `candidate`, no others. Must not
+  /// allocate, throw, lock or look at a clock.
+  [[nodiscard]] virtual double appraise(const Tick<State>& t, const Action& candidate) const = 0;
+
+  [[nodiscard]] const Appraiser* appraiser() const noexcept final { return this; }
+};
+
 /// A node with memory: `class BreakTurn : public WithMemory<Behavior<State, Action>, Phase>`.
-/// `Memory` is zero bytes when the agent starts and again whenever the node loses control.
+/// `Memory` is zero bytes when the agent starts and again whenever the node loses control. If it
+/// has a `ChildSlot child`, that is the child in charge.
 template <class Base, NodeMemory Memory>
 class WithMemory : public Base {
  public:
@@ -246,6 +171,12 @@ class WithMemory : public Base {
   using TickType = Tick<typename Base::StateType>;
 
   [[nodiscard]] std::size_t memory_bytes() const noexcept override { return sizeof(Memory); }
+  [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
+    if constexpr (requires(const Memory& m) { m.child.get(); })
+      return memory(slab).child.get();
+    else
+      return Base::active_child(slab);
+  }
 
  protected:
   [[nodiscard]] Memory& memory(const TickType& t) const noexcept {
@@ -263,7 +194,7 @@ template <class B>
 [[nodiscard]] consteval Kind kind_of() {
   if constexpr (requires { B::kind; })
     return B::kind;
-  else if constexpr (requires { typename B::Children; })
+  else if constexpr (requires { typename B::Child; })
     return Kind::arbiter;
   else if constexpr (std::derived_from<B, Condition<typename B::StateType, typename B::ActionType>>)
     return Kind::condition;
@@ -271,20 +202,43 @@ template <class B>
     return Kind::behavior;
 }
 
+namespace detail {
+
 template <class B>
-inline constexpr NodeType<typename B::StateType, typename B::ActionType> kNodeType{
-    .name = B::type_name,
-    .kind = kind_of<B>(),
-    .check =
-        [](const auto& node, std::vector<std::string>& problems) {
-          if constexpr (Described<B>)
-            check_values(static_cast<const B&>(node), "", problems);
-        },
-    .values =
-        [](const auto& node, std::vector<ParamValue>& values) {
-          if constexpr (Described<B>)
-            list_values(static_cast<const B&>(node), "", values);
-        }};
+[[nodiscard]] consteval NodeType node_type() {
+  NodeType type{.name = B::type_name, .kind = kind_of<B>()};
+  if constexpr (requires { B::help; })
+    type.help = B::help;
+  if constexpr (requires { B::text_key; })
+    type.text_key = B::text_key;
+  if constexpr (requires { B::child_keys; }) {
+    type.grammar = Grammar::own;
+    type.child_keys = B::child_keys;
+  } else if constexpr (requires { B::slots; }) {
+    type.grammar = Grammar::slots;
+    type.child_keys = B::slots;
+  } else if constexpr (requires { B::takes_one_child; }) {
+    type.grammar = Grammar::list_or_one;
+  } else if constexpr (requires { typename B::Child; }) {
+    type.grammar = Grammar::list;
+  }
+  type.parameters = &description_of<B>();
+  type.object = [](AnyNode& node) -> void* { return &static_cast<B&>(node); };
+  if constexpr (std::default_initializable<B>)
+    type.make = []() -> std::unique_ptr<AnyNode> { return std::make_unique<B>(); };
+  if constexpr (requires(B & node, const NodeSpec& spec, NodeReader& reader) {
+                  node.read(spec, reader);
+                })
+    type.read = [](AnyNode& node, const NodeSpec& spec, NodeReader& reader) {
+      static_cast<B&>(node).read(spec, reader);
+    };
+  return type;
+}
+
+}  // namespace detail
+
+template <class B>
+inline constexpr NodeType kNodeType = detail::node_type<B>();
 
 /// Makes a node of a registered type in code; arguments go to its constructor.
 ///   auto root = make<WinnerTakesAll<S, A>>(make<Pursue>(), make<Navigate>());

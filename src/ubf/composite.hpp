@@ -3,10 +3,14 @@
 /// \file  A node with children: how it asks them, makes them forget, and hands on what they say.
 #include <fmt/format.h>
 
+#include <array>
 #include <concepts>
 #include <cstring>
+#include <iterator>
+#include <memory>
 #include <optional>
-#include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -26,25 +30,26 @@ class Composite : public Behavior<State, Action> {
   using Children = std::vector<Child>;
 
   Composite() = default;
-  explicit Composite(Children children) : children_(std::move(children)) {}
+  explicit Composite(Children children) { adopt(std::move(children)); }
   template <std::convertible_to<Child>... C>
   requires(sizeof...(C) > 0) explicit Composite(C... children) {
-    (children_.push_back(std::move(children)), ...);
+    (this->children_.push_back(std::move(children)), ...);
   }
-
-  [[nodiscard]] std::span<const Child> children() const noexcept final { return children_; }
   /// Gives a node its children while the tree is being built.
-  void adopt(Children children) { children_ = std::move(children); }
+  void adopt(Children children) {
+    this->children_.assign(std::make_move_iterator(children.begin()),
+                           std::make_move_iterator(children.end()));
+  }
 
  protected:
   /// Asks a child for its proposal. Everything goes through here: what arrives in `out` is emptied
   /// first, and the answer is checked and traced. An answer that means nothing is a failure.
-  Status ask(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
+  Status ask(const AnyNode& child, const Tick<State>& t, Proposal<Action>& out) const {
     if (out.leader != kNone)  // somebody was asked into it; a fresh one is empty
       out.clear();
     if (t.trace) [[unlikely]]
       t.trace->asking(child.index_);
-    Status status = child.decide(t, out);
+    Status status = typed(child).decide(t, out);
     if (status != Status::failure && !(is_vote(out.vote) && fields_mean_something(out)))
         [[unlikely]]
       status = refuse(child, t, out, status);
@@ -54,7 +59,7 @@ class Composite : public Behavior<State, Action> {
     return status;
   }
   /// Takes a child whose answer means nothing as one that failed; what was going on in it forgets.
-  [[gnu::cold, gnu::noinline]] Status refuse(const Node& child, const Tick<State>& t,
+  [[gnu::cold, gnu::noinline]] Status refuse(const AnyNode& child, const Tick<State>& t,
                                              Proposal<Action>& out, Status answered) const {
     detail::note_mistake(t, child.index_, out);
     if (answered == Status::running)
@@ -63,7 +68,7 @@ class Composite : public Behavior<State, Action> {
     return Status::failure;
   }
   /// Whether a proposal that outvotes another one counts: -0 abstains as 0 does.
-  [[nodiscard]] bool is_heard(const Node& child, const Tick<State>& t, Proposal<Action>& out,
+  [[nodiscard]] bool is_heard(const AnyNode& child, const Tick<State>& t, Proposal<Action>& out,
                               Status answered) const {
     const bool meant = fields_mean_something(out);
     if (detail::is_plain_vote(out.vote) && meant) [[likely]]
@@ -73,13 +78,13 @@ class Composite : public Behavior<State, Action> {
     return false;
   }
   /// What came from a leaf is led by it.
-  static void name_leader(const Node& child, Proposal<Action>& out) {
+  static void name_leader(const AnyNode& child, Proposal<Action>& out) {
     if (out.leader == kNone)
       out.leader = child.index_;
   }
   /// Asks a child whose proposal replaces what is in `out`, unless it fails or proposes nothing, as
   /// a condition does.
-  Status ask_over(const Node& child, const Tick<State>& t, Proposal<Action>& out) const {
+  Status ask_over(const AnyNode& child, const Tick<State>& t, Proposal<Action>& out) const {
     if (out.is_empty()) {
       const Status status = ask(child, t, out);
       if (status == Status::failure)
@@ -99,41 +104,36 @@ class Composite : public Behavior<State, Action> {
   }
 
   /// The child's subtree starts anew, without having lost control.
-  void forget(const Node& child, const Tick<State>& t) const {
+  void forget(const AnyNode& child, const Tick<State>& t) const {
     const std::size_t bytes = child.memory_end_ - child.memory_begin_;
     if (bytes)
       std::memset(t.memory + child.memory_begin_, 0, bytes);
   }
   /// The child's subtree loses control: it forgets.
-  void halt(const Node& child, const Tick<State>& t) const {
+  void halt(const AnyNode& child, const Tick<State>& t) const {
     forget(child, t);
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).halted(child.index_, child.end_index_);
   }
   /// Whether a child that gave this answer has something in it that still goes on, so that it has
   /// to be halted by whoever stops asking it.
-  [[nodiscard]] static bool left_open(const Node& child, Status answer) {
+  [[nodiscard]] static bool left_open(const AnyNode& child, Status answer) {
     return answer == Status::running || child.stands_;
   }
   /// The child ended and will not be asked again before this node starts anew.
-  void close(const Node& child, const Tick<State>& t) const {
+  void close(const AnyNode& child, const Tick<State>& t) const {
     if (child.stands_)
       halt(child, t);
   }
-  [[nodiscard]] bool any_child_stands() const noexcept {
-    for (const Child& child : children_)
-      if (child->stands_)
-        return true;
-    return false;
-  }
-
   /// Tells the trace whose proposal goes up.
-  void took(const Tick<State>& t, const Node& child) const {
+  void took(const Tick<State>& t, const AnyNode& child) const {
     if (t.trace) [[unlikely]]
       Trace<Action>::of(*t.trace).took(this->index(), child.index_);
   }
 
-  Children children_;
+  [[nodiscard]] static const Node& typed(const AnyNode& node) {
+    return static_cast<const Node&>(node);
+  }
 
  private:
   [[gnu::noinline]] static void record(AnyTrace& trace, NodeIndex node, Status status,
@@ -155,13 +155,16 @@ class Voting : public Composite<State, Action> {
   [[nodiscard]] std::string problem() const override {
     return vote && vote_scale != 1 ? "give either 'vote' or 'vote_scale', not both" : "";
   }
-
-  template <class Self>
-  [[nodiscard]] static auto vote_params() {
+  [[nodiscard]] static constexpr auto params() {
     return std::tuple{
-        param("vote", &Self::vote, "", range(0, 1000), "fixed vote of what this node sends up"),
-        param("vote_scale", &Self::vote_scale, "", range(0, 1000),
+        param("vote", &Voting::vote, range(0, 1000), "fixed vote of what this node sends up"),
+        param("vote_scale", &Voting::vote_scale, range(0, 1000),
               "factor on the vote of what this node sends up")};
+  }
+  /// The parameters of a node that has others besides.
+  template <class... Own>
+  [[nodiscard]] static constexpr auto with_vote(const Own&... own) {
+    return std::tuple_cat(std::tuple{own...}, Voting::params());
   }
 
  protected:
@@ -171,6 +174,59 @@ class Voting : public Composite<State, Action> {
       out.vote *= vote_scale;
     else if (!out.is_empty())
       out.vote = *vote;
+  }
+  /// Sends up what `child` proposed and answered.
+  Status hand_on(const Tick<State>& t, const AnyNode& child, Proposal<Action>& out,
+                 Status answer) const {
+    this->took(t, child);
+    rescale(out);
+    return answer;
+  }
+};
+
+/// The base of arbiters, which ask every child in every tick.
+template <class State, class Action>
+class Arbiter : public Voting<State, Action> {
+ public:
+  static constexpr Kind kind = Kind::arbiter;
+  using Voting<State, Action>::Voting;
+
+  [[nodiscard]] bool stands() const noexcept override { return true; }
+};
+
+/// The base of control nodes, which decide by the statuses of their children whom they ask.
+template <class State, class Action>
+class Control : public Voting<State, Action> {
+ public:
+  static constexpr Kind kind = Kind::control;
+  static constexpr std::size_t kMostInABitSet = 64;  ///< children of a node that notes them in bits
+  using Voting<State, Action>::Voting;
+
+ protected:
+  [[nodiscard]] std::string too_many(std::string_view name) const {
+    return fmt::format("{} takes at most {} children, here are {}", name, kMostInABitSet,
+                       this->children_.size());
+  }
+};
+
+/// The base of nodes with exactly one child.
+template <class State, class Action>
+class Decorator : public Composite<State, Action> {
+ public:
+  static constexpr Kind kind = Kind::decorator;
+  static constexpr std::array<std::string_view, 1> slots{"child"};
+  using Composite<State, Action>::Composite;
+
+  [[nodiscard]] bool stands() const noexcept override { return this->any_child_stands(); }
+
+ protected:
+  [[nodiscard]] const AnyNode& child() const { return *this->children_.front(); }
+
+  /// Asks the child on behalf of this node.
+  Status ask_child(const Tick<State>& t, Proposal<Action>& out) const {
+    const Status answer = this->ask(child(), t, out);
+    this->took(t, child());
+    return answer;
   }
 };
 

@@ -165,29 +165,18 @@ class ActionExpression {
 
     Names() {
       texts.reserve(kFields<Action>);
-      for_each_field<Action>([&](const auto& f, auto) {
-        constexpr bool kNumber = std::remove_cvref_t<decltype(f)>::is_number;
+      for (const ActionFieldInfo& f : action_fields<Action>()) {
         texts.push_back("action." + std::string(f.name));
         infos.push_back({.name = texts.back(),
-                         .kind = kNumber ? FieldKind::number : FieldKind::flag,
+                         .kind = f.is_number ? FieldKind::number : FieldKind::flag,
                          .unit = f.unit,
                          .help = "of the proposal"});
-      });
+      }
     }
   };
   [[nodiscard]] static double read(const Action& action, std::size_t field) {
-    double value = number_of(action, field).value_or(kNoValue);
-    for_each_field<Action>([&](const auto& f, auto i) {
-      using Field = std::remove_cvref_t<decltype(f)>;
-      if (Field::is_number || i != field)
-        return;
-      const auto& member = action.*f.member;
-      if constexpr (std::is_same_v<typename Field::Value, bool>)
-        value = member.value_or(false);
-      else
-        value = member.has_value();
-    });
-    return value;
+    const ActionFieldInfo& f = action_fields<Action>()[field];
+    return f.get(&action).value_or(f.is_number ? kNoValue : 0);
   }
 
   std::vector<detail::Instruction> program_;

@@ -4,9 +4,15 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace eyrie::ubf {
+
+/// Pre-order position of a node in its tree.
+using NodeIndex = std::uint16_t;
+/// No node, no child.
+inline constexpr NodeIndex kNone = 0xffff;
 
 namespace detail {
 
@@ -38,6 +44,29 @@ concept NodeMemory =
 /// Bytes that a memory of that size takes in the slab.
 [[nodiscard]] constexpr std::size_t slab_bytes(std::size_t size) noexcept {
   return (size + 7) / 8 * 8;
+}
+
+/// One of a node's children, remembered: none when fresh.
+class ChildSlot {
+ public:
+  [[nodiscard]] constexpr NodeIndex get() const {
+    return number_ ? static_cast<NodeIndex>(number_ - 1) : kNone;
+  }
+  constexpr void set(std::size_t child) { number_ = static_cast<std::uint16_t>(child + 1); }
+  constexpr void clear() { number_ = 0; }
+  [[nodiscard]] constexpr explicit operator bool() const { return number_ != 0; }
+
+ private:
+  std::uint16_t number_ = 0;
+};
+
+/// s. A tick that comes this little too early is on time: simulated times are sums of steps and
+/// carry their rounding, so 0.7 - 0.2 is a bit less than 0.5.
+inline constexpr double kTimeSlack = 1e-6;
+
+/// Whether at `now` at least `duration` has passed since `since`; all in s.
+[[nodiscard]] constexpr bool passed(double now, double since, double duration) {
+  return now - since >= duration - kTimeSlack;
 }
 
 }  // namespace eyrie::ubf

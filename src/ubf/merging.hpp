@@ -163,11 +163,9 @@ template <class State, class Action, class IsHeard>
 
 /// The base of arbiters that mix the proposals of all children.
 template <class State, class Action>
-class Mixing : public Voting<State, Action> {
+class Mixing : public Arbiter<State, Action> {
  public:
-  using Voting<State, Action>::Voting;
-
-  [[nodiscard]] bool stands() const noexcept final { return true; }
+  using Arbiter<State, Action>::Arbiter;
 
  protected:
   /// Asks every child into `next`; `use(child, next)` those that neither fail nor abstain. If it

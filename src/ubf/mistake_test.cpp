@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ubf/registry.hpp"
-#include "ubf/appraiser.hpp"
+#include "ubf/behavior.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

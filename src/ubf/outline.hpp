@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a tree is made of, without the types of its states and actions.
-#include <algorithm>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ubf/agent.hpp"
-#include "ubf/leaf/holds.hpp"
-#include "ubf/tree.hpp"
+#include "ubf/node.hpp"
 
 namespace eyrie::ubf {
 
@@ -41,35 +38,10 @@ struct TreeOutline {
   }
 };
 
-template <class State, class Action>
-[[nodiscard]] std::string spoken(const Behavior<State, Action>& node) {
-  if (node.label() != node.type())
-    return std::string(node.label());
-  if (node.type() == Holds<State, Action>::type_name)
-    return static_cast<const Holds<State, Action>&>(node).that;
-  if (node.type() == "inverter" && node.children().size() == 1)
-    return "not " + spoken(*node.children()[0]);
-  return std::string(node.label());
-}
+/// What a node is in a sentence: a condition in its words, if it has no label.
+[[nodiscard]] std::string spoken(const AnyNode& node);
 
-template <class State, class Action>
-[[nodiscard]] TreeOutline outline(const Tree<State, Action>& tree) {
-  TreeOutline all{std::string(tree.name()), tree.memory_bytes(), {}};
-  for (std::size_t i = 0; i < tree.size(); ++i) {
-    const auto index = static_cast<NodeIndex>(i);
-    const auto& node = tree.node(index);
-    all.nodes.push_back({.label = std::string(node.label()),
-                         .spoken = spoken(node),
-                         .type = std::string(node.type()),
-                         .path = tree.path(index),
-                         .depth = static_cast<std::uint16_t>(tree.depth(index)),
-                         .parent = tree.parent(index),
-                         .is_leaf = node.children().empty(),
-                         .is_condition = node.node_kind() == Kind::condition,
-                         .is_sequencer = node.is_sequencer()});
-  }
-  return all;
-}
+[[nodiscard]] TreeOutline outline(const AnyTree& tree);
 
 template <class State, class Action>
 [[nodiscard]] std::vector<TreeOutline> outlines(const Trees<State, Action>& trees) {
@@ -80,12 +52,6 @@ template <class State, class Action>
 }
 
 /// The tree of that name, or nothing.
-[[nodiscard]] inline const TreeOutline* find(std::span<const TreeOutline> trees,
-                                             std::string_view name) {
-  for (const TreeOutline& tree : trees)
-    if (tree.name == name)
-      return &tree;
-  return nullptr;
-}
+[[nodiscard]] const TreeOutline* find(std::span<const TreeOutline> trees, std::string_view name);
 
 }  // namespace eyrie::ubf

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ubf/action_traits.hpp"
-#include "ubf/transition.hpp"
+#include "ubf/memory.hpp"
 
 namespace eyrie::ubf {
 
@@ -123,5 +123,25 @@ template <class Action>
 [[nodiscard]] bool fields_mean_something(const Proposal<Action>& proposal) {
   return proposal.leader != kNone || implausible_field(proposal.action) == kFields<Action>;
 }
+
+/// A proposal kept in the slab, to stand in for a child that fell silent.
+template <class Action>
+struct HeldProposal {
+  PackedAction<Action> action;
+  float vote = 0;
+  NodeIndex leader = 0;
+  std::uint16_t reserved = 0;
+
+  void keep(const Proposal<Action>& proposal) {
+    action.assign(proposal.action);
+    vote = proposal.vote;
+    leader = proposal.leader;
+  }
+  void get(Proposal<Action>& proposal) const {
+    action.unpack(proposal.action);
+    proposal.vote = vote;
+    proposal.leader = leader;
+  }
+};
 
 }  // namespace eyrie::ubf

@@ -1,19 +1,47 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Names in files -> nodes. Every type is registered once, in one line.
-#include <exception>
+#include <concepts>
 #include <map>
 #include <memory>
-#include <new>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "ubf/node_reader.hpp"
+#include "ubf/expression.hpp"
+#include "ubf/spec.hpp"
+#include "ubf/tree.hpp"
 
 namespace eyrie::ubf {
+
+/// What is registered, whatever states and actions it is for.
+class AnyRegistry {
+ public:
+  /// What was added so far comes with the library, for every kind of platform.
+  void mark_standard();
+  /// Every registered type, in the order of registration.
+  [[nodiscard]] std::span<const NodeInfo> catalog() const { return infos_; }
+  [[nodiscard]] const NodeInfo* find(std::string_view name) const;
+
+ protected:
+  explicit AnyRegistry(std::vector<StateFieldInfo> fields) : fields_(std::move(fields)) {}
+  void add(const NodeType& type, std::string origin);
+  [[nodiscard]] std::optional<AnyTree> build(const std::string& name, const Value& value,
+                                             Diagnostics& diagnostics,
+                                             std::span<const NamedSpec> others,
+                                             std::span<const NodeChange> changes) const;
+
+ private:
+  friend class NodeReader;
+
+  std::vector<StateFieldInfo> fields_;
+  std::vector<NodeInfo> infos_;
+  std::vector<const NodeType*> types_;  ///< of `infos_`
+  std::map<std::string, std::size_t, std::less<>> by_name_;
+};
 
 /// The node types of one kind of platform.
 ///
@@ -25,31 +53,17 @@ namespace eyrie::ubf {
 /// it derives from says what it is: a Condition, a Composite (`kind` then says whether it is an
 /// arbiter, a control node or a decorator), or else a behavior.
 template <class State, class Action>
-class Registry {
+class Registry : public AnyRegistry {
  public:
   using Node = Behavior<State, Action>;
   using TreeType = Tree<State, Action>;
-  using Reader = NodeReader<State, Action>;
+
+  Registry() : AnyRegistry(state_field_infos<State>()) {}
 
   /// Refuses (std::logic_error) a name that is taken.
   template <std::derived_from<Node> B>
   void add(std::string origin = "eyrie") {
-    EYRIE_THROW_UNLESS(B::type_name != kTreeReference && !find(B::type_name),
-                       "two types of node have the same name");
-    add({.name = std::string(B::type_name),
-         .kind = ubf::kind_of<B>(),
-         .help = std::string(B::help),
-         .parameters = parameters<B>(),
-         .child_keys = child_keys_of<B>(),
-         .text_key = text_key_of<B>(),
-         .origin = std::move(origin)},
-        [](const NodeSpec& spec, Reader& reader) { return reader.template make_node<B>(spec); });
-  }
-
-  /// What was added so far comes with the library, for every kind of platform.
-  void mark_standard() {
-    for (NodeInfo& info : infos_)
-      info.standard = true;
+    AnyRegistry::add(kNodeType<B>, std::move(origin));
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
@@ -58,97 +72,69 @@ class Registry {
                                                    Diagnostics& diagnostics,
                                                    std::span<const NamedSpec> others = {},
                                                    std::span<const NodeChange> changes = {}) const {
-    const std::size_t before = diagnostics.count();
-    Reader reader(*this, others, diagnostics, changes);
-    std::unique_ptr<Node> root = reader.read_tree(name, value);
-    if (diagnostics.count() != before)
+    std::optional<AnyTree> tree = build(name, value, diagnostics, others, changes);
+    if (!tree)
       return std::nullopt;
-    if (const std::size_t bytes = total_memory(*root); bytes > kMaxMemory) {
-      diagnostics.error(value.where, fmt::format("tree {} needs {} bytes of memory per agent, the "
-                                                 "most is {}",
-                                                 quote(name), bytes, kMaxMemory));
-      return std::nullopt;
-    }
-    try {
-      return TreeType(name, std::move(root));
-    } catch (const std::bad_alloc&) {  // nobody's mistake
-      throw;
-    } catch (const std::exception& e) {
-      diagnostics.error(value.where,
-                        fmt::format("tree {} could not be laid out: {}", quote(name), e.what()));
-      return std::nullopt;
-    }
+    return TreeType(std::move(*tree));
+  }
+};
+
+/// Reads one tree, for a registry. Nodes that understand something of their own get it passed:
+///   void read(const NodeSpec& spec, NodeReader& reader);
+class NodeReader {
+ public:
+  using Child = std::unique_ptr<AnyNode>;
+
+  NodeReader(const AnyRegistry& registry, std::span<const NamedSpec> trees,
+             Diagnostics& diagnostics, std::span<const NodeChange> changes = {})
+      : registry_(registry), trees_(trees), diagnostics_(diagnostics), changes_(changes) {}
+
+  /// The node and everything below it, or null after reporting at least one mistake.
+  [[nodiscard]] Child read(const Value& value);
+  [[nodiscard]] AnyNode::Children read_list(std::span<const Value> values);
+  /// Reads a named tree, which may not refer to itself.
+  [[nodiscard]] Child read_tree(const std::string& name, const Value& value,
+                                const std::vector<const Value::Entry*>& arguments = {},
+                                const Location& where = {});
+  /// The steps of a condition in words over the fields of the state, or over `fields`, by the names
+  /// that hold here; empty after reporting what is wrong with it.
+  [[nodiscard]] std::vector<detail::Instruction> expression(const Value& text);
+  [[nodiscard]] std::vector<detail::Instruction> expression(const Value& text,
+                                                            std::span<const StateFieldInfo> fields);
+  /// The index of the state's field that a value names here, or nothing after reporting.
+  [[nodiscard]] std::optional<std::size_t> field(const Value& name);
+  [[nodiscard]] const StateFieldInfo& info(std::size_t field) const {
+    return registry_.fields_[field];
   }
 
-  /// Every registered type, in the order of registration.
-  [[nodiscard]] std::span<const NodeInfo> catalog() const { return infos_; }
-  [[nodiscard]] const NodeInfo* find(std::string_view name) const {
-    const auto found = by_name_.find(name);
-    return found == by_name_.end() ? nullptr : &infos_[found->second];
-  }
-
-  /// For readers: the node that a spec describes, or null after reporting why there is none.
-  [[nodiscard]] std::unique_ptr<Node> make(const NodeSpec& spec, Reader& reader) const {
-    const auto found = by_name_.find(spec.type);
-    if (found != by_name_.end()) {
-      try {
-        return entries_[found->second](spec, reader);
-      } catch (const std::bad_alloc&) {  // nobody's mistake
-        throw;
-      } catch (const std::exception& e) {
-        reader.error(spec.where,
-                     fmt::format("node {} (of {}) could not be made: {}", quote(spec.type),
-                                 infos_[found->second].origin, e.what()));
-        return nullptr;
-      }
-    }
-    std::vector<std::string_view> names{kTreeReference};
-    for (const NodeInfo& info : infos_)
-      names.push_back(info.name);
-    reader.error(spec.where, fmt::format("there is no node {}{}", quote(spec.type),
-                                         did_you_mean(spec.type, names)));
-    return nullptr;
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+  void error(const Location& where, std::string message) {
+    diagnostics_.error(where, std::move(message));
   }
 
  private:
-  using Maker = std::unique_ptr<Node> (*)(const NodeSpec&, Reader&);
+  [[nodiscard]] bool within_limits(const Location& where);
+  [[nodiscard]] Child read_reference(const NodeSpec& spec);
+  [[nodiscard]] Child make_changed(NodeSpec spec);
+  [[nodiscard]] Child make(const NodeSpec& spec);
+  [[nodiscard]] Child make(const NodeType& type, const NodeSpec& spec);
+  [[nodiscard]] Child make_voting(const NodeType& type, const NodeSpec& spec, const Value& vote);
+  [[nodiscard]] Value with_pending(const NodeType& type, const Value& body);
+  bool bind(AnyNode& node, const Value& body, std::vector<std::string_view> also);
+  void read_leaf(AnyNode& node, const NodeSpec& spec);
+  void read_children(AnyNode& node, const NodeSpec& spec);
+  void read_slots(AnyNode& node, const NodeSpec& spec);
+  [[nodiscard]] bool refuse_nodes_as_keys(const NodeSpec& spec);
 
-  void add(NodeInfo info, Maker maker) {
-    by_name_.emplace(info.name, entries_.size());
-    infos_.push_back(std::move(info));
-    entries_.push_back(maker);
-  }
-
-  template <class B>
-  [[nodiscard]] static std::vector<std::string> child_keys_of() {
-    if constexpr (requires { B::child_keys; })
-      return {B::child_keys.begin(), B::child_keys.end()};
-    else if constexpr (requires { B::slots; })
-      return {B::slots.begin(), B::slots.end()};
-    else if constexpr (requires { B::takes_one_child; })
-      return {"children", "child"};
-    else if constexpr (std::derived_from<B, Composite<State, Action>>)
-      return {"children"};
-    else
-      return {};
-  }
-  template <class B>
-  [[nodiscard]] static std::string text_key_of() {
-    if constexpr (requires { B::text_key; })
-      return std::string(B::text_key);
-    else
-      return {};
-  }
-  [[nodiscard]] static std::size_t total_memory(const Node& node) {
-    std::size_t bytes = slab_bytes(node.memory_bytes());
-    for (const auto& child : node.children())
-      bytes += total_memory(*child);
-    return bytes;
-  }
-
-  std::vector<NodeInfo> infos_;
-  std::vector<Maker> entries_;
-  std::map<std::string, std::size_t, std::less<>> by_name_;
+  const AnyRegistry& registry_;
+  std::span<const NamedSpec> trees_;
+  Diagnostics& diagnostics_;
+  std::span<const NodeChange> changes_;
+  std::vector<const NodeChange*> pending_;  ///< for the node that is being made
+  FieldNames names_;
+  std::vector<std::string> open_;  ///< names of the trees being read, outermost first
+  std::size_t depth_ = 0, count_ = 0;
+  bool full_ = false;
 };
 
 }  // namespace eyrie::ubf

@@ -12,7 +12,7 @@ namespace eyrie::ubf::testing {
 namespace {
 
 /// The tree as an outline: "type" or "type:label", children in parentheses.
-std::string outline(const Node& node) {
+std::string outline(const AnyNode& node) {
   std::string text(node.type());
   if (node.label() != node.type())
     text += ":" + std::string(node.label());

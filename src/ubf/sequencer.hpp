@@ -1,18 +1,63 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+/// \file  One of several trees in charge, and how a file writes that.
+///
+///   sequencer:
+///     start: ingress
+///     trees:
+///       ingress: {winner_takes_all: [navigate, follow_lead]}
+///       bvr: {tree: bvr}
+///     transitions:                           # asked in this order, at most one per tick
+///       - {from: ingress, to: bvr, when: has_target}
+///       - {from: any, to: egress, when: {bingo: {fuel: 900 kg}}}
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "ubf/composite.hpp"
-#include "ubf/sequencer_spec.hpp"
+#include "ubf/registry.hpp"
 
 namespace eyrie::ubf {
 
+/// Trees and transitions with their names resolved to positions.
+struct SequencerSpec {
+  struct Transition {
+    std::uint16_t from, to;  ///< positions in `trees`; `from` is kNone for any
+    const Value* when;
+  };
+  std::vector<std::pair<std::string, const Value*>> trees;
+  std::vector<Transition> transitions;
+  std::uint16_t start = 0;
+};
+
+/// Which trees the transitions can enter, that have `from` and `to`.
+template <class Transitions>
+[[nodiscard]] std::vector<bool> entered(std::size_t trees, const Transitions& transitions,
+                                        std::uint16_t start) {
+  std::vector<bool> reached(trees);
+  std::vector<std::uint16_t> open{start};
+  while (!open.empty()) {
+    const std::uint16_t tree = open.back();
+    open.pop_back();
+    if (reached[tree])
+      continue;
+    reached[tree] = true;
+    for (const auto& transition : transitions)
+      if (transition.from == tree || transition.from == kNone)
+        open.push_back(transition.to);
+  }
+  return reached;
+}
+
+/// Reads everything but the nodes. Reports unknown, duplicate and missing names, a transition from
+/// a tree to itself, and a tree that can never be entered.
+[[nodiscard]] SequencerSpec read_sequencer(const NodeSpec& spec, Diagnostics& diagnostics);
+
 struct SequencerMemory {
-  std::uint16_t active = 0;  ///< 1 + the tree in charge, 0 before the first tick
+  ChildSlot child;  ///< the tree in charge, none before the first tick
 };
 
 /// A node over whole trees: the middle layer of a three-layer architecture (Gat, "On Three-Layer
@@ -22,8 +67,8 @@ struct SequencerMemory {
 /// and the new tree decides in the same tick. The tree that is left forgets, once, and so do the
 /// conditions that were asked while it was in charge. Entering (also the first tree) is logged.
 template <class State, class Action>
-class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory> {
-  using Base = WithMemory<Voting<State, Action>, SequencerMemory>;
+class Sequencer final : public WithMemory<Control<State, Action>, SequencerMemory> {
+  using Base = WithMemory<Control<State, Action>, SequencerMemory>;
 
  public:
   using Children = typename Base::Children;
@@ -31,11 +76,7 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
   static constexpr std::string_view type_name = "sequencer";
   static constexpr std::string_view help =
       "one of several trees is in charge; conditions hand control from one to another";
-  static constexpr Kind kind = Kind::control;
   static constexpr auto child_keys = kSequencerKeys;
-  [[nodiscard]] static constexpr auto params() {
-    return Voting<State, Action>::template vote_params<Sequencer>();
-  }
 
   /// The tree `from` (kNone: any other tree) hands over to `to` when its condition succeeds.
   struct Rule {
@@ -44,35 +85,28 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
 
   Sequencer() = default;
   /// In code: trees, labelled with their names; rules; one condition per rule; the first tree.
-  Sequencer(Children trees, std::vector<Rule> rules, Children conditions, std::uint16_t start = 0) {
-    set_up(std::move(trees), std::move(rules), std::move(conditions), start);
-  }
-  void set_up(Children trees, std::vector<Rule> rules, Children conditions, std::uint16_t start) {
-    tree_count_ = trees.size();
-    rules_ = std::move(rules);
-    start_ = start;
+  Sequencer(Children trees, std::vector<Rule> rules, Children conditions, std::uint16_t start = 0)
+      : tree_count_(trees.size()), rules_(std::move(rules)), start_(start) {
     for (auto& condition : conditions)
       trees.push_back(std::move(condition));
     this->adopt(std::move(trees));
   }
 
-  /// From a file: see ubf/sequencer_spec.hpp.
-  template <class Reader>
-  void read(const NodeSpec& spec, Reader& reader) {
-    const SequencerSpec read = read_sequencer(spec, reader.diagnostics());
-    Children trees, conditions;
-    std::vector<Rule> rules;
+  /// From a file.
+  void read(const NodeSpec& spec, NodeReader& reader) {
+    SequencerSpec read = read_sequencer(spec, reader.diagnostics());
+    tree_count_ = read.trees.size();
+    start_ = read.start;
     for (const auto& [name, value] : read.trees) {
       auto tree = reader.read(*value);
       if (tree)
         tree->set_label(name);
-      trees.push_back(std::move(tree));
+      this->children_.push_back(std::move(tree));
     }
     for (const SequencerSpec::Transition& transition : read.transitions) {
-      conditions.push_back(reader.read(*transition.when));
-      rules.push_back({transition.from, transition.to});
+      this->children_.push_back(reader.read(*transition.when));
+      rules_.push_back({transition.from, transition.to});
     }
-    set_up(std::move(trees), std::move(rules), std::move(conditions), read.start);
   }
 
   [[nodiscard]] std::size_t tree_count() const { return tree_count_; }
@@ -81,11 +115,6 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
 
   [[nodiscard]] bool stands() const noexcept override { return true; }
   [[nodiscard]] bool is_sequencer() const noexcept override { return true; }
-  /// The tree in charge; kNone before the first tick.
-  [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
-    const auto& m = this->memory(slab);
-    return m.active ? static_cast<NodeIndex>(m.active - 1) : kNone;
-  }
   [[nodiscard]] std::string problem() const override {
     const auto is_tree = [&](std::uint16_t tree) { return tree < tree_count_; };
     if (tree_count_ == 0 || !is_tree(start_))
@@ -103,10 +132,10 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    const bool first = m.active == 0;
+    const bool first = !m.child;
     if (first)
       enter(t, kNone, start_);
-    const auto before = static_cast<std::uint16_t>(m.active - 1);
+    const NodeIndex before = m.child.get();
     for (std::size_t i = 0; i < rules_.size(); ++i) {
       if (!applies(rules_[i], before) || this->ask(condition(i), t, out) != Status::success)
         continue;
@@ -114,15 +143,12 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
       enter(t, before, rules_[i].to);
       break;
     }
-    const auto& tree = *this->children_[m.active - 1u];
-    const Status answer = this->ask(tree, t, out);
-    this->took(t, tree);
-    this->rescale(out);
-    return answer;
+    const auto& tree = *this->children_[m.child.get()];
+    return this->hand_on(t, tree, out, this->ask(tree, t, out));
   }
 
  private:
-  [[nodiscard]] const typename Sequencer::Node& condition(std::size_t rule) const {
+  [[nodiscard]] const AnyNode& condition(std::size_t rule) const {
     return *this->children_[tree_count_ + rule];
   }
   [[nodiscard]] static bool applies(const Rule& rule, std::uint16_t tree) {
@@ -136,7 +162,7 @@ class Sequencer final : public WithMemory<Voting<State, Action>, SequencerMemory
         this->halt(condition(i), t);
   }
   void enter(const Tick<State>& t, std::uint16_t from, std::uint16_t to) const {
-    this->memory(t).active = static_cast<std::uint16_t>(to + 1);
+    this->memory(t).child.set(to);
     if (t.log)
       t.log->add({this->index(), from, to});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/sequencer_spec.hpp"
+#include "ubf/sequencer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/text.hpp"
 #include "ubf/expression.hpp"
@@ -18,6 +19,160 @@ void refuse(const Value& value, Diagnostics& diagnostics) {
                     fmt::format("expected a node, such as 'navigate' or {{navigate: {{...}}}}, "
                                 "got {}",
                                 value.shown()));
+}
+
+struct Argument {
+  const Value* value = nullptr;
+  bool used = false;
+};
+using Arguments = std::map<std::string, Argument, std::less<>>;
+
+std::vector<std::string> names_of(const Arguments& arguments) {
+  std::vector<std::string> names;
+  for (const auto& [name, argument] : arguments)
+    names.push_back(name);
+  return names;
+}
+
+/// The part of a tree that is a tree: all of it, if it has no parameters.
+const Value& root_of(const Value& tree) {
+  const Value* root = tree.find(kParametersKey) ? tree.find(kRootKey) : nullptr;
+  return root ? *root : tree;
+}
+
+bool is_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// Puts arguments in place of `$name`, everywhere below a value.
+class Filling {
+ public:
+  Filling(std::string_view tree, Arguments& arguments, Diagnostics& diagnostics)
+      : tree_(tree), arguments_(arguments), diagnostics_(diagnostics) {}
+
+  void fill(Value& value) {
+    if (value.is_scalar() && value.text.find('$') != value.text.npos)
+      fill_text(value);
+    for (Value& item : value.items)
+      fill(item);
+    for (Value::Entry& e : value.entries)
+      fill(e.value);
+  }
+
+ private:
+  void fill_text(Value& value) {
+    const std::string text = std::move(value.text);
+    value.text.clear();
+    for (std::size_t at = 0; at < text.size();) {
+      if (text[at] != '$') {
+        value.text += text[at++];
+        continue;
+      }
+      std::size_t end = at + 1;
+      while (end < text.size() && is_name(text[end]))
+        ++end;
+      const std::string_view name = std::string_view(text).substr(at + 1, end - at - 1);
+      const Value* argument = find(value.where, name);
+      if (argument && at == 0 && end == text.size()) {
+        put(*argument, value);
+        return;
+      }
+      if (argument && !argument->is_scalar())
+        diagnostics_.error(value.where, fmt::format("'${}' is {}: it cannot be a piece of a text",
+                                                    name, argument->shown()));
+      else if (argument)
+        value.text += argument->text;
+      at = end;
+    }
+  }
+  /// An argument that is used twice in a tree that is used twice ... must not fill the memory.
+  void put(const Value& argument, Value& value) {
+    copied_ += size(argument);
+    if (copied_ <= kMostCopied)
+      value = Value(argument);
+    else if (!full_)
+      diagnostics_.error(value.where, fmt::format("the arguments of tree {} make it larger than {} "
+                                                  "values",
+                                                  quote(tree_), kMostCopied));
+    full_ = copied_ > kMostCopied;
+  }
+  static std::size_t size(const Value& value) {
+    std::size_t n = 1;
+    for (const Value& item : value.items)
+      n += size(item);
+    for (const Value::Entry& e : value.entries)
+      n += size(e.value);
+    return n;
+  }
+  const Value* find(const Location& where, std::string_view name) {
+    const auto found = arguments_.find(name);
+    if (found == arguments_.end()) {
+      diagnostics_.error(where, fmt::format("tree {} has no parameter {}{}", quote(tree_),
+                                            quote(name), did_you_mean(name, names_of(arguments_))));
+      return nullptr;
+    }
+    found->second.used = true;
+    return found->second.value;
+  }
+
+  std::string_view tree_;
+  Arguments& arguments_;
+  Diagnostics& diagnostics_;
+  std::size_t copied_ = 0;
+  bool full_ = false;
+
+  static constexpr std::size_t kMostCopied = 100'000;
+};
+
+/// The parameters of a tree with their defaults; null for those without.
+Arguments declared(std::string_view name, const Value& tree, Diagnostics& diagnostics) {
+  Arguments arguments;
+  const Value* parameters = tree.find(kParametersKey);
+  if (!parameters)
+    return arguments;
+  for (const Value::Entry& e : tree.entries)
+    if (e.key != kParametersKey && e.key != kRootKey)
+      diagnostics.error(e.where, fmt::format("a tree with parameters has 'parameters' and 'root', "
+                                             "got {}",
+                                             quote(e.key)));
+  if (!tree.find(kRootKey))
+    diagnostics.error(tree.where, fmt::format("tree {} has parameters but no 'root'", quote(name)));
+  if (!parameters->is_map())
+    diagnostics.error(parameters->where, "parameters: expected a map from names to defaults, got " +
+                                             parameters->shown());
+  for (const Value::Entry& e : parameters->entries) {
+    if (e.key.empty() || !std::all_of(e.key.begin(), e.key.end(), is_name))
+      diagnostics.error(e.where, fmt::format("{} is no name of a parameter: use letters, digits "
+                                             "and '_'",
+                                             quote(e.key)));
+    else if (e.key == kFieldsKey)
+      diagnostics.error(e.where,
+                        "a parameter cannot be called 'fields': a reference renames "
+                        "state fields under that key");
+    else
+      arguments.emplace(e.key, Argument{e.value.is_null() ? nullptr : &e.value});
+  }
+  return arguments;
+}
+
+std::vector<FieldRename> read_renames(const Value& value, Diagnostics& diagnostics) {
+  std::vector<FieldRename> renames;
+  if (!value.is_map()) {
+    diagnostics.error(value.where,
+                      "fields: expected a map from the tree's names of state fields to the "
+                      "platform's, got " +
+                          value.shown());
+    return renames;
+  }
+  for (const Value::Entry& e : value.entries) {
+    if (!e.value.is_scalar())
+      diagnostics.error(e.value.where,
+                        fmt::format("fields: {}: expected the name of a state field, got {}",
+                                    quote(e.key), e.value.shown()));
+    else
+      renames.push_back({e.key, e.value.text});
+  }
+  return renames;
 }
 
 }  // namespace
@@ -54,16 +209,6 @@ std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics) 
   return NodeSpec{only.key, only.where, &only.value};
 }
 
-Value body_for_another_type(const Value& body) {
-  if (!body.is_map())
-    return body;
-  Value kept = Value::map({}, body.where);
-  for (const Value::Entry& e : body.entries)
-    if (e.key == kLabelKey || e.key == "children" || e.key == "vote" || e.key == "vote_scale")
-      kept.entries.push_back(e);
-  return kept;
-}
-
 std::optional<std::string> label_problem(std::string_view label) {
   if (label.empty())
     return "must not be empty";
@@ -91,14 +236,76 @@ std::string read_label(const Value& body, Diagnostics& diagnostics) {
   return label->text;
 }
 
-std::optional<std::string> cycle_through(std::span<const std::string> open, std::string_view name) {
-  const auto first = std::find(open.begin(), open.end(), name);
-  if (first == open.end())
+std::optional<Reference> read_reference(const Value& body, const Location& where,
+                                        Diagnostics& diagnostics) {
+  if (body.is_scalar())
+    return Reference{body.text, body.where, {}, {}, {}};
+  if (!body.is_map() || body.entries.size() != 1) {
+    diagnostics.error(where,
+                      "a reference names its tree, as in {tree: ingress}, or with arguments "
+                      "{tree: {ingress: {vote: 40}}}");
     return std::nullopt;
-  std::string text = fmt::format("tree {} refers to itself: ", quote(name));
-  for (auto tree = first; tree != open.end(); ++tree)
-    text += *tree + " -> ";
-  return text.append(name);
+  }
+  const Value::Entry& only = body.entries.front();
+  Reference reference{only.key, only.where, {}, {}, {}};
+  if (only.value.is_null())
+    return reference;
+  if (!only.value.is_map()) {
+    diagnostics.error(only.value.where,
+                      fmt::format("tree {}: expected its arguments as a map, got {}",
+                                  quote(only.key), only.value.shown()));
+    return std::nullopt;
+  }
+  const std::size_t before = diagnostics.count();
+  for (const Value::Entry& e : only.value.entries) {
+    if (e.key == kFieldsKey) {
+      reference.renames = read_renames(e.value, diagnostics);
+      reference.renames_where = e.where;
+    } else {
+      reference.arguments.push_back(&e);
+    }
+  }
+  if (diagnostics.count() != before)
+    return std::nullopt;
+  return reference;
+}
+
+bool needs_arguments(const Value& tree) {
+  const Value* parameters = tree.find(kParametersKey);
+  return parameters && std::any_of(parameters->entries.begin(), parameters->entries.end(),
+                                   [](const Value::Entry& e) { return e.value.is_null(); });
+}
+
+std::optional<Value> instantiate(std::string_view name, const Value& tree,
+                                 const std::vector<const Value::Entry*>& given,
+                                 const Location& where, Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.count();
+  Arguments arguments = declared(name, tree, diagnostics);
+  for (const Value::Entry* e : given) {
+    const auto parameter = arguments.find(e->key);
+    if (parameter == arguments.end())
+      diagnostics.error(e->where,
+                        fmt::format("tree {} has no parameter {}{}", quote(name), quote(e->key),
+                                    did_you_mean(e->key, names_of(arguments))));
+    else
+      parameter->second.value = &e->value;
+  }
+  for (const auto& [parameter, argument] : arguments)
+    if (!argument.value)
+      diagnostics.error(
+          where, fmt::format("tree {} needs the argument {}", quote(name), quote(parameter)));
+  if (diagnostics.count() != before)
+    return std::nullopt;
+  Value root = root_of(tree);
+  Filling(name, arguments, diagnostics).fill(root);
+  for (const auto& [parameter, argument] : arguments)
+    if (!argument.used && diagnostics.count() == before)
+      diagnostics.error(
+          tree.find(kParametersKey)->find_entry(parameter)->where,
+          fmt::format("tree {} never uses its parameter {}", quote(name), quote(parameter)));
+  if (diagnostics.count() != before)
+    return std::nullopt;
+  return root;
 }
 
 }  // namespace eyrie::ubf

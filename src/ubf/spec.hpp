@@ -9,18 +9,33 @@
 ///   inverter: has_target                        a decorator's child alone
 ///   timeout: {after: 5 s, child: pursue}
 ///   tree: ingress                               a copy of the tree of that name
-///   tree: {engage: {vote: 40}}                  with arguments (ubf/subtree.hpp)
+///   tree: {engage: {vote: 40}}                  with arguments
 ///   range < 10 nmi and not threatened           a condition in words (ubf/expression.hpp)
+///
+/// Named trees that others refer to may have parameters:
+///
+///   trees:
+///     engage:                                  a tree with parameters and their defaults
+///       parameters: {vote: 50, near: }         without a default it must be given
+///       root:
+///         guard: {when: range < $near, child: {pursue: {vote: $vote}}}
+///     pilot:
+///       winner_takes_all:
+///         - tree: {engage: {near: 10 nmi}}     a copy of it, with arguments
+///         - !tree home                         the same as {tree: home}
+///
+/// `$name` stands for the argument: any value, a node too, or a piece of a longer text.
+#include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/describe.hpp"
 #include "core/diagnostics.hpp"
-#include "core/param.hpp"
 #include "core/value.hpp"
-#include "ubf/behavior.hpp"
+#include "ubf/node.hpp"
+#include "ubf/state_fields.hpp"
 
 namespace eyrie::ubf {
 
@@ -32,6 +47,11 @@ inline constexpr std::string_view kTreeReference = "tree";
 inline constexpr std::string_view kTreeTag = "!tree";
 /// The type of a condition in words.
 inline constexpr std::string_view kHolds = "holds";
+inline constexpr std::string_view kParametersKey = "parameters", kRootKey = "root";
+/// The argument that is none: what names of state fields mean in the tree.
+inline constexpr std::string_view kFieldsKey = "fields";
+/// The keys of a sequencer (ubf/sequencer.hpp).
+inline constexpr std::array<std::string_view, 3> kSequencerKeys{"start", "trees", "transitions"};
 
 /// A tree that `{tree: name}` may refer to. The value must outlive the reading.
 struct NamedSpec {
@@ -54,9 +74,6 @@ struct NodeChange {
   Value value;
   Location where;  ///< of the key
 };
-
-/// What is left of a node's body for another type.
-[[nodiscard]] Value body_for_another_type(const Value& body);
 
 /// What the catalog says of a registered type.
 struct NodeInfo {
@@ -84,9 +101,27 @@ inline constexpr std::size_t kLongestLabel = 64;
 /// Reads the label from a node's body, or reports what is wrong with it. Empty if there is none.
 [[nodiscard]] std::string read_label(const Value& body, Diagnostics& diagnostics);
 
-/// "tree 'a' refers to itself: a -> b -> a", if `name` is being read already; `open` are the trees
-/// being read, outermost first.
-[[nodiscard]] std::optional<std::string> cycle_through(std::span<const std::string> open,
-                                                       std::string_view name);
+/// A reference as written: to which tree, and with what.
+struct Reference {
+  std::string name;
+  Location where;
+  std::vector<const Value::Entry*> arguments;
+  std::vector<FieldRename> renames;
+  Location renames_where;
+};
+
+/// Reads what stands behind `tree:`, or reports what is wrong with it.
+[[nodiscard]] std::optional<Reference> read_reference(const Value& body, const Location& where,
+                                                      Diagnostics& diagnostics);
+
+/// Whether a tree as written has a parameter without a default, so that it is nothing by itself.
+[[nodiscard]] bool needs_arguments(const Value& tree);
+
+/// A tree as written with its arguments put in, or nothing after reporting: an argument that the
+/// tree does not take, one that is missing, a parameter that it does not use, a `$name` that is no
+/// parameter.
+[[nodiscard]] std::optional<Value> instantiate(std::string_view name, const Value& tree,
+                                               const std::vector<const Value::Entry*>& arguments,
+                                               const Location& where, Diagnostics& diagnostics);
 
 }  // namespace eyrie::ubf

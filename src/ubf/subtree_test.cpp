@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  Trees with parameters, their references, and state fields under other names.
-#include "ubf/subtree.hpp"
+#include "ubf/spec.hpp"
 
 #include <gtest/gtest.h>
 

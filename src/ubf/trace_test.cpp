@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "ubf/testing.hpp"
-#include "ubf/trace_text.hpp"
 
 namespace eyrie::ubf::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/transition.hpp"
+#include "ubf/watch.hpp"
 
 #include <gtest/gtest.h>
 

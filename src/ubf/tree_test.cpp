@@ -171,7 +171,7 @@ TEST(Tree, RefusesWhatIsNoTree) {
   EXPECT_TRUE(
       refused([]() -> Child { return make<Wta>(probe(0), Child()); }, "a child is missing"));
   EXPECT_TRUE(refused([]() -> Child { return make<Inverter<State, Action>>(); },
-                      "a decorator has exactly one child"));
+                      "takes exactly 'child', but has 0 children"));
 }
 
 Child chain(std::size_t length) {

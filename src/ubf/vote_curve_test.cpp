@@ -5,7 +5,7 @@
 
 #include "core/math.hpp"
 #include "support/ubf/registry.hpp"
-#include "ubf/trace_text.hpp"
+#include "ubf/trace.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/testing.hpp"
-#include "ubf/simulated_time.hpp"
+#include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
 namespace {

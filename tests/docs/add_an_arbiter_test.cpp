@@ -11,15 +11,11 @@ namespace {
 
 /// Asks every child and hands on the proposal with the second highest vote, or the only one.
 template <class State, class Action>
-class RunnerUp final : public Voting<State, Action> {
+class RunnerUp final : public Arbiter<State, Action> {
  public:
   static constexpr std::string_view type_name = "runner_up";
   static constexpr std::string_view help = "the proposal with the second highest vote";
-  static constexpr Kind kind = Kind::arbiter;
-  static constexpr auto params() { return Voting<State, Action>::template vote_params<RunnerUp>(); }
-  using Voting<State, Action>::Voting;
-
-  bool stands() const noexcept override { return true; }
+  using Arbiter<State, Action>::Arbiter;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status best_status = Status::failure, status = Status::failure;
@@ -53,15 +49,14 @@ using testing::kRunning;
 using testing::kSuccess;
 using testing::State;
 
-testing::Child from_file(std::string_view text) {
+testing::RobotTree from_file(std::string_view text) {
   Registry<State, Action> registry;
   registry.add<testing::Probe>();
   registry.add<ubf::RunnerUp<State, Action>>();
   Diagnostics diagnostics;
-  NodeReader<State, Action> reader(registry, {}, diagnostics);
-  testing::Child root = reader.read(parse_yaml(text, "test.yaml", diagnostics));
-  EYRIE_DEMAND(root != nullptr, "the page's tree has a mistake");
-  return root;
+  auto tree = registry.build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics);
+  EYRIE_DEMAND(tree.has_value(), "the page's tree has a mistake");
+  return std::move(*tree);
 }
 
 TEST(RunnerUp, HandsOnTheSecondHighestVoteWhateverTheOrder) {

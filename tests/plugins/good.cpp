@@ -25,16 +25,11 @@ class HoldCourse final : public pilot::Behavior {
 };
 
 /// Asks everybody and takes the last answer.
-class LastWord final : public ubf::Voting<pilot::State, pilot::Action> {
-  using Base = ubf::Voting<pilot::State, pilot::Action>;
-
+class LastWord final : public ubf::Arbiter<pilot::State, pilot::Action> {
  public:
   static constexpr std::string_view type_name = "last_word", help = "the proposal of the last";
-  static constexpr ubf::Kind kind = ubf::Kind::arbiter;
-  static auto params() { return Base::vote_params<LastWord>(); }
-  using Base::Base;
+  using Arbiter::Arbiter;
 
-  bool stands() const noexcept override { return true; }
   pilot::Status tick(const pilot::Tick& t, pilot::Proposal& out) const override {
     pilot::Status status = pilot::Status::failure;
     pilot::Proposal next;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/angle.hpp"
+#include "core/describe.hpp"
 #include "core/hash.hpp"
-#include "core/parameter_bits.hpp"
 #include "model/weapon/engagement.hpp"
 
 namespace eyrie::model::weapon {

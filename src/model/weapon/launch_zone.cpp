@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/angle.hpp"
+#include "core/describe.hpp"
 #include "core/math.hpp"
-#include "core/parameter_bits.hpp"
 #include "model/signature.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/missile.hpp"

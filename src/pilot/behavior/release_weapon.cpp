@@ -6,7 +6,7 @@
 #include "model/weapon/stores.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
-#include "ubf/simulated_time.hpp"
+#include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
 

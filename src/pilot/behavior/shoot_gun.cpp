@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pilot/gunnery.hpp"
-#include "ubf/simulated_time.hpp"
+#include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
 

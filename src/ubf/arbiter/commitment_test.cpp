@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/arbiter/commitment.hpp"
+#include "ubf/arbiter/winner_takes_all.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

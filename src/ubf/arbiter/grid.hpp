@@ -1,226 +1,325 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Candidate commands: `{heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg}}`.
-#include <fmt/format.h>
-
+/// \file  Commands that several behaviors make together: the best of a grid, or a sum of vectors.
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
 
 #include "core/angle.hpp"
-#include "core/bind.hpp"
-#include "core/check_values.hpp"
 #include "core/math.hpp"
-#include "ubf/action_traits.hpp"
+#include "ubf/arbiter/field_values.hpp"
+#include "ubf/merging.hpp"
 
 namespace eyrie::ubf {
 
-namespace detail {
-
-/// The axis of field number I, as a file writes it.
-template <class Action, std::size_t I>
-struct FieldAxis {
-  static constexpr std::string_view type_name = "axis";
-  [[nodiscard]] static constexpr auto params() {
-    constexpr Unit kUnit = std::get<I>(ActionTraits<Action>::fields).unit;
-    return std::tuple{
-        param("from", &FieldAxis::from, kUnit, range(-1e9, 1e9), "the first candidate").required(),
-        param("to", &FieldAxis::to, kUnit, range(-1e9, 1e9),
-              "the last one; of a whole circle the first again")
-            .required(),
-        param("steps", &FieldAxis::steps, range(2, 360), "how many candidates").required(),
-        param("reach", &FieldAxis::reach, kUnit, positive(1e9),
-              "what a child asks for is worth 1, and so far from it -1")
-            .required(),
-        param("spread", &FieldAxis::spread, kUnit, range(0, 1e9),
-              "standard deviation of what comes of a command (for utility)")};
-  }
-  double from = 0, to = 0, reach = 1, spread = 0;
-  std::uint32_t steps = 2;
-};
-
-}  // namespace detail
-
-/// A grid over one to three fields of an action that are numbers; its points are the candidates.
-template <class Action>
-class Grid {
+/// What vote_grid and utility share: every child's opinion of every candidate, added up, and the
+/// candidate of which the sum is the greatest, the first of equals.
+template <class State, class Action>
+class OverGrid : public Mixing<State, Action> {
  public:
-  static constexpr std::size_t kMostAxes = 3, kMostCandidates = 1024, kMostSteps = 360;
+  using Mixing<State, Action>::Mixing;
 
-  struct Axis {
-    std::size_t field = 0;  ///< of the action
-    double from = 0, to = 0, step = 0, reach = 1;
-    double deviation = 0;  ///< of what comes of a command
-    std::size_t steps = 0;
-    bool is_direction = false, is_circle = false;
-    /// The probability that the outcome lies k steps off the command, k = 0, 1 ...; the same to
-    /// both sides. Only {1} without a spread.
-    std::vector<double> spread{1};
+  Grid<Action> grid;
 
-    [[nodiscard]] double at(std::size_t i) const {
-      const double x = from + static_cast<double>(i) * step;
-      return is_direction ? wrap_tau(x) : x;
-    }
-    /// 1 at what is asked for, falling to -1 at `reach` and beyond.
-    [[nodiscard]] double worth(double candidate, double asked) const {
-      const double away =
-          is_direction ? std::fabs(wrap_pi(candidate - asked)) : std::fabs(candidate - asked);
-      return 1 - 2 * std::fmin(1, away / reach);
-    }
+ protected:
+  using Sums = std::array<double, Grid<Action>::kMostCandidates>;
+
+  struct Opinion {
+    StrongestChild strongest;
+    bool any = false;     ///< somebody has an opinion of the grid
+    double rounding = 0;  ///< sums that are no farther apart are equal
   };
 
-  [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
-  [[nodiscard]] std::size_t size() const {
-    std::size_t n = axes_.empty() ? 0 : 1;
-    for (const Axis& axis : axes_)
-      n *= axis.steps;
-    return n;
+  /// Asks the children and adds up `weight * worth` of each candidate in `sums`. Fields that are
+  /// not on the grid are left in `out` as per_field would.
+  Opinion add_up(const Tick<State>& t, Proposal<Action>& out, Sums& sums) const {
+    std::fill_n(sums.begin(), grid.size(), 0.0);
+    Opinion all;
+    FieldMerge<Action> merge;
+    Scratch<Action> scratch;
+    all.strongest =
+        this->ask_voters(t, scratch.get(), [&](const auto& child, Proposal<Action>& next) {
+          const auto weight = static_cast<double>(next.vote);
+          double farthest = 1;  // from no opinion
+          if (const auto* appraiser = this->typed(child).appraiser()) {
+            farthest = appraise(*appraiser, t, weight, sums);
+            if (farthest - farthest != 0) [[unlikely]]  // not finite
+              return refuse_worth(child, t, next);
+            all.any = true;
+          } else {
+            all.any |= near_what_is_asked(next.action, weight, sums);
+          }
+          all.rounding += kRounding * weight * farthest;
+          merge.add(next, out.action);
+          return true;
+        });
+    return all;
   }
-  [[nodiscard]] bool has(std::size_t field) const {
-    for (const Axis& axis : axes_)
-      if (axis.field == field)
-        return true;
-    return false;
+  /// Makes the proposal: the best candidate, if there is an opinion.
+  Status propose(const Tick<State>& t, Proposal<Action>& out, const Opinion& all,
+                 const Sums& sums) const {
+    if (all.any)
+      grid.set(best_of(sums, all.rounding), out.action);
+    out.vote = all.strongest.vote;
+    // a choice of all is nobody's but this node's
+    out.leader = all.any ? kNone : all.strongest.leader;
+    this->rescale(out);
+    if (t.trace) [[unlikely]]
+      trace_others(*t.trace, *this, [&](std::size_t field) { return all.any && grid.has(field); });
+    return all.strongest.status;
   }
-
-  /// Adds an axis; says in words what is wrong with it, or nothing.
-  std::string add(std::string_view name, double from, double to, std::size_t steps, double reach,
-                  double spread = 0) {
-    std::string problem = fmt::format("an action has no field {}{}", quote(name),
-                                      did_you_mean(name, field_names<Action>()));
-    for_each_field<Action>([&](const auto& f, auto i) {
-      if (f.name != name)
-        return;
-      const detail::FieldAxis<Action, i> said{from, to, reach, spread,
-                                              static_cast<std::uint32_t>(steps)};
-      std::vector<std::string> wrong;
-      check_values(said, fmt::format("{}.", name), wrong);
-      problem = wrong.empty() ? add_field<std::remove_cvref_t<decltype(f)>>(
-                                    name, i, {from, to, reach, spread, said.steps})
-                              : wrong.front();
-    });
-    return problem;
-  }
-  /// Reads one axis and adds it.
-  void read(const Value::Entry& entry, Diagnostics& diagnostics) {
-    const std::size_t before = diagnostics.count();
-    detail::FieldAxis<Action, 0> said;
-    for_each_field<Action>([&](const auto& f, auto i) {
-      if (f.name != entry.key)
-        return;
-      detail::FieldAxis<Action, i> axis;
-      bind(axis, entry.value, diagnostics);
-      said.from = axis.from, said.to = axis.to, said.steps = axis.steps;
-      said.reach = axis.reach, said.spread = axis.spread;
-    });
-    if (diagnostics.count() != before)
-      return;
-    const std::string problem =
-        add(entry.key, said.from, said.to, said.steps, said.reach, said.spread);
-    if (!problem.empty())
-      diagnostics.error(entry.where, problem);
-  }
-
-  /// Sets the fields of the grid to those of a candidate.
-  void set(std::size_t candidate, Action& action) const {
-    for (const Axis& axis : axes_) {
-      set_number(action, axis.field, axis.at(candidate % axis.steps));
-      candidate /= axis.steps;
-    }
+  [[nodiscard]] std::string grid_problem() const {
+    return grid.size() ? Arbiter<State, Action>::problem() : "a grid needs at least one field";
   }
 
  private:
-  template <class Field>
-  std::string add_field(std::string_view name, std::size_t field,
-                        const detail::FieldAxis<Action, 0>& said) {
-    constexpr bool kDirection = Field::is_direction;
-    if (!Field::is_real)
-      return fmt::format("{} is not a number and has no candidates", quote(name));
-    if (has(field))
-      return fmt::format("there are two axes {}", quote(name));
-    if (axes_.size() == kMostAxes)
-      return fmt::format("a grid has at most {} axes", kMostAxes);
-    if (!(said.to > said.from))
-      return fmt::format("{}: 'to' must be greater than 'from'", quote(name));
-    Axis axis{.field = field,
-              .from = said.from,
-              .to = said.to,
-              .reach = said.reach,
-              .deviation = said.spread,
-              .steps = said.steps};
-    axis.is_direction = kDirection;
-    const double width = said.to - said.from;
-    if (kDirection && width > kTau * (1 + 1e-9))
-      return fmt::format("{}: more than a whole circle", quote(name));
-    axis.is_circle = kDirection && width > kTau * (1 - 1e-9);
-    axis.step = width / static_cast<double>(axis.is_circle ? said.steps : said.steps - 1);
-    set_spread(axis);
-    axes_.push_back(std::move(axis));
-    if (size() <= kMostCandidates)
-      return {};
-    const std::size_t candidates = size();
-    axes_.pop_back();
-    return fmt::format("the grid has {} candidates, the most is {}", candidates, kMostCandidates);
-  }
-  static void set_spread(Axis& axis) {
-    if (!(axis.deviation > 0))
-      return;
-    const double in_steps = axis.deviation / axis.step;
-    const auto farthest = static_cast<std::size_t>(
-        std::fmin(std::ceil(3 * in_steps), static_cast<double>((axis.steps - 1) / 2)));
-    double total = 1;
-    for (std::size_t k = 1; k <= farthest; ++k) {
-      const double x = static_cast<double>(k) / in_steps;
-      axis.spread.push_back(math::exp(-0.5 * x * x));
-      total += 2 * axis.spread.back();
-    }
-    for (double& p : axis.spread)
-      p /= total;
-  }
+  /// Between two voices of the same weight all candidates have the same sum, but for the last bits
+  /// of it; these must not choose.
+  static constexpr double kRounding = 1e-12;
 
-  std::vector<Axis> axes_;
+  [[nodiscard]] std::size_t best_of(const Sums& sums, double rounding) const {
+    const auto end = sums.begin() + static_cast<std::ptrdiff_t>(grid.size());
+    const double enough = *std::max_element(sums.begin(), end) - rounding;
+    const auto best = std::find_if(sums.begin(), end, [&](double sum) { return sum >= enough; });
+    return static_cast<std::size_t>(best - sums.begin());
+  }
+  /// Returns the greatest worth, or the smallest if that is farther from 0, without its sign. If
+  /// one of them is not finite, that is returned and nothing is added.
+  double appraise(const Appraiser<State, Action>& appraiser, const Tick<State>& t, double weight,
+                  Sums& sums) const {
+    Scratch<Action> candidate;
+    Sums worths;
+    double farthest = 0;
+    Action& action = candidate.get().action;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      grid.set(i, action);
+      worths[i] = appraiser.appraise(t, action);
+      if (worths[i] - worths[i] != 0) [[unlikely]]
+        return worths[i];
+      farthest = std::fmax(farthest, std::fabs(worths[i]));
+    }
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      sums[i] += weight * worths[i];
+    return farthest;
+  }
+  [[gnu::cold, gnu::noinline]] bool refuse_worth(const AnyNode& child, const Tick<State>& t,
+                                                 Proposal<Action>& next) const {
+    if (t.mistake && t.mistake->node == kNone)
+      *t.mistake = {child.index(), "appraises a candidate with what is no finite number"};
+    next.clear();
+    if (t.trace) {
+      t.trace->because(child.index(), "what it says of a candidate is no finite number");
+      Trace<Action>::of(*t.trace).record(child.index(), Status::failure, next);
+    }
+    return false;
+  }
+  /// A plain proposal votes for what is near it, in the mean over the fields that it sets.
+  bool near_what_is_asked(const Action& action, double weight, Sums& sums) const {
+    constexpr ActionFields fields = action_fields<Action>();
+    std::size_t asked = 0;
+    for (const auto& axis : grid.axes())
+      asked += fields[axis.field].get(&action).has_value();
+    if (asked == 0)
+      return false;
+    std::size_t stride = 1;
+    for (const auto& axis : grid.axes()) {
+      if (const auto wanted = fields[axis.field].get(&action)) {
+        std::array<double, Grid<Action>::kMostSteps> worth;
+        for (std::size_t k = 0; k < axis.steps; ++k)
+          worth[k] = weight * axis.worth(axis.at(k), *wanted) / static_cast<double>(asked);
+        for (std::size_t i = 0; i < grid.size(); ++i)
+          sums[i] += worth[i / stride % axis.steps];
+      }
+      stride *= axis.steps;
+    }
+    return true;
+  }
 };
 
-/// Says in references what it is.
-template <class Action>
-void describe_value(ParamInfo& info, const Grid<Action>&) {
-  info.type_name = "candidates by field";
-}
-/// Reads a map from fields to axes (core/bind.hpp).
-template <class Action>
-void bind_value(Grid<Action>& out, const Value& value, Diagnostics& diagnostics,
-                const ParamInfo& info) {
-  if (!value.is_map()) {
-    diagnostics.error(value.where, fmt::format("{}: expected a map from fields to candidates, got "
-                                               "{}",
-                                               info.name, value.shown()));
-    return;
+/// Behaviors vote over a grid of candidate commands: a vote of +1 for and -1 against, weighted with
+/// the vote of the proposal; the candidate with the greatest sum goes up. A behavior that proposes
+/// one command votes +1 for it, and less the farther a candidate is away, down to -1 at `reach`;
+/// an Appraiser votes on each candidate as it likes. Fields that are not on the grid come from the
+/// highest vote that set them. Vote and status are those of the strongest child. Rosenblatt, "DAMN:
+/// A Distributed Architecture for Mobile Navigation" (1997).
+///   vote_grid: {grid: {heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg}}, children:
+///   [...]}
+template <class State, class Action>
+class VoteGrid final : public OverGrid<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "vote_grid";
+  static constexpr std::string_view help =
+      "the candidate of a grid that gets most of the children's votes";
+  [[nodiscard]] static constexpr auto params() {
+    return VoteGrid::with_vote(
+        param("grid", &VoteGrid::grid, "the candidates: a map from fields to axes").required());
   }
-  for (const Value::Entry& entry : value.entries)
-    out.read(entry, diagnostics);
-}
+  using OverGrid<State, Action>::OverGrid;
 
-/// Says the axes in their order (core/check_values.hpp): "grid.heading.from".
-template <class Action>
-void list_parts(const Grid<Action>& grid, const std::string& name,
-                std::vector<ParamValue>& values) {
-  for (const auto& axis : grid.axes()) {
-    const auto put = [&](std::string_view part, double value) {
-      values.push_back(
-          {fmt::format("{}.{}.{}", name, field_names<Action>()[axis.field], part), value});
-    };
-    put("from", axis.from);
-    put("to", axis.to);
-    put("steps", static_cast<double>(axis.steps));
-    put("reach", axis.reach);
-    if (axis.deviation > 0)
-      put("spread", axis.deviation);
+  [[nodiscard]] std::string problem() const override {
+    for (const auto& axis : this->grid.axes())
+      if (axis.spread.size() > 1)
+        return "'spread' is for utility: votes are for commands, not for what comes of them";
+    return this->grid_problem();
   }
-}
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    typename VoteGrid::Sums sums;
+    const auto opinion = this->add_up(t, out, sums);
+    return this->propose(t, out, opinion, sums);
+  }
+};
+
+/// Behaviors state the utility of outcomes, and the command with the highest expectation goes up.
+/// Outcomes are the points of a grid; what comes of a command is distributed around it as each
+/// axis' `spread` says (normal, within the grid; on a circle around it). The utility of an outcome
+/// is the sum over the children, weighted with their votes: an Appraiser states it, for a behavior
+/// that proposes one command it is 1 there and falls to -1 at `reach`. Other fields, vote and
+/// status as in vote_grid. Rosenblatt, "Optimal Selection of Uncertain Actions by Maximizing
+/// Expected Utility" (Autonomous Robots, 2000).
+///   utility: {grid: {altitude: {from: 5000 ft, to: 35000 ft, steps: 7, reach: 1 km, spread: 500
+///   ft}}, ...}
+template <class State, class Action>
+class Utility final : public OverGrid<State, Action> {
+  using Base = OverGrid<State, Action>;
+
+ public:
+  static constexpr std::string_view type_name = "utility";
+  static constexpr std::string_view help = "the command with the highest expected utility";
+  [[nodiscard]] static constexpr auto params() {
+    return Utility::with_vote(
+        param("grid", &Utility::grid, "the outcomes: a map from fields to axes").required());
+  }
+  using Base::Base;
+
+  [[nodiscard]] std::string problem() const override { return this->grid_problem(); }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    typename Base::Sums utility, expected;
+    const auto opinion = this->add_up(t, out, utility);
+    if (opinion.any)
+      expect(utility, expected);
+    return this->propose(t, out, opinion, utility);
+  }
+
+ private:
+  /// Turns utilities of outcomes into expectations of commands, axis by axis. Outcomes beyond an
+  /// end of an axis fall on its end.
+  void expect(typename Base::Sums& utility, typename Base::Sums& scratch) const {
+    std::size_t stride = 1;
+    for (const auto& axis : this->grid.axes()) {
+      const auto reach = static_cast<std::ptrdiff_t>(axis.spread.size()) - 1;
+      if (reach > 0) {
+        const auto steps = static_cast<std::ptrdiff_t>(axis.steps);
+        for (std::size_t i = 0; i < this->grid.size(); ++i) {
+          const auto at = static_cast<std::ptrdiff_t>(i / stride % axis.steps);
+          double sum = 0;
+          for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+            const std::ptrdiff_t to = axis.is_circle
+                                          ? (at + k + steps) % steps
+                                          : std::clamp(at + k, std::ptrdiff_t{0}, steps - 1);
+            sum += axis.spread[static_cast<std::size_t>(k < 0 ? -k : k)] *
+                   utility[i + static_cast<std::size_t>(to - at) * stride];
+          }
+          scratch[i] = sum;
+        }
+        std::copy_n(scratch.begin(), this->grid.size(), utility.begin());
+      }
+      stride *= axis.steps;
+    }
+  }
+};
+
+/// Adds up the proposals of all children as vectors: a direction and a magnitude, which are two
+/// fields of the action (heading and speed). The gain of a child is its vote / `unit_vote`. The sum
+/// is never longer than the longest vector that was asked for; vectors that cancel leave a
+/// magnitude of 0 and no direction. A proposal with only one of the two fields adds no vector. The
+/// other fields come from the highest vote that set them, as in per_field. Failing and abstaining
+/// children are ignored; if that leaves none, it fails. Vote and status are those of the strongest
+/// child. Arkin, "Motor Schema-Based Mobile Robot Navigation" (IJRR 1989).
+///   motor_schema: {direction: heading, magnitude: speed, unit_vote: 40, children: [pursue,
+///   follow_lead]}
+template <class State, class Action>
+class MotorSchema final : public Mixing<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "motor_schema";
+  static constexpr std::string_view help =
+      "the sum of all proposals as vectors, each as long as its vote says";
+  [[nodiscard]] static constexpr auto params() {
+    return MotorSchema::with_vote(
+        param("direction", &MotorSchema::direction, "the field that is the vector's direction")
+            .required(),
+        param("magnitude", &MotorSchema::magnitude, "the field that is the vector's length")
+            .required(),
+        param("unit_vote", &MotorSchema::unit_vote, positive(1000), "a vote of this is a gain of 1")
+            .required());
+  }
+  using Mixing<State, Action>::Mixing;
+
+  FieldChoice<Action, blend::Angle> direction;
+  FieldChoice<Action, blend::Mean> magnitude;
+  double unit_vote = 1;
+
+  [[nodiscard]] std::string problem() const override {
+    return direction.index() && magnitude.index()
+               ? Arbiter<State, Action>::problem()
+               : "motor_schema needs a 'direction' and a 'magnitude'";
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    FieldMerge<Action> merge;
+    Sum sum;
+    Scratch<Action> scratch;
+    const StrongestChild strongest =
+        this->ask_voters(t, scratch.get(), [&](const auto&, const Proposal<Action>& next) {
+          const auto angle = direction.get(&next.action), length = magnitude.get(&next.action);
+          if (angle && length)
+            sum.add(*angle, *length, static_cast<double>(next.vote) / unit_vote);
+          merge.add(next, out.action);
+        });
+    direction.set(sum.direction(), &out.action);
+    magnitude.set(sum.magnitude(), &out.action);
+    out.vote = strongest.vote;
+    out.leader = sum.empty() ? strongest.leader : kNone;  // a sum is nobody's but this node's
+    this->rescale(out);
+    if (t.trace) [[unlikely]]
+      trace_others(*t.trace, *this, [&](std::size_t field) {
+        return field == direction.index() || field == magnitude.index();
+      });
+    return strongest.status;
+  }
+
+ private:
+  /// A sum of vectors; east and north as for a heading.
+  class Sum {
+   public:
+    void add(double angle, double length, double gain) {
+      const auto [sin, cos] = math::sin_cos(angle);
+      east_ += gain * length * sin;
+      north_ += gain * length * cos;
+      total_ += gain * std::fabs(length);
+      longest_ = std::max(longest_, std::fabs(length));
+      empty_ = false;
+    }
+    [[nodiscard]] bool empty() const { return empty_; }
+    [[nodiscard]] std::optional<double> direction() const {
+      if (empty_ || cancels())
+        return std::nullopt;
+      return wrap_tau(math::atan2(east_, north_));
+    }
+    [[nodiscard]] std::optional<double> magnitude() const {
+      if (empty_)
+        return std::nullopt;
+      return cancels() ? 0 : std::min(longest_, std::sqrt(east_ * east_ + north_ * north_));
+    }
+
+   private:
+    [[nodiscard]] bool cancels() const {
+      return east_ * east_ + north_ * north_ <= 1e-18 * total_ * total_;
+    }
+    double east_ = 0, north_ = 0, total_ = 0, longest_ = 0;
+    bool empty_ = true;
+  };
+};
 
 }  // namespace eyrie::ubf

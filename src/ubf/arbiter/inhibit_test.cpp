@@ -60,8 +60,9 @@ TEST(Inhibit, FailsIfTheLowerLayerAbstains) {
 }
 
 TEST(Inhibit, HasTwoLayers) {
-  EXPECT_EQ(make<Block>(probes(3))->problem(), "inhibit has two layers");
-  EXPECT_EQ(make<Block>(probes(2))->problem(), "");
+  EXPECT_EQ(make<Block>(probes(3))->problems(),
+            std::vector<std::string>{"takes exactly 'by', 'child', but has 3 children"});
+  EXPECT_EQ(make<Block>(probes(2))->problems(), std::vector<std::string>{});
 }
 
 RC_GTEST_PROP(InhibitLaw, IsTheLowerLayerOrNothing, ()) {

@@ -1,11 +1,87 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A layer over another one: Brooks' suppression and inhibition.
-#include "ubf/arbiter/held_proposal.hpp"
+/// \file  Rank instead of votes: the first that is heard, and Brooks' suppression and inhibition.
+#include <vector>
+
 #include "ubf/composite.hpp"
-#include "ubf/simulated_time.hpp"
 
 namespace eyrie::ubf {
+
+/// The base of priority and suppress: asks every child, and the first one that is heard leads.
+template <class State, class Action, NodeMemory Memory>
+class Ranked : public WithMemory<Arbiter<State, Action>, Memory> {
+ public:
+  using WithMemory<Arbiter<State, Action>, Memory>::WithMemory;
+
+ protected:
+  struct Choice {
+    NodeIndex child = kNone;
+    Status status = Status::failure;
+  };
+  /// Leaves in `out` what the first child proposes that neither fails nor abstains, or else `held`
+  /// if that one is heard.
+  Choice first_heard(const Tick<State>& t, Proposal<Action>& out, NodeIndex held = kNone) const {
+    Choice chosen;
+    Scratch<Action> other;
+    BestSoFar<Action> best(out, other);
+    for (std::size_t i = 0; i < this->children_.size(); ++i) {
+      const Status answer = this->ask(*this->children_[i], t, best.next());
+      if (answer == Status::failure || best.next().vote == 0 ||
+          (chosen.child != kNone && i != held))
+        continue;
+      chosen = {static_cast<NodeIndex>(i), answer};
+      best.keep();
+    }
+    best.hand_on();
+    return chosen;
+  }
+};
+
+struct PriorityMemory {
+  ChildSlot child;  ///< the one that may not be interrupted
+};
+
+/// Asks every child and hands on the proposal of the first one that is heard, however it votes: the
+/// order in the file is the order of rank. A child that is not interruptible, once it is chosen and
+/// running, keeps control over those before it until it succeeds, fails or abstains. Failing and
+/// abstaining children are ignored; if that leaves none, it fails. Vote and status are those of the
+/// chosen child. A selector differs in that it does not ask those behind the chosen child, and in
+/// that it hears who does not vote.
+///   priority: {interruptible: [true, false, true], children: [avoid_ground, release_weapon,
+///   pursue]}
+template <class State, class Action>
+class Priority final : public Ranked<State, Action, PriorityMemory> {
+ public:
+  static constexpr std::string_view type_name = "priority";
+  static constexpr std::string_view help = "the proposal of the first child that makes one";
+  [[nodiscard]] static constexpr auto params() {
+    return Priority::with_vote(
+        param("interruptible", &Priority::interruptible,
+              "one per child: may those before it take over while it runs? none: all"));
+  }
+  using Ranked<State, Action, PriorityMemory>::Ranked;
+
+  std::vector<bool> interruptible;
+
+  [[nodiscard]] std::string problem() const override {
+    const std::size_t count = this->children_.size();
+    if (!interruptible.empty() && interruptible.size() != count)
+      return fmt::format("'interruptible' has {} items for {} children", interruptible.size(),
+                         count);
+    return Arbiter<State, Action>::problem();
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    ChildSlot& held = this->memory(t).child;
+    const auto [child, status] = this->first_heard(t, out, held.get());
+    held.clear();
+    if (child == kNone)
+      return Status::failure;
+    if (status == Status::running && !interruptible.empty() && !interruptible[child])
+      held.set(child);
+    return this->hand_on(t, *this->children_[child], out, status);
+  }
+};
 
 template <class Action>
 struct SuppressMemory {
@@ -20,68 +96,45 @@ struct SuppressMemory {
 /// running. Both layers are asked in every tick. A layer that fails or abstains is silent; if both
 /// are and nothing is held, it fails. The suppression node of Brooks, "A Robust Layered Control
 /// System for a Mobile Robot" (IEEE Journal of Robotics and Automation, 1986).
+///   suppress: {hold: 2 s, by: avoid_ground, child: pursue}
 template <class State, class Action>
-class Suppress final : public WithMemory<Voting<State, Action>, SuppressMemory<Action>> {
-  using Base = WithMemory<Voting<State, Action>, SuppressMemory<Action>>;
-
+class Suppress final : public Ranked<State, Action, SuppressMemory<Action>> {
  public:
   static constexpr std::string_view type_name = "suppress";
   static constexpr std::string_view help =
       "a higher layer's proposal replaces a lower one's, for a while";
-  static constexpr Kind kind = Kind::arbiter;
   static constexpr std::array<std::string_view, 2> slots{"by", "child"};
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(
-        std::tuple{param("hold", &Suppress::hold, "s", range(0, 1e6),
-                         "how long the higher layer's last proposal goes on to replace")},
-        Voting<State, Action>::template vote_params<Suppress>());
+    return Suppress::with_vote(param("hold", &Suppress::hold, "s", range(0, 1e6),
+                                     "how long the higher layer's last proposal goes on to "
+                                     "replace"));
   }
-  using Base::Base;
+  using Ranked<State, Action, SuppressMemory<Action>>::Ranked;
 
   double hold = 0;  ///< s
 
-  [[nodiscard]] bool stands() const noexcept override { return true; }
-  [[nodiscard]] std::string problem() const override {
-    return this->children_.size() == 2 ? Base::problem() : "suppress has two layers";
-  }
-
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    const auto &higher = *this->children_[0], &lower = *this->children_[1];
     auto& m = this->memory(t);
-    Scratch<Action> scratch;
-    Proposal<Action>& below = scratch.get();
-    const Status above = this->ask(higher, t, out);
-    const Status answer = this->ask(lower, t, below);
-
-    if (above != Status::failure && out.vote > 0) {
-      this->took(t, higher);
-      remember(m, t.time, out);
-      this->rescale(out);
-      return above;
-    }
-    if (m.holding && !passed(t.time, m.last, hold)) {
+    const auto [child, status] = this->first_heard(t, out);
+    if (child == 0) {
+      if (hold > 0) {
+        m.proposal.keep(out);
+        m.last = t.time;
+        m.holding = 1;
+      }
+    } else if (m.holding && !passed(t.time, m.last, hold)) {
       m.proposal.get(out);
       if (t.trace) [[unlikely]]
-        Trace<Action>::of(*t.trace).supplied(this->index(), higher.index(), out.action);
+        Trace<Action>::of(*t.trace).supplied(this->index(), this->children_[0]->index(),
+                                             out.action);
       this->rescale(out);
       return Status::running;
+    } else {
+      m = {};
     }
-    m = {};
-    if (answer == Status::failure || below.vote == 0)
+    if (child == kNone)
       return Status::failure;
-    out.copy(below);
-    this->took(t, lower);
-    this->rescale(out);
-    return answer;
-  }
-
- private:
-  void remember(SuppressMemory<Action>& m, double now, const Proposal<Action>& proposal) const {
-    if (hold == 0)
-      return;
-    m.proposal.keep(proposal);
-    m.last = now;
-    m.holding = 1;
+    return this->hand_on(t, *this->children_[child], out, status);
   }
 };
 
@@ -96,28 +149,22 @@ struct InhibitMemory {
 /// do. Both are asked in every tick. A lower layer that fails or abstains is a failure. The
 /// inhibition node of Brooks, "A Robust Layered Control System for a Mobile Robot" (IEEE Journal of
 /// Robotics and Automation, 1986).
+///   inhibit: {by: bingo, hold: 10 s, child: pursue}
 template <class State, class Action>
-class Inhibit final : public WithMemory<Voting<State, Action>, InhibitMemory> {
-  using Base = WithMemory<Voting<State, Action>, InhibitMemory>;
+class Inhibit final : public WithMemory<Arbiter<State, Action>, InhibitMemory> {
+  using Base = WithMemory<Arbiter<State, Action>, InhibitMemory>;
 
  public:
   static constexpr std::string_view type_name = "inhibit";
   static constexpr std::string_view help = "a higher layer blocks a lower one, for a while";
-  static constexpr Kind kind = Kind::arbiter;
   static constexpr std::array<std::string_view, 2> slots{"by", "child"};
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("hold", &Inhibit::hold, "s", range(0, 1e6),
-                                           "how long the lower layer stays blocked afterwards")},
-                          Voting<State, Action>::template vote_params<Inhibit>());
+    return Inhibit::with_vote(param("hold", &Inhibit::hold, "s", range(0, 1e6),
+                                    "how long the lower layer stays blocked afterwards"));
   }
   using Base::Base;
 
   double hold = 0;  ///< s
-
-  [[nodiscard]] bool stands() const noexcept override { return true; }
-  [[nodiscard]] std::string problem() const override {
-    return this->children_.size() == 2 ? Base::problem() : "inhibit has two layers";
-  }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     const auto &higher = *this->children_[0], &lower = *this->children_[1];
@@ -133,9 +180,7 @@ class Inhibit final : public WithMemory<Voting<State, Action>, InhibitMemory> {
     m = {};
     if (answer == Status::failure || out.vote == 0)
       return Status::failure;
-    this->took(t, lower);
-    this->rescale(out);
-    return answer;
+    return this->hand_on(t, lower, out, answer);
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/arbiter/motor_schema.hpp"
+#include "ubf/arbiter/grid.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/arbiter/paper_fusion.hpp"
+#include "ubf/arbiter/fusion.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

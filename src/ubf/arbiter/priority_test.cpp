@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/arbiter/priority.hpp"
+#include "ubf/arbiter/layers.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -73,8 +73,9 @@ TEST(Suppress, FailsWhenBothAreSilentAndForgets) {
 }
 
 TEST(Suppress, HasTwoLayers) {
-  EXPECT_EQ(make<Over>(probes(1))->problem(), "suppress has two layers");
-  EXPECT_EQ(make<Over>(probes(2))->problem(), "");
+  EXPECT_EQ(make<Over>(probes(1))->problems(),
+            std::vector<std::string>{"takes exactly 'by', 'child', but has 1 child"});
+  EXPECT_EQ(make<Over>(probes(2))->problems(), std::vector<std::string>{});
 }
 
 RC_GTEST_PROP(SuppressLaw, IsTheFirstOfTwoThatIsHeard, ()) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "ubf/arbiter/bounds.hpp"
+#include "ubf/arbiter/field_values.hpp"
 #include "ubf/composite.hpp"
-#include "ubf/node_reader.hpp"
+#include "ubf/expression.hpp"
+#include "ubf/registry.hpp"
 
 namespace eyrie::ubf {
 
@@ -13,41 +14,38 @@ namespace eyrie::ubf {
 /// up. Children that fail or abstain are ignored, the fallback included; if that leaves none, it
 /// fails. The switch to a simple and trusted controller when a better one leaves its bounds is the
 /// idea of Sha, "Using Simplicity to Control Complexity" (IEEE Software, 2001).
+///   verify: {bounds: {altitude: {min: 1000 ft}}, fallback: true, children: [pursue, navigate]}
 template <class State, class Action>
-class Verify final : public Voting<State, Action> {
+class Verify final : public Arbiter<State, Action> {
  public:
   static constexpr std::string_view type_name = "verify";
   static constexpr std::string_view help =
       "the highest vote among the proposals that keep to bounds, or else a fallback";
-  static constexpr Kind kind = Kind::arbiter;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(
-        std::tuple{
-            param("bounds", &Verify::bounds, "a map from fields to 'min' and 'max'"),
-            param("refuse", &Verify::refuse,
-                  "conditions in words on the state and, as action.altitude, the proposal; one "
-                  "that holds refuses it"),
-            param("fallback", &Verify::fallback,
-                  "the last child goes up unchecked, but only if no other proposal passes")},
-        Voting<State, Action>::template vote_params<Verify>());
+    return Verify::with_vote(
+        param("bounds", &Verify::bounds, "a map from fields to 'min' and 'max'"),
+        param("refuse", &Verify::refuse,
+              "conditions in words on the state and, as action.altitude, the proposal; one "
+              "that holds refuses it"),
+        param("fallback", &Verify::fallback,
+              "the last child goes up unchecked, but only if no other proposal passes"));
   }
-  using Voting<State, Action>::Voting;
+  using Arbiter<State, Action>::Arbiter;
 
   Bounds<Action> bounds;
   std::vector<std::string> refuse;
   bool fallback = false;
 
-  [[nodiscard]] bool stands() const noexcept override { return true; }
   [[nodiscard]] std::string problem() const override {
     if (fallback && this->children_.size() < 2)
       return "verify needs a child to check before the fallback";
     return bounds.empty() && refusals_.empty() ? "verify needs 'bounds' or 'refuse' to check"
-                                               : Voting<State, Action>::problem();
+                                               : Arbiter<State, Action>::problem();
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status status = Status::failure;
-    const typename Verify::Node* winner = nullptr;
+    const AnyNode* winner = nullptr;
     float highest = 0;
     Scratch<Action> other;
     BestSoFar<Action> best(out, other);
@@ -68,19 +66,18 @@ class Verify final : public Voting<State, Action> {
     if (!winner)
       return Status::failure;
     best.hand_on();
-    this->took(t, *winner);
-    this->rescale(out);
-    return status;
+    return this->hand_on(t, *winner, out, status);
   }
 
-  /// For NodeReader.
-  void read_words(const Value& body, NodeReader<State, Action>& reader) {
-    const Value* list = body.find("refuse");
+  /// From a file.
+  void read(const NodeSpec& spec, NodeReader& reader) {
+    using Refusal = ActionExpression<State, Action>;
+    const Value* list = spec.body->find("refuse");
     if (!list)
       return;
     const std::span<const Value> texts = list->is_list() ? list->items : std::span(list, 1);
     for (const Value& text : texts)
-      refusals_.push_back(reader.action_expression(text));
+      refusals_.push_back(Refusal(reader.expression(text, Refusal::fields())));
   }
   /// For code that builds a tree without a file.
   void add_refusal(ActionExpression<State, Action> refusal) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  The arbiters that choose among candidates: vote_grid and utility.
-#include "ubf/arbiter/grid_arbiters.hpp"
+#include "ubf/arbiter/grid.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "ubf/composite.hpp"
-#include "ubf/simulated_time.hpp"
 
 namespace eyrie::ubf {
 
 struct WeightedRandomMemory {
-  double since = 0;          ///< s, when the child was drawn
-  std::uint16_t chosen = 0;  ///< 1 + the child, 0 for none
+  double since = 0;  ///< s, when the child was drawn
+  ChildSlot child;
   std::uint8_t reserved[6] = {};
 };
 
@@ -18,34 +17,27 @@ struct WeightedRandomMemory {
 /// be repeated. One pass suffices: child i replaces the one held so far with the probability
 /// vote_i / (vote_0 + ... + vote_i), as in Chao, "A General Purpose Unequal Probability Sampling
 /// Plan" (Biometrika, 1982).
+///   weighted_random: {keep: 20 s, children: [pursue, navigate]}
 template <class State, class Action>
-class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRandomMemory> {
-  using Base = WithMemory<Voting<State, Action>, WeightedRandomMemory>;
+class WeightedRandom final : public WithMemory<Arbiter<State, Action>, WeightedRandomMemory> {
+  using Base = WithMemory<Arbiter<State, Action>, WeightedRandomMemory>;
 
  public:
   static constexpr std::string_view type_name = "weighted_random";
   static constexpr std::string_view help =
       "a proposal drawn at random, the more likely the higher "
       "its vote";
-  static constexpr Kind kind = Kind::arbiter;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
-                                           "how long a draw stands; 0: draws in every tick")},
-                          Voting<State, Action>::template vote_params<WeightedRandom>());
+    return WeightedRandom::with_vote(param("keep", &WeightedRandom::keep, "s", range(0, 1e6),
+                                           "how long a draw stands; 0: draws in every tick"));
   }
   using Base::Base;
 
   double keep = 0;  ///< s
 
-  [[nodiscard]] bool stands() const noexcept override { return true; }
-  [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
-    const auto& m = this->memory(slab);
-    return m.chosen ? static_cast<NodeIndex>(m.chosen - 1) : kNone;
-  }
-
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    const NodeIndex kept = passed(t.time, m.since, keep) ? kNone : active_child(t.memory);
+    const NodeIndex kept = passed(t.time, m.since, keep) ? kNone : m.child.get();
     Draw draw = this->draw(t);
     double total = 0;
     Status status = Status::failure;
@@ -69,9 +61,7 @@ class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRa
     if (chosen == kNone)
       return Status::failure;
     best.hand_on();
-    this->took(t, *this->children_[chosen]);
-    this->rescale(out);
-    return status;
+    return this->hand_on(t, *this->children_[chosen], out, status);
   }
 
  private:
@@ -79,8 +69,10 @@ class WeightedRandom final : public WithMemory<Voting<State, Action>, WeightedRa
                 bool again) const {
     const double since = again ? m.since : now;
     m = {};
-    if (keep > 0 && status == Status::running)
-      m = {.since = since, .chosen = static_cast<std::uint16_t>(chosen + 1)};
+    if (keep == 0 || status != Status::running)
+      return;
+    m.since = since;
+    m.child.set(chosen);
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/if_then_else.hpp"
+#include "ubf/control/branch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,8 +56,9 @@ TEST(IfThenElse, ClosesAnArbiterThatEnded) {
 }
 
 TEST(IfThenElse, HasThreeChildren) {
-  EXPECT_EQ(make<If>(probes(2))->problem(), "if_then_else has a condition and two children");
-  EXPECT_EQ(make<If>(probes(3))->problem(), "");
+  EXPECT_EQ(make<If>(probes(2))->problems(),
+            std::vector<std::string>{"takes exactly 'if', 'then', 'else', but has 2 children"});
+  EXPECT_EQ(make<If>(probes(3))->problems(), std::vector<std::string>{});
 }
 
 }  // namespace

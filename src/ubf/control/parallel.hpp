@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+/// \file  All children at once: until enough of them have ended, or all.
+#include <bit>
+
 #include "ubf/merging.hpp"
 
 namespace eyrie::ubf {
@@ -11,35 +14,34 @@ namespace eyrie::ubf {
 /// does, from all children that did not fail, those without a vote included; a failing parallel
 /// proposes nothing. The paper's section II.A asks for more than the threshold, we for at least, as
 /// Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 3.
+///   parallel: {success_count: 1, children: [navigate, release_weapon]}
 template <class State, class Action>
-class Parallel final : public Voting<State, Action> {
+class Parallel final : public Control<State, Action> {
  public:
   static constexpr std::string_view type_name = "parallel";
   static constexpr std::string_view help = "all children at once, until enough succeed or fail";
-  static constexpr Kind kind = Kind::control;
-  static constexpr std::size_t kMaxChildren = 64;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(
-        std::tuple{param("success_count", &Parallel::success_count, range(1, kMaxChildren),
-                         "this many successes make a success; null: all children"),
-                   param("failure_count", &Parallel::failure_count, range(1, kMaxChildren),
-                         "this many failures make a failure")},
-        Voting<State, Action>::template vote_params<Parallel>());
+    return Parallel::with_vote(param("success_count", &Parallel::success_count,
+                                     range(1, Control<State, Action>::kMostInABitSet),
+                                     "this many successes make a success; null: all children"),
+                               param("failure_count", &Parallel::failure_count,
+                                     range(1, Control<State, Action>::kMostInABitSet),
+                                     "this many failures make a failure"));
   }
-  using Voting<State, Action>::Voting;
+  using Control<State, Action>::Control;
 
   std::optional<std::uint32_t> success_count;
   std::uint32_t failure_count = 1;
 
   [[nodiscard]] std::string problem() const override {
     const std::size_t count = this->children_.size();
-    if (count > kMaxChildren)
-      return fmt::format("parallel takes at most {} children, here are {}", kMaxChildren, count);
+    if (count > this->kMostInABitSet)
+      return this->too_many(type_name);
     if (success_count && *success_count > count)
       return fmt::format("success_count is {}, but there {}", *success_count, are(count));
     if (failure_count > count)
       return fmt::format("failure_count is {}, but there {}", failure_count, are(count));
-    return Voting<State, Action>::problem();
+    return Control<State, Action>::problem();
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -83,6 +85,75 @@ class Parallel final : public Voting<State, Action> {
       if (this->left_open(*this->children_[i], answer))
         this->halt(*this->children_[i], t);
     }
+  }
+};
+
+struct ParallelAllMemory {
+  std::uint64_t ended = 0;   ///< bit i: child i has ended
+  std::uint64_t failed = 0;  ///< bit i: by failing
+};
+
+/// Asks every child until it has ended, each once through, and waits for the last of them: a child
+/// that ended is not asked again before the node starts anew. Running until all have ended; then a
+/// failure if at least `failure_count` failed, else a success. What goes up is merged as by
+/// `parallel`, from the children that were asked in this tick and did not fail. No child is ever
+/// cut short; a standing child that ended forgets.
+///   parallel_all: [navigate, {delay: {duration: 5 s, child: release_weapon}}]
+template <class State, class Action>
+class ParallelAll final : public WithMemory<Control<State, Action>, ParallelAllMemory> {
+  using Base = WithMemory<Control<State, Action>, ParallelAllMemory>;
+
+ public:
+  static constexpr std::string_view type_name = "parallel_all";
+  static constexpr std::string_view help = "all children at once, until each of them has ended";
+  [[nodiscard]] static constexpr auto params() {
+    return ParallelAll::with_vote(param("failure_count", &ParallelAll::failure_count,
+                                        range(1, Control<State, Action>::kMostInABitSet),
+                                        "this many failures make a failure, when all have ended"));
+  }
+  using Base::Base;
+
+  std::uint32_t failure_count = 1;
+
+  [[nodiscard]] std::string problem() const override {
+    const std::size_t count = this->children_.size();
+    if (count > this->kMostInABitSet)
+      return this->too_many(type_name);
+    if (failure_count > count)
+      return fmt::format("failure_count is {}, but the number of children is {}", failure_count,
+                         count);
+    return Base::problem();
+  }
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    auto& m = this->memory(t);
+    GatherAll<Action> gather;
+    Scratch<Action> scratch;
+    Proposal<Action>& next = scratch.get();
+    bool running = false;
+    for (std::size_t i = 0; i < this->children_.size(); ++i) {
+      if (m.ended >> i & 1)
+        continue;
+      const auto& child = *this->children_[i];
+      const Status answer = this->ask(child, t, next);
+      if (answer != Status::failure)
+        gather.add(next, out);
+      if (answer == Status::running) {
+        running = true;
+        continue;
+      }
+      m.ended |= std::uint64_t{1} << i;
+      m.failed |= std::uint64_t{answer == Status::failure} << i;
+      this->close(child, t);
+    }
+    this->rescale(out);
+    if (t.trace) [[unlikely]]
+      trace_merge(*t.trace, *this, Heard::all);
+    if (running)
+      return Status::running;
+    const bool failed = static_cast<std::uint32_t>(std::popcount(m.failed)) >= failure_count;
+    m = {};
+    return failed ? Status::failure : Status::success;
   }
 };
 

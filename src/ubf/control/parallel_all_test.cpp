@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/parallel_all.hpp"
+#include "ubf/control/parallel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ TEST(ParallelAll, RefusesWhatCannotBeReached) {
 
 TEST(ParallelAll, RemembersTheLastOfSixtyFourChildren) {
   Children many;
-  for (std::size_t i = 0; i < All::kMaxChildren; ++i)
+  for (std::size_t i = 0; i < All::kMostInABitSet; ++i)
     many.push_back(probe(i < 63 ? 0 : 1));
   Robot robot(make<All>(std::move(many)));
   robot.say(0, kRunning);

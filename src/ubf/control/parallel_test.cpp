@@ -110,7 +110,7 @@ TEST(Parallel, RefusesThresholdsThatCannotBeReached) {
 TEST(Parallel, HaltsTheLastOfSixtyFourChildren) {
   auto node = make<Par>(probes(State::kCues));
   Children many;
-  for (std::size_t i = 0; i < Par::kMaxChildren; ++i)
+  for (std::size_t i = 0; i < Par::kMostInABitSet; ++i)
     many.push_back(probe(i < 63 ? 0 : 1));
   node->adopt(std::move(many));
   node->success_count = 63;

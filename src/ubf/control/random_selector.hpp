@@ -8,8 +8,8 @@
 namespace eyrie::ubf {
 
 struct RandomSelectorMemory {
-  std::uint64_t tried = 0;    ///< bit i: child i has failed since the node began
-  std::uint16_t running = 0;  ///< 1 + the child that was left running, 0 for none
+  std::uint64_t tried = 0;  ///< bit i: child i has failed since the node began
+  ChildSlot child;          ///< the one that was left running
   std::uint8_t reserved[6] = {};
 };
 
@@ -18,20 +18,18 @@ struct RandomSelectorMemory {
 /// running child is asked again without another draw. When the node has ended, nothing in it goes
 /// on and all children are in the draw again. The draw is that of the step and of this node, so a
 /// run can be repeated.
+///   random_selector: {weights: [2, 1], children: [break_turn, pursue]}
 template <class State, class Action>
-class RandomSelector final : public WithMemory<Voting<State, Action>, RandomSelectorMemory> {
-  using Base = WithMemory<Voting<State, Action>, RandomSelectorMemory>;
+class RandomSelector final : public WithMemory<Control<State, Action>, RandomSelectorMemory> {
+  using Base = WithMemory<Control<State, Action>, RandomSelectorMemory>;
 
  public:
   static constexpr std::string_view type_name = "random_selector";
   static constexpr std::string_view help =
       "a child drawn by weight; when it fails, another one of the rest";
-  static constexpr Kind kind = Kind::control;
-  static constexpr std::size_t kMaxChildren = 64;
   [[nodiscard]] static constexpr auto params() {
-    return std::tuple_cat(std::tuple{param("weights", &RandomSelector::weights, positive(1e6),
-                                           "one per child; none: all children alike")},
-                          Voting<State, Action>::template vote_params<RandomSelector>());
+    return RandomSelector::with_vote(param("weights", &RandomSelector::weights, positive(1e6),
+                                           "one per child; none: all children alike"));
   }
   using Base::Base;
 
@@ -39,23 +37,18 @@ class RandomSelector final : public WithMemory<Voting<State, Action>, RandomSele
 
   [[nodiscard]] std::string problem() const override {
     const std::size_t count = this->children_.size();
-    if (count > kMaxChildren)
-      return fmt::format("random_selector takes at most {} children, here are {}", kMaxChildren,
-                         count);
+    if (count > this->kMostInABitSet)
+      return this->too_many(type_name);
     if (!weights.empty() && weights.size() != count)
       return fmt::format("random_selector has {} weights for {} children", weights.size(), count);
     return Base::problem();
-  }
-  [[nodiscard]] NodeIndex active_child(const std::byte* slab) const noexcept override {
-    const auto& m = this->memory(slab);
-    return m.running ? static_cast<NodeIndex>(m.running - 1) : kNone;
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
     Draw draw = this->draw(t);
     for (;;) {
-      const std::optional<std::size_t> drawn = m.running ? m.running - 1u : pick(draw, m.tried);
+      const std::optional<std::size_t> drawn = m.child ? m.child.get() : pick(draw, m.tried);
       if (!drawn) {
         m = {};
         return Status::failure;
@@ -63,16 +56,16 @@ class RandomSelector final : public WithMemory<Voting<State, Action>, RandomSele
       const auto& child = *this->children_[*drawn];
       const Status answer = this->ask(child, t, out);
       if (answer == Status::running) {
-        m.running = static_cast<std::uint16_t>(*drawn + 1);
-        return hand_on(t, child, out, answer);
+        m.child.set(*drawn);
+        return this->hand_on(t, child, out, answer);
       }
       this->close(child, t);
       if (answer == Status::success) {
         m = {};
-        return hand_on(t, child, out, answer);
+        return this->hand_on(t, child, out, answer);
       }
       m.tried |= std::uint64_t{1} << *drawn;
-      m.running = 0;
+      m.child.clear();
     }
   }
 
@@ -98,12 +91,6 @@ class RandomSelector final : public WithMemory<Voting<State, Action>, RandomSele
         break;
     }
     return last;
-  }
-  Status hand_on(const Tick<State>& t, const typename RandomSelector::Node& child,
-                 Proposal<Action>& out, Status answer) const {
-    this->took(t, child);
-    this->rescale(out);
-    return answer;
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/with_memory.hpp"
+#include "ubf/control/sequence.hpp"
 
 #include <gtest/gtest.h>
 

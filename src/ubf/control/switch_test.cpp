@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/switch.hpp"
+#include "ubf/control/branch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/control/while.hpp"
+#include "ubf/control/branch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,8 +67,9 @@ TEST(While, TreatsARunningConditionAsOneThatDoesNotHold) {
 }
 
 TEST(While, HasThreeChildren) {
-  EXPECT_EQ(make<Loop>(probes(2))->problem(), "while has a condition and two children");
-  EXPECT_EQ(make<Loop>(probes(3))->problem(), "");
+  EXPECT_EQ(make<Loop>(probes(2))->problems(),
+            std::vector<std::string>{"takes exactly 'when', 'do', 'else', but has 2 children"});
+  EXPECT_EQ(make<Loop>(probes(3))->problems(), std::vector<std::string>{});
 }
 
 }  // namespace

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "ubf/decorator.hpp"
-#include "ubf/node_reader.hpp"
+#include <string>
+#include <vector>
+
+#include "core/enum_names.hpp"
+#include "ubf/composite.hpp"
+#include "ubf/registry.hpp"
 
 namespace eyrie::ubf {
 
@@ -36,7 +40,7 @@ class ForEach final : public Decorator<State, Action> {
     for (const auto& child : this->children_)
       if (const std::string_view name = remembering(*child); !name.empty())
         return fmt::format("for_each asks for one thing after the other, but {} remembers", name);
-    return list_ ? Base::problem() : "for_each needs a list to go over";
+    return list_ ? "" : "for_each needs a list to go over";
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -81,9 +85,9 @@ class ForEach final : public Decorator<State, Action> {
 
   /// For code that builds a tree without a file.
   void go_over(const StateList<State>& list) { list_ = &list; }
-  /// For NodeReader.
-  void read_words(const Value& body, NodeReader<State, Action>& reader) {
-    const Value* name = body.find("over");
+  /// From a file.
+  void read(const NodeSpec& spec, NodeReader& reader) {
+    const Value* name = spec.body->find("over");
     std::vector<std::string_view> names;
     for (const StateList<State>& list : StateLists<State>::all()) {
       names.push_back(list.name);
@@ -105,7 +109,7 @@ class ForEach final : public Decorator<State, Action> {
     return z ^ (z >> 31);
   }
   /// The name of a node below that remembers, or "".
-  static std::string_view remembering(const typename ForEach::Node& node) {
+  static std::string_view remembering(const AnyNode& node) {
     if (node.remembers())
       return node.label();
     for (const auto& child : node.children())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/decorator/guard.hpp"
+#include "ubf/decorator/outcome.hpp"
 
 #include <gtest/gtest.h>
 
@@ -62,8 +62,9 @@ TEST(Guard, TreatsARunningConditionAsOneThatDoesNotHold) {
 }
 
 TEST(Guard, NeedsAConditionAndAChild) {
-  EXPECT_EQ(make<Guarded>(probe(0))->problem(), "a guard has a condition and one child");
-  EXPECT_EQ(make<Guarded>(probe(0), probe(1))->problem(), "");
+  EXPECT_EQ(make<Guarded>(probe(0))->problems(),
+            std::vector<std::string>{"takes exactly 'when', 'child', but has 1 child"});
+  EXPECT_EQ(make<Guarded>(probe(0), probe(1))->problems(), std::vector<std::string>{});
 }
 
 }  // namespace

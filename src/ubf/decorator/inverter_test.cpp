@@ -42,9 +42,11 @@ TEST(Inverter, MakesAnArbiterBelowItStandAsLongAsItIsAsked) {
 }
 
 TEST(Inverter, NeedsExactlyOneChild) {
-  EXPECT_EQ(make<Invert>()->problem(), "a decorator has exactly one child");
-  EXPECT_EQ(make<Invert>(probe(0), probe(1))->problem(), "a decorator has exactly one child");
-  EXPECT_EQ(make<Invert>(probe(0))->problem(), "");
+  EXPECT_EQ(make<Invert>()->problems(),
+            std::vector<std::string>{"takes exactly 'child', but has 0 children"});
+  EXPECT_EQ(make<Invert>(probe(0), probe(1))->problems(),
+            std::vector<std::string>{"takes exactly 'child', but has 2 children"});
+  EXPECT_EQ(make<Invert>(probe(0))->problems(), std::vector<std::string>{});
 }
 
 }  // namespace

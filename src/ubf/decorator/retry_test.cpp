@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/decorator/repeat.hpp"
+#include "ubf/decorator/outcome.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/decorator/run_once.hpp"
+#include "ubf/decorator/outcome.hpp"
 
 #include <gtest/gtest.h>
 

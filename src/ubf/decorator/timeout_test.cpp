@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/decorator/timeout.hpp"
+#include "ubf/decorator/timing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/describe.hpp"
+#include <string>
+
 #include "ubf/behavior.hpp"
 #include "ubf/expression.hpp"
-#include "ubf/node_reader.hpp"
+#include "ubf/registry.hpp"
 
 namespace eyrie::ubf {
 
@@ -30,10 +31,10 @@ class Holds final : public Condition<State, Action> {
   }
   /// For code that builds a tree without a file.
   void look_at(Expression<State> expression) { expression_ = std::move(expression); }
-  /// For NodeReader.
-  void read_words(const Value& body, NodeReader<State, Action>& reader) {
-    if (const Value* text = body.find(text_key))
-      expression_ = reader.expression(*text);
+  /// From a file.
+  void read(const NodeSpec& spec, NodeReader& reader) {
+    if (const Value* text = spec.body->find(text_key))
+      expression_ = Expression<State>(reader.expression(*text));
   }
 
  private:

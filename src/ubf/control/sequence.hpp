@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Selector and sequence, which start from the first child in every tick.
+/// \file  Selector and sequence, which start from the first child in every tick, and the same with
+/// memory, which go on where they left off.
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {
@@ -16,9 +17,9 @@ struct ReactiveMemory {
 /// child, and makes those forget that it asked in the last tick, did not reach in this one, and
 /// that were still going on.
 template <class State, class Action>
-class Reactive : public WithMemory<Voting<State, Action>, ReactiveMemory> {
+class Reactive : public WithMemory<Control<State, Action>, ReactiveMemory> {
  public:
-  using WithMemory<Voting<State, Action>, ReactiveMemory>::WithMemory;
+  using WithMemory<Control<State, Action>, ReactiveMemory>::WithMemory;
 
   [[nodiscard]] bool remembers() const noexcept final { return false; }
   [[nodiscard]] bool stands() const noexcept final { return this->any_child_stands(); }
@@ -46,15 +47,12 @@ class Reactive : public WithMemory<Voting<State, Action>, ReactiveMemory> {
 /// proposal and status go up. Fails if every child fails. Also called fallback; reactive, so a
 /// child further left takes over as soon as it can. Isla, "Handling Complexity in the Halo 2 AI"
 /// (GDC 2005); Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 2.
+///   selector: [break_turn, pursue, navigate]
 template <class State, class Action>
 class Selector final : public Reactive<State, Action> {
  public:
   static constexpr std::string_view type_name = "selector";
   static constexpr std::string_view help = "the first child that does not fail";
-  static constexpr Kind kind = Kind::control;
-  [[nodiscard]] static constexpr auto params() {
-    return Voting<State, Action>::template vote_params<Selector>();
-  }
   using Reactive<State, Action>::Reactive;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -65,8 +63,7 @@ class Selector final : public Reactive<State, Action> {
       status = this->ask(*child, t, out);
       if (status == Status::failure)
         continue;
-      this->took(t, *child);
-      this->rescale(out);
+      this->hand_on(t, *child, out, status);
       break;
     }
     this->settle(t, asked, status);
@@ -79,15 +76,12 @@ class Selector final : public Reactive<State, Action> {
 /// last child asked that made one: conditions make none, so [condition, action] sends up the
 /// action. A failing sequence proposes nothing. Reactive: a condition further left is checked again
 /// in every tick. Colledanchise and Ogren, Behavior Trees in Robotics and AI (2018), algorithm 1.
+///   sequence: [has_target, pursue]
 template <class State, class Action>
 class Sequence final : public Reactive<State, Action> {
  public:
   static constexpr std::string_view type_name = "sequence";
   static constexpr std::string_view help = "one child after the other, as long as they succeed";
-  static constexpr Kind kind = Kind::control;
-  [[nodiscard]] static constexpr auto params() {
-    return Voting<State, Action>::template vote_params<Sequence>();
-  }
   using Reactive<State, Action>::Reactive;
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -102,6 +96,75 @@ class Sequence final : public Reactive<State, Action> {
     this->settle(t, asked, status);
     this->rescale(out);
     return status;
+  }
+};
+
+struct ResumingMemory {
+  ChildSlot child;  ///< the one that was left running
+};
+
+/// The base of the control nodes with memory: children before the one left running are not asked
+/// again until the node itself has ended. When it ends, nothing in it goes on.
+template <class State, class Action>
+class Resuming : public WithMemory<Control<State, Action>, ResumingMemory> {
+ public:
+  using WithMemory<Control<State, Action>, ResumingMemory>::WithMemory;
+
+ protected:
+  /// Asks from the child that was left running, while children answer `go_on`; answers what the
+  /// last one asked did.
+  Status resume(const Tick<State>& t, Proposal<Action>& out, Status go_on) const {
+    auto& m = this->memory(t);
+    Status status = go_on;
+    for (std::size_t i = m.child ? m.child.get() : 0u;
+         i < this->children_.size() && status == go_on; ++i) {
+      const auto& child = *this->children_[i];
+      status = this->ask_over(child, t, out);
+      m.child.clear();
+      if (status == Status::running)
+        m.child.set(i);
+      else
+        this->close(child, t);
+    }
+    this->rescale(out);
+    return status;
+  }
+};
+
+/// A selector that resumes: while a child is running, those before it are not asked again. Fails
+/// when the last child has failed; succeeds or fails, it starts from the first child the next time.
+/// Marzinotto et al., "Towards a Unified Behavior Trees Framework for Robot Control" (ICRA 2014),
+/// "selector*".
+///   selector_with_memory: [release_weapon, pursue]
+template <class State, class Action>
+class SelectorWithMemory final : public Resuming<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "selector_with_memory";
+  static constexpr std::string_view help =
+      "the first child that does not fail; a running child is not interrupted";
+  using Resuming<State, Action>::Resuming;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    return this->resume(t, out, Status::failure);
+  }
+};
+
+/// A sequence that resumes: a child that succeeded is not asked again until the sequence has ended.
+/// What goes up is the proposal of the last child asked in this tick that made one. Succeeds when
+/// the last child has succeeded; succeeds or fails, it starts from the first child the next time.
+/// Marzinotto et al., "Towards a Unified Behavior Trees Framework for Robot Control" (ICRA 2014),
+/// "sequence*".
+///   sequence_with_memory: [navigate, release_weapon, egress]
+template <class State, class Action>
+class SequenceWithMemory final : public Resuming<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "sequence_with_memory";
+  static constexpr std::string_view help =
+      "one child after the other; what has succeeded is not asked again";
+  using Resuming<State, Action>::Resuming;
+
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    return this->resume(t, out, Status::success);
   }
 };
 

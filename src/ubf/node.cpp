@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "ubf/node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/assert.hpp"
+#include "core/diagnostics.hpp"
+
+namespace eyrie::ubf {
+namespace {
+
+/// Whether a node stands depends on its children, so from the leaves up.
+template <class Node, class Visit>
+void from_the_leaves(Node& node, Visit visit) {
+  for (const auto& child : node.children())
+    from_the_leaves(*child, visit);
+  visit(node);
+}
+
+}  // namespace
+
+std::vector<ParamValue> AnyNode::values() const {
+  std::vector<ParamValue> all;
+  if (type_->parameters)
+    eyrie::detail::list_values(*type_->parameters, type_->object(const_cast<AnyNode&>(*this)), "",
+                               all);
+  return all;
+}
+
+std::optional<double> AnyNode::full_vote() const {
+  for (const ParamValue& value : values())
+    if (value.name == "vote" && std::holds_alternative<double>(value.value))
+      return std::get<double>(value.value);
+  return std::nullopt;
+}
+
+std::vector<std::string> AnyNode::problems() const {
+  std::vector<std::string> problems;
+  if (type_->parameters)
+    eyrie::detail::check_values(*type_->parameters, type_->object(const_cast<AnyNode&>(*this)), "",
+                                problems);
+  const std::size_t count = children_.size(), slots = type_->child_keys.size();
+  if (std::find(children_.begin(), children_.end(), nullptr) != children_.end())
+    problems.push_back("a child is missing");
+  else if (type_->grammar == Grammar::slots && count != slots)
+    problems.push_back(fmt::format("takes exactly '{}', but has {} {}",
+                                   fmt::join(type_->child_keys, "', '"), count,
+                                   count == 1 ? "child" : "children"));
+  else if (std::string own = problem(); !own.empty())
+    problems.push_back(std::move(own));
+  else if (node_kind() >= Kind::arbiter && count == 0)
+    problems.push_back("needs at least one child");
+  return problems;
+}
+
+AnyTree::AnyTree(std::string name, std::unique_ptr<AnyNode> root)
+    : name_(std::move(name)), root_(std::move(root)) {
+  EYRIE_THROW_UNLESS(root_ != nullptr, "a tree needs a root");
+  lay_out();
+}
+
+void AnyTree::lay_out() {
+  nodes_.clear();
+  memory_ = 0;
+  sequencer_ = kNone;
+  place(*root_, kNone, 0);
+  std::string refused;
+  for (std::size_t i = 0; i < size(); ++i)
+    for (const std::string& problem : nodes_[i].node->problems())
+      refused += fmt::format("\n  {}: {}: {}", path(static_cast<NodeIndex>(i)),
+                             nodes_[i].node->type(), problem);
+  if (!refused.empty())
+    throw std::logic_error(fmt::format("tree {} cannot be made{}", quote(name_), refused));
+  from_the_leaves(*root_, [](AnyNode& node) { node.stands_ = node.stands(); });
+}
+
+void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
+  EYRIE_THROW_UNLESS(depth < kMaxDepth, "the tree is deeper than 64 levels");
+  EYRIE_THROW_UNLESS(nodes_.size() < kMaxNodes, "the tree has more than 65535 nodes");
+  node.index_ = static_cast<NodeIndex>(nodes_.size());
+  nodes_.push_back({&node, parent, static_cast<std::uint16_t>(depth)});
+  if (sequencer_ == kNone && node.is_sequencer())
+    sequencer_ = node.index_;
+  node.memory_begin_ = static_cast<std::uint32_t>(memory_);
+  memory_ += slab_bytes(node.memory_bytes());
+  EYRIE_THROW_UNLESS(memory_ <= kMaxMemory, "the tree needs more than 1 MiB per agent");
+  for (const auto& child : node.children())
+    if (child)
+      place(*child, node.index_, depth + 1);
+  node.end_index_ = static_cast<NodeIndex>(nodes_.size());
+  node.memory_end_ = static_cast<std::uint32_t>(memory_);
+}
+
+std::string_view AnyTree::active_name(std::span<const std::byte> memory) const {
+  if (sequencer_ == kNone)
+    return {};
+  const NodeIndex active = node(sequencer_).active_child(memory.data());
+  return active == kNone ? std::string_view{} : node(sequencer_).children()[active]->label();
+}
+
+std::string AnyTree::path(NodeIndex index) const {
+  if (index == 0)
+    return "root";
+  const NodeIndex up = parent(index);
+  const std::string_view label = node(index).label();
+  std::size_t same = 0, before = 0;
+  for (const auto& sibling : node(up).children()) {
+    if (!sibling || sibling->label() != label)
+      continue;
+    before += sibling->index() < index;
+    ++same;
+  }
+  std::string text = fmt::format("{}/{}", path(up), label);
+  return same > 1 ? fmt::format("{}[{}]", text, before) : text;
+}
+
+std::optional<NodeIndex> AnyTree::find(std::string_view path) const {
+  for (std::size_t i = 0; i < size(); ++i)
+    if (this->path(static_cast<NodeIndex>(i)) == path)
+      return static_cast<NodeIndex>(i);
+  return std::nullopt;
+}
+
+void AnyTree::put(std::string_view path, std::unique_ptr<AnyNode> by) {
+  const std::optional<NodeIndex> at = find(path);
+  if (!at) {
+    std::vector<std::string> paths;
+    for (std::size_t i = 0; i < size(); ++i)
+      paths.push_back(this->path(static_cast<NodeIndex>(i)));
+    throw std::logic_error(fmt::format("tree {} has no node {}{}", quote(name_), quote(path),
+                                       did_you_mean(path, paths)));
+  }
+  EYRIE_THROW_UNLESS(by != nullptr, "a child is missing");
+  if (by->label_.empty())
+    by->set_label(std::string(node(*at).label()));
+  std::unique_ptr<AnyNode>* place = &root_;
+  while (*at > (*place)->index()) {
+    auto& children = (*place)->children_;
+    place = &*std::find_if(children.begin(), children.end(),
+                           [&](const auto& child) { return child->end_index() > *at; });
+  }
+  *place = std::move(by);
+  lay_out();
+}
+
+}  // namespace eyrie::ubf
