@@ -132,7 +132,6 @@ struct ParamLine {
 /// One line of a description: made by param(), refined by required() and items().
 template <class Class, class Member>
 struct Param : ParamLine {
-  using class_type = Class;
   using member_type = Member;
 
   Member Class::*member;

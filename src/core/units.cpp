@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
 
 #include "core/assert.hpp"
 #include "core/diagnostics.hpp"
@@ -63,80 +66,41 @@ static_assert(symbols_are_unique());
 /// Spellings from other habits. Those that could mean two things ('nm', 'mil', 'gal') are refused
 /// on purpose; for the others one spelling per unit keeps files alike.
 struct Habit {
-  std::string_view wrong, right;
+  std::string_view right;
+  const char* wrong[4];  ///< null behind the last
 };
 
-constexpr std::array kHabits = std::to_array<Habit>({
-    {"nm", "nmi"},
-    {"nautical miles", "nmi"},
-    {"feet", "ft"},
-    {"foot", "ft"},
-    {"'", "ft"},
-    {"meter", "m"},
-    {"meters", "m"},
-    {"metre", "m"},
-    {"metres", "m"},
-    {"kts", "kt"},
-    {"kn", "kt"},
-    {"knot", "kt"},
-    {"knots", "kt"},
-    {"kph", "km/h"},
-    {"kmh", "km/h"},
-    {"fps", "ft/s"},
-    {"fpm", "ft/min"},
-    {"mps", "m/s"},
-    {"m/s^2", "m/s2"},
-    {"m/s/s", "m/s2"},
-    {"m/s\xC2\xB2", "m/s2"},
-    {"degree", "deg"},
-    {"degrees", "deg"},
-    {"\xC2\xB0", "deg"},
-    {"radian", "rad"},
-    {"radians", "rad"},
-    {"mil", "mrad"},
-    {"mils", "mrad"},
-    {"1/s", "Hz"},
-    {"hertz", "Hz"},
-    {"sec", "s"},
-    {"secs", "s"},
-    {"second", "s"},
-    {"seconds", "s"},
-    {"mins", "min"},
-    {"minute", "min"},
-    {"minutes", "min"},
-    {"hr", "h"},
-    {"hrs", "h"},
-    {"hour", "h"},
-    {"hours", "h"},
-    {"lbs", "lb"},
-    {"pound", "lb"},
-    {"pounds", "lb"},
-    {"kgs", "kg"},
-    {"tons", "t"},
-    {"tonne", "t"},
-    {"tonnes", "t"},
-    {"pph", "lb/h"},
-    {"lbs/h", "lb/h"},
-    {"lb/hr", "lb/h"},
-    {"m^2", "m2"},
-    {"m\xC2\xB2", "m2"},
-    {"sqm", "m2"},
-    {"ft^2", "ft2"},
-    {"sqft", "ft2"},
-    {"newton", "N"},
-    {"newtons", "N"},
-    {"watt", "W"},
-    {"watts", "W"},
-    {"mb", "hPa"},
-    {"mbar", "hPa"},
-    {"kg/m^3", "kg/m3"},
-    {"\xC2\xB0"
-     "C",
-     "degC"},
-    {"c", "degC"},
-    {"kelvin", "K"},
-    {"decibel", "dB"},
-});
+constexpr Habit kHabits[] = {
+    {"nmi", {"nm", "nautical miles"}},
+    {"ft", {"feet", "foot", "'"}},
+    {"m", {"meter", "meters", "metre", "metres"}},
+    {"kt", {"kts", "kn", "knot", "knots"}},
+    {"km/h", {"kph", "kmh"}},
+    {"ft/s", {"fps"}},
+    {"ft/min", {"fpm"}},
+    {"m/s", {"mps"}},
+    {"m/s2", {"m/s^2", "m/s/s", "m/s\u00B2"}},
+    {"deg", {"degree", "degrees", "\u00B0"}},
+    {"rad", {"radian", "radians"}},
+    {"mrad", {"mil", "mils"}},
+    {"Hz", {"1/s", "hertz"}},
+    {"s", {"sec", "secs", "second", "seconds"}},
+    {"min", {"mins", "minute", "minutes"}},
+    {"h", {"hr", "hrs", "hour", "hours"}},
+    {"lb", {"lbs", "pound", "pounds"}},
+    {"kg", {"kgs"}},
+    {"t", {"tons", "tonne", "tonnes"}},
+    {"lb/h", {"pph", "lbs/h", "lb/hr"}},
+    {"m2", {"m^2", "m\u00B2", "sqm"}},
+    {"ft2", {"ft^2", "sqft"}},
+    {"N", {"newton", "newtons"}},
+    {"W", {"watt", "watts"}},
+    {"hPa", {"mb", "mbar"}},
+    {"kg/m3", {"kg/m^3"}},
+    {"degC", {"\u00B0C", "c"}},
+    {"K", {"kelvin"}},
+    {"dB", {"decibel"}},
+};
 
 constexpr bool is_unit(std::string_view symbol) {
   return detail::unit_index(symbol) < detail::kUnits.size();
@@ -144,8 +108,9 @@ constexpr bool is_unit(std::string_view symbol) {
 
 constexpr bool habits_are_no_units_and_lead_to_one() {
   for (const Habit& habit : kHabits)
-    if (is_unit(habit.wrong) || !is_unit(habit.right))
-      return false;
+    for (const char* wrong : habit.wrong)
+      if ((wrong && is_unit(wrong)) || !is_unit(habit.right))
+        return false;
   return true;
 }
 static_assert(habits_are_no_units_and_lead_to_one());
@@ -185,8 +150,9 @@ const UnitInfo* meant(std::string_view wrong, Dimension expected) {
     if (equal_but_for_case(unit.symbol, wrong) && (!found || unit.dimension == expected))
       found = &unit;
   for (const Habit& habit : kHabits)
-    if (!found && equal_but_for_case(habit.wrong, wrong))
-      found = find_unit(habit.right);
+    for (const char* other : habit.wrong)
+      if (!found && other && equal_but_for_case(other, wrong))
+        found = find_unit(habit.right);
   return found;
 }
 
@@ -249,6 +215,24 @@ Parsed failed(std::string error) {
   return {0, std::move(error)};
 }
 
+/// Three significant digits, but never fewer than the whole number has below a billion.
+std::string three_digits(double x) {
+  const double size = std::fabs(x);
+  return size >= 100 && size < 1e9 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
+}
+
+/// How hard a number is to read: its characters, and once more the digits between first and last
+/// that is not 0. So 20000 ft is easier than 6096 m, and 250 m/s as easy as 900 km/h.
+std::size_t reading_cost(std::string_view number) {
+  const auto is_significant = [](char c) { return c >= '1' && c <= '9'; };
+  const std::string_view mantissa = number.substr(0, number.find('e'));
+  const auto first = std::find_if(mantissa.begin(), mantissa.end(), is_significant);
+  const auto last = std::find_if(mantissa.rbegin(), mantissa.rend(), is_significant).base();
+  const auto digits =
+      first < last ? std::count_if(first, last, [](char c) { return c != '.'; }) : 0;
+  return number.size() + static_cast<std::size_t>(digits);
+}
+
 }  // namespace
 
 std::string_view dimension_noun(Dimension dimension) {
@@ -297,5 +281,72 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
     return failed(expectation(text, expected) + " (beyond the range of a double)");
   return {value, {}};
 }
+
+std::string format_in(double si, UnitName unit, int decimals) {
+  const std::string number = fmt::format("{:.{}f}", from_si(si, unit.info()), decimals);
+  const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
+  return fmt::format("{} {}", std::string_view(number).substr(minus_zero ? 1 : 0),
+                     unit.info().symbol);
+}
+
+std::string format_quantity(double si, Dimension dimension, UnitStyle style) {
+  if (style == UnitStyle::aviation) {
+    switch (dimension) {
+      case Dimension::length:
+        return std::fabs(si) < 1852 ? format_in(si, "ft") : format_in(si, "nmi", 1);
+      case Dimension::speed:
+        return format_in(si, "kt");
+      case Dimension::acceleration:
+        return format_in(si, "g", 1);
+      case Dimension::mass:
+        return format_in(si, "lb");
+      case Dimension::mass_flow:
+        return format_in(si, "lb/h");
+      case Dimension::force:
+        return format_in(si, "lbf");
+      case Dimension::pressure:
+        return format_in(si, "hPa", 1);
+      case Dimension::temperature:
+        return format_in(si, "degC");
+      case Dimension::angle:
+        return format_in(si, "deg");
+      case Dimension::angular_rate:
+        return format_in(si, "deg/s", 1);
+      default:
+        break;
+    }
+  }
+  const std::string_view symbol = detail::si_symbol(dimension);
+  return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
+}
+
+template <std::floating_point Real>
+std::string exact_quantity(Real si, Dimension dimension) {
+  const std::string_view si_symbol = detail::si_symbol(dimension);
+  if (dimension == Dimension::none)
+    return fmt::format("{}", si);
+  std::string best = fmt::format("{} {}", si, si_symbol);
+  std::size_t best_cost = reading_cost(fmt::format("{}", si));
+  for (const UnitInfo& unit : units()) {
+    if (unit.dimension != dimension || unit.symbol == si_symbol)
+      continue;
+    // the number that converts back may be shorter than the one conversion gives: that many digits
+    // suffice unless the conversion rounded badly
+    const double number = from_si(static_cast<double>(si), unit);
+    const std::string text =
+        fmt::format("{:.{}g} {}", number, std::numeric_limits<Real>::digits10, unit.symbol);
+    const Parsed back = parse_quantity(text, dimension);
+    // at equal cost SI is preferred
+    const std::size_t cost = 1 + reading_cost(std::string_view(text).substr(0, text.find(' ')));
+    if (cost < best_cost && back && static_cast<Real>(back.value) == si) {
+      best = text;
+      best_cost = cost;
+    }
+  }
+  return best;
+}
+
+template std::string exact_quantity(double, Dimension);
+template std::string exact_quantity(float, Dimension);
 
 }  // namespace eyrie

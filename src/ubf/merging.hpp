@@ -91,75 +91,37 @@ class FieldSums {
   decltype(sums_of(ActionTraits<Action>::fields)) sums_;
 };
 
-/// Whose proposals a node listens to.
-enum class Heard : std::uint8_t {
-  voters,  ///< those that vote
-  all,     ///< also those that propose an action without a vote, as plain behavior trees do
-};
-
-namespace detail {
-
-/// The strongest child that set a field, of those that `is_heard(child, proposal)`.
-template <class Action, class Node, class Field, class IsHeard>
-NodeIndex strongest_setter(const Trace<Action>& trace, const Node& node, const Field& field,
-                           IsHeard is_heard, std::size_t* setters = nullptr) {
-  NodeIndex strongest = kNone;
-  for (const auto& child : node.children()) {
-    const Proposal<Action>& proposal = trace.row(child->index()).proposal;
-    if (!(proposal.action.*field.member) || !is_heard(child->index(), proposal))
-      continue;
-    if (setters)
-      ++*setters;
-    if (strongest == kNone || proposal.vote > trace.row(strongest).proposal.vote)
-      strongest = child->index();
-  }
-  return strongest;
-}
-
-}  // namespace detail
-
-/// Tells the trace that each field of `node` came from the strongest child that set it.
-template <class State, class Action>
-[[gnu::noinline, gnu::cold]] void trace_merge(AnyTrace& any, const Behavior<State, Action>& node,
-                                              Heard heard) {
+/// Tells the trace which child each field of `node` came from: the strongest that set it, of those
+/// that `is_heard(child, proposal)`; but for the fields that the node made itself, of which
+/// `is_taken(field, i, setters)` is not true.
+template <class State, class Action, class IsHeard, class IsTaken>
+[[gnu::noinline, gnu::cold]] void trace_fields(AnyTrace& any, const Behavior<State, Action>& node,
+                                               IsHeard is_heard, IsTaken is_taken) {
   auto& trace = Trace<Action>::of(any);
   for_each_field<Action>([&](const auto& f, auto i) {
-    const NodeIndex child = detail::strongest_setter(
-        trace, node, f,
-        [&](NodeIndex, const auto& proposal) { return heard == Heard::all || proposal.vote > 0; });
-    if (child != kNone)
-      trace.took(node.index(), child, i);
-  });
-}
-
-/// Tells the trace which child the fields of `node` came from, but for those that it made itself.
-template <class State, class Action, class IsOwn>
-[[gnu::noinline, gnu::cold]] void trace_others(AnyTrace& any, const Behavior<State, Action>& node,
-                                               IsOwn is_own) {
-  auto& trace = Trace<Action>::of(any);
-  for_each_field<Action>([&](const auto& f, auto i) {
-    if (is_own(i))
-      return;
-    const NodeIndex child = detail::strongest_setter(
-        trace, node, f, [](NodeIndex, const auto& proposal) { return proposal.vote > 0; });
-    if (child != kNone)
-      trace.took(node.index(), child, i);
-  });
-}
-
-/// Tells the trace which fields of `node` came from one child; the others it made itself, of the
-/// proposals of those children that `is_heard(child, proposal)`.
-template <class State, class Action, class IsHeard>
-[[gnu::noinline, gnu::cold]] void trace_blend(AnyTrace& any, const Behavior<State, Action>& node,
-                                              IsHeard is_heard) {
-  auto& trace = Trace<Action>::of(any);
-  for_each_field<Action>([&](const auto& f, auto i) {
+    NodeIndex strongest = kNone;
     std::size_t setters = 0;
-    const NodeIndex child = detail::strongest_setter(trace, node, f, is_heard, &setters);
-    if (setters == 1 || (setters > 1 && !f.averages))
-      trace.took(node.index(), child, i);
+    for (const auto& child : node.children()) {
+      const Proposal<Action>& proposal = trace.row(child->index()).proposal;
+      if (!(proposal.action.*f.member) || !is_heard(child->index(), proposal))
+        continue;
+      ++setters;
+      if (strongest == kNone || proposal.vote > trace.row(strongest).proposal.vote)
+        strongest = child->index();
+    }
+    if (setters > 0 && is_taken(f, std::size_t{i}, setters))
+      trace.took(node.index(), strongest, i);
   });
 }
+/// Whose proposals a node listens to: those that vote; or also those that propose an action without
+/// a vote, as plain behavior trees do.
+inline constexpr auto kVoters = [](NodeIndex, const auto& proposal) { return proposal.vote > 0; };
+inline constexpr auto kEverybody = [](NodeIndex, const auto&) { return true; };
+/// A merged field is one child's; a blended one only if no other set it, or it is an order.
+inline constexpr auto kMerged = [](const auto&, std::size_t, std::size_t) { return true; };
+inline constexpr auto kBlended = [](const auto& f, std::size_t, std::size_t setters) {
+  return setters == 1 || !f.averages;
+};
 
 /// The base of arbiters that mix the proposals of all children.
 template <class State, class Action>
@@ -209,8 +171,7 @@ class Blending : public Mixing<State, Action> {
     out.leader = kNone;  // the blend is nobody's but this node's
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_blend(*t.trace, *this,
-                  [](NodeIndex, const auto& proposal) { return proposal.vote > 0; });
+      trace_fields(*t.trace, *this, kVoters, kBlended);
     return strongest.status;
   }
 };

@@ -65,7 +65,6 @@ AnyTree::AnyTree(std::string name, std::unique_ptr<AnyNode> root)
 void AnyTree::lay_out() {
   nodes_.clear();
   memory_ = 0;
-  sequencer_ = kNone;
   place(*root_, kNone, 0);
   std::string refused;
   for (std::size_t i = 0; i < size(); ++i)
@@ -82,8 +81,6 @@ void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
   EYRIE_THROW_UNLESS(nodes_.size() < kMaxNodes, "the tree has more than 65535 nodes");
   node.index_ = static_cast<NodeIndex>(nodes_.size());
   nodes_.push_back({&node, parent, static_cast<std::uint16_t>(depth)});
-  if (sequencer_ == kNone && node.is_sequencer())
-    sequencer_ = node.index_;
   node.memory_begin_ = static_cast<std::uint32_t>(memory_);
   memory_ += slab_bytes(node.memory_bytes());
   EYRIE_THROW_UNLESS(memory_ <= kMaxMemory, "the tree needs more than 1 MiB per agent");
@@ -92,13 +89,6 @@ void AnyTree::place(AnyNode& node, NodeIndex parent, std::size_t depth) {
       place(*child, node.index_, depth + 1);
   node.end_index_ = static_cast<NodeIndex>(nodes_.size());
   node.memory_end_ = static_cast<std::uint32_t>(memory_);
-}
-
-std::string_view AnyTree::active_name(std::span<const std::byte> memory) const {
-  if (sequencer_ == kNone)
-    return {};
-  const NodeIndex active = node(sequencer_).active_child(memory.data());
-  return active == kNone ? std::string_view{} : node(sequencer_).children()[active]->label();
 }
 
 std::string AnyTree::path(NodeIndex index) const {

@@ -164,10 +164,6 @@ class AnyTree {
   /// The root has depth 0.
   [[nodiscard]] std::size_t depth(NodeIndex index) const { return nodes_[index].depth; }
 
-  /// What the first sequencer of the tree has in charge according to a slab: its label, such as
-  /// "ingress". Empty if the tree has no sequencer or was not ticked yet.
-  [[nodiscard]] std::string_view active_name(std::span<const std::byte> memory) const;
-
   /// "root/engage[1]/pursue": labels from the root down; siblings of one label are counted from 0.
   [[nodiscard]] std::string path(NodeIndex index) const;
   [[nodiscard]] std::optional<NodeIndex> find(std::string_view path) const;
@@ -187,7 +183,6 @@ class AnyTree {
   std::string name_;
   std::unique_ptr<AnyNode> root_;
   std::vector<Place> nodes_;
-  NodeIndex sequencer_ = kNone;  ///< the first one
   std::size_t memory_ = 0;
 };
 

@@ -146,10 +146,10 @@ TEST(Registry, ASequencerFromAFileWorks) {
   Robot robot(build(kMission));
   robot.say(2, kSuccess);
   robot.tick();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "home");
+  EXPECT_EQ(phase(robot), "home");
   robot.say(2, kFailure);
   robot.tick();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "out");
+  EXPECT_EQ(phase(robot), "out");
 }
 
 TEST(Registry, CopiesNamedTreesWhereTheyAreReferredTo) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/ubf/registry.hpp"
 #include "ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
@@ -43,12 +44,12 @@ Transitions logged(const Robot& robot) {
 
 TEST(Sequencer, EntersItsFirstTreeAndReportsThat) {
   Robot robot = robot_on_a_mission();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "");
+  EXPECT_EQ(phase(robot), "");
   EXPECT_EQ(robot.tick(), kRunning);
   EXPECT_EQ(robot.out.action.altitude, 0);
   EXPECT_EQ(robot.supplier(1), "root/out");
   EXPECT_EQ(logged(robot), (Transitions{{0, kNone, 0}}));
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "out");
+  EXPECT_EQ(phase(robot), "out");
   robot.tick();
   EXPECT_EQ(logged(robot), Transitions{});
 }
@@ -61,7 +62,7 @@ TEST(Sequencer, HandsControlOverInTheTickInWhichTheConditionSucceeds) {
   EXPECT_EQ(robot.out.action.altitude, 1);
   EXPECT_FALSE(robot.asked_now("root/out"));
   EXPECT_EQ(logged(robot), (Transitions{{0, 0, 1}}));
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "fight");
+  EXPECT_EQ(phase(robot), "fight");
 }
 
 TEST(Sequencer, MakesTheTreeItLeavesForgetExactlyOnce) {
@@ -112,7 +113,7 @@ TEST(Sequencer, DoesNotEnterAgainFromAnyTheTreeThatIsAlreadyActive) {
   robot.say(5, kSuccess);
   robot.tick();
   robot.tick();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "home");
+  EXPECT_EQ(phase(robot), "home");
   EXPECT_EQ(logged(robot), Transitions{});
   EXPECT_FALSE(robot.asked_now("root/bingo"));
   EXPECT_EQ(robot.asked("root/home"), 2u);
@@ -123,7 +124,7 @@ TEST(Sequencer, ARunningConditionDoesNotFireAndKeepsItsMemory) {
   robot.say(3, kRunning);
   robot.tick();
   robot.tick();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "out");
+  EXPECT_EQ(phase(robot), "out");
   EXPECT_EQ(robot.asked("root/see"), 2u);
 }
 
@@ -163,11 +164,11 @@ TEST(Sequencer, StartsFromItsFirstTreeAfterItLostControl) {
   robot.say(3, kSuccess);
   robot.cue(1) = {kSuccess, 1, {}};
   robot.tick();
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "fight");
+  EXPECT_EQ(phase(robot), "fight");
   robot.say(9, kRunning);
   robot.tick();
   EXPECT_EQ(robot.halts("root/sequencer"), 1);
-  EXPECT_EQ(robot.tree.active_name(robot.slab), "");
+  EXPECT_EQ(phase(robot), "");
   robot.say(9, kFailure);
   robot.say(3, kFailure);
   robot.tick();

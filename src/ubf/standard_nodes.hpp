@@ -20,48 +20,22 @@
 
 namespace eyrie::ubf {
 
+namespace detail {
+template <template <class, class> class... Nodes, class State, class Action>
+void add_all(Registry<State, Action>& registry) {
+  (registry.template add<Nodes<State, Action>>(), ...);
+}
+}  // namespace detail
+
 template <class State, class Action>
 void add_standard_nodes(Registry<State, Action>& registry) {
-  registry.template add<Holds<State, Action>>();
-
-  registry.template add<WinnerTakesAll<State, Action>>();
-  registry.template add<PerField<State, Action>>();
-  registry.template add<Fusion<State, Action>>();
-  registry.template add<PaperFusion<State, Action>>();
-  registry.template add<Commitment<State, Action>>();
-  registry.template add<Priority<State, Action>>();
-  registry.template add<Suppress<State, Action>>();
-  registry.template add<Inhibit<State, Action>>();
-  registry.template add<WeightedRandom<State, Action>>();
-  registry.template add<Verify<State, Action>>();
-  registry.template add<MotorSchema<State, Action>>();
-  registry.template add<VoteGrid<State, Action>>();
-  registry.template add<Utility<State, Action>>();
-
-  registry.template add<Selector<State, Action>>();
-  registry.template add<Sequence<State, Action>>();
-  registry.template add<SelectorWithMemory<State, Action>>();
-  registry.template add<SequenceWithMemory<State, Action>>();
-  registry.template add<Parallel<State, Action>>();
-  registry.template add<ParallelAll<State, Action>>();
-  registry.template add<RandomSelector<State, Action>>();
-  registry.template add<IfThenElse<State, Action>>();
-  registry.template add<While<State, Action>>();
-  registry.template add<Switch<State, Action>>();
-  registry.template add<Sequencer<State, Action>>();
-
-  registry.template add<Inverter<State, Action>>();
-  registry.template add<ForceSuccess<State, Action>>();
-  registry.template add<ForceFailure<State, Action>>();
-  registry.template add<Timeout<State, Action>>();
-  registry.template add<Cooldown<State, Action>>();
-  registry.template add<Guard<State, Action>>();
-  registry.template add<Repeat<State, Action>>();
-  registry.template add<Retry<State, Action>>();
-  registry.template add<RunOnce<State, Action>>();
-  registry.template add<RateLimit<State, Action>>();
-  registry.template add<Delay<State, Action>>();
-  registry.template add<ForEach<State, Action>>();
+  detail::add_all<Holds>(registry);
+  detail::add_all<WinnerTakesAll, PerField, Fusion, PaperFusion, Commitment, Priority, Suppress,
+                  Inhibit, WeightedRandom, Verify, MotorSchema, VoteGrid, Utility>(registry);
+  detail::add_all<Selector, Sequence, SelectorWithMemory, SequenceWithMemory, Parallel, ParallelAll,
+                  RandomSelector, IfThenElse, While, Switch, Sequencer>(registry);
+  detail::add_all<Inverter, ForceSuccess, ForceFailure, Timeout, Cooldown, Guard, Repeat, Retry,
+                  RunOnce, RateLimit, Delay, ForEach>(registry);
   registry.mark_standard();
 }
 

@@ -34,9 +34,7 @@ std::span<const StateList<testing::State>> StateLists<testing::State>::all() {
   return kLists;
 }
 
-#define EYRIE_UBF_TESTED(Node) template class Node<testing::State, testing::Action>;
-#include "ubf/testing_nodes.inc"
-#undef EYRIE_UBF_TESTED
+template class Tree<testing::State, testing::Action>;
 template class Trace<testing::Action>;
 template void add_standard_nodes(Registry<testing::State, testing::Action>&);
 }  // namespace eyrie::ubf

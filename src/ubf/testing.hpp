@@ -224,9 +224,7 @@ inline constexpr Status kSuccess = Status::success;
 
 // compiled once for all tests (testing.cpp)
 namespace eyrie::ubf {
-#define EYRIE_UBF_TESTED(Node) extern template class Node<testing::State, testing::Action>;
-#include "ubf/testing_nodes.inc"
-#undef EYRIE_UBF_TESTED
+extern template class Tree<testing::State, testing::Action>;
 extern template class Trace<testing::Action>;
 extern template void add_standard_nodes(Registry<testing::State, testing::Action>&);
 }  // namespace eyrie::ubf

@@ -21,24 +21,20 @@ double logistic(double x) {
   return (raw(x) - raw(0)) / (raw(1) - raw(0));
 }
 
-/// The whole vote, without what considers.
-struct VoteKeys {
-  static constexpr std::string_view type_name = "vote";
-  static constexpr auto params() {
-    return std::tuple{param("least", &VoteKeys::least, range(0, 1000), "never less than this")};
-  }
-  double least = 0;
-};
-
-/// One consideration but for its ends, whose unit is that of the field.
-struct ConsiderationKeys {
+/// A vote, or one of its considerations, whose ends have the unit of the field.
+struct Written {
   static constexpr std::string_view type_name = "vote";
   static constexpr auto params() {
     return std::tuple{
-        param("of", &ConsiderationKeys::of, "the state field that is looked at").required(),
-        param("curve", &ConsiderationKeys::curve, "how the vote rises between the ends")};
+        param("least", &Written::least, range(0, 1000), "never less than this"),
+        param("of", &Written::of, "the state field that is looked at").required(),
+        param("from", &Written::from, range(-1e12, 1e12), "where there is nothing of the vote"),
+        param("to", &Written::to, range(-1e12, 1e12), "where there is all of it"),
+        param("curve", &Written::curve, "how the vote rises between the ends")};
   }
+  double least = 0;
   std::string of;
+  double from = 0, to = 1;
   Curve curve = Curve::linear;
 };
 
@@ -51,80 +47,71 @@ class VoteReading {
 
   std::optional<VoteCurve> read(const Value& text) {
     const std::size_t before = diagnostics_.count();
-    const Value* product = text.find("product");
     VoteCurve vote;
-    VoteKeys keys;
-    if (product) {
-      static constexpr std::array<std::string_view, 2> kKeys{"most", "product"};
-      bind(keys, text, diagnostics_, kKeys);
+    if (const Value* product = text.find("product")) {
+      vote.least = bind(text, nullptr, {"least"}, {"most", "product"}).least;
       read_product(*product, vote);
     } else {
-      static constexpr std::array<std::string_view, 5> kKeys{"most", "of", "from", "to", "curve"};
-      bind(keys, text, diagnostics_, kKeys);
-      static constexpr std::array<std::string_view, 4> kBeside{"most", "least", "from", "to"};
-      read_one(text, kBeside, vote);
+      read_one(text, true, vote);
     }
-    vote.least = keys.least;
     return diagnostics_.count() == before ? std::optional(vote) : std::nullopt;
   }
 
  private:
-  void read_product(const Value& list, VoteCurve& curve) {
-    if (!list.is_list() || list.items.empty() || list.items.size() > VoteCurve::kMost) {
-      diagnostics_.error(list.where,
-                         fmt::format("product: expected a list of 1 to {} "
-                                     "considerations such as {{of: range, from: 40 "
-                                     "nmi, to: 10 nmi}}, got {}",
-                                     VoteCurve::kMost,
-                                     list.is_list() ? fmt::format("{} of them", list.items.size())
-                                                    : list.shown()));
-      return;
+  using Names = std::vector<std::string_view>;
+
+  /// Binds those of the parameters that are named.
+  Written bind(const Value& map, const StateFieldInfo* field, const Names& names,
+               const Names& also) {
+    std::vector<Parameter> lines;
+    for (const std::string_view name : names) {
+      Parameter& line = lines.emplace_back(*description_of<Written>().find(name));
+      if (name == "from" || name == "to") {
+        line.unit = field->unit;
+        line.is_required = field->kind == FieldKind::number;
+      }
     }
-    static constexpr std::array<std::string_view, 2> kBeside{"from", "to"};
-    for (const Value& item : list.items)
-      read_one(item, kBeside, curve);
+    Written said;
+    eyrie::detail::bind({Written::type_name, lines}, &said, map, {}, diagnostics_, also);
+    return said;
   }
-  void read_one(const Value& map, std::span<const std::string_view> beside, VoteCurve& curve) {
-    ConsiderationKeys keys;
-    // what the keys beside it hold was read, or is read below
-    if (beside.size() > 2) {
-      Value own = Value::map({}, map.where);
-      for (const Value::Entry& e : map.entries)
-        if (e.key == "of" || e.key == "curve")
-          own.entries.push_back(e);
-      bind(keys, own, diagnostics_);
-    } else {
-      bind(keys, map, diagnostics_, beside);
-    }
-    const Value* of = map.find("of");
-    const auto field = of && of->is_scalar() ? find_(*of) : std::nullopt;
-    if (!field)
+  void read_product(const Value& list, VoteCurve& curve) {
+    if (list.is_list() && !list.items.empty() && list.items.size() <= VoteCurve::kMost) {
+      for (const Value& item : list.items)
+        read_one(item, false, curve);
       return;
-    Consideration c{.field = static_cast<std::uint32_t>(*field), .curve = keys.curve};
-    const StateFieldInfo& info = fields_[*field];
-    if (info.kind == FieldKind::choice)
+    }
+    diagnostics_.error(
+        list.where,
+        fmt::format("product: expected a list of 1 to {} considerations such as {{of: range, from: "
+                    "40 nmi, to: 10 nmi}}, got {}",
+                    VoteCurve::kMost,
+                    list.is_list() ? fmt::format("{} of them", list.items.size()) : list.shown()));
+  }
+  /// `whole`: the map is the vote itself.
+  void read_one(const Value& map, bool whole, VoteCurve& vote) {
+    const std::size_t before = diagnostics_.count();
+    const Value* of = map.find("of");
+    const auto index = of && of->is_scalar() ? find_(*of) : std::nullopt;
+    const StateFieldInfo* field = index ? &fields_[*index] : nullptr;
+    const bool has_ends = field && field->kind != FieldKind::choice;
+    Names names{"of", "curve"}, also;
+    for (const std::string_view end : {"from", "to"})
+      (has_ends ? names : also).push_back(end);
+    if (whole) {
+      names.push_back("least");
+      also.push_back("most");
+    }
+    const Written said = bind(map, field, names, also);
+    if (field && !has_ends)
       diagnostics_.error(of->where, fmt::format("of: {} is one of several names; a vote follows a "
                                                 "number or a flag",
-                                                quote(info.name)));
-    else
-      read_ends(map, info, c);
-    curve.product.push_back(c);
-  }
-  void read_ends(const Value& map, const StateFieldInfo& field, Consideration& c) {
-    const std::size_t before = diagnostics_.count();
-    for (const auto& [key, end] : {std::pair("from", &c.from), {"to", &c.to}}) {
-      const Value* value = map.find(key);
-      ParamInfo info;
-      info.name = key;
-      info.unit = field.unit;
-      info.limits = range(-1e12, 1e12);
-      if (value)
-        eyrie::detail::read_number(*end, *value, info, diagnostics_);
-      else if (field.kind == FieldKind::number)
-        eyrie::detail::report_missing(map, "vote", {}, key, diagnostics_);
-    }
-    if (c.from == c.to && diagnostics_.count() == before)
+                                                quote(field->name)));
+    else if (said.from == said.to && diagnostics_.count() == before)
       diagnostics_.error(map.where, "'from' and 'to' are the same");
+    vote.least = whole ? said.least : vote.least;
+    vote.product.push_back(
+        {static_cast<std::uint32_t>(index.value_or(0)), said.from, said.to, said.curve});
   }
 
   std::span<const StateFieldInfo> fields_;

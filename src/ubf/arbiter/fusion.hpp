@@ -45,7 +45,7 @@ class PerField final : public Mixing<State, Action> {
     out.leader = strongest.leader;
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_merge(*t.trace, *this, Heard::voters);
+      trace_fields(*t.trace, *this, kVoters, kMerged);
     return strongest.status;
   }
 };
@@ -170,8 +170,9 @@ class Fusion final : public Blending<State, Action> {
     out.vote = strongest.vote;
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_blend(*t.trace, *this,
-                  [&](NodeIndex child, const auto&) { return few.contains(child); });
+      trace_fields(
+          *t.trace, *this, [&](NodeIndex child, const auto&) { return few.contains(child); },
+          kBlended);
     return strongest.status;
   }
 };

@@ -65,7 +65,9 @@ class OverGrid : public Mixing<State, Action> {
     out.leader = all.any ? kNone : all.strongest.leader;
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_others(*t.trace, *this, [&](std::size_t field) { return all.any && grid.has(field); });
+      trace_fields(*t.trace, *this, kVoters, [&](const auto&, std::size_t field, std::size_t) {
+        return !all.any || !grid.has(field);
+      });
     return all.strongest.status;
   }
   [[nodiscard]] std::string grid_problem() const {
@@ -283,8 +285,8 @@ class MotorSchema final : public Mixing<State, Action> {
     out.leader = sum.empty() ? strongest.leader : kNone;  // a sum is nobody's but this node's
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_others(*t.trace, *this, [&](std::size_t field) {
-        return field == direction.index() || field == magnitude.index();
+      trace_fields(*t.trace, *this, kVoters, [&](const auto&, std::size_t field, std::size_t) {
+        return field != direction.index() && field != magnitude.index();
       });
     return strongest.status;
   }

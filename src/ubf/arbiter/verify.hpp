@@ -79,13 +79,6 @@ class Verify final : public Arbiter<State, Action> {
     for (const Value& text : texts)
       refusals_.push_back(Refusal(reader.expression(text, Refusal::fields())));
   }
-  /// For code that builds a tree without a file.
-  void add_refusal(ActionExpression<State, Action> refusal) {
-    refusals_.push_back(std::move(refusal));
-  }
-  [[nodiscard]] const std::vector<ActionExpression<State, Action>>& refusals() const {
-    return refusals_;
-  }
 
  private:
   [[nodiscard]] bool passes(const State& state, const Action& action) const {

@@ -31,34 +31,30 @@ class WinnerTakesAll final : public Arbiter<State, Action> {
   template <bool watched>
   [[gnu::always_inline]] Status decide(const Tick<State>& t, Proposal<Action>& out) const {
     Status status = Status::failure;  // stays if nobody is heard
-    const AnyNode* winner = nullptr;  // noted for who watches
+    const AnyNode* winner = nullptr;
     Scratch<Action> other(ClearedLater{});
     BestSoFar<Action> best(out, other);
-    const auto end = this->children_.end();
-    for (auto child = this->children_.begin(); child != end; best.next().clear()) {
+    const auto* const last = &this->children_.back();
+    for (const auto& child : this->children_) {
       // unwatched, what is left of ask(): best.next() is empty, and only a leader is named
-      const Status answer = watched ? this->ask(**child, t, best.next())
-                                    : this->typed(**child).decide(t, best.next());
+      const Status answer =
+          watched ? this->ask(*child, t, best.next()) : this->typed(*child).decide(t, best.next());
       if (answer != Status::failure && outvotes(best.next().vote, best.kept().vote) &&
-          this->is_heard(**child, t, best.next(), answer)) {
+          this->is_heard(*child, t, best.next(), answer)) {
         status = answer;
-        if constexpr (watched)
-          winner = child->get();
-        this->name_leader(**child, best.next());
+        winner = child.get();
+        this->name_leader(*child, best.next());
         best.keep();
       }
-      if (++child == end)
-        break;
+      if (&child != last)
+        best.next().clear();
     }
-    if (status == Status::failure) {
+    if (!winner) {
       out.clear();
-      return status;
+      return Status::failure;
     }
     best.hand_on();
-    this->rescale(out);
-    if constexpr (watched)
-      this->took(t, *winner);
-    return status;
+    return this->hand_on(t, *winner, out, status);
   }
 };
 

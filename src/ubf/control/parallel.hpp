@@ -63,7 +63,7 @@ class Parallel final : public Control<State, Action> {
       end(t, running);
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_merge(*t.trace, *this, Heard::all);
+      trace_fields(*t.trace, *this, kEverybody, kMerged);
     return status;
   }
 
@@ -148,7 +148,7 @@ class ParallelAll final : public WithMemory<Control<State, Action>, ParallelAllM
     }
     this->rescale(out);
     if (t.trace) [[unlikely]]
-      trace_merge(*t.trace, *this, Heard::all);
+      trace_fields(*t.trace, *this, kEverybody, kMerged);
     if (running)
       return Status::running;
     const bool failed = static_cast<std::uint32_t>(std::popcount(m.failed)) >= failure_count;

@@ -33,6 +33,18 @@ namespace eyrie::ubf::testing {
   return value;
 }
 
+/// The label of the tree that the first sequencer has in charge, "" for none.
+[[nodiscard]] inline std::string phase(const Robot& robot) {
+  for (std::size_t i = 0; i < robot.tree.size(); ++i) {
+    const AnyNode& node = robot.tree.node(static_cast<NodeIndex>(i));
+    if (!node.is_sequencer())
+      continue;
+    const NodeIndex active = node.active_child(robot.slab.data());
+    return active == kNone ? "" : std::string(node.children()[active]->label());
+  }
+  return "";
+}
+
 /// Trees that others refer to. Each stands in a file of its own: "home" in home.yaml.
 class NamedTrees {
  public:

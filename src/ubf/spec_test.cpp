@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-/// \file  Trees with parameters, their references, and state fields under other names.
 #include "ubf/spec.hpp"
 
 #include <gtest/gtest.h>
