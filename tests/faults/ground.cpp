@@ -79,6 +79,13 @@ std::string wrong_words(const Ran& ran) {
 [[maybe_unused]] const bool in_memory =
     ::access("/dev/shm", W_OK) == 0 && ::setenv("TMPDIR", "/dev/shm", 0) == 0;
 
+/// A background job begins with these ignored, which the program would keep.
+[[maybe_unused]] const bool heard = [] {
+  for (const int asked : {SIGINT, SIGTERM, SIGHUP})
+    ::signal(asked, SIG_DFL);
+  return true;
+}();
+
 }  // namespace
 
 std::string Fault::text() const {
@@ -96,8 +103,6 @@ Child::Child(const fs::path& folder, const std::function<int()>& command, Fault 
     return;
   redirect(streams_ / "out", STDOUT_FILENO);
   redirect(streams_ / "err", STDERR_FILENO);
-  for (const int asked : {SIGINT, SIGTERM, SIGHUP})  // a background job begins without them
-    ::signal(asked, SIG_DFL);
   ::setenv("EYRIE_VIEWER", (source_root() + "/tests/support/viewer.html").c_str(), 0);
   ::setenv("EYRIE_HOME", source_root().c_str(), 1);
   const rlimit none{0, 0};
