@@ -145,14 +145,16 @@ BENCHMARK(sensors)
 void radar_look(benchmark::State& state) {
   const Radar radar;
   const Kinematics own = flying(0, 0, false), other = flying(60e3, 5e3, true);
-  const sensor::Antenna antenna = aim(radar, {}, own);
   const Signature fighter;
   std::uint64_t step = 0;
   for (auto _ : state) {
     ++step;
-    benchmark::DoNotOptimize(look(radar, antenna, own, fighter, other, PlayerId{2},
-                                  Draw(1, PlayerId{1}, Stream::radar, step, 2),
-                                  Draw(1, PlayerId{1}, Stream::radar_noise, step, 2)));
+    const sensor::Detector detector(radar);
+    const double p = detection_probability(radar, detector, own, fighter, other);
+    if (Draw(1, PlayerId{1}, Stream::radar, step, 2).chance(p))
+      benchmark::DoNotOptimize(measure(radar, sensor::RadarMode::search, own,
+                                       level_axes(own, own.heading), other, PlayerId{2},
+                                       Draw(1, PlayerId{1}, Stream::radar_noise, step, 2)));
   }
 }
 BENCHMARK(radar_look);

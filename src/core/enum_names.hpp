@@ -10,12 +10,28 @@
 
 namespace eyrie {
 
-/// Specialise for an enum, before a row or a description uses it (one that comes too late does not
-/// compile with clang):
+/// The table of an enum that counts from 0, for a function beside it:
+/// `constexpr auto names_of(Mode) { return names_from_zero<Mode>("hold", "route"); }`
+template <class E, class... Names>
+[[nodiscard]] constexpr auto names_from_zero(Names... names) {
+  std::array<std::pair<std::string_view, E>, sizeof...(Names)> table{};
+  std::size_t i = 0;
+  ((table[i] = {names, static_cast<E>(i)}, ++i), ...);
+  return table;
+}
+
+/// What names_of() says of an enum, before a row or a description uses it; or specialise it:
 /// `template <> struct EnumNames<Mode> { static constexpr std::array names{
 ///    std::pair<std::string_view, Mode>{"hold", Mode::hold}, ... }; };`
 template <class E>
 struct EnumNames {};
+template <class E>
+requires requires {
+  names_of(E{});
+}
+struct EnumNames<E> {
+  static constexpr auto names = names_of(E{});
+};
 
 template <class E>
 concept NamedEnum = std::is_enum_v<E> && requires {

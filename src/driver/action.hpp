@@ -12,6 +12,9 @@ namespace eyrie::driver {
 
 /// What the driver calls out while doing it: told as an event when it changes.
 enum class Call : std::uint32_t { none, scatter };
+constexpr auto names_of(Call) {
+  return names_from_zero<Call>("none", "scatter");
+}
 
 /// The recommendation of one behavior, or of a whole tree. A field that is empty at the root leaves
 /// heading and speed as they are.
@@ -22,13 +25,6 @@ struct Action {
 };
 
 }  // namespace eyrie::driver
-
-template <>
-struct eyrie::EnumNames<eyrie::driver::Call> {
-  using E = eyrie::driver::Call;
-  static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
-                                    std::pair<std::string_view, E>{"scatter", E::scatter}};
-};
 
 template <>
 struct eyrie::ubf::ActionTraits<eyrie::driver::Action> {

@@ -12,23 +12,9 @@ namespace eyrie::model {
 
 /// What the autopilot does with a Command.
 enum class AutopilotMode : std::uint8_t { hold, route, follow, loiter };
-
-}  // namespace eyrie::model
-
-namespace eyrie {
-
-template <>
-struct EnumNames<model::AutopilotMode> {
-  static constexpr std::array names{
-      std::pair<std::string_view, model::AutopilotMode>{"hold", model::AutopilotMode::hold},
-      std::pair<std::string_view, model::AutopilotMode>{"route", model::AutopilotMode::route},
-      std::pair<std::string_view, model::AutopilotMode>{"follow", model::AutopilotMode::follow},
-      std::pair<std::string_view, model::AutopilotMode>{"loiter", model::AutopilotMode::loiter}};
-};
-
-}  // namespace eyrie
-
-namespace eyrie::model {
+constexpr auto names_of(AutopilotMode) {
+  return names_from_zero<AutopilotMode>("hold", "route", "follow", "loiter");
+}
 
 /// The flight command of one aircraft, executed by the autopilot at the rate of the kinematics.
 struct Command {

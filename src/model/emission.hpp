@@ -14,20 +14,9 @@
 namespace eyrie::model {
 
 enum class EmissionKind : std::uint8_t { none, search, track, missile_seeker };
-
-}  // namespace eyrie::model
-
-template <>
-struct eyrie::EnumNames<eyrie::model::EmissionKind> {
-  using E = eyrie::model::EmissionKind;
-  static constexpr std::array names{
-      std::pair<std::string_view, E>{"none", E::none},
-      std::pair<std::string_view, E>{"search", E::search},
-      std::pair<std::string_view, E>{"track", E::track},
-      std::pair<std::string_view, E>{"missile_seeker", E::missile_seeker}};
-};
-
-namespace eyrie::model {
+constexpr auto names_of(EmissionKind) {
+  return names_from_zero<EmissionKind>("none", "search", "track", "missile_seeker");
+}
 
 /// The beam of one aircraft's radar or of one missile's seeker. A search radar is described by the
 /// whole sector it sweeps: it passes everything in there once per frame.

@@ -10,22 +10,9 @@
 namespace eyrie::model {
 
 enum class Side : std::uint8_t { none, blue, red };
-
-}  // namespace eyrie::model
-
-namespace eyrie {
-
-template <>
-struct EnumNames<model::Side> {
-  static constexpr std::array names{
-      std::pair<std::string_view, model::Side>{"none", model::Side::none},
-      std::pair<std::string_view, model::Side>{"blue", model::Side::blue},
-      std::pair<std::string_view, model::Side>{"red", model::Side::red}};
-};
-
-}  // namespace eyrie
-
-namespace eyrie::model {
+constexpr auto names_of(Side) {
+  return names_from_zero<Side>("none", "blue", "red");
+}
 
 /// A flight has at most so many members.
 inline constexpr std::size_t kMaxFlight = 8;

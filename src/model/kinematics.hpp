@@ -27,14 +27,13 @@ struct Kinematics {
   double load_factor = 1;  ///< g, along the lift axis
 
   static constexpr auto fields() {
-    return field_list(
-        field("position", &Kinematics::position, "m"),
-        field("velocity", &Kinematics::velocity, "m/s"), field("north", &Kinematics::north),
-        field("east", &Kinematics::east), field("down", &Kinematics::down),
-        field("altitude", &Kinematics::altitude, "m"),
-        field("heading", &Kinematics::heading, "rad"), field("pitch", &Kinematics::pitch, "rad"),
-        field("roll", &Kinematics::roll, "rad"), field("speed", &Kinematics::speed, "m/s"),
-        field("mach", &Kinematics::mach), field("load_factor", &Kinematics::load_factor));
+    using K = Kinematics;
+    return field_list(field("position", &K::position, "m"), field("velocity", &K::velocity, "m/s"),
+                      field("north", &K::north), field("east", &K::east), field("down", &K::down),
+                      field("altitude", &K::altitude, "m"), field("heading", &K::heading, "rad"),
+                      field("pitch", &K::pitch, "rad"), field("roll", &K::roll, "rad"),
+                      field("speed", &K::speed, "m/s"), field("mach", &K::mach),
+                      field("load_factor", &K::load_factor));
   }
 };
 

@@ -13,6 +13,9 @@
 namespace eyrie::model {
 
 enum class Identity : std::uint8_t { unknown, friendly, hostile };
+constexpr auto names_of(Identity) {
+  return names_from_zero<Identity>("unknown", "friendly", "hostile");
+}
 
 /// Which sensors have contributed to a track, as bits.
 enum TrackSource : std::uint8_t {
@@ -21,18 +24,6 @@ enum TrackSource : std::uint8_t {
   kFromDatalink = 4,
   kFromTruth = 8,  ///< privileged state
 };
-
-}  // namespace eyrie::model
-
-template <>
-struct eyrie::EnumNames<eyrie::model::Identity> {
-  using E = eyrie::model::Identity;
-  static constexpr std::array names{std::pair<std::string_view, E>{"unknown", E::unknown},
-                                    std::pair<std::string_view, E>{"friendly", E::friendly},
-                                    std::pair<std::string_view, E>{"hostile", E::hostile}};
-};
-
-namespace eyrie::model {
 
 /// Uncertainty of position and velocity along one axis: the covariance of a two-state filter.
 struct AxisCovariance {

@@ -38,6 +38,9 @@ struct Release {
 /// What the pilot calls out while doing it: told as an event when it changes. `land` also ends the
 /// flight.
 enum class Call : std::uint32_t { none, defend_far, defend_near, land };
+constexpr auto names_of(Call) {
+  return names_from_zero<Call>("none", "defend_far", "defend_near", "land");
+}
 
 /// The recommendation of one behavior, or of a whole tree. What a field that stays empty up to the
 /// root means is said beside it: "stays" leaves the last order as it is, "ends" takes it back.
@@ -63,15 +66,6 @@ struct Action {
 };
 
 }  // namespace eyrie::pilot
-
-template <>
-struct eyrie::EnumNames<eyrie::pilot::Call> {
-  using E = eyrie::pilot::Call;
-  static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
-                                    std::pair<std::string_view, E>{"defend_far", E::defend_far},
-                                    std::pair<std::string_view, E>{"defend_near", E::defend_near},
-                                    std::pair<std::string_view, E>{"land", E::land}};
-};
 
 template <>
 struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {

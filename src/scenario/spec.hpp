@@ -24,6 +24,9 @@ enum class Ends : std::uint8_t {
   last_side,  ///< one side has no aircraft and no vehicle left
   time,       ///< only `until` counts
 };
+constexpr auto names_of(Ends) {
+  return names_from_zero<Ends>("blue_home", "last_side", "time");
+}
 
 /// A place: north and east of the reference point, or geodetic.
 struct PlaceSpec {
@@ -36,10 +39,9 @@ struct PlaceSpec {
               "distance north of the reference point, along its meridian"),
         param("east", &PlaceSpec::east, "m", range(-500e3, 500e3),
               "distance east of the reference point, along its parallel"),
-        param("latitude", &PlaceSpec::latitude, "rad",
-              range(-1.5707963267948966, 1.5707963267948966), "geodetic latitude, WGS-84"),
-        param("longitude", &PlaceSpec::longitude, "rad",
-              range(-6.283185307179586, 6.283185307179586), "longitude, WGS-84")};
+        param("latitude", &PlaceSpec::latitude, "rad", range(-kPi / 2, kPi / 2),
+              "geodetic latitude, WGS-84"),
+        param("longitude", &PlaceSpec::longitude, "rad", range(-kTau, kTau), "longitude, WGS-84")};
   }
   std::optional<double> north, east, latitude, longitude;
 };
@@ -52,8 +54,7 @@ struct StartSpec : PlaceSpec {
         PlaceSpec::params(),
         std::tuple{param("altitude", &StartSpec::altitude, "m", range(0, 30e3),
                          "height above the ellipsoid"),
-                   param("heading", &StartSpec::heading, "rad",
-                         range(-6.283185307179586, 6.283185307179586), "true heading"),
+                   param("heading", &StartSpec::heading, "rad", range(-kTau, kTau), "true heading"),
                    param("speed", &StartSpec::speed, "m/s", range(1, 1000), "true airspeed")});
   }
   std::optional<double> altitude, heading, speed;
@@ -121,12 +122,11 @@ struct VehicleStartSpec : PlaceSpec {
   static constexpr std::string_view type_name = "vehicle_start";
   static constexpr std::string_view help = "where and how a vehicle begins, on the surface";
   static constexpr auto params() {
-    return std::tuple_cat(
-        PlaceSpec::params(),
-        std::tuple{param("heading", &VehicleStartSpec::heading, "rad",
-                         range(-6.283185307179586, 6.283185307179586), "true heading"),
-                   param("speed", &VehicleStartSpec::speed, "m/s", range(0, 100),
-                         "over the ground; not given: stands")});
+    return std::tuple_cat(PlaceSpec::params(),
+                          std::tuple{param("heading", &VehicleStartSpec::heading, "rad",
+                                           range(-kTau, kTau), "true heading"),
+                                     param("speed", &VehicleStartSpec::speed, "m/s", range(0, 100),
+                                           "over the ground; not given: stands")});
   }
   std::optional<double> heading, speed;
 };
@@ -187,13 +187,12 @@ struct ReferenceSpec {
   static constexpr std::string_view type_name = "reference";
   static constexpr std::string_view help = "the reference point: origin of the local frame";
   static constexpr auto params() {
-    return std::tuple{
-        param("latitude", &ReferenceSpec::latitude, "rad",
-              range(-1.5707963267948966, 1.5707963267948966), "geodetic latitude, WGS-84")
-            .required(),
-        param("longitude", &ReferenceSpec::longitude, "rad",
-              range(-6.283185307179586, 6.283185307179586), "longitude, WGS-84")
-            .required()};
+    return std::tuple{param("latitude", &ReferenceSpec::latitude, "rad", range(-kPi / 2, kPi / 2),
+                            "geodetic latitude, WGS-84")
+                          .required(),
+                      param("longitude", &ReferenceSpec::longitude, "rad", range(-kTau, kTau),
+                            "longitude, WGS-84")
+                          .required()};
   }
   double latitude = 0, longitude = 0;
 };
@@ -246,13 +245,3 @@ struct ScenarioSpec {
 };
 
 }  // namespace eyrie::scenario
-
-template <>
-struct eyrie::EnumNames<eyrie::scenario::Ends> {
-  static constexpr std::array names{
-      std::pair<std::string_view, eyrie::scenario::Ends>{"blue_home",
-                                                         eyrie::scenario::Ends::blue_home},
-      std::pair<std::string_view, eyrie::scenario::Ends>{"last_side",
-                                                         eyrie::scenario::Ends::last_side},
-      std::pair<std::string_view, eyrie::scenario::Ends>{"time", eyrie::scenario::Ends::time}};
-};

@@ -26,13 +26,6 @@ namespace eyrie::sim {
   return period <= 1 || (step + id.value) % period == 0;
 }
 
-/// The first step at or after `step` at which `id` is due.
-[[nodiscard]] inline std::uint64_t next_due(std::uint64_t step, PlayerId id, std::uint32_t period) {
-  EYRIE_ASSERT(period != 0);
-  const std::uint64_t late = (step + id.value) % period;
-  return late == 0 ? step : step + (period - late);
-}
-
 /// A period in whole steps, or why there is none.
 struct Period {
   std::uint32_t steps = 0;

@@ -20,16 +20,6 @@ RC_GTEST_PROP(Due, ComesExactlyOncePerPeriod, ()) {
   RC_ASSERT(times == 1);
 }
 
-RC_GTEST_PROP(Due, IsWhatNextDueForetells, ()) {
-  const auto period = *rc::gen::inRange<std::uint32_t>(1, 200);
-  const PlayerId id{*rc::gen::inRange<std::uint32_t>(1, 10000)};
-  const auto start = *rc::gen::inRange<std::uint64_t>(0, 1u << 30);
-  std::uint64_t step = start;
-  while (!due(step, id, period))
-    ++step;
-  RC_ASSERT(next_due(start, id, period) == step);
-}
-
 TEST(Due, SpreadsPlayersOverThePeriod) {
   for (std::uint64_t step = 0; step < 10; ++step) {
     int work = 0;

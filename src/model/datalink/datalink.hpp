@@ -44,14 +44,12 @@ struct SharedTrack {
   std::uint8_t reserved = 0;
 
   static constexpr auto fields() {
-    return field_list(
-        field("position", &SharedTrack::position, "m"),
-        field("velocity", &SharedTrack::velocity, "m/s"),
-        field("position_sigma", &SharedTrack::position_sigma, "m"),
-        field("velocity_sigma", &SharedTrack::velocity_sigma, "m/s"),
-        field("truth", &SharedTrack::truth), field("identity", &SharedTrack::identity),
-        field("engagement", &SharedTrack::engagement), field("sensed", &SharedTrack::sensed),
-        field("reserved", &SharedTrack::reserved));
+    using S = SharedTrack;
+    return field_list(field("position", &S::position, "m"), field("velocity", &S::velocity, "m/s"),
+                      field("position_sigma", &S::position_sigma, "m"),
+                      field("velocity_sigma", &S::velocity_sigma, "m/s"), field("truth", &S::truth),
+                      field("identity", &S::identity), field("engagement", &S::engagement),
+                      field("sensed", &S::sensed), field("reserved", &S::reserved));
   }
 };
 static_assert(fields_cover_row<SharedTrack>());
@@ -67,13 +65,11 @@ struct DatalinkMessage {
   std::uint8_t reserved[4] = {};
 
   static constexpr auto fields() {
-    return field_list(field("time", &DatalinkMessage::time, "s"),
-                      field("position", &DatalinkMessage::position, "m"),
-                      field("velocity", &DatalinkMessage::velocity, "m/s"),
-                      field("fuel", &DatalinkMessage::fuel, "kg"),
-                      field("tracks", &DatalinkMessage::tracks),
-                      field("track_count", &DatalinkMessage::track_count),
-                      field("reserved", &DatalinkMessage::reserved));
+    using D = DatalinkMessage;
+    return field_list(field("time", &D::time, "s"), field("position", &D::position, "m"),
+                      field("velocity", &D::velocity, "m/s"), field("fuel", &D::fuel, "kg"),
+                      field("tracks", &D::tracks), field("track_count", &D::track_count),
+                      field("reserved", &D::reserved));
   }
 };
 static_assert(fields_cover_row<DatalinkMessage>());
@@ -156,10 +152,10 @@ static_assert(fields_cover_row<DatalinkState>());
 
 /// Const and shared by the members of a flight.
 struct Datalink {
-  double rate = 1;
-  double delay = 0.2;
-  double timeout = 5;
-  double range = si(200, "nmi");
+  double rate = 1;                ///< Hz
+  double delay = 0.2;             ///< s
+  double timeout = 5;             ///< s
+  double range = si(200, "nmi");  ///< m
   double loss = 0;
 
   static constexpr std::string_view type_name = "datalink";

@@ -23,13 +23,13 @@ struct Engine {
   Table2 military;     ///< N over Mach number and altitude (m), full power without afterburner
   Table2 afterburner;  ///< N, full afterburner
   double idle_share = 0.05;
-  double military_tsfc = si(0.9, "lb/lbf/h");
-  double afterburner_tsfc = si(1.6, "lb/lbf/h");
+  double military_tsfc = si(0.9, "lb/lbf/h");     ///< kg/N/s
+  double afterburner_tsfc = si(1.6, "lb/lbf/h");  ///< kg/N/s
   double military_tsfc_mach = 1.0 / 3;
   double afterburner_tsfc_mach = 0.16875;
-  double idle_flow = 0;
-  double spool_time = 4;
-  double light_time = 2;
+  double idle_flow = 0;   ///< kg/s
+  double spool_time = 4;  ///< s
+  double light_time = 2;  ///< s
 
   static constexpr std::string_view type_name = "engine";
   static constexpr std::string_view help = "thrust and fuel flow of all engines of an aircraft";
@@ -88,17 +88,9 @@ enum class Dynamics : std::uint8_t {
   laero,       ///< rate limits only, as the paper's aircraft
   point_mass,  ///< lift, drag, thrust, weight and fuel
 };
-
-}  // namespace eyrie::model::flight
-
-template <>
-struct eyrie::EnumNames<eyrie::model::flight::Dynamics> {
-  using E = eyrie::model::flight::Dynamics;
-  static constexpr std::array names{std::pair<std::string_view, E>{"laero", E::laero},
-                                    std::pair<std::string_view, E>{"point_mass", E::point_mass}};
-};
-
-namespace eyrie::model::flight {
+constexpr auto names_of(Dynamics) {
+  return names_from_zero<Dynamics>("laero", "point_mass");
+}
 
 /// Lift and drag, all per wing area: C_D = C_D0(M) + k(M) C_L^2, and k_s (|C_L| - C_Ls)^2 more from
 /// C_Ls on, where the flow over the wing begins to separate and leading-edge suction is lost. C_L
@@ -138,9 +130,9 @@ struct FlightLimits {
   double max_load_factor = 9;
   double min_load_factor = -3;
   double load_factor_rate = 6;
-  double roll_rate = si(180, "deg/s");
+  double roll_rate = si(180, "deg/s");  ///< rad/s
   double max_mach = 2;
-  double max_equivalent_airspeed = si(800, "kt");
+  double max_equivalent_airspeed = si(800, "kt");  ///< m/s
 
   static constexpr std::string_view type_name = "flight_limits";
   static constexpr std::string_view help = "what structure and flight controls allow";

@@ -17,17 +17,17 @@ namespace eyrie::model::flight {
 /// own rate limits). Const and shared.
 struct Autopilot {
   GuidanceGains guidance;
-  double heading_time = 1.2;
-  double altitude_time = 5;
-  double climb_time = 1;
-  double speed_time = 4;
-  double max_climb_angle = si(35, "deg");
-  double max_dive_angle = si(40, "deg");
+  double heading_time = 1.2;               ///< s
+  double altitude_time = 5;                ///< s
+  double climb_time = 1;                   ///< s
+  double speed_time = 4;                   ///< s
+  double max_climb_angle = si(35, "deg");  ///< rad
+  double max_dive_angle = si(40, "deg");   ///< rad
   double push_limit = 0;
   double stall_margin = 1.3;
   double acceleration_share = 0.5;
-  double dive_overspeed = 50;
-  double afterburner_error = 15;
+  double dive_overspeed = 50;     ///< m/s
+  double afterburner_error = 15;  ///< m/s
 
   static constexpr std::string_view type_name = "autopilot";
   static constexpr std::string_view help = "holds heading, altitude and speed; routes, formation";

@@ -26,6 +26,9 @@ enum class RouteEnd : std::uint8_t {
   repeat,    ///< start again with the first
   stop,      ///< stand there; for who is on the ground
 };
+constexpr auto names_of(RouteEnd) {
+  return names_from_zero<RouteEnd>("loiter", "straight", "repeat", "stop");
+}
 
 /// A place to fly over. Positions are in the scenario's local frame.
 struct Waypoint {
@@ -41,19 +44,6 @@ struct Route {
   RouteEnd end = RouteEnd::loiter;
 };
 
-}  // namespace eyrie::model::flight
-
-template <>
-struct eyrie::EnumNames<eyrie::model::flight::RouteEnd> {
-  using E = eyrie::model::flight::RouteEnd;
-  static constexpr std::array names{std::pair<std::string_view, E>{"loiter", E::loiter},
-                                    std::pair<std::string_view, E>{"straight", E::straight},
-                                    std::pair<std::string_view, E>{"repeat", E::repeat},
-                                    std::pair<std::string_view, E>{"stop", E::stop}};
-};
-
-namespace eyrie::model::flight {
-
 /// What the inner loops of the autopilot fly.
 struct Guidance {
   double heading = 0;    ///< rad, true, through the air: wind is allowed for
@@ -64,15 +54,15 @@ struct Guidance {
 
 /// Gains of guidance. Const and shared.
 struct GuidanceGains {
-  double follow_forward = 0.05;
-  double follow_across = 0.05;
-  double follow_min_speed = 150;
-  double follow_max_speed = 350;
-  double lead_heading_time = 2;
-  double lookahead_time = 15;
-  double capture_radius = si(0.5, "nmi");
+  double follow_forward = 0.05;            ///< Hz
+  double follow_across = 0.05;             ///< Hz
+  double follow_min_speed = 150;           ///< m/s
+  double follow_max_speed = 350;           ///< m/s
+  double lead_heading_time = 2;            ///< s
+  double lookahead_time = 15;              ///< s
+  double capture_radius = si(0.5, "nmi");  ///< m
   double loiter_convergence = 2;
-  double loiter_radius = si(3, "nmi");
+  double loiter_radius = si(3, "nmi");  ///< m
   /// m/s, follow: never asks for less along the leader's course; who is on the ground waits for its
   /// place instead of turning back to it. No parameter: aircraft turn back.
   double follow_least_along = -math::kInfinity;

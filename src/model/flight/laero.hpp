@@ -16,18 +16,18 @@ namespace eyrie::model::flight {
 
 /// Rate limits and time constants. Const and shared.
 struct Laero {
-  double max_turn_rate = si(3, "deg/s");
-  double max_bank = si(30, "deg");
-  double max_climb_rate = si(2000, "ft/min");
-  double max_acceleration = si(5, "kt");  // per second
-  double roll_rate = si(10, "deg/s");
-  double pitch_rate = si(10, "deg/s");
-  double heading_time = 1;
-  double altitude_time = 4;
-  double speed_time = 1;
-  double min_speed = si(100, "kt");
-  double max_speed = si(1200, "kt");
-  double fuel_flow = 0;
+  double max_turn_rate = si(3, "deg/s");       ///< rad/s
+  double max_bank = si(30, "deg");             ///< rad
+  double max_climb_rate = si(2000, "ft/min");  ///< m/s
+  double max_acceleration = si(5, "kt");       ///< m/s^2
+  double roll_rate = si(10, "deg/s");          ///< rad/s
+  double pitch_rate = si(10, "deg/s");         ///< rad/s
+  double heading_time = 1;                     ///< s
+  double altitude_time = 4;                    ///< s
+  double speed_time = 1;                       ///< s
+  double min_speed = si(100, "kt");            ///< m/s
+  double max_speed = si(1200, "kt");           ///< m/s
+  double fuel_flow = 0;                        ///< kg/s
 
   static constexpr std::string_view type_name = "laero";
   static constexpr std::string_view help = "rate limits of heading, altitude and speed";

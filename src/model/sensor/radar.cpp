@@ -96,16 +96,4 @@ Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const
   return contact;
 }
 
-std::optional<Contact> look(const Radar& radar, const Antenna& antenna, const Kinematics& own,
-                            const Signature& signature, const Kinematics& other, PlayerId truth,
-                            Draw detection, Draw noise) {
-  const Vec3 sight = other.position - own.position;
-  if (!covers(antenna, sight, norm2(sight)))
-    return std::nullopt;
-  const Detector detector(radar);
-  if (!detection.chance(detection_probability(radar, detector, own, signature, other)))
-    return std::nullopt;
-  return measure(radar, RadarMode::search, own, level_axes(own, own.heading), other, truth, noise);
-}
-
 }  // namespace eyrie::model::sensor

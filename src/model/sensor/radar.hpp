@@ -5,7 +5,6 @@
 /// are worth.
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -26,18 +25,9 @@ enum class RadarMode : std::uint8_t {
   search,  ///< track while scan: one look per frame at everything in the scan volume
   track,   ///< single target track: looks at nothing else, many times a second
 };
-
-}  // namespace eyrie::model::sensor
-
-template <>
-struct eyrie::EnumNames<eyrie::model::sensor::RadarMode> {
-  using E = eyrie::model::sensor::RadarMode;
-  static constexpr std::array names{std::pair<std::string_view, E>{"off", E::off},
-                                    std::pair<std::string_view, E>{"search", E::search},
-                                    std::pair<std::string_view, E>{"track", E::track}};
-};
-
-namespace eyrie::model::sensor {
+constexpr auto names_of(RadarMode) {
+  return names_from_zero<RadarMode>("off", "search", "track");
+}
 
 /// Angles of the scan are stabilised: azimuth from the own heading, elevation from the horizon.
 struct RadarState {
@@ -51,13 +41,12 @@ struct RadarState {
   std::uint8_t reserved[7] = {};
 
   static constexpr auto fields() {
-    return field_list(field("scan_azimuth", &RadarState::scan_azimuth, "rad"),
-                      field("scan_elevation", &RadarState::scan_elevation, "rad"),
-                      field("lock_time", &RadarState::lock_time, "s"),
-                      field("search_until", &RadarState::search_until, "s"),
-                      field("designated", &RadarState::designated),
-                      field("locked", &RadarState::locked), field("mode", &RadarState::mode),
-                      field("reserved", &RadarState::reserved));
+    using R = RadarState;
+    return field_list(
+        field("scan_azimuth", &R::scan_azimuth, "rad"),
+        field("scan_elevation", &R::scan_elevation, "rad"), field("lock_time", &R::lock_time, "s"),
+        field("search_until", &R::search_until, "s"), field("designated", &R::designated),
+        field("locked", &R::locked), field("mode", &R::mode), field("reserved", &R::reserved));
   }
 };
 static_assert(fields_cover_row<RadarState>());
@@ -66,26 +55,26 @@ static_assert(fields_cover_row<RadarState>());
 /// section is some hundred times smaller, so its range is a third or less, and the tracker of the
 /// time does not keep it.
 struct Radar {
-  double reference_range = si(80, "nmi");
-  double reference_rcs = 3.2;
+  double reference_range = si(80, "nmi");  ///< m
+  double reference_rcs = 3.2;              ///< m^2
   double reference_probability = 0.5;
   double false_alarm = 1e-6;
-  double instrumented_range = si(160, "nmi");
-  double gimbal = si(60, "deg");
-  double scan_half_azimuth = si(60, "deg");
+  double instrumented_range = si(160, "nmi");  ///< m
+  double gimbal = si(60, "deg");               ///< rad
+  double scan_half_azimuth = si(60, "deg");    ///< rad
   std::uint32_t scan_bars = 4;
-  double bar_spacing = si(2.5, "deg");
-  double beam_width = si(3, "deg");
-  double scan_rate = 0.5;
-  double track_rate = 5;
-  double lock_range = 0;
-  double lock_memory = 2;
-  double notch_speed = 50;
-  double notch_edge = 10;
-  double sigma_range = 50;
-  double sigma_angle = si(0.5, "deg");
-  double sigma_range_rate = 3;
-  double track_sigma_angle = si(0.15, "deg");
+  double bar_spacing = si(2.5, "deg");         ///< rad
+  double beam_width = si(3, "deg");            ///< rad
+  double scan_rate = 0.5;                      ///< Hz
+  double track_rate = 5;                       ///< Hz
+  double lock_range = 0;                       ///< m
+  double lock_memory = 2;                      ///< s
+  double notch_speed = 50;                     ///< m/s
+  double notch_edge = 10;                      ///< m/s
+  double sigma_range = 50;                     ///< m
+  double sigma_angle = si(0.5, "deg");         ///< rad
+  double sigma_range_rate = 3;                 ///< m/s
+  double track_sigma_angle = si(0.15, "deg");  ///< rad
   std::uint32_t max_contacts = 24;
 
   static constexpr std::string_view type_name = "radar";
@@ -200,15 +189,9 @@ struct Antenna {
                               const Axes& level, const Kinematics& other, PlayerId truth,
                               Draw noise);
 
-/// One look of the searching radar at one other aircraft: nothing if it is not detected.
-[[nodiscard]] std::optional<Contact> look(const Radar& radar, const Antenna& antenna,
-                                          const Kinematics& own, const Signature& signature,
-                                          const Kinematics& other, PlayerId truth, Draw detection,
-                                          Draw noise);
-
 /// Const and shared by every aircraft that carries it. Everybody carries a transponder.
 struct Iff {
-  double range = si(100, "nmi");
+  double range = si(100, "nmi");  ///< m
   double reply_probability = 0.95;
   std::uint32_t tries = 3;
 

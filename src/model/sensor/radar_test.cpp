@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "support/model/flying.hpp"
 
@@ -23,6 +24,19 @@ Signature sphere(double rcs) {
 
 Draw draw(Stream stream, std::uint64_t step) {
   return Draw(7, kOwn, stream, step, kOther.value);
+}
+
+/// One look of the searching radar at one other aircraft: nothing if it is not detected.
+std::optional<Contact> look(const Radar& radar, const Antenna& antenna, const Kinematics& own,
+                            const Signature& signature, const Kinematics& other, PlayerId truth,
+                            Draw detection, Draw noise) {
+  const Vec3 sight = other.position - own.position;
+  if (!covers(antenna, sight, norm2(sight)))
+    return std::nullopt;
+  const Detector detector(radar);
+  if (!detection.chance(detection_probability(radar, detector, own, signature, other)))
+    return std::nullopt;
+  return measure(radar, RadarMode::search, own, level_axes(own, own.heading), other, truth, noise);
 }
 
 /// Chance to detect a head-on target of the reference cross section at `range`, both high up.

@@ -56,13 +56,13 @@ static_assert(fields_cover_row<RwrState>());
 /// Const and shared by every aircraft that carries it. It hears main beams only: a radar that does
 /// not point here, or does not sweep over here, is not heard.
 struct Rwr {
-  double insensitivity = 85;
-  double sigma_bearing = si(10, "deg");
-  double bearing_step = si(5, "deg");
-  double elevation_coverage = si(45, "deg");
-  double search_rate = 1;
-  double seeker_rate = 5;
-  double memory = 5;
+  double insensitivity = 85;                  ///< dB
+  double sigma_bearing = si(10, "deg");       ///< rad
+  double bearing_step = si(5, "deg");         ///< rad
+  double elevation_coverage = si(45, "deg");  ///< rad
+  double search_rate = 1;                     ///< Hz
+  double seeker_rate = 5;                     ///< Hz
+  double memory = 5;                          ///< s
   bool hides_friends = true;
 
   static constexpr std::string_view type_name = "rwr";

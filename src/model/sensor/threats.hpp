@@ -33,16 +33,13 @@ struct InboundMissile {
   std::uint8_t reserved = 0;
 
   static constexpr auto fields() {
-    return field_list(
-        field("bearing", &InboundMissile::bearing, "rad"),
-        field("elevation", &InboundMissile::elevation, "rad"),
-        field("range", &InboundMissile::range, "m"), field("time", &InboundMissile::time, "s"),
-        field("first_time", &InboundMissile::first_time, "s"),
-        field("position_time", &InboundMissile::position_time, "s"),
-        field("truth", &InboundMissile::truth),
-        field("has_position", &InboundMissile::has_position),
-        field("closing", &InboundMissile::closing), field("sources", &InboundMissile::sources),
-        field("reserved", &InboundMissile::reserved));
+    using I = InboundMissile;
+    return field_list(field("bearing", &I::bearing, "rad"),
+                      field("elevation", &I::elevation, "rad"), field("range", &I::range, "m"),
+                      field("time", &I::time, "s"), field("first_time", &I::first_time, "s"),
+                      field("position_time", &I::position_time, "s"), field("truth", &I::truth),
+                      field("has_position", &I::has_position), field("closing", &I::closing),
+                      field("sources", &I::sources), field("reserved", &I::reserved));
   }
 };
 static_assert(fields_cover_row<InboundMissile>());

@@ -19,24 +19,24 @@ namespace eyrie::model::sensor {
 
 /// Const and shared: the pilot's eyes and the cockpit they look out of. Daylight.
 struct Visual {
-  double rate = 2;
+  double rate = 2;  ///< Hz
   double search = 17e3;
   double cued_search = 140e3;
-  double cue_angle = si(10, "deg");
-  double visibility = si(40, "km");
-  double range = si(15, "nmi");
-  double least_angle = 0.29e-3;
-  double identify_angle = 1.86e-3;
+  double cue_angle = si(10, "deg");  ///< rad
+  double visibility = si(40, "km");  ///< m
+  double range = si(15, "nmi");      ///< m
+  double least_angle = 0.29e-3;      ///< rad
+  double identify_angle = 1.86e-3;   ///< rad
   double hold_probability = 0.95;
-  double hold_time = 3;
-  double over_nose = si(15, "deg");
-  double over_side = si(40, "deg");
-  double tail_blind = si(30, "deg");
+  double hold_time = 3;               ///< s
+  double over_nose = si(15, "deg");   ///< rad
+  double over_side = si(40, "deg");   ///< rad
+  double tail_blind = si(30, "deg");  ///< rad
   double sigma_range = 0.2;
-  double sigma_angle = si(1, "deg");
-  double plume_area = 30;
-  double missile_area = 0.15;
-  double steady_rate = si(3, "deg/s");
+  double sigma_angle = si(1, "deg");    ///< rad
+  double plume_area = 30;               ///< m^2
+  double missile_area = 0.15;           ///< m^2
+  double steady_rate = si(3, "deg/s");  ///< rad/s
 
   static constexpr std::string_view type_name = "visual";
   static constexpr std::string_view help = "the eyes of the pilot and the cockpit around them";

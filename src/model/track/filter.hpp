@@ -19,16 +19,16 @@ namespace eyrie::model::track {
 
 /// The tracker in the mission computer: const, shared, one for all sensors of an aircraft.
 struct Tracker {
-  double rate = 10;
+  double rate = 10;  ///< Hz
   double gate = 4;
-  double max_gate = si(5, "km");
+  double max_gate = si(5, "km");  ///< m
   std::uint32_t confirm_hits = 2;
-  double maneuver = 20;
-  double initial_speed = 250;
-  double coast_time = 12;
-  double tentative_time = 6;
+  double maneuver = 20;        ///< m/s^2
+  double initial_speed = 250;  ///< m/s
+  double coast_time = 12;      ///< s
+  double tentative_time = 6;   ///< s
   double merge_gate = 2;
-  double glance_time = 0.2;
+  double glance_time = 0.2;  ///< s
 
   static constexpr std::string_view type_name = "tracker";
   static constexpr std::string_view help = "association, filter and life of tracks";

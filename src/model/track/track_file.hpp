@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/assert.hpp"
 #include "model/track.hpp"
 #include "model/track/filter.hpp"
 
@@ -25,6 +26,7 @@ struct TrackNews {
 class TrackNewsList {
  public:
   void add(const TrackNews& news) {
+    EYRIE_ASSERT(count_ < items_.size());
     if (count_ < items_.size())
       items_[count_++] = news;
   }
@@ -32,7 +34,7 @@ class TrackNewsList {
   void clear() { count_ = 0; }
 
  private:
-  std::array<TrackNews, 128> items_;
+  std::array<TrackNews, 256> items_;
   std::size_t count_ = 0;
 };
 

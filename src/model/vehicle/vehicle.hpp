@@ -25,18 +25,18 @@ namespace eyrie::model::vehicle {
 
 /// Const and shared. docs/models/vehicle.md has the equations and what they are worth.
 struct VehicleType {
-  std::string label;  ///< what the story and Tacview call it: "M939"
-  double wheelbase = 4.5;
-  double top_speed = si(85, "km/h");
-  double acceleration = 1;
-  double braking = 3;
-  double side_acceleration = 2.5;
-  double steering_angle = si(32, "deg");
-  double steering_rate = si(20, "deg/s");
-  double heading_time = 0.8;
-  double lookahead_time = 2;
-  double capture_radius = 25;
-  double gap_gain = 0.25;
+  std::string label;                       ///< what the story and Tacview call it: "M939"
+  double wheelbase = 4.5;                  ///< m
+  double top_speed = si(85, "km/h");       ///< m/s
+  double acceleration = 1;                 ///< m/s^2
+  double braking = 3;                      ///< m/s^2
+  double side_acceleration = 2.5;          ///< m/s^2
+  double steering_angle = si(32, "deg");   ///< rad
+  double steering_rate = si(20, "deg/s");  ///< rad/s
+  double heading_time = 0.8;               ///< s
+  double lookahead_time = 2;               ///< s
+  double capture_radius = 25;              ///< m
+  double gap_gain = 0.25;                  ///< Hz
   std::optional<std::string> visual, datalink;
 
   /// Indices into the shelves of the Library: the names above, looked up.

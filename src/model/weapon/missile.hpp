@@ -195,20 +195,9 @@ enum class MissileEnd : std::uint8_t {
   time,    ///< its battery is empty
   lost,    ///< saw nothing for longer than it remembers and destroyed itself
 };
-
-}  // namespace eyrie::model::weapon
-
-template <>
-struct eyrie::EnumNames<eyrie::model::weapon::MissileEnd> {
-  using E = eyrie::model::weapon::MissileEnd;
-  static constexpr std::array names{std::pair<std::string_view, E>{"none", E::none},
-                                    std::pair<std::string_view, E>{"ground", E::ground},
-                                    std::pair<std::string_view, E>{"speed", E::speed},
-                                    std::pair<std::string_view, E>{"time", E::time},
-                                    std::pair<std::string_view, E>{"lost", E::lost}};
-};
-
-namespace eyrie::model::weapon {
+constexpr auto names_of(MissileEnd) {
+  return names_from_zero<MissileEnd>("none", "ground", "speed", "time", "lost");
+}
 
 /// The memory of one missile. It knows what it was told by its shooter and what its seeker saw,
 /// never the truth: `intended` is for scoring and `seen` names the echo that the seeker rests on.
@@ -235,21 +224,18 @@ struct MissileState {
   std::uint8_t reserved[3] = {};
 
   static constexpr auto fields() {
+    using M = MissileState;
     return field_list(
-        field("target_position", &MissileState::target_position, "m"),
-        field("target_velocity", &MissileState::target_velocity, "m/s"),
-        field("target_time", &MissileState::target_time, "s"), field("sight", &MissileState::sight),
-        field("sight_rate", &MissileState::sight_rate, "rad/s"),
-        field("sight_time", &MissileState::sight_time, "s"),
-        field("closing_speed", &MissileState::closing_speed, "m/s"),
-        field("wanted", &MissileState::wanted, "m/s2"), field("lift", &MissileState::lift, "m/s2"),
-        field("launch_time", &MissileState::launch_time, "s"),
-        field("next_fuze_scan", &MissileState::next_fuze_scan, "s"),
-        field("shooter", &MissileState::shooter), field("intended", &MissileState::intended),
-        field("track", &MissileState::track), field("seen", &MissileState::seen),
-        field("type", &MissileState::type), field("side", &MissileState::side),
-        field("active", &MissileState::active), field("locked", &MissileState::locked),
-        field("reserved", &MissileState::reserved));
+        field("target_position", &M::target_position, "m"),
+        field("target_velocity", &M::target_velocity, "m/s"),
+        field("target_time", &M::target_time, "s"), field("sight", &M::sight),
+        field("sight_rate", &M::sight_rate, "rad/s"), field("sight_time", &M::sight_time, "s"),
+        field("closing_speed", &M::closing_speed, "m/s"), field("wanted", &M::wanted, "m/s2"),
+        field("lift", &M::lift, "m/s2"), field("launch_time", &M::launch_time, "s"),
+        field("next_fuze_scan", &M::next_fuze_scan, "s"), field("shooter", &M::shooter),
+        field("intended", &M::intended), field("track", &M::track), field("seen", &M::seen),
+        field("type", &M::type), field("side", &M::side), field("active", &M::active),
+        field("locked", &M::locked), field("reserved", &M::reserved));
   }
 };
 static_assert(fields_cover_row<MissileState>());

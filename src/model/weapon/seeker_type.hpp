@@ -15,17 +15,9 @@ enum class SeekerKind : std::uint8_t {
   radar,     ///< active: measures angles, range and closing speed; heard by warning receivers
   infrared,  ///< measures angles only; must be locked on before launch
 };
-
-}  // namespace eyrie::model::weapon
-
-template <>
-struct eyrie::EnumNames<eyrie::model::weapon::SeekerKind> {
-  using E = eyrie::model::weapon::SeekerKind;
-  static constexpr std::array names{std::pair<std::string_view, E>{"radar", E::radar},
-                                    std::pair<std::string_view, E>{"infrared", E::infrared}};
-};
-
-namespace eyrie::model::weapon {
+constexpr auto names_of(SeekerKind) {
+  return names_from_zero<SeekerKind>("radar", "infrared");
+}
 
 /// Const. Angles in radians, everything else SI.
 struct SeekerType {

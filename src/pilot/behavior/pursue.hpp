@@ -10,18 +10,9 @@ enum class Pursuit : std::uint8_t {
   intercept,  ///< collision course: Shneydor, Missile Guidance and Pursuit (1998), ch. 4
   lead,       ///< the same from afar; near, the nose where a gun's rounds would meet the target
 };
-
-}  // namespace eyrie::pilot
-
-template <>
-struct eyrie::EnumNames<eyrie::pilot::Pursuit> {
-  using E = eyrie::pilot::Pursuit;
-  static constexpr std::array names{std::pair<std::string_view, E>{"follow", E::follow},
-                                    std::pair<std::string_view, E>{"intercept", E::intercept},
-                                    std::pair<std::string_view, E>{"lead", E::lead}};
-};
-
-namespace eyrie::pilot {
+constexpr auto names_of(Pursuit) {
+  return names_from_zero<Pursuit>("follow", "intercept", "lead");
+}
 
 /// Goes after the chosen target (pilot/sort.hpp). Fails without one.
 ///
