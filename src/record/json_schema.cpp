@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -183,13 +185,15 @@ Json node_definition(const Catalog& catalog) {
     schema["description"] = node.help + " (" + std::string(to_text(node.kind)) + origin + ")";
     types[node.name] = std::move(schema);
   }
-  // a pilot's node has every parameter of a driver's of the same name
-  for (const ubf::NodeInfo& node : catalog.driver_nodes)
-    if (!types.contains(node.name)) {
-      names.push_back(node.name);
-      types[node.name] = body(node);
-      types[node.name]["description"] = node.help + " (behavior of drivers)";
-    }
+  // a pilot's node has every parameter of another agent's of the same name
+  for (const scenario::OtherKind& kind : catalog.others)
+    for (const ubf::NodeInfo& node : kind.nodes)
+      if (!types.contains(node.name)) {
+        if (stands_alone(node))
+          names.push_back(node.name);
+        types[node.name] = body(node);
+        types[node.name]["description"] = fmt::format("{} (of {})", node.help, kind.plural);
+      }
   Json words{{"type", "string"}, {"pattern", "[<>=!()]|^not | and | or "}};
   Json node =
       any_of(any_of({{"enum", names}}, std::move(words)), {{"type", "object"},
@@ -309,8 +313,14 @@ class Root {
     Json convoys = flights;
     convoys["additionalProperties"] = map_of(reference_to("convoy"))["additionalProperties"];
     put(result["side"], "convoys", convoys);
-    result["side"]["anyOf"] = {{{"required", Json::array({"flights"})}},
-                               {{"required", Json::array({"convoys"})}}};
+    result["side"]["anyOf"] = {{{"required", Json::array({"flights"})}}};
+    for (const scenario::OtherKind& kind : catalog_.others) {
+      result["side"]["anyOf"].push_back({{"required", Json::array({kind.key})}});
+      if (result.contains(kind.group))
+        continue;
+      result[kind.group] = map_schema(part(kind.group).parameters);
+      put(result["side"], kind.key, map_of(reference_to(kind.group)));
+    }
     result["package"] = {{"type", "object"},
                          {"description", "a file that scenarios include"},
                          {"properties",

@@ -62,7 +62,7 @@ TEST(JsonSchema, KnowsEveryNodeModelAndParameter) {
   const scenario::Catalog catalog = scenario::make_catalog(scenario::Source::disk("."));
   const json& types = schema["definitions"]["node"]["anyOf"][1]["properties"];
   std::vector<ubf::NodeInfo> nodes = catalog.nodes;
-  for (const ubf::NodeInfo& node : catalog.driver_nodes)
+  for (const ubf::NodeInfo& node : catalog.others.front().nodes)
     if (std::none_of(nodes.begin(), nodes.end(),
                      [&](const ubf::NodeInfo& n) { return n.name == node.name; }))
       nodes.push_back(node);

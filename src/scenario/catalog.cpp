@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/catalog.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <tuple>
@@ -103,10 +104,18 @@ Catalog make_catalog(const Source& source, const Plugins& plugins) {
   const auto nodes = plugins.registries().pilots.catalog();
   result.nodes.assign(nodes.begin(), nodes.end());
   result.fields = ubf::state_field_infos<pilot::State>();
-  for (const ubf::NodeInfo& node : plugins.registries().drivers.catalog())
-    if (!node.standard)
-      result.driver_nodes.push_back(node);
-  result.driver_fields = ubf::state_field_infos<driver::State>();
+  result.others = {{"vehicles", "convoys", "convoy", own_nodes(plugins.registries().drivers),
+                    ubf::state_field_infos<driver::State>()}};
+  for (const MakeKind& make : plugins.registries().kinds) {
+    const auto added = make();
+    FilePart group = added->group();
+    result.others.push_back({std::string(added->fleet()->words.plural), std::string(added->key()),
+                             group.name, added->nodes(), added->state_fields()});
+    FilePart& side = *std::find_if(result.file.begin(), result.file.end(),
+                                   [](const FilePart& part) { return part.name == "side"; });
+    side.parameters.push_back(custom(std::string(added->key()), "map", group.help + ", by name"));
+    result.file.push_back(std::move(group));
+  }
   using namespace model;
   result.models = {kind<AircraftType>("aircraft", source),
                    kind<VehicleType>("vehicles", source),

@@ -7,21 +7,13 @@
 #include <vector>
 
 #include "core/param.hpp"
+#include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"
 #include "scenario/source.hpp"
 #include "ubf/spec.hpp"
 #include "ubf/state_fields.hpp"
 
 namespace eyrie::scenario {
-
-/// Part of a scenario file.
-struct FilePart {
-  std::string name;  ///< "flight"
-  std::string path;  ///< where it stands: "blue.flights.<name>"; "" for the top level
-  std::string help;
-  /// What is read by hand has the kind custom and its shape in words as type_name.
-  std::vector<ParamInfo> parameters;
-};
 
 /// One kind of model.
 struct ModelKind {
@@ -33,14 +25,22 @@ struct ModelKind {
   std::map<std::string, std::string> origins;  ///< the plug-ins of the latter, by name
 };
 
+/// A kind of player besides aircraft.
+struct OtherKind {
+  std::string plural;                       ///< "vehicles"
+  std::string key;                          ///< of a side: "convoys"
+  std::string group;                        ///< its part of the file, by name: "convoy"
+  std::vector<ubf::NodeInfo> nodes;         ///< besides the standard ones
+  std::vector<ubf::StateFieldInfo> fields;  ///< that expressions and switches may read
+};
+
 struct Catalog {
-  std::vector<FilePart> file;  ///< "scenario", "side", "flight", "player", "convoy", "vehicle"
+  /// "scenario", "side", "flight", "player", "convoy", "vehicle", and groups of plug-ins.
+  std::vector<FilePart> file;
   std::vector<ubf::NodeInfo> nodes;         ///< in the order of registration
   std::vector<ubf::StateFieldInfo> fields;  ///< that expressions and switches may read
-  /// What drivers have besides the standard nodes, and what may be read of their state.
-  std::vector<ubf::NodeInfo> driver_nodes;
-  std::vector<ubf::StateFieldInfo> driver_fields;
-  std::vector<ModelKind> models;  ///< in the order of DataLoader::kinds()
+  std::vector<OtherKind> others;            ///< vehicles, then those of plug-ins
+  std::vector<ModelKind> models;            ///< in the order of DataLoader::kinds()
 };
 
 /// The names of models come from `source`, everything else from the program and the plug-ins that

@@ -61,13 +61,13 @@ constexpr std::string_view kTrees =
     "\n"
     "Every node may also have a `name`, which reports and traces show.\n";
 
-constexpr std::string_view kDrivers =
-    "\n## Trees for drivers\n\n"
-    "A tree that a vehicle drives by is made of the arbiters, control nodes and decorators above\n"
-    "and of these. A tree of what both have, such as `navigate`, serves pilots and drivers.\n";
+constexpr char kOtherTrees[] =
+    "\n## Trees of {}\n\n"
+    "A tree of a {} is made of the arbiters, control nodes and decorators above and of these. One\n"
+    "of what several kinds of players have, such as `navigate`, serves them all.\n";
 
-constexpr std::string_view kDriverFields =
-    "\n### State fields of drivers\n\n| field | unit | meaning |\n|---|---|---|\n";
+constexpr char kOtherFields[] =
+    "\n### State fields of {}\n\n| field | unit | meaning |\n|---|---|---|\n";
 
 constexpr std::string_view kFields =
     "\n### State fields\n"
@@ -133,11 +133,13 @@ class Writer {
       nodes(section);
     text_ += kFields;
     fields(catalog_.fields);
-    text_ += kDrivers;
-    for (const ubf::NodeInfo& node : catalog_.driver_nodes)
-      node_entry(node);
-    text_ += kDriverFields;
-    fields(catalog_.driver_fields);
+    for (const OtherKind& kind : catalog_.others) {
+      add(kOtherTrees, kind.plural, kind.group);
+      for (const ubf::NodeInfo& node : kind.nodes)
+        node_entry(node);
+      add(kOtherFields, kind.plural);
+      fields(kind.fields);
+    }
     text_ += "\n## Models\n";
     text_ += kModels;
     for (const ModelKind& kind : catalog_.models)

@@ -72,7 +72,7 @@ TEST(Catalog, BoundsEveryNumberOfEveryNodeAndModel) {
     check(part.name, part.parameters);
   for (const ubf::NodeInfo& node : catalog.nodes)
     check(node.name, node.parameters);
-  for (const ubf::NodeInfo& node : catalog.driver_nodes)
+  for (const ubf::NodeInfo& node : catalog.others.front().nodes)
     check(node.name, node.parameters);
   for (const ModelKind& kind : catalog.models)
     check(kind.folder, kind.parameters);

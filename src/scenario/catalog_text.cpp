@@ -47,10 +47,13 @@ std::string catalog_text(const Catalog& catalog) {
     line(field.name, field.unit.si_symbol.empty()
                          ? std::string(field.help)
                          : fmt::format("{}, {}", field.unit.si_symbol, field.help));
-  text +=
-      "\nDrivers: what the trees of vehicles have besides arbiters, control nodes and decorators\n";
-  for (const ubf::NodeInfo& node : catalog.driver_nodes)
-    node_line(node);
+  for (const OtherKind& kind : catalog.others) {
+    text += fmt::format(
+        "\nTrees of {}: what they have besides arbiters, control nodes and decorators\n",
+        kind.plural);
+    for (const ubf::NodeInfo& node : kind.nodes)
+      node_line(node);
+  }
   text += "\nModels: data/<kind>/<name>.yaml\n";
   for (const ModelKind& kind : catalog.models) {
     line(kind.folder, kind.help);

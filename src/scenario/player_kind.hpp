@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/describe.hpp"
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "model/weapon/damage_system.hpp"
@@ -25,10 +26,35 @@
 
 namespace eyrie::scenario {
 
+/// Part of a scenario file.
+struct FilePart {
+  std::string name;  ///< "flight"
+  std::string path;  ///< where it stands: "blue.flights.<name>"; "" for the top level
+  std::string help;
+  /// What is read by hand has the kind custom and its shape in words as type_name.
+  std::vector<ParamInfo> parameters;
+};
+
+/// What a registry has besides the standard nodes.
+template <class Registry>
+[[nodiscard]] std::vector<ubf::NodeInfo> own_nodes(const Registry& registry) {
+  std::vector<ubf::NodeInfo> own;
+  for (const ubf::NodeInfo& node : registry.catalog())
+    if (!node.standard)
+      own.push_back(node);
+  return own;
+}
+
 /// Made once per scenario; asked in the order of its functions.
 class PlayerKind {
  public:
   virtual ~PlayerKind() = default;
+
+  /// What one of its groups says in a file, and what its trees may name besides the standard
+  /// nodes: for the catalog and the schema of files.
+  [[nodiscard]] virtual FilePart group() const = 0;
+  [[nodiscard]] virtual std::vector<ubf::NodeInfo> nodes() const = 0;
+  [[nodiscard]] virtual std::vector<ubf::StateFieldInfo> state_fields() const = 0;
 
   /// The key of a side under which its groups stand, such as "task_groups".
   [[nodiscard]] virtual std::string_view key() const = 0;
@@ -67,6 +93,10 @@ class AgentKind : public PlayerKind {
   using Agents = team::AgentSystem<Platform>;
   using Registry = ubf::Registry<typename Platform::State, typename Platform::Action>;
 
+  [[nodiscard]] std::vector<ubf::NodeInfo> nodes() const override { return own_nodes(registry_); }
+  [[nodiscard]] std::vector<ubf::StateFieldInfo> state_fields() const override {
+    return ubf::state_field_infos<typename Platform::State>();
+  }
   [[nodiscard]] bool has(std::string_view player) const override { return names_.contains(player); }
   [[nodiscard]] bool uses(std::string_view tree) const override { return used_.contains(tree); }
   bool add_tree(const ubf::NamedSpec& spec, std::span<const ubf::NamedSpec> all,
@@ -92,6 +122,13 @@ class AgentKind : public PlayerKind {
 
  protected:
   explicit AgentKind(Registry registry) : registry_(std::move(registry)) {}
+
+  /// group() of what `Spec` describes.
+  template <Described Spec>
+  [[nodiscard]] FilePart group_of() const {
+    return {std::string(Spec::type_name), "blue." + std::string(this->key()) + ".<name>",
+            std::string(Spec::help), parameters<Spec>()};
+  }
 
   /// Adds the system that decides; to be called in add_systems.
   void add_agents(sim::SimulationBuilder& builder, const Scenario& scenario, double dt,

@@ -258,7 +258,8 @@ struct GroupSpec {
 
 class Kind final : public scenario::AgentKind<Platform> {
  public:
-  Kind() : AgentKind(nodes()) {}
+  Kind() : AgentKind(registry()) {}
+  scenario::FilePart group() const override { return group_of<GroupSpec>(); }
   std::string_view key() const override { return "task_groups"; }
   void read(const Value::Entry& group, model::Side side, Diagnostics& diagnostics) override {
     Group read{group.key, side, group.where, {}, true};
@@ -332,7 +333,7 @@ class Kind final : public scenario::AgentKind<Platform> {
     double heading;
     std::string tree;
   };
-  static Registry nodes() {
+  static Registry registry() {
     Registry registry;
     ubf::add_standard_nodes(registry);
     registry.add<Navigate>();

@@ -63,6 +63,19 @@ TEST_F(ThirdKind, IsReadFromAFile) {
   EXPECT_NE(without.err.find("red has no 'task_groups'"), std::string::npos) << without.err;
 }
 
+TEST_F(ThirdKind, StandsInTheReferenceAndInTheSchemaOfFiles) {
+  const std::string list = ask({"catalog"}).out, page = ask({"catalog", "--markdown"}).out;
+  EXPECT_NE(list.find("\nTrees of ships: "), std::string::npos) << list;
+  EXPECT_NE(list.find("\n  turn_away "), std::string::npos) << list;
+  EXPECT_NE(page.find("`blue.task_groups.<name>`: ships that sail together"), std::string::npos);
+  EXPECT_NE(page.find("\n| `aircraft_range` | m |"), std::string::npos) << page;
+  const auto schema = nlohmann::json::parse(ask({"catalog", "--json-schema"}).out);
+  const auto& kinds = schema["definitions"];
+  EXPECT_TRUE(kinds["side"]["properties"].contains("task_groups"));
+  EXPECT_TRUE(kinds["task_group"]["properties"].contains("heading"));
+  EXPECT_TRUE(kinds["node"]["anyOf"][1]["properties"].contains("turn_away"));
+}
+
 TEST_F(ThirdKind, HasItsMistakesNamed) {
   const auto mistake = [&](const std::string& from, const std::string& to) {
     auto changes = kWithShips;
