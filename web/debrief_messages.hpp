@@ -10,120 +10,107 @@
 namespace eyrie::web {
 
 template <>
-struct Message<debrief::Value> {
-  using T = debrief::Value;
-  static constexpr std::string_view name = "Value", help = "A value of the state or of an action.";
-  static constexpr std::tuple members{
-      Member{"name", &T::name, "Such as heading."}, Member{"unit", &T::unit, "SI; empty for none."},
-      Member{"number", &T::number, "In that unit, if it is a number."},
-      Member{"text", &T::text, "For people."}};
-};
+inline constexpr auto described<debrief::Value> =
+    Description{"Value",
+                "A value of the state or of an action.",
+                Member{"name", &debrief::Value::name, "Such as heading."},
+                Member{"unit", &debrief::Value::unit, "SI; empty for none."},
+                Member{"number", &debrief::Value::number, "In that unit, if it is a number."},
+                Member{"text", &debrief::Value::text, "For people."}};
 template <>
-struct Message<debrief::Rival> {
-  using T = debrief::Rival;
-  static constexpr std::string_view name = "Rival",
-                                    help = "Somebody who proposed a field that another one won.";
-  static constexpr std::tuple members{
-      Member{"node", &T::node, "Which node."}, Member{"value", &T::value, "What it proposed."},
-      Member{"against", &T::against, "The vote of the branch with the winner."},
-      Member{"vote", &T::vote, "The vote of the branch with the rival."}};
-};
+inline constexpr auto described<debrief::Rival> = Description{
+    "Rival",
+    "Somebody who proposed a field that another one won.",
+    Member{"node", &debrief::Rival::node, "Which node."},
+    Member{"value", &debrief::Rival::value, "What it proposed."},
+    Member{"against", &debrief::Rival::against, "The vote of the branch with the winner."},
+    Member{"vote", &debrief::Rival::vote, "The vote of the branch with the rival."}};
 template <>
-struct Message<debrief::Won> {
-  using T = debrief::Won;
-  static constexpr std::string_view name = "Won", help = "A field of the action of the root.";
-  static constexpr std::tuple members{
-      Member{"value", &T::value, "What came out."}, Member{"winner", &T::winner, "Which node's."},
-      Member{"blended", &T::blended, "The winner made it of what its children said."},
-      Member{"rivals", &T::rivals, "The highest vote first."}};
-};
+inline constexpr auto described<debrief::Won> = Description{
+    "Won",
+    "A field of the action of the root.",
+    Member{"value", &debrief::Won::value, "What came out."},
+    Member{"winner", &debrief::Won::winner, "Which node's."},
+    Member{"blended", &debrief::Won::blended, "The winner made it of what its children said."},
+    Member{"rivals", &debrief::Won::rivals, "The highest vote first."}};
 template <>
-struct Message<debrief::Answer> {
-  using T = debrief::Answer;
-  static constexpr std::string_view name = "Answer", help = "What one node answered.";
-  static constexpr std::tuple members{
-      Member{"label", &T::label, "Its label."},
-      Member{"type", &T::type, "Its type."},
-      Member{"path", &T::path, "From the root, as `eyrie explain` writes it."},
-      Member{"depth", &T::depth, "Below the root."},
-      Member{"asked", &T::asked, "Whether it was asked."},
-      Member{"status", &T::status, "0 failure, 1 running, 2 success."},
-      Member{"vote", &T::vote, "Its vote."},
-      Member{"why", &T::why, "Why it failed."},
-      Member{"action", &T::action, "What it proposed."}};
-};
+inline constexpr auto described<debrief::Answer> = Description{
+    "Answer",
+    "What one node answered.",
+    Member{"label", &debrief::Answer::label, "Its label."},
+    Member{"type", &debrief::Answer::type, "Its type."},
+    Member{"path", &debrief::Answer::path, "From the root, as `eyrie explain` writes it."},
+    Member{"depth", &debrief::Answer::depth, "Below the root."},
+    Member{"asked", &debrief::Answer::asked, "Whether it was asked."},
+    Member{"status", &debrief::Answer::status, "0 failure, 1 running, 2 success."},
+    Member{"vote", &debrief::Answer::vote, "Its vote."},
+    Member{"why", &debrief::Answer::why, "Why it failed."},
+    Member{"action", &debrief::Answer::action, "What it proposed."}};
 template <>
-struct Message<debrief::Perceived> {
-  using T = debrief::Perceived;
-  static constexpr std::string_view name = "Perceived",
-                                    help = "Something that the agent believed to be there.";
-  static constexpr std::tuple members{
-      Member{"kind", &T::kind, "target, track, radar, missile or aircraft."},
-      Member{"name", &T::name, "As the agent knows it; in brackets the truth."},
-      Member{"values", &T::values, "Range, bearing, identity ..."}};
-};
+inline constexpr auto described<debrief::Perceived> = Description{
+    "Perceived", "Something that the agent believed to be there.",
+    Member{"kind", &debrief::Perceived::kind, "target, track, radar, missile or aircraft."},
+    Member{"name", &debrief::Perceived::name, "As the agent knows it; in brackets the truth."},
+    Member{"values", &debrief::Perceived::values, "Range, bearing, identity ..."}};
 template <>
-struct Message<debrief::Decision> {
-  using T = debrief::Decision;
-  static constexpr std::string_view name = "Decision", help = "What an agent decided, and why.";
-  static constexpr std::tuple members{
-      Member{"step", &T::step, "Of the world."},
-      Member{"time", &T::time, "s."},
-      Member{"tree", &T::tree, "Its name."},
-      Member{"vote", &T::vote, "Of the root."},
-      Member{"leader", &T::leader, "Whose recommendation led; 65535: nobody's."},
-      Member{"nodes", &T::nodes, "Every node, in pre-order."},
-      Member{"action", &T::action, "Who won each field, and against whom."},
-      Member{"state", &T::state, "What it was decided on."},
-      Member{"perceived", &T::perceived, "What it believed to be there."}};
-};
+inline constexpr auto described<debrief::Decision> = Description{
+    "Decision",
+    "What an agent decided, and why.",
+    Member{"step", &debrief::Decision::step, "Of the world."},
+    Member{"time", &debrief::Decision::time, "s."},
+    Member{"tree", &debrief::Decision::tree, "Its name."},
+    Member{"vote", &debrief::Decision::vote, "Of the root."},
+    Member{"leader", &debrief::Decision::leader, "Whose recommendation led; 65535: nobody's."},
+    Member{"nodes", &debrief::Decision::nodes, "Every node, in pre-order."},
+    Member{"action", &debrief::Decision::action, "Who won each field, and against whom."},
+    Member{"state", &debrief::Decision::state, "What it was decided on."},
+    Member{"perceived", &debrief::Decision::perceived, "What it believed to be there."}};
 template <>
-struct Message<debrief::Changed> {
-  using T = debrief::Changed;
-  static constexpr std::string_view name = "Changed",
-                                    help = "A field that would have been another.";
-  static constexpr std::tuple members{
-      Member{"name", &T::name, "Such as heading."}, Member{"unit", &T::unit, "SI."},
-      Member{"flown", &T::flown, "For people; - for nothing."},
-      Member{"other", &T::other, "For people; - for nothing."},
-      Member{"difference", &T::difference, "Other minus flown, directions the short way round."}};
-};
+inline constexpr auto described<debrief::Changed> =
+    Description{"Changed",
+                "A field that would have been another.",
+                Member{"name", &debrief::Changed::name, "Such as heading."},
+                Member{"unit", &debrief::Changed::unit, "SI."},
+                Member{"flown", &debrief::Changed::flown, "For people; - for nothing."},
+                Member{"other", &debrief::Changed::other, "For people; - for nothing."},
+                Member{"difference", &debrief::Changed::difference,
+                       "Other minus flown, directions the short way round."}};
 template <>
-struct Message<debrief::Otherwise> {
-  using T = debrief::Otherwise;
-  static constexpr std::string_view name = "FirstOther", help = "The first other decision.";
-  static constexpr std::tuple members{
-      Member{"step", &T::step, "Of the world."}, Member{"time", &T::time, "s."},
-      Member{"flown", &T::flown, "Who led."}, Member{"other", &T::other, "Who would have led."},
-      Member{"fields", &T::fields, "What would have been another."}};
-};
+inline constexpr auto described<debrief::Otherwise> =
+    Description{"FirstOther",
+                "The first other decision.",
+                Member{"step", &debrief::Otherwise::step, "Of the world."},
+                Member{"time", &debrief::Otherwise::time, "s."},
+                Member{"flown", &debrief::Otherwise::flown, "Who led."},
+                Member{"other", &debrief::Otherwise::other, "Who would have led."},
+                Member{"fields", &debrief::Otherwise::fields, "What would have been another."}};
 template <>
-struct Message<debrief::WhatIf> {
-  using T = debrief::WhatIf;
-  static constexpr std::string_view name = "WhatIf", help = "What other trees would have decided.";
-  static constexpr std::tuple members{
-      Member{"decisions", &T::decisions, "Looked at."},
-      Member{"different", &T::different, "Whose action would have been another one."},
-      Member{"first", &T::first, "The first of them."},
-      Member{"steps", &T::steps, "Of the world, by decision."},
-      Member{"leaders", &T::leaders, "By decision the node that would have led; 65535: nobody."},
-      Member{"spans", &T::spans, "s, from the first to the last of other decisions in a row."}};
-};
+inline constexpr auto described<debrief::WhatIf> = Description{
+    "WhatIf",
+    "What other trees would have decided.",
+    Member{"decisions", &debrief::WhatIf::decisions, "Looked at."},
+    Member{"different", &debrief::WhatIf::different, "Whose action would have been another one."},
+    Member{"first", &debrief::WhatIf::first, "The first of them."},
+    Member{"steps", &debrief::WhatIf::steps, "Of the world, by decision."},
+    Member{"leaders", &debrief::WhatIf::leaders,
+           "By decision the node that would have led; 65535: nobody."},
+    Member{"spans", &debrief::WhatIf::spans,
+           "s, from the first to the last of other decisions in a row."}};
 template <>
-struct Message<debrief::Outcome::Score> {
-  using T = debrief::Outcome::Score;
-  static constexpr std::string_view name = "Tally", help = "How a side fared.";
-  static constexpr std::tuple members{
-      Member{"losses", &T::losses, "Players lost."}, Member{"shots", &T::shots, "Missiles shot."},
-      Member{"kills", &T::kills, "Enemies killed."}, Member{"home", &T::home, "Came home."}};
-};
+inline constexpr auto described<debrief::Outcome::Score> =
+    Description{"Tally",
+                "How a side fared.",
+                Member{"losses", &debrief::Outcome::Score::losses, "Players lost."},
+                Member{"shots", &debrief::Outcome::Score::shots, "Missiles shot."},
+                Member{"kills", &debrief::Outcome::Score::kills, "Enemies killed."},
+                Member{"home", &debrief::Outcome::Score::home, "Came home."}};
 template <>
-struct Message<debrief::Outcome> {
-  using T = debrief::Outcome;
-  static constexpr std::string_view name = "Outcome", help = "How a run ended.";
-  static constexpr std::tuple members{
-      Member{"outcome", &T::outcome, "Why it was over."}, Member{"time", &T::time, "s."},
-      Member{"blue", &T::blue, "Of blue."}, Member{"red", &T::red, "Of red."}};
-};
+inline constexpr auto described<debrief::Outcome> =
+    Description{"Outcome",
+                "How a run ended.",
+                Member{"outcome", &debrief::Outcome::outcome, "Why it was over."},
+                Member{"time", &debrief::Outcome::time, "s."},
+                Member{"blue", &debrief::Outcome::blue, "Of blue."},
+                Member{"red", &debrief::Outcome::red, "Of red."}};
 
 }  // namespace eyrie::web

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -32,13 +33,24 @@ struct Member {
 template <class Owner, class T>
 Member(std::string_view, T Owner::*, std::string_view) -> Member<Owner, T>;
 
-/// To be specialised: `name` in TypeScript, `help`, and `members`, a tuple of Member.
-template <class T>
-struct Message;
-template <class T>
-concept Described = requires {
-  Message<T>::members;
+/// What a message is called in TypeScript, what it says, and its members.
+template <class... Members>
+struct Description {
+  std::string_view name, help;
+  std::tuple<Members...> members;
+  constexpr Description(std::string_view called, std::string_view says, Members... all)
+      : name(called), help(says), members(all...) {}
 };
+/// Of structs that say it themselves; to be specialised for those of others.
+template <class T>
+inline constexpr auto described = nullptr;
+template <class T>
+requires requires {
+  T::describe();
+}
+inline constexpr auto described<T> = T::describe();
+template <class T>
+concept Described = !std::same_as<std::remove_cvref_t<decltype(described<T>)>, std::nullptr_t>;
 
 /// A request that is not what it should be: the page's mistake.
 struct BadRequest : std::runtime_error {
@@ -78,7 +90,7 @@ template <class T>
           };
           (put(member), ...);
         },
-        Message<T>::members);
+        described<T>.members);
     return object;
   } else if constexpr (detail::is_list<T>) {
     Json list = Json::array();
@@ -125,7 +137,7 @@ void from_json(const Json& json, T& value, const std::string& path) {
           };
           (take(member), ...);
         },
-        Message<T>::members);
+        described<T>.members);
     for (const auto& [key, ignored] : json.items())
       if (!known.contains(key))
         throw BadRequest(fmt::format("there is no {}{}{}", path, path.empty() ? "" : ".", key));
@@ -158,11 +170,11 @@ void from_json(const Json& json, T& value, const std::string& path) {
 template <class T>
 [[nodiscard]] std::string typescript(std::map<std::string, std::string>& declared) {
   if constexpr (Described<T>) {
-    const std::string name(Message<T>::name);
+    const std::string name(described<T>.name);
     if (declared.contains(name))
       return name;
     declared[name];  // it may hold itself
-    std::string text = fmt::format("/** {} */\nexport interface {} {{\n", Message<T>::help, name);
+    std::string text = fmt::format("/** {} */\nexport interface {} {{\n", described<T>.help, name);
     std::apply(
         [&](const auto&... member) {
           [[maybe_unused]] const auto declare = [&](const auto& one) {
@@ -176,7 +188,7 @@ template <class T>
           };
           (declare(member), ...);
         },
-        Message<T>::members);
+        described<T>.members);
     declared[name] = text + "}\n";
     return name;
   } else if constexpr (detail::is_list<T>) {

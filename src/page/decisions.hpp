@@ -42,12 +42,10 @@ template <class Action>
   Json fields = Json::array();
   ubf::for_each_field<Action>([&](const auto& f, auto) {
     using Field = std::remove_cvref_t<decltype(f)>;
-    const bool is_number = column_kind<Field>() == "number";
     fields.push_back({{"name", f.name},
                       {"unit", f.unit.si_symbol},
                       {"blend", blend_name<Field>()},
-                      {"kind", column_kind<Field>()},
-                      {"quantum", is_number ? quantum_of(f.unit.si_symbol) : 1.0}});
+                      {"kind", column_kind<Field>()}});
   });
   return fields;
 }

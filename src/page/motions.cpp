@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "page/motions.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -93,7 +91,7 @@ void Motions::launched(const sim::Event& e, const sim::World& world) {
     missile.last = world.rows(scenario_.missiles.kinematics)[*row];
 }
 
-void Motions::left(const record::Fate& fate, const sim::Event& e) {
+void Motions::left(const record::Fate& fate) {
   if (scenario_.roster.find(fate.who)) {
     Flown& player = players_[fate.who.value - 1];
     if (player.gone >= 0)
@@ -107,11 +105,6 @@ void Motions::left(const record::Fate& fate, const sim::Event& e) {
     Missile& missile = at->second;
     missile.gone = time_;
     missile.end = fate.end;
-    missile.detail =
-        record::kind_of(e) == EventKind::detonation
-            ? fmt::format("by {:.0f} m", e.values[0])
-            : std::string(
-                  enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0]))));
     if (!missile.motion.empty())
       missile.motion.add(time_, scenario_.library->reference, missile.last);
   }
@@ -124,7 +117,7 @@ void Motions::happened(const sim::Event& e, const sim::World& world) {
     if (const auto at = missiles_.find(e.who.value); at != missiles_.end())
       at->second.active = time_;
   if (const auto fate = record::fate_of(e))
-    left(*fate, e);
+    left(*fate);
 }
 
 void Motions::observe(const sim::World& world, const sim::StepInfo& info,
@@ -173,7 +166,6 @@ Json Motions::missiles(ColumnBytes& bytes) const {
                      {"gone", gone(m.gone)},
                      {"active", number_or_null(m.active)},
                      {"end", m.end},
-                     {"detail", m.detail},
                      {"motion", m.motion.json(bytes)}});
   return all;
 }

@@ -63,7 +63,6 @@ class Motions final : public sim::Observer {
     PlayerId shooter, target;
     double born = 0, gone = -1, active = ubf::kNoValue;
     std::string_view end = "flying";
-    std::string detail;
     Motion motion;
     model::Kinematics last;
   };
@@ -72,7 +71,7 @@ class Motions final : public sim::Observer {
   void sample(Flown& player, double time, const model::Kinematics& k, double fuel);
   void happened(const sim::Event& event, const sim::World& world);
   void launched(const sim::Event& event, const sim::World& world);
-  void left(const record::Fate& fate, const sim::Event& event);
+  void left(const record::Fate& fate);
   /// Who is still there is gone at the end of what was seen.
   [[nodiscard]] double gone(double time) const { return time < 0 ? time_ : time; }
 

@@ -9,11 +9,10 @@ import type { Run } from './run/run.ts';
 import type { SceneHandle } from './scene/scene.ts';
 import { first_view, Store, type View } from './store.ts';
 import { keep_in_sight } from './ui/actions.ts';
-import { follow_address } from './ui/address.ts';
 import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
-import { read_link } from './ui/link.ts';
+import { follow_address, read_link } from './ui/link.ts';
 import { make_page, type Page } from './ui/page.ts';
 import { leader_colors } from './ui/spans.ts';
 

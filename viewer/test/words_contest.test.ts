@@ -81,11 +81,11 @@ test('answers and changes of leader are told in words', () => {
   assert.equal(answer_words(then!, find(run, 'ground')), 'failed');
   assert.equal(answer_words(now!, find(run, 'avoid')), 'failed: the ground is far');
   assert.equal(answer_words(now!, find(run, 'hostile_track')), 'success');
-  const told = (before: string) => why_not(run, tree!, now!, find(run, before));
+  const told = (before: string) => why_not(tree!, now!, find(run, before));
   assert.equal(told('navigate'), 'ingress was left for bvr: hostile_track holds');
   assert.equal(told('avoid'), 'avoid failed: the ground is far');
   assert.equal(told('follow'), 'follow voted 20 against 60');
   assert.equal(told('break'), 'break voted 15 against 60');
-  assert.equal(why_not(run, tree!, now!, -1), 'nobody led');
+  assert.equal(why_not(tree!, now!, -1), 'nobody led');
   assert.deepEqual(path_of_leader(run, now!), new Set([find(run, 'release'), find(run, 'bvr'), 0]));
 });

@@ -3,12 +3,12 @@
 import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
 
 export const kFields: ActionField[] = [
-  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number', quantum: 1e-6 },
-  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number', quantum: 1e-3 },
-  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number', quantum: 1e-4 },
-  { name: 'mode', unit: '', blend: 'agreed', kind: 'text', quantum: 1 },
-  { name: 'target', unit: '', blend: 'strongest', kind: 'id', quantum: 1 },
-  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag', quantum: 1 },
+  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number' },
+  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number' },
+  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number' },
+  { name: 'mode', unit: '', blend: 'agreed', kind: 'text' },
+  { name: 'target', unit: '', blend: 'strongest', kind: 'id' },
+  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag' },
 ];
 export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | 'trigger';
 /** What a leaf says; by default it is running. */

@@ -71,7 +71,7 @@ interface PlayerData {
 }
 interface MissileData {
   id: number; type: string; side: Side; shooter: number; target: number; born: number; gone: number;
-  active: number | null; end: Missile['end']; detail: string; motion: MotionData;
+  active: number | null; end: Missile['end']; motion: MotionData;
 }
 interface ShapeData {
   tree: number; leader: number;

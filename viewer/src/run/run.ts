@@ -79,8 +79,6 @@ export interface Missile {
   /** When its own seeker went active; NaN: never. */
   active: number;
   end: 'kill' | 'miss' | 'trashed' | 'flying';
-  /** "by 12 m", "speed" */
-  detail: string;
   motion: Motion;
 }
 
@@ -120,8 +118,6 @@ export interface ActionField {
   blend: Blend;
   /** number: the value itself; text: an index into Run.texts; id: a track's number, 0 for nobody. */
   kind: 'number' | 'text' | 'flag' | 'id';
-  /** What values are rounded to in the page. */
-  quantum: number;
 }
 
 export interface StateField {

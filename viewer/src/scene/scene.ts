@@ -5,6 +5,7 @@ import type { Store, View } from '../store.ts';
 import type { Cell } from '../ui/cell.ts';
 import { draw_tracks, draw_zone } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
+import { SceneCamera } from './camera.ts';
 import { type Easel, set_up } from './choose.ts';
 import { Eye } from './eye.ts';
 import type { Frame } from './frame.ts';
@@ -13,7 +14,6 @@ import { draw_hud } from './hud.ts';
 import { Meter } from './meter.ts';
 import { Notes } from './notes.ts';
 import { css, palette_of } from './palette.ts';
-import { Pilot } from './pilot.ts';
 import { Poses } from './poses.ts';
 import { draw_radar, type Volume } from './radar.ts';
 import { draw_routes } from './routes.ts';
@@ -40,7 +40,7 @@ const kToldEvery = 1000;
 
 class AirPicture {
   private readonly reader = new SightReader();
-  private readonly pilot: Pilot;
+  private readonly camera: SceneCamera;
   private readonly easel: Easel;
   private readonly frame: Frame;
   readonly meter = new Meter();
@@ -58,7 +58,7 @@ class AirPicture {
     const eye = new Eye();
     this.easel = set_up(run, eye);
     const { painter, flat } = this.easel;
-    this.pilot = new Pilot(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
+    this.camera = new SceneCamera(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
       run, other: other.get(), view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
       lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, flat), palette, hovered: -1,
@@ -134,15 +134,15 @@ class AirPicture {
   }
 
   private draw(now: number): void {
-    const { frame, pilot } = this;
+    const { frame, camera } = this;
     const { view, players, missiles, eye } = frame;
     if (this.theme !== view.theme) this.paint();
     players.update(view.time);
     missiles.update(view.time);
-    pilot.aim(view, players, eye);
-    const moving = pilot.rig.step(Math.min(0.1, Math.max(0.001, (now - this.drawn_at) / 1000)));
+    camera.aim(view, players, eye);
+    const moving = camera.rig.step(Math.min(0.1, Math.max(0.001, (now - this.drawn_at) / 1000)));
     this.drawn_at = now;
-    eye.look(pilot.rig.stance());
+    eye.look(camera.rig.stance());
     const selected = this.run.players[view.selected];
     frame.sight = selected && players.shown[view.selected] ? this.reader.read(selected, view.time) : null;
 
@@ -157,7 +157,7 @@ class AirPicture {
   }
 
   private tell_pose(): void {
-    const pose = this.pilot.rested(this.frame.view);
+    const pose = this.camera.rested(this.frame.view);
     if (pose) this.store.set({ pose });
   }
 
@@ -219,15 +219,15 @@ class AirPicture {
   }
 
   private hand(): Hand {
-    const { frame, pilot, store } = this;
+    const { frame, camera, store } = this;
     const freed = (was_whole: boolean): void => {
       if (was_whole) store.set({ camera: 'free' });
       else this.wake();
     };
     return {
-      drag: (dx, dy) => freed(pilot.drag(dx, dy, frame.view, frame.eye)),
-      push: (dx, dy) => freed(pilot.push(dx, dy, frame.view, frame.eye)),
-      zoom: (factor, px, py) => freed(pilot.zoom(factor, px, py, frame.view, frame.eye)),
+      drag: (dx, dy) => freed(camera.drag(dx, dy, frame.view, frame.eye)),
+      push: (dx, dy) => freed(camera.push(dx, dy, frame.view, frame.eye)),
+      zoom: (factor, px, py) => freed(camera.zoom(factor, px, py, frame.view, frame.eye)),
       click: (px, py, shift) => {
         const who = this.pick(px, py);
         if (who < 0) return;

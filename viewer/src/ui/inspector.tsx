@@ -32,7 +32,7 @@ function change_words(run: Run, player: Player, spans: Span[], at: number): stri
   const [before, now] = [spans[at - 1], spans[at]!];
   if (!before) return 'the first decision';
   const shape = run.shapes[player.decisions.shape[now.first]!]!;
-  const words = before.tree === now.tree ? why_not(run, run.trees[now.tree]!, shape, before.node) : 'another tree';
+  const words = before.tree === now.tree ? why_not(run.trees[now.tree]!, shape, before.node) : 'another tree';
   return `after ${before.label}: ${words}`;
 }
 

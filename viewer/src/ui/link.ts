@@ -3,6 +3,7 @@
  * says in s= stays in it. */
 import type { Run } from '../run/run.ts';
 import type { Camera, Pose, View } from '../store.ts';
+import type { Page } from './page.ts';
 
 const kCameras: readonly Camera[] = ['free', 'follow', 'top', 'whole'];
 type Told = Pick<View, 'time' | 'selected' | 'camera' | 'pose' | 'zoom' | 'ruler'>;
@@ -44,4 +45,28 @@ export function read_link(run: Run, fragment: string, duration = run.about.durat
   const [a, b] = (said.get('r') ?? '').split(',').map(player);
   if (a !== undefined && b !== undefined && a >= 0 && b >= 0 && a !== b) told.ruler = [a, b];
   return told;
+}
+
+/** ms: browsers refuse to have it changed much more often. */
+const kPace = 500;
+
+/** Keeps the address of the page a link to what it shows. Returns how to stop it. */
+export function follow_address({ run, store }: Page): () => void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  const write = (): void => {
+    timer = null;
+    const text = link_text(run, store.get(), location.hash);
+    if (text !== location.hash) history.replaceState(history.state, '', text);
+  };
+  const keys: (keyof View)[] = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'];
+  const stop = store.subscribe((now, before) => {
+    if (keys.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
+  });
+  const read = (): void => store.set(read_link(run, location.hash, store.get().end));
+  addEventListener('hashchange', read);
+  return () => {
+    stop();
+    clearTimeout(timer ?? undefined);
+    removeEventListener('hashchange', read);
+  };
 }

@@ -114,7 +114,7 @@ function transition(tree: Tree, shape: Shape, sequencer: number): string {
 }
 
 /** Why somebody else leads now: what became of who led before, a node of the tree. */
-export function why_not(_run: Run, tree: Tree, shape: Shape, before: number): string {
+export function why_not(tree: Tree, shape: Shape, before: number): string {
   const then = tree.nodes[before];
   if (!then) return 'nobody led';
   const asked = (node: number) => shape.status[node] !== null;

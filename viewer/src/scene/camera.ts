@@ -15,7 +15,7 @@ const kSwing = 3;
 
 const still = (camera: View['camera']): boolean => camera === 'free' || camera === 'top';
 
-export class Pilot {
+export class SceneCamera {
   readonly rig: Rig;
   private camera: View['camera'] | null = null;
   private followed = -1;
