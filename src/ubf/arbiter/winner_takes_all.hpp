@@ -31,30 +31,34 @@ class WinnerTakesAll final : public Arbiter<State, Action> {
   template <bool watched>
   [[gnu::always_inline]] Status decide(const Tick<State>& t, Proposal<Action>& out) const {
     Status status = Status::failure;  // stays if nobody is heard
-    const AnyNode* winner = nullptr;
+    const AnyNode* winner = nullptr;  // noted for who watches
     Scratch<Action> other(ClearedLater{});
     BestSoFar<Action> best(out, other);
-    const auto* const last = &this->children_.back();
-    for (const auto& child : this->children_) {
+    const auto end = this->children_.end();
+    for (auto child = this->children_.begin(); child != end; best.next().clear()) {
       // unwatched, what is left of ask(): best.next() is empty, and only a leader is named
-      const Status answer =
-          watched ? this->ask(*child, t, best.next()) : this->typed(*child).decide(t, best.next());
+      const Status answer = watched ? this->ask(**child, t, best.next())
+                                    : this->typed(**child).decide(t, best.next());
       if (answer != Status::failure && outvotes(best.next().vote, best.kept().vote) &&
-          this->is_heard(*child, t, best.next(), answer)) {
+          this->is_heard(**child, t, best.next(), answer)) {
         status = answer;
-        winner = child.get();
-        this->name_leader(*child, best.next());
+        if constexpr (watched)
+          winner = child->get();
+        this->name_leader(**child, best.next());
         best.keep();
       }
-      if (&child != last)
-        best.next().clear();
+      if (++child == end)
+        break;
     }
-    if (!winner) {
+    if (status == Status::failure) {
       out.clear();
-      return Status::failure;
+      return status;
     }
     best.hand_on();
-    return this->hand_on(t, *winner, out, status);
+    this->rescale(out);
+    if constexpr (watched)
+      this->took(t, *winner);
+    return status;
   }
 };
 
