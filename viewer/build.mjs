@@ -5,7 +5,7 @@
 // columns where there is none, launch zones, and the texts of a playground.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
-import { mkdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
+import { mkdir, readdir, readFile, rename, rm, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { fileURLToPath } from 'node:url';
@@ -15,8 +15,26 @@ const here = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2] ?? join(here, 'dist');
 const engine = process.argv[3];
 
-const common = { bundle: true, minify: true, write: false, target: 'es2022', legalComments: 'none', logLevel: 'warning' };
-const bundled = async (file, options = {}) => (await build({ ...common, entryPoints: [join(here, file)], ...options })).outputFiles[0];
+const common = { bundle: true, minify: true, write: false, metafile: true, target: 'es2022', legalComments: 'none', logLevel: 'warning' };
+const bundled = async (file, options = {}) => {
+  const { outputFiles, metafile } = await build({ ...common, absWorkingDir: here, entryPoints: [join(here, file)], ...options });
+  return { ...outputFiles[0], text: outputFiles[0].text, inputs: Object.keys(metafile.inputs) };
+};
+
+// Whose code a page holds, and on which terms: what each package says itself, every text once.
+async function notices(inputs) {
+  const found = inputs.map((input) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(input)?.[1]);
+  const by_text = new Map();
+  for (const name of [...new Set(found)].filter(Boolean).sort()) {
+    const folder = join(here, 'node_modules', name);
+    const file = (await readdir(folder)).find((entry) => /^licen[cs]e/i.test(entry));
+    const { version, license } = JSON.parse(await readFile(join(folder, 'package.json'), 'utf8'));
+    const text = file ? (await readFile(join(folder, file), 'utf8')).trim() : `Licence: ${license}`;
+    by_text.set(text, [...(by_text.get(text) ?? []), `${name} ${version}`]);
+  }
+  const parts = [...by_text].map(([text, names]) => `${names.join(', ')}\n\n${text}`);
+  return `\n<!--\nThis page holds the following packages.\n\n${parts.join('\n\n')}\n-->\n`.replace(/(?<!^\n<!)--(?!>\n$)/g, '- -');
+}
 // a page is packed; these lines unpack and start it
 const packed = (bytes) => deflateSync(bytes, { level: 9 }).toString('base64');
 const code = `const t=document.getElementById('code').textContent;
@@ -29,12 +47,13 @@ const shell = await readFile(join(here, 'index.html'), 'utf8');
 
 async function make(name, title, script_file, style_file) {
   const script = await bundled(script_file, { format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
-  const looks = (await bundled(style_file)).text;
+  const style = await bundled(style_file);
+  const looks = style.text;
   const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; base-uri 'none'; form-action 'none'`;
   const html = shell.replace('%POLICY%', () => policy).replace('%TITLE%', title).replace('/*%STYLE%*/', () => looks)
     .replace('/*%SCRIPT%*/', () => code).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
   const out = join(folder, name);
-  await writeFile(`${out}.part`, html);
+  await writeFile(`${out}.part`, html + (await notices([...script.inputs, ...style.inputs])));
   await rename(`${out}.part`, out);
 }
 
