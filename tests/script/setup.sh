@@ -86,7 +86,7 @@ expect "without a network" "$(run fly)" "*npm could not fetch its packages (npm 
 fetches='mkdir -p node_modules && touch node_modules/.package-lock.json'
 begin
 tool npm "echo \"\$*\" >>'$work/asked'; [ \$(grep -c . '$work/asked') = 2 ] && $fetches && exit; echo 'npm ERR! Exit handler never called!'; exit 1"
-tool node 'echo page >"$2"'
+tool node 'echo page >"$2/debrief.html"'
 expect "npm that fails once" "$(run fly)" "eyrie: $page_said"$'\n'"flown: fly"$'\n'"code 0"
 expect "no package runs a script of its own" "$(cat "$work/asked")" "ci --ignore-scripts *"$'\n'"ci --ignore-scripts *"
 
@@ -101,7 +101,7 @@ expect "with broken sources" "$(run fly)" "*no such module*no debrief page: it c
 
 begin
 tool npm "$fetches"
-tool node 'echo page >"$2"'
+tool node 'echo page >"$2/debrief.html"'
 expect "with everything" "$(run fly)" "*$page_said"$'\n'"flown: fly"$'\n'"code 0"
 expect "the page is there" "$(cat "$work/build/viewer/debrief.html")" page
 expect "and is not built twice" "$(run fly)" "flown: fly"$'\n'"code 0"
@@ -156,7 +156,7 @@ expect "once as well" "$(run validate)" "flown: validate"$'\n'"code 0"
 # the tests and the page are built under one lock
 begin
 tool npm "$fetches"
-tool node 'echo page >"$2"'
+tool node 'echo page >"$2/debrief.html"'
 tool ctest 'echo "tested: $*"'
 tool ninja "sleep 0.2; $ninja"
 expect "tests" "$(run test -R Break)" \
