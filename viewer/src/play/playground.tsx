@@ -231,10 +231,17 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     void restore();
     const linked = (): void => void restore();
     addEventListener('hashchange', linked);
+    const pressed = (event: KeyboardEvent): void => {
+      if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
+      event.preventDefault();
+      now.current.fly();
+    };
+    addEventListener('keydown', pressed);
     const manners = mind_manners();
     return () => {
       made.destroy();
       removeEventListener('hashchange', linked);
+      removeEventListener('keydown', pressed);
       manners();
     };
   }, []);
