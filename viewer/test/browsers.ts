@@ -22,6 +22,15 @@ export async function launch(where: Where): Promise<Browser> {
   return puppeteer.launch({ headless: true, protocolTimeout: 600_000, defaultViewport: null, ...kBrowsers[where] });
 }
 
+/** Asks again and again: what waits in the page fails in Firefox 140 unless it holds at once. */
+async function until<T>(ask: () => Promise<T>, problem: string, { polling = 30, timeout = kPatience } = {}): Promise<NonNullable<T>> {
+  for (const end = Date.now() + timeout; Date.now() < end; await new Promise((done) => setTimeout(done, polling))) {
+    const answer = await ask();
+    if (answer) return answer;
+  }
+  throw new Error(`${problem}, for ${timeout} ms`);
+}
+
 /** A page with what a person does on it; whoever is to be worked is waited for. */
 export class UserPage {
   readonly keyboard: Page['keyboard'];
@@ -40,13 +49,13 @@ export class UserPage {
   }
 
   async find(selector: string): Promise<ElementHandle> {
-    return (await this.page.waitForSelector(selector))!;
+    return until(() => this.page.$(selector), `there is no ${selector}`);
   }
   async waitForSelector(selector: string): Promise<void> {
     await this.find(selector);
   }
   async waitForFunction<A>(holds: (argument: A) => unknown, argument?: A, options: { polling?: number; timeout?: number } = {}): Promise<void> {
-    await this.page.waitForFunction(holds as (argument: unknown) => unknown, options, argument);
+    await until(() => this.page.evaluate(holds as (argument: unknown) => unknown, argument), `never: ${holds}`, options);
   }
   waitForTimeout(ms: number): Promise<void> {
     return new Promise((done) => setTimeout(done, ms));
@@ -127,7 +136,11 @@ export async function open_url(browser: Browser, url: string, { width = 1280, he
   const complaints: string[] = [];
   const page = await browser.newPage();
   page.setDefaultTimeout(kPatience);
-  await page.setViewport({ width, height });
+  // Firefox 140 knows the size and not the orientation, which is sent with it
+  await page.setViewport({ width, height }).catch((error: unknown) => {
+    if (!/unknown command emulation/.test(String(error))) throw error;
+  });
+  await until(() => page.evaluate((wanted) => innerWidth === wanted, width), 'the window has not its size');
   // Firefox has no such wish, and takes the light one
   if (theme === 'dark') await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: theme }]).catch(() => {});
   page.on('pageerror', (error) => complaints.push(`error: ${(error as Error).message}`));
