@@ -29,6 +29,8 @@ export interface SceneHandle {
   dispose(): void;
   /** Since the last call: pictures drawn, and ms from one to the next while they follow each other. */
   frames(): { count: number; worst_ms: number; mean_ms: number };
+  /** Whether no other picture is to come by itself, and this one has all its pixels. */
+  is_still(): boolean;
 }
 
 /** What of the view is seen here. */
@@ -98,6 +100,10 @@ class AirPicture {
       this.asked = 0;
       this.draw(now);
     });
+  }
+
+  is_still(): boolean {
+    return !this.asked && this.sharpness.scale === 1;
   }
 
   resize(): void {
@@ -263,5 +269,5 @@ export function mount_scene(host: HTMLElement, run: Run, store: Store, other: Ce
   host.style.overflow = 'hidden';
   host.setAttribute('role', 'img');
   const picture = new AirPicture(host, run, store, other);
-  return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read() };
+  return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read(), is_still: () => picture.is_still() };
 }
