@@ -65,9 +65,9 @@ async function drawn(draw: 'webgl' | 'canvas', theme: 'light' | 'dark', fragment
 }
 
 for (const [theme, fragment] of [
-  ['light', '#t=590&p=eagle1'], ['dark', '#t=640&p=eagle1&c=follow'], ['light', '#t=640&p=bogey1&c=top'],
+  ['light', '#t=590&p=eagle1&c=free&e=-30.012,9.4288,1.9873,33.1682,0,0.95'], ['dark', '#t=640&p=eagle1&c=follow'], ['light', '#t=640&p=bogey1&c=top'],
   // the radar's volume reaches behind the eye
-  ['light', '#t=692&p=eagle1&c=whole'],
+  ['light', '#t=692&p=eagle1&c=free&e=-29.2631,8.8353,6.3753,16,0,0.95'],
 ] as const)
   test(`${theme} ${fragment} is the same with and without a graphics card`, { skip: kNoCard }, async () => {
     const { means: card, pose } = await drawn('webgl', theme, fragment);

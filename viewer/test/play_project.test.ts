@@ -2,7 +2,7 @@
 /** What is edited in the playground: files and what they include; and how a link holds it. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { deflateRawSync } from 'node:zlib';
+import { deflateSync } from 'node:zlib';
 import { edited, help_of, seed_of, tree_names, with_includes, type Project } from '../src/play/project.ts';
 import { link_of, read_link } from '../src/play/share.ts';
 
@@ -47,7 +47,7 @@ test('a link brings back scenario, seed and edits', async () => {
 });
 
 test('a link that is not ours is refused in words', async () => {
-  const packed = (value: unknown): string => `#s=${deflateRawSync(JSON.stringify(value)).toString('base64url')}`;
+  const packed = (value: unknown): string => `#s=${deflateSync(JSON.stringify(value)).toString('base64url')}`;
   const good = { v: 1, scenario: 'scenarios/sweep.yaml' };
   assert.ok(await read_link(packed(good), kShipped));
   const refused: [string, RegExp][] = [

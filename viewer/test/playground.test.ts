@@ -140,7 +140,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
     });
 
     test('a hostile link does nothing but say why it cannot be used', async () => {
-      const link = (value: object) => promisify(execFile)(process.execPath, ['-e', 'process.stdout.write(require("zlib").deflateRawSync(process.argv[1]).toString("base64url"))', JSON.stringify(value)]).then(({ stdout }) => `#s=${stdout}`);
+      const link = (value: object) => promisify(execFile)(process.execPath, ['-e', 'process.stdout.write(require("zlib").deflateSync(process.argv[1]).toString("base64url"))', JSON.stringify(value)]).then(({ stdout }) => `#s=${stdout}`);
       for (const [fragment, why] of [['#s=AAAA', 'damaged'], [await link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));

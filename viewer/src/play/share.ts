@@ -34,7 +34,7 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: ReadableWritableP
 
 export async function link_of({ scenario, seed, edits }: Project): Promise<string> {
   const shared: Shared = { v: 1, scenario, ...(seed && { seed }), ...(Object.keys(edits).length && { edits: { ...edits } }) };
-  const packed = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream('deflate-raw'), Infinity);
+  const packed = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream('deflate'), Infinity);
   const base64 = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
   return `#s=${base64.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
@@ -62,7 +62,7 @@ export async function read_link(fragment: string, shipped: Project['shipped']): 
   let value: unknown;
   try {
     const packed = Uint8Array.from(atob(said.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
-    value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(await through(packed, new DecompressionStream('deflate-raw'), kLargest)));
+    value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(await through(packed, new DecompressionStream('deflate'), kLargest)));
   } catch (error) {
     throw new Error(error instanceof Error && error.message === 'it is too large' ? error.message : 'it is damaged or cut');
   }
