@@ -7,25 +7,29 @@
 namespace eyrie::app {
 namespace {
 int lost = 0;  // errno of the first failure
+
+/// `failed`, or the stream says so: errno is that of the call just made, which was cleared before.
+void note(bool failed) {
+  if ((failed || std::ferror(stdout)) && !lost)
+    lost = errno ? errno : EIO;
 }
+}  // namespace
 
 int lost_output() {
   errno = 0;
-  if ((std::fflush(stdout) != 0 || std::ferror(stdout)) && !lost)
-    lost = errno ? errno : EIO;
+  note(std::fflush(stdout) != 0);
   return lost;
 }
 
-}  // namespace eyrie::app
-
-namespace eyrie::app::detail {
+namespace detail {
 
 void print_out(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && !lost)
-    lost = errno;
+  errno = 0;  // a line may be taken whole although the reader of those before it has gone
+  note(std::fwrite(text.data(), 1, text.size(), stdout) != text.size());
 }
 void print_error(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-}  // namespace eyrie::app::detail
+}  // namespace detail
+}  // namespace eyrie::app
