@@ -79,7 +79,7 @@ function All({ flights, busy, onDebrief }: { flights: Flight[]; busy: boolean; o
       <table>
         <thead>
           <tr><th scope="col">#</th><th scope="col">scenario</th><th scope="col">seed</th><th scope="col">ended</th>
-            <th scope="col" class="blue">blue lost</th><th scope="col" class="red">red lost</th><th scope="col">hash</th><th /></tr>
+            <th scope="col">blue lost</th><th scope="col">red lost</th><th scope="col">hash</th><th /></tr>
         </thead>
         <tbody>
           {flights.map((flight) => (
