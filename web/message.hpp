@@ -180,11 +180,11 @@ template <class T>
           [[maybe_unused]] const auto declare = [&](const auto& one) {
             using V = std::remove_cvref_t<decltype(std::declval<T>().*one.at)>;
             if constexpr (detail::is_optional<V>)
-              text += fmt::format("  /** {} */\n  {}?: {};\n", one.help, one.name,
-                                  typescript<typename V::value_type>(declared));
+              text += fmt::format("  {}?: {};  // {}\n", one.name,
+                                  typescript<typename V::value_type>(declared), one.help);
             else
-              text += fmt::format("  /** {} */\n  {}: {};\n", one.help, one.name,
-                                  typescript<V>(declared));
+              text +=
+                  fmt::format("  {}: {};  // {}\n", one.name, typescript<V>(declared), one.help);
           };
           (declare(member), ...);
         },

@@ -3,188 +3,123 @@
 
 /** What was loaded. */
 export interface About {
-  /** Its name. */
-  scenario: string;
-  /** What it says of itself. */
-  help: string;
-  /** In digits. */
-  seed: string;
-  /** Who recorded it; empty before it was flown. */
-  build: string;
-  /** s per step. */
-  dt: number | null;
-  /** s, when it ends, at the latest if it was not flown yet. */
-  until: number | null;
-  /** In the order of their ids, which count from 1. */
-  players: Array<Player>;
-  /** What rows() can be asked for. */
-  tables: Array<string>;
+  scenario: string;  // Its name.
+  help: string;  // What it says of itself.
+  seed: string;  // In digits.
+  build: string;  // Who recorded it; empty before it was flown.
+  dt: number | null;  // s per step.
+  until: number | null;  // s, when it ends, at the latest if it was not flown yet.
+  players: Array<Player>;  // In the order of their ids, which count from 1.
+  tables: Array<string>;  // What rows() can be asked for.
 }
 
 /** What one node answered. */
 export interface Answer {
-  /** Its label. */
-  label: string;
-  /** Its type. */
-  type: string;
-  /** From the root, as `eyrie explain` writes it. */
-  path: string;
-  /** Below the root. */
-  depth: number;
-  /** Whether it was asked. */
-  asked: boolean;
-  /** 0 failure, 1 running, 2 success. */
-  status: number;
-  /** Its vote. */
-  vote: number | null;
-  /** Why it failed. */
-  why: string;
-  /** What it proposed. */
-  action: Array<Value>;
+  label: string;  // Its label.
+  type: string;  // Its type.
+  path: string;  // From the root, as `eyrie explain` writes it.
+  depth: number;  // Below the root.
+  asked: boolean;  // Whether it was asked.
+  status: number;  // 0 failure, 1 running, 2 success.
+  vote: number | null;  // Its vote.
+  why: string;  // Why it failed.
+  action: Array<Value>;  // What it proposed.
 }
 
 /** Another future, from the moment of seek() on. */
 export interface Branch {
-  /** What is other from there on, as `eyrie whatif --set` takes it. */
-  sets: Array<string>;
-  /** Whose tree is meant where a path names none. */
-  player: string;
-  /** s, when it ends at the latest, instead of the scenario's. */
-  until?: number | null;
+  sets: Array<string>;  // What is other from there on, as `eyrie whatif --set` takes it.
+  player: string;  // Whose tree is meant where a path names none.
+  until?: number | null;  // s, when it ends at the latest, instead of the scenario's.
 }
 
 /** A field that would have been another. */
 export interface Changed {
-  /** Such as heading. */
-  name: string;
-  /** SI. */
-  unit: string;
-  /** For people; - for nothing. */
-  flown: string;
-  /** For people; - for nothing. */
-  other: string;
-  /** Other minus flown, directions the short way round. */
-  difference?: number | null;
+  name: string;  // Such as heading.
+  unit: string;  // SI.
+  flown: string;  // For people; - for nothing.
+  other: string;  // For people; - for nothing.
+  difference?: number | null;  // Other minus flown, directions the short way round.
 }
 
 /** One number of every row. */
 export interface Column {
-  /** COLUMN.FIELD, with [i] if the field has several numbers. */
-  name: string;
-  /** SI; empty for none. */
-  unit: string;
-  /** By row. */
-  values: Array<number | null>;
+  name: string;  // COLUMN.FIELD, with [i] if the field has several numbers.
+  unit: string;  // SI; empty for none.
+  values: Array<number | null>;  // By row.
 }
 
 /** A decision, if one was due. */
 export interface Decided {
-  /** The decision. */
-  decision?: Decision;
+  decision?: Decision;  // The decision.
 }
 
 /** What an agent decided, and why. */
 export interface Decision {
-  /** Of the world. */
-  step: number;
-  /** s. */
-  time: number | null;
-  /** Its name. */
-  tree: string;
-  /** Of the root. */
-  vote: number | null;
-  /** Whose recommendation led; 65535: nobody's. */
-  leader: number;
-  /** Every node, in pre-order. */
-  nodes: Array<Answer>;
-  /** Who won each field, and against whom. */
-  action: Array<Won>;
-  /** What it was decided on. */
-  state: Array<Value>;
-  /** What it believed to be there. */
-  perceived: Array<Perceived>;
+  step: number;  // Of the world.
+  time: number | null;  // s.
+  tree: string;  // Its name.
+  vote: number | null;  // Of the root.
+  leader: number;  // Whose recommendation led; 65535: nobody's.
+  nodes: Array<Answer>;  // Every node, in pre-order.
+  action: Array<Won>;  // Who won each field, and against whom.
+  state: Array<Value>;  // What it was decided on.
+  perceived: Array<Perceived>;  // What it believed to be there.
 }
 
 /** The first other decision. */
 export interface FirstOther {
-  /** Of the world. */
-  step: number;
-  /** s. */
-  time: number | null;
-  /** Who led. */
-  flown: string;
-  /** Who would have led. */
-  other: string;
-  /** What would have been another. */
-  fields: Array<Changed>;
+  step: number;  // Of the world.
+  time: number | null;  // s.
+  flown: string;  // Who led.
+  other: string;  // Who would have led.
+  fields: Array<Changed>;  // What would have been another.
 }
 
 /** How far a flight is. */
 export interface Flown {
-  /** Steps made. */
-  step: number;
-  /** s. */
-  time: number | null;
-  /** Of the world, as the terminal prints it. */
-  hash: string;
-  /** running, or why it is over. */
-  outcome: string;
-  /** How it ended, once it is over. */
-  result?: Outcome;
-  /** What happened since the last answer. */
-  story: Array<Line>;
+  step: number;  // Steps made.
+  time: number | null;  // s.
+  hash: string;  // Of the world, as the terminal prints it.
+  outcome: string;  // running, or why it is over.
+  result?: Outcome;  // How it ended, once it is over.
+  story: Array<Line>;  // What happened since the last answer.
 }
 
 /** A line of the story. */
 export interface Line {
-  /** s. */
-  time: number | null;
-  /** Who does it. */
-  who: string;
-  /** What happens. */
-  text: string;
+  time: number | null;  // s.
+  who: string;  // Who does it.
+  text: string;  // What happens.
 }
 
 /** A scenario to be flown. */
 export interface Load {
-  /** What it is made of. */
-  texts: Texts;
-  /** In digits; the scenario's own without it. */
-  seed?: string;
-  /** s, when it ends at the latest, instead of the scenario's. */
-  until?: number | null;
+  texts: Texts;  // What it is made of.
+  seed?: string;  // In digits; the scenario's own without it.
+  until?: number | null;  // s, when it ends at the latest, instead of the scenario's.
 }
 
 /** Where the run is looked at. */
 export interface Moment {
-  /** Steps made before it. */
-  step: number;
-  /** s. */
-  time: number | null;
-  /** Of the world, as the terminal prints it. */
-  hash: string;
+  step: number;  // Steps made before it.
+  time: number | null;  // s.
+  hash: string;  // Of the world, as the terminal prints it.
 }
 
 /** What a tree may be made of. */
 export interface NodeType {
-  /** As files write it. */
-  name: string;
-  /** behavior, condition, arbiter, control or decorator. */
-  kind: string;
-  /** What it does. */
-  help: string;
-  /** Whether it may have any number of children. */
-  takes_children: boolean;
-  /** Besides its children. */
-  parameters: Array<Parameter>;
+  name: string;  // As files write it.
+  kind: string;  // behavior, condition, arbiter, control or decorator.
+  help: string;  // What it does.
+  takes_children: boolean;  // Whether it may have any number of children.
+  parameters: Array<Parameter>;  // Besides its children.
 }
 
 /** Every type of node. */
 export interface NodeTypes {
-  /** Of trees of pilots. */
-  aircraft: Array<NodeType>;
-  /** Of trees of drivers. */
-  vehicle: Array<NodeType>;
+  aircraft: Array<NodeType>;  // Of trees of pilots.
+  vehicle: Array<NodeType>;  // Of trees of drivers.
 }
 
 /** No parameters. */
@@ -193,188 +128,131 @@ export interface Nothing {
 
 /** Other trees for a player's states. */
 export interface Otherwise {
-  /** Whose. */
-  player: string;
-  /** What is other, as `eyrie whatif --set` takes it. */
-  sets: Array<string>;
-  /** s, from when on; from the start without it. */
-  from?: number | null;
+  player: string;  // Whose.
+  sets: Array<string>;  // What is other, as `eyrie whatif --set` takes it.
+  from?: number | null;  // s, from when on; from the start without it.
 }
 
 /** How a run ended. */
 export interface Outcome {
-  /** Why it was over. */
-  outcome: string;
-  /** s. */
-  time: number | null;
-  /** Of blue. */
-  blue: Tally;
-  /** Of red. */
-  red: Tally;
+  outcome: string;  // Why it was over.
+  time: number | null;  // s.
+  blue: Tally;  // Of blue.
+  red: Tally;  // Of red.
 }
 
 /** Of a type of node. */
 export interface Parameter {
-  /** As files write it. */
-  name: string;
-  /** number, flag, choice or other. */
-  kind: string;
-  /** A unit of its dimension; empty for none. */
-  unit: string;
-  /** What it means. */
-  help: string;
-  /** What it is if nobody says; empty if it must be said. */
-  standard: string;
-  /** The least number, in SI, if there is one. */
-  min?: number | null;
-  /** The greatest number, in SI, if there is one. */
-  max?: number | null;
-  /** If it is one of several words. */
-  choices: Array<string>;
+  name: string;  // As files write it.
+  kind: string;  // number, flag, choice or other.
+  unit: string;  // A unit of its dimension; empty for none.
+  help: string;  // What it means.
+  standard: string;  // What it is if nobody says; empty if it must be said.
+  min?: number | null;  // The least number, in SI, if there is one.
+  max?: number | null;  // The greatest number, in SI, if there is one.
+  choices: Array<string>;  // If it is one of several words.
 }
 
 /** Something that the agent believed to be there. */
 export interface Perceived {
-  /** target, track, radar, missile or aircraft. */
-  kind: string;
-  /** As the agent knows it; in brackets the truth. */
-  name: string;
-  /** Range, bearing, identity ... */
-  values: Array<Value>;
+  kind: string;  // target, track, radar, missile or aircraft.
+  name: string;  // As the agent knows it; in brackets the truth.
+  values: Array<Value>;  // Range, bearing, identity ...
 }
 
 /** Somebody in the scenario. */
 export interface Player {
-  /** As the scenario says. */
-  name: string;
-  /** blue or red. */
-  side: string;
-  /** Of aircraft or vehicle. */
-  type: string;
+  name: string;  // As the scenario says.
+  side: string;  // blue or red.
+  type: string;  // Of aircraft or vehicle.
 }
 
 /** A mistake in a text. */
 export interface Problem {
-  /** Whose. */
-  file: string;
-  /** From 1; 0: unknown. */
-  line: number;
-  /** From 1; 0: unknown. */
-  column: number;
-  /** What is wrong, and the nearest right name. */
-  message: string;
+  file: string;  // Whose.
+  line: number;  // From 1; 0: unknown.
+  column: number;  // From 1; 0: unknown.
+  message: string;  // What is wrong, and the nearest right name.
 }
 
 /** Every mistake that was found. */
 export interface Problems {
-  /** In the order of the texts; empty: it can be flown. */
-  problems: Array<Problem>;
+  problems: Array<Problem>;  // In the order of the texts; empty: it can be flown.
 }
 
 /** Somebody who proposed a field that another one won. */
 export interface Rival {
-  /** Which node. */
-  node: number;
-  /** What it proposed. */
-  value: Value;
-  /** The vote of the branch with the winner. */
-  against: number | null;
-  /** The vote of the branch with the rival. */
-  vote: number | null;
+  node: number;  // Which node.
+  value: Value;  // What it proposed.
+  against: number | null;  // The vote of the branch with the winner.
+  vote: number | null;  // The vote of the branch with the rival.
 }
 
 /** A table of the world, at a moment. */
 export interface Rows {
-  /** Of the players, row by row. */
-  ids: Array<number>;
-  /** Whatever they keep. */
-  columns: Array<Column>;
+  ids: Array<number>;  // Of the players, row by row.
+  columns: Array<Column>;  // Whatever they keep.
 }
 
 /** A moment of a run. */
 export interface Step {
-  /** Steps made before it: 0 is the start. */
-  step: number;
+  step: number;  // Steps made before it: 0 is the start.
 }
 
 /** A table of the world. */
 export interface Table {
-  /** Its name, such as aircraft or missiles. */
-  table: string;
+  table: string;  // Its name, such as aircraft or missiles.
 }
 
 /** How a side fared. */
 export interface Tally {
-  /** Players lost. */
-  losses: number;
-  /** Missiles shot. */
-  shots: number;
-  /** Enemies killed. */
-  kills: number;
-  /** Came home. */
-  home: number;
+  losses: number;  // Players lost.
+  shots: number;  // Missiles shot.
+  kills: number;  // Enemies killed.
+  home: number;  // Came home.
 }
 
 /** A scenario and what it includes. */
 export interface Texts {
-  /** Texts by name: data/KIND/NAME.yaml, packages, scenarios. */
-  files: Record<string, string>;
-  /** Which of them is flown. */
-  scenario: string;
-  /** Overrides as `--set` takes them: PATH=VALUE. */
-  sets?: Array<string>;
+  files: Record<string, string>;  // Texts by name: data/KIND/NAME.yaml, packages, scenarios.
+  scenario: string;  // Which of them is flown.
+  sets?: Array<string>;  // Overrides as `--set` takes them: PATH=VALUE.
 }
 
 /** How far. */
 export interface Until {
-  /** s of simulated time; to the end without it. */
-  until?: number | null;
+  until?: number | null;  // s of simulated time; to the end without it.
 }
 
 /** A value of the state or of an action. */
 export interface Value {
-  /** Such as heading. */
-  name: string;
-  /** SI; empty for none. */
-  unit: string;
-  /** In that unit, if it is a number. */
-  number?: number | null;
-  /** For people. */
-  text: string;
+  name: string;  // Such as heading.
+  unit: string;  // SI; empty for none.
+  number?: number | null;  // In that unit, if it is a number.
+  text: string;  // For people.
 }
 
 /** What other trees would have decided. */
 export interface WhatIf {
-  /** Looked at. */
-  decisions: number;
-  /** Whose action would have been another one. */
-  different: number;
-  /** The first of them. */
-  first?: FirstOther;
-  /** Of the world, by decision. */
-  steps: Array<number>;
-  /** By decision the node that would have led; 65535: nobody. */
-  leaders: Array<number>;
-  /** s, from the first to the last of other decisions in a row. */
-  spans: Array<[number, number]>;
+  decisions: number;  // Looked at.
+  different: number;  // Whose action would have been another one.
+  first?: FirstOther;  // The first of them.
+  steps: Array<number>;  // Of the world, by decision.
+  leaders: Array<number>;  // By decision the node that would have led; 65535: nobody.
+  spans: Array<[number, number]>;  // s, from the first to the last of other decisions in a row.
 }
 
 /** A player. */
 export interface Who {
-  /** Its name. */
-  player: string;
+  player: string;  // Its name.
 }
 
 /** A field of the action of the root. */
 export interface Won {
-  /** What came out. */
-  value: Value;
-  /** Which node's. */
-  winner: number;
-  /** The winner made it of what its children said. */
-  blended: boolean;
-  /** The highest vote first. */
-  rivals: Array<Rival>;
+  value: Value;  // What came out.
+  winner: number;  // Which node's.
+  blended: boolean;  // The winner made it of what its children said.
+  rivals: Array<Rival>;  // The highest vote first.
 }
 
 /** Numbers are SI, times s of simulated time. A question that cannot be answered is rejected with an EngineError. */
