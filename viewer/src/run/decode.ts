@@ -9,199 +9,147 @@
  * number kNothing stands for NaN.
  */
 import type {
-  ActionField, Decisions, Flight, Gauges, Missile, Motion, Place, Player, PlayerKind, Run, Shape, Side, Sight,
-  Sights, StateField, Status, StoryLine, TrackSeen, Tree, TreeNode, Warning, Waypoint,
+  Decisions, Flight, Gauges, Missile, Motion, Place, Player, Run, Shape, Sights, Status, Tree, TreeNode,
 } from './run.ts';
 
-export const kFormat = 1;
+const kFormat = 1;
 const kNothing = -2147483648;
 
-export type Column = [offset: number, count: number, quantum: number, order: number];
+type Column = [offset: number, count: number, quantum: number, order: number];
+type Read = (column: Column) => Float64Array;
+/** What a table of numbers is in the document. */
+type Packed<K extends string> = Record<K, Column>;
 
-export class Columns {
-  constructor(private readonly bytes: Uint8Array) {}
-
-  read([offset, count, quantum, order]: Column): Float64Array {
-    const out = new Float64Array(count);
-    const bytes = this.bytes;
-    let at = offset;
-    let last = 0;
-    let slope = 0;
-    for (let i = 0; i < count; ++i) {
-      let value = 0;
-      let scale = 1;
-      for (;;) {
-        const byte = bytes[at++]!;
-        value += (byte & 127) * scale;
-        if (byte < 128) break;
-        scale *= 128;
-      }
-      value = value % 2 ? -(value + 1) / 2 : value / 2;
-      if (order === 2) {
-        slope += value;
-        last += slope;
-      } else if (order === 1) {
-        last += value;
-      } else {
-        last = value;
-      }
-      out[i] = last === kNothing ? NaN : last * quantum;
+function read_column(bytes: Uint8Array, [offset, count, quantum, order]: Column): Float64Array {
+  const out = new Float64Array(count);
+  let at = offset;
+  let last = 0;
+  let slope = 0;
+  for (let i = 0; i < count; ++i) {
+    let value = 0;
+    let scale = 1;
+    for (;;) {
+      const byte = bytes[at++]!;
+      value += (byte & 127) * scale;
+      if (byte < 128) break;
+      scale *= 128;
     }
-    return out;
+    value = value % 2 ? -(value + 1) / 2 : value / 2;
+    slope += value;
+    last = order === 2 ? last + slope : order === 1 ? last + value : value;
+    out[i] = last === kNothing ? NaN : last * quantum;
   }
+  return out;
 }
 
-interface MotionData { t: Column; east: Column; north: Column; up: Column; heading: Column; pitch: Column; roll: Column }
 interface SightData {
   t: Column;
   state: Column[];
-  tracks: { count: Column; id: Column; truth: Column; identity: Column; target: Column; east: Column; north: Column; up: Column; age: Column };
-  warnings: { count: Column; kind: Column; bearing: Column; range: Column; name: Column };
-  scan: { mode: Column; azimuth: Column; elevation: Column } | null;
-  zone: { min: Column; no_escape: Column; max: Column } | null;
+  tracks: Packed<'count' | 'id' | 'truth' | 'identity' | 'target' | 'east' | 'north' | 'up' | 'age'>;
+  warnings: Packed<'count' | 'kind' | 'bearing' | 'range' | 'name'>;
+  scan: Packed<'mode' | 'azimuth' | 'elevation'> | null;
+  zone: Packed<'min' | 'no_escape' | 'max'> | null;
 }
-interface PlayerData {
-  id: number; name: string; side: Side; kind: PlayerKind; type: string; model: string; flight: number; rank: number;
-  born: number; gone: number; end: 'home' | 'lost' | '';
-  radar: Player['radar'];
-  motion: MotionData;
-  gauges: { speed: Column; mach: Column; load_factor: Column; fuel: Column };
-  decisions: { step: Column; shape: Column; values: [node: number, field: number, column: Column][] };
+interface DecisionData {
+  step: Column;
+  shape: Column;
+  values: [node: number, field: number, column: Column][];
+}
+interface PlayerData extends Omit<Player, 'index' | 'motion' | 'gauges' | 'decisions' | 'sights'> {
+  motion: Packed<keyof Motion>;
+  gauges: Packed<keyof Gauges>;
+  decisions: DecisionData;
   sights: SightData;
 }
-interface MissileData {
-  id: number; type: string; side: Side; shooter: number; target: number; born: number; gone: number;
-  active: number | null; end: Missile['end']; motion: MotionData;
+interface MissileData extends Omit<Missile, 'active' | 'motion'> {
+  active: number | null;
+  motion: Packed<keyof Motion>;
 }
-interface ShapeData {
-  tree: number; leader: number;
-  /** A letter a node: '-' not asked, F, S, R. */
-  status: string;
-  vote: number[];
-  /** [node, index into texts] */
-  why: [number, number][];
-  /** [node, supplier of field 0, of field 1, ...] */
-  supplier: number[][];
+interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
+  status: string;  // a letter a node: '-' not asked, F, S, R
+  why: [node: number, text: number][];
+  supplier: number[][];  // [node, supplier of field 0, of field 1, ...]
 }
-interface Document {
+interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'story'> {
   format: number;
-  about: Run['about'];
-  origin: Run['origin'];
-  flights: { name: string; side: Side; kind: PlayerKind; members: number[]; route: (number | null)[][]; home: number[] | null }[];
+  flights: (Omit<Flight, 'route' | 'home'> & { route: (number | null)[][]; home: number[] | null })[];
   players: PlayerData[];
   missiles: MissileData[];
-  trees: { name: string; kind: PlayerKind; nodes: Omit<TreeNode, 'children'>[] }[];
+  trees: (Omit<Tree, 'nodes'> & { nodes: Omit<TreeNode, 'children'>[] })[];
   shapes: ShapeData[];
-  platforms: Record<PlayerKind, { action: ActionField[]; state: StateField[] }>;
-  texts: string[];
-  story: StoryLine[];
 }
 
 const kStatus: Record<string, Status | null> = { '-': null, F: 'failure', S: 'success', R: 'running' };
 const kIdentities = ['unknown', 'friendly', 'hostile'] as const;
 const kModes = ['off', 'search', 'track'] as const;
 
-function lazy<T>(make: () => T): () => T {
-  let made: { value: T } | null = null;
-  return () => (made ??= { value: make() }).value;
-}
-
-/** An object whose members are decoded when they are first asked for. */
-function lazy_members<T extends object>(makers: { [K in keyof T]: () => T[K] }): T {
-  const out = {};
-  for (const key of Object.keys(makers) as (keyof T)[])
-    Object.defineProperty(out, key, { enumerable: true, get: lazy(makers[key] as () => unknown) });
-  return out as T;
-}
-
-function motion_of(columns: Columns, data: MotionData): Motion {
-  return lazy_members<Motion>({
-    t: () => columns.read(data.t),
-    east: () => columns.read(data.east),
-    north: () => columns.read(data.north),
-    up: () => columns.read(data.up),
-    heading: () => columns.read(data.heading),
-    pitch: () => columns.read(data.pitch),
-    roll: () => columns.read(data.roll),
-  });
-}
-
-function decisions_of(columns: Columns, data: PlayerData['decisions'], shapes: Shape[], dt: number): Decisions {
-  const step = lazy(() => columns.read(data.step));
-  const shape = lazy(() => Int32Array.from(columns.read(data.shape)));
-  const t = lazy(() => step().map((s) => s * dt));
-  const values = new Map<string, () => Float64Array>();
-  for (const [node, field, column] of data.values)
-    values.set(`${node}/${field}`, lazy(() => {
-      // dense over the decisions in which the node set the field itself
-      const dense = columns.read(column);
-      const all = new Float64Array(shape().length).fill(NaN);
-      let next = 0;
-      shape().forEach((s, i) => {
-        if (shapes[s]!.supplier[node]?.[field] === node) all[i] = dense[next++]!;
-      });
-      return all;
-    }));
-  return {
-    get t() { return t(); },
-    get step() { return step(); },
-    get shape() { return shape(); },
-    value: (node, field) => values.get(`${node}/${field}`)?.() ?? null,
-  };
-}
-
-/** Where the rows of each sight begin. */
-function starts(count: Float64Array): Int32Array {
-  const out = new Int32Array(count.length + 1);
-  for (let i = 0; i < count.length; ++i) out[i + 1] = out[i]! + count[i]!;
+/** An object whose members are made when they are first asked for. */
+function lazy<T extends object>(makers: { [K in keyof T]: () => T[K] }): T {
+  const out = {} as T;
+  for (const key of Object.keys(makers) as (keyof T)[]) {
+    const get = (): T[keyof T] => {
+      const value = makers[key]();
+      Object.defineProperty(out, key, { value });
+      return value;
+    };
+    Object.defineProperty(out, key, { enumerable: true, configurable: true, get });
+  }
   return out;
 }
 
-function sights_of(columns: Columns, data: SightData, texts: string[]): Sights {
-  const t = lazy(() => columns.read(data.t));
-  const state = data.state.map((column) => lazy(() => columns.read(column)));
-  const table = lazy(() => {
-    const read = <T extends Record<string, Column>>(part: T) =>
-      Object.fromEntries(Object.entries(part).map(([k, c]) => [k, columns.read(c)])) as { [K in keyof T]: Float64Array };
-    const tracks = read(data.tracks);
-    const warnings = read(data.warnings);
-    return {
-      tracks, warnings, first_track: starts(tracks.count), first_warning: starts(warnings.count),
-      scan: data.scan && read(data.scan), zone: data.zone && read(data.zone),
-    };
+function table<K extends string>(read: Read, data: Packed<K>): Record<K, Float64Array> {
+  const makers = Object.entries<Column>(data).map(([key, column]) => [key, () => read(column)]);
+  return lazy(Object.fromEntries(makers) as Record<K, () => Float64Array>);
+}
+
+function decisions_of(read: Read, data: DecisionData, shapes: Shape[], dt: number): Decisions {
+  const own: Omit<Decisions, 'value'> = lazy({
+    step: () => read(data.step),
+    shape: () => Int32Array.from(read(data.shape)),
+    t: () => own.step.map((s) => s * dt),
   });
-  const tracks_at = (i: number): TrackSeen[] => {
-    const { tracks: c, first_track: first } = table();
-    const out: TrackSeen[] = [];
-    for (let k = first[i]!; k < first[i + 1]!; ++k)
-      out.push({
-        id: c.id[k]!, truth: c.truth[k]!, identity: kIdentities[c.identity[k]!] ?? 'unknown', is_target: c.target[k] === 1,
-        place: { east: c.east[k]!, north: c.north[k]!, up: c.up[k]! }, age: c.age[k]!,
-      });
-    return out;
+  // dense over the decisions in which the node set the field itself
+  const spread = (node: number, field: number, dense: Float64Array): Float64Array => {
+    let next = 0;
+    return Float64Array.from(own.shape, (s) => (shapes[s]!.supplier[node]?.[field] === node ? dense[next++]! : NaN));
   };
-  const warnings_at = (i: number): Warning[] => {
-    const { warnings: c, first_warning: first } = table();
-    const out: Warning[] = [];
-    for (let k = first[i]!; k < first[i + 1]!; ++k)
-      out.push({ kind: texts[c.kind[k]!]!, bearing: c.bearing[k]!, range: c.range[k]!, name: texts[c.name[k]!]! });
-    return out;
-  };
-  return {
-    get t() { return t(); },
-    channel: (field) => state[field]!(),
-    at(i): Sight {
-      const { scan, zone } = table();
-      return {
-        t: t()[i]!,
-        state: Float64Array.from(state, (column) => column()[i]!),
-        tracks: tracks_at(i),
-        warnings: warnings_at(i),
-        scan: scan && { mode: kModes[scan.mode[i]!] ?? 'off', azimuth: scan.azimuth[i]!, elevation: scan.elevation[i]! },
-        zone: zone && zone.max[i]! > 0 ? { min: zone.min[i]!, no_escape: zone.no_escape[i]!, max: zone.max[i]! } : null,
-      };
-    },
-  };
+  const values = lazy<Record<string, Float64Array>>(Object.fromEntries(
+    data.values.map(([node, field, column]) => [`${node}/${field}`, () => spread(node, field, read(column))])));
+  return Object.assign(own, { value: (node: number, field: number) => values[`${node}/${field}`] ?? null });
+}
+
+/** Gives the rows of a table that belong to a sight, each made by `row`; `count` has how many they are. */
+function rows_of<T>({ count }: { count: Float64Array }, row: (k: number) => T): (sight: number) => T[] {
+  const first = new Int32Array(count.length + 1);
+  count.forEach((n, i) => (first[i + 1] = first[i]! + n));
+  return (i) => Array.from({ length: count[i]! }, (_, k) => row(first[i]! + k));
+}
+
+function sights_of(read: Read, data: SightData, texts: string[]): Sights {
+  const [c, w] = [table(read, data.tracks), table(read, data.warnings)];
+  const scan = data.scan && table(read, data.scan);
+  const zone = data.zone && table(read, data.zone);
+  const rows = lazy({
+    tracks: () => rows_of(c, (k) => ({
+      id: c.id[k]!, truth: c.truth[k]!, identity: kIdentities[c.identity[k]!]!, is_target: c.target[k] === 1,
+      place: { east: c.east[k]!, north: c.north[k]!, up: c.up[k]! }, age: c.age[k]!,
+    })),
+    warnings: () => rows_of(w, (k) => (
+      { kind: texts[w.kind[k]!]!, bearing: w.bearing[k]!, range: w.range[k]!, name: texts[w.name[k]!]! })),
+  });
+  const state = lazy<Record<number, Float64Array>>(data.state.map((column) => () => read(column)));
+  const own = lazy<Pick<Sights, 't'>>({ t: () => read(data.t) });
+  return Object.assign(own, {
+    channel: (field: number) => state[field]!,
+    at: (i: number) => ({
+      t: own.t[i]!,
+      state: Float64Array.from(data.state, (_, field) => state[field]![i]!),
+      tracks: rows.tracks(i),
+      warnings: rows.warnings(i),
+      scan: scan && { mode: kModes[scan.mode[i]!]!, azimuth: scan.azimuth[i]!, elevation: scan.elevation[i]! },
+      zone: zone && zone.max[i]! > 0 ? { min: zone.min[i]!, no_escape: zone.no_escape[i]!, max: zone.max[i]! } : null,
+    }),
+  });
 }
 
 function shape_of(data: ShapeData, texts: string[]): Shape {
@@ -210,51 +158,39 @@ function shape_of(data: ShapeData, texts: string[]): Shape {
   for (const [node, text] of data.why) why[node] = texts[text]!;
   const supplier: (Int16Array | null)[] = status.map(() => null);
   for (const [node, ...fields] of data.supplier) supplier[node!] = Int16Array.from(fields);
-  return { tree: data.tree, leader: data.leader, status, vote: data.vote, why, supplier };
+  return { ...data, status, why, supplier };
 }
 
 function tree_of(data: Document['trees'][number]): Tree {
   const nodes: TreeNode[] = data.nodes.map((node) => ({ ...node, children: [] }));
-  nodes.forEach((node, i) => {
-    if (node.parent >= 0) nodes[node.parent]!.children.push(i);
-  });
-  return { name: data.name, kind: data.kind, nodes };
+  nodes.forEach((node, i) => nodes[node.parent]?.children.push(i));
+  return { ...data, nodes };
 }
 
-function place_of([east, north, up]: number[]): Place {
+function place_of([east, north, up]: (number | null)[]): Place {
   return { east: east!, north: north!, up: up! };
 }
 
-export function run_of(document: Document, columns: Columns): Run {
+function run_of(document: Document, read: Read): Run {
   if (document.format !== kFormat)
     throw new Error(`this page reads data of format ${kFormat}, and this run is of format ${document.format}`);
-  const { texts } = document;
+  const { about, texts } = document;
   const shapes = document.shapes.map((s) => shape_of(s, texts));
-  const waypoint = ([east, north, up, speed]: (number | null)[]): Waypoint =>
-    ({ east: east!, north: north!, up: up!, speed: speed ?? NaN });
   return {
-    about: document.about,
-    origin: document.origin,
-    flights: document.flights.map((f): Flight => ({ ...f, route: f.route.map(waypoint), home: f.home && place_of(f.home) })),
+    ...document,
+    flights: document.flights.map((f): Flight => (
+      { ...f, route: f.route.map((stop) => ({ ...place_of(stop), speed: stop[3] ?? NaN })), home: f.home && place_of(f.home) })),
     players: document.players.map((p, index): Player => ({
       ...p,
       index,
-      motion: motion_of(columns, p.motion),
-      gauges: lazy_members<Gauges>({
-        speed: () => columns.read(p.gauges.speed),
-        mach: () => columns.read(p.gauges.mach),
-        load_factor: () => columns.read(p.gauges.load_factor),
-        fuel: () => columns.read(p.gauges.fuel),
-      }),
-      decisions: decisions_of(columns, p.decisions, shapes, document.about.dt),
-      sights: sights_of(columns, p.sights, texts),
+      motion: table(read, p.motion),
+      gauges: table(read, p.gauges),
+      decisions: decisions_of(read, p.decisions, shapes, about.dt),
+      sights: sights_of(read, p.sights, texts),
     })),
-    missiles: document.missiles.map((m): Missile => ({ ...m, active: m.active ?? NaN, motion: motion_of(columns, m.motion) })),
+    missiles: document.missiles.map((m): Missile => ({ ...m, active: m.active ?? NaN, motion: table(read, m.motion) })),
     trees: document.trees.map(tree_of),
     shapes,
-    platforms: document.platforms,
-    texts,
-    story: document.story,
   };
 }
 
@@ -262,5 +198,6 @@ export function run_of(document: Document, columns: Columns): Run {
 export function decode(bytes: Uint8Array): Run {
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
   const document = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as Document;
-  return run_of(document, new Columns(bytes.subarray(4 + length)));
+  const columns = bytes.subarray(4 + length);
+  return run_of(document, (column) => read_column(columns, column));
 }
