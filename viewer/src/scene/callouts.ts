@@ -35,21 +35,16 @@ function priority(frame: Frame, i: number): number {
   return sight?.now.tracks.some((track) => track.truth === i && track.identity !== 'friendly') ? 30 : 0;
 }
 
-const order: { i: number; off: number }[] = [];
-
 export function draw_names(frame: Frame): void {
   const { run, view, players, eye, notes, palette } = frame;
   const crowd = players.count > kCrowd;
-  let others = 0;
+  const seen: { i: number; off: number }[] = [];
   for (let i = 0; i < players.count; ++i) {
     if (!players.shown[i] || !eye.project(players.x[i]!, players.y[i]!, players.z[i]!) || !eye.on_screen()) continue;
-    const entry = (order[others++] ??= { i: 0, off: 0 });
-    entry.i = i;
-    entry.off = Math.hypot(eye.px - eye.width / 2, eye.py - eye.height / 2);
+    seen.push({ i, off: Math.hypot(eye.px - eye.width / 2, eye.py - eye.height / 2) });
     if (!crowd) notes.reserve(eye.px - 8 * eye.ui, eye.py - 8 * eye.ui, 16 * eye.ui, 16 * eye.ui);
   }
   // in a crowd those nearest to the middle of the picture get what room is left
-  const seen = order.slice(0, others);
   if (crowd) seen.sort((a, b) => a.off - b.off);
   let left = crowd ? kOthers : Infinity;
   for (const { i } of seen) {

@@ -5,6 +5,8 @@ import { feature } from 'topojson-client';
 import type { GeometryCollection, Topology } from 'topojson-specification';
 import land_110m from 'world-atlas/land-110m.json';
 import { kRadian, type Origin, sphere_at, to_map } from './geo.ts';
+import type { Pens } from './painter.ts';
+import type { Palette } from './palette.ts';
 
 /** Nothing further from the origin is drawn (km). */
 export const kReach = 1500;
@@ -159,4 +161,13 @@ export function coast_of(origin: Origin): Coast {
     }
   }
   return { land: Float32Array.from(land), shore: Float32Array.from(shore), graticule: Float32Array.from(graticule_of(origin)) };
+}
+
+/** Graticule and shores, on the ground. */
+export function draw_shores(lines: Pens, { graticule, shore }: Coast, palette: Palette): void {
+  for (const [segments, width, alpha] of [[graticule, 1, 0.22], [shore, 1.4, 0.9]] as const) {
+    lines.pen(palette.shore, width);
+    for (let i = 0; i < segments.length; i += 4)
+      lines.add(segments[i]!, 0, -segments[i + 1]!, segments[i + 2]!, 0, -segments[i + 3]!, alpha);
+  }
 }

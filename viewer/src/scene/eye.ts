@@ -26,6 +26,10 @@ export class Eye {
   ground_x = 0;
   ground_z = 0;
   stance: Stance | null = null;
+  /** Of the last turn(): km to the right of the line of sight, above it, and in front of the eye. */
+  private rightward = 0;
+  private upward = 0;
+  private ahead = 0;
   private readonly right = new Float64Array(3);
   private readonly up = new Float64Array(3);
   private readonly back = new Float64Array(3);
@@ -60,38 +64,36 @@ export class Eye {
       r[0]!, u[0]!, b[0]!, at[0]!, r[1]!, u[1]!, b[1]!, at[1]!, r[2]!, u[2]!, b[2]!, at[2]!, 0, 0, 0, 1);
     camera.matrixWorldNeedsUpdate = true;
     camera.fov = (stance.fov * 180) / Math.PI;
-    camera.near = Math.max(0.002, distance * 0.01);
+    camera.near = Math.max(kNear, distance * 0.01);
     camera.far = distance + 4000;
     camera.updateProjectionMatrix();
   }
 
+  private turn(x: number, y: number, z: number): void {
+    const { right: r, up: u, back: b, at } = this;
+    const [dx, dy, dz] = [x - at[0]!, y - at[1]!, z - at[2]!];
+    this.rightward = dx * r[0]! + dz * r[2]!;
+    this.upward = dx * u[0]! + dy * u[1]! + dz * u[2]!;
+    this.ahead = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
+  }
+
   /** False: behind the eye. */
   project(x: number, y: number, z: number): boolean {
-    const { right: r, up: u, back: b, at } = this;
-    const dx = x - at[0]!;
-    const dy = y - at[1]!;
-    const dz = z - at[2]!;
-    this.depth = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
+    this.turn(x, y, z);
+    this.depth = this.ahead;
     if (this.depth < 1e-3) return false;
     const scale = this.focal / this.depth;
-    this.px = this.width / 2 + (dx * r[0]! + dz * r[2]!) * scale;
-    this.py = this.height / 2 - (dx * u[0]! + dy * u[1]! + dz * u[2]!) * scale;
+    this.px = this.width / 2 + this.rightward * scale;
+    this.py = this.height / 2 - this.upward * scale;
     return true;
   }
 
   /** What is seen of a segment, from (px, py) to (qx, qy), and some px around the picture; false: nothing. */
   segment(ax: number, ay: number, az: number, bx: number, by: number, bz: number): boolean {
-    const { right: r, up: u, back: b, at } = this;
-    let [dx, dy, dz] = [ax - at[0]!, ay - at[1]!, az - at[2]!];
-    let far_a = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
-    let right_a = dx * r[0]! + dz * r[2]!;
-    let up_a = dx * u[0]! + dy * u[1]! + dz * u[2]!;
-    dx = bx - at[0]!;
-    dy = by - at[1]!;
-    dz = bz - at[2]!;
-    let far_b = -(dx * b[0]! + dy * b[1]! + dz * b[2]!);
-    let right_b = dx * r[0]! + dz * r[2]!;
-    let up_b = dx * u[0]! + dy * u[1]! + dz * u[2]!;
+    this.turn(ax, ay, az);
+    let { ahead: far_a, rightward: right_a, upward: up_a } = this;
+    this.turn(bx, by, bz);
+    let { ahead: far_b, rightward: right_b, upward: up_b } = this;
     if (far_a < kNear && far_b < kNear) return false;
     if (far_a < kNear || far_b < kNear) {
       const share = (kNear - far_a) / (far_b - far_a);
@@ -139,8 +141,8 @@ export class Eye {
 
   /** km in front of the eye; negative: behind it. */
   depth_of(x: number, y: number, z: number): number {
-    const { back: b, at } = this;
-    return (at[0]! - x) * b[0]! + (at[1]! - y) * b[1]! + (at[2]! - z) * b[2]!;
+    this.turn(x, y, z);
+    return this.ahead;
   }
 
   km_per_px(x: number, y: number, z: number): number {

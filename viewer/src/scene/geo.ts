@@ -18,14 +18,15 @@ export function sphere_at(origin: Origin): number {
   return (kMajor * Math.sqrt(1 - kEccentricity2)) / (1 - kEccentricity2 * s * s);
 }
 
+/** On the unit sphere a point of the latitude `to`, `apart` further east, from one of the latitude `from`: east, north and up there. */
+function seen_from(from: number, to: number, apart: number): [x: number, y: number, z: number] {
+  const [sf, cf, st, ct, ca] = [Math.sin(from), Math.cos(from), Math.sin(to), Math.cos(to), Math.cos(apart)];
+  return [ct * Math.sin(apart), cf * st - sf * ct * ca, sf * st + cf * ct * ca];
+}
+
 /** m east and north on the map of a point on the globe (deg). */
 export function to_map(origin: Origin, latitude: number, longitude: number): [east: number, north: number] {
-  const from = origin.latitude * kRadian;
-  const to = latitude * kRadian;
-  const apart = (longitude - origin.longitude) * kRadian;
-  const x = Math.cos(to) * Math.sin(apart);
-  const y = Math.cos(from) * Math.sin(to) - Math.sin(from) * Math.cos(to) * Math.cos(apart);
-  const z = Math.sin(from) * Math.sin(to) + Math.cos(from) * Math.cos(to) * Math.cos(apart);
+  const [x, y, z] = seen_from(origin.latitude * kRadian, latitude * kRadian, (longitude - origin.longitude) * kRadian);
   const s = Math.hypot(x, y);
   const angle = Math.atan2(s, z);
   const scale = s > 1e-12 ? (angle / s) * sphere_at(origin) : sphere_at(origin);
@@ -57,9 +58,7 @@ export interface Measure {
 export function measure(origin: Origin, a: Place, b: Place): Measure {
   const [from, from_lon] = to_globe(origin, a.east, a.north);
   const [to, to_lon] = to_globe(origin, b.east, b.north);
-  const x = Math.cos(to) * Math.sin(to_lon - from_lon);
-  const y = Math.cos(from) * Math.sin(to) - Math.sin(from) * Math.cos(to) * Math.cos(to_lon - from_lon);
-  const z = Math.sin(from) * Math.sin(to) + Math.cos(from) * Math.cos(to) * Math.cos(to_lon - from_lon);
+  const [x, y, z] = seen_from(from, to, to_lon - from_lon);
   const bearing = Math.atan2(x, y);
   const higher = b.up - a.up;
   const level = Math.atan2(Math.hypot(x, y), z) * (sphere_at(origin) + (a.up + b.up) / 2);

@@ -23,17 +23,14 @@ export interface Grid {
   x: number;
   z: number;
 }
-const seen: Grid = { step: 1, x: 0, z: 0 };
 
 /** Some eight lines to the height of the picture. */
 export function grid_of(eye: Eye): Grid {
   const { stance } = eye;
-  if (!stance || !eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(stance.polar)))) return seen;
-  seen.x = eye.ground_x;
-  seen.z = eye.ground_z;
-  const wanted = (eye.km_per_px(seen.x, 0, seen.z) * eye.height) / kNmi / 8;
-  seen.step = kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!;
-  return seen;
+  if (!stance || !eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(stance.polar)))) return { step: 1, x: 0, z: 0 };
+  const { ground_x: x, ground_z: z } = eye;
+  const wanted = (eye.km_per_px(x, 0, z) * eye.height) / kNmi / 8;
+  return { step: kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!, x, z };
 }
 
 /** What the grid depends on: the same numbers, the same grid. */
@@ -59,11 +56,10 @@ function lay(lines: Pens, km: number, x: number, z: number): void {
 }
 
 export function draw_grid(lines: Pens, { step, x, z }: Grid, palette: Palette): void {
-  lines.pen(palette.grid, 0.9);
-  lay(lines, step * kNmi, x, z);
-  const coarse = step * kNmi * kCoarse;
   const km = step * kNmi;
-  lay(lines, coarse, Math.round(x / km) * km, Math.round(z / km) * km);
+  lines.pen(palette.grid, 0.9);
+  lay(lines, km, x, z);
+  lay(lines, km * kCoarse, Math.round(x / km) * km, Math.round(z / km) * km);
 }
 
 /** Whether all of the picture is ground in its own colour: the sea then needs no drawing. */

@@ -17,6 +17,13 @@ interface Tag {
   priority: number;
 }
 
+/** Corners of marks, in radii; a circle has none, and of a cross this is one of its strokes. */
+const kOutlines: Partial<Record<Mark, readonly (readonly [x: number, y: number])[]>> = {
+  square: [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]],
+  diamond: [[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]],
+  triangle: [[0, -1.2], [1.1, 0.8], [-1.1, 0.8]],
+  cross: [[-1, -1], [1, 1]],
+};
 const kFont = 11.5;
 const kFamily = 'ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace';
 /** Where a label is tried: directions, then distances (px). */
@@ -28,8 +35,7 @@ export class Notes {
   readonly context: CanvasRenderingContext2D;
   palette: Palette;
   ui = 1;
-  private readonly tags: Tag[] = [];
-  private used = 0;
+  private tags: Tag[] = [];
   /** x y width height of what is taken already. */
   private readonly taken: number[] = [];
   private readonly slots = new Map<number, number>();
@@ -68,7 +74,7 @@ export class Notes {
     c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     c.clearRect(0, 0, this.width, this.height);
     this.font();
-    this.used = 0;
+    this.tags = [];
     this.taken.length = 0;
   }
 
@@ -77,20 +83,13 @@ export class Notes {
     const c = this.context;
     const r = radius * this.ui;
     c.beginPath();
-    if (kind === 'circle') {
-      c.arc(px, py, r, 0, 2 * Math.PI);
-    } else if (kind === 'square') {
-      c.rect(px - r * 0.9, py - r * 0.9, r * 1.8, r * 1.8);
-    } else if (kind === 'cross') {
-      c.moveTo(px - r, py - r);
-      c.lineTo(px + r, py + r);
+    const outline = kOutlines[kind];
+    if (!outline) c.arc(px, py, r, 0, 2 * Math.PI);
+    outline?.forEach(([x, y], i) => (i ? c.lineTo(px + r * x, py + r * y) : c.moveTo(px + r * x, py + r * y)));
+    if (kind === 'cross') {
       c.moveTo(px + r, py - r);
       c.lineTo(px - r, py + r);
     } else {
-      c.moveTo(px, py - r * 1.2);
-      c.lineTo(px + r * (kind === 'diamond' ? 1.2 : 1.1), py + (kind === 'diamond' ? 0 : r * 0.8));
-      if (kind === 'diamond') c.lineTo(px, py + r * 1.2);
-      c.lineTo(px - r * (kind === 'diamond' ? 1.2 : 1.1), py + (kind === 'diamond' ? 0 : r * 0.8));
       c.closePath();
     }
     if (filled) {
@@ -122,14 +121,14 @@ export class Notes {
   }
 
   /** Bare writing on a faint ground, kept clear of by labels. */
-  write(text: string, px: number, py: number, tint: number, align: 'left' | 'center' | 'right' = 'center', alpha = 1): void {
+  write(text: string, px: number, py: number, tint: number, align: 'center' | 'right' = 'center'): void {
     const c = this.context;
     const width = (text.length * this.letter) + 6 * this.ui;
     const height = 15 * this.ui;
-    const left = align === 'left' ? px : align === 'right' ? px - width : px - width / 2;
+    const left = px - (align === 'right' ? width : width / 2);
     c.fillStyle = css(this.palette.chip, 0.62);
     c.fillRect(left, py - height / 2, width, height);
-    c.fillStyle = css(tint, alpha);
+    c.fillStyle = css(tint);
     c.textAlign = 'left';
     c.fillText(text, left + 3 * this.ui, py + 0.5);
     this.reserve(left, py - height / 2, width, height);
@@ -149,16 +148,7 @@ export class Notes {
 
   /** A label beside a place, where there is room; the same `key` stays on its side if it can. Above 90 always shown. */
   tag(key: number, px: number, py: number, text: string, rest: string, tint: number, mark: Mark | null, priority: number): void {
-    const tag = (this.tags[this.used] ??= { key: 0, px: 0, py: 0, text: '', rest: '', tint: 0, mark: null, priority: 0 });
-    ++this.used;
-    tag.key = key;
-    tag.px = px;
-    tag.py = py;
-    tag.text = text;
-    tag.rest = rest;
-    tag.tint = tint;
-    tag.mark = mark;
-    tag.priority = priority;
+    this.tags.push({ key, px, py, text, rest, tint, mark, priority });
   }
 
   private is_free(x: number, y: number, width: number, height: number): boolean {
@@ -194,10 +184,9 @@ export class Notes {
 
   /** Labels, the important ones first. */
   end(): void {
-    const shown = this.tags.slice(0, this.used).sort((a, b) => b.priority - a.priority || a.key - b.key);
     const { ui } = this;
     const height = 16 * ui;
-    for (const tag of shown) {
+    for (const tag of this.tags.sort((a, b) => b.priority - a.priority || a.key - b.key)) {
       const lead = (tag.mark ? 15 : 5) * ui;
       const width = lead + (tag.text.length + (tag.rest ? tag.rest.length + 1 : 0)) * this.letter + 5 * ui;
       const slot = this.place(tag, width, height);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Small models of what flies and drives, in m: the nose toward -z, right wing +x, up +y. Flat shaded. */
 import { BufferGeometry, Float32BufferAttribute } from 'three';
+import type { Missile, Player } from '../run/run.ts';
 
 type Corner = [x: number, y: number, z: number];
 /** A cross section of a body: where, half its width, half its height, and how high its middle is. */
@@ -132,6 +133,7 @@ export const kShapes: Record<ShapeName, () => Shape> = { eagle, fulcrum, fighter
 
 const kByModel: Record<string, ShapeName> = { f15c: 'eagle', mig29: 'fulcrum', su27: 'fulcrum' };
 
-export function shape_of(kind: 'aircraft' | 'vehicle', model: string): ShapeName {
-  return kind === 'vehicle' ? 'truck' : (kByModel[model] ?? 'fighter');
+export function shape_of(one: Player | Missile): ShapeName {
+  if (!('kind' in one)) return 'missile';
+  return one.kind === 'vehicle' ? 'truck' : (kByModel[one.model] ?? 'fighter');
 }

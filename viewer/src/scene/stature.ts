@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** How large everybody is drawn, and how turned: never smaller on screen than can be read. */
+import { Euler, Matrix4, Vector3 } from 'three';
 import type { Eye } from './eye.ts';
 import { kCrowd } from './frame.ts';
 import type { Poses } from './poses.ts';
@@ -15,28 +16,11 @@ export function size_of(name: ShapeName, length: number, poses: Poses, i: number
   return 0.001 * Math.max(1, (least * eye.km_per_px(poses.x[i]!, poses.y[i]!, poses.z[i]!)) / length);
 }
 
+const [matrix, angles, scale] = [new Matrix4(), new Euler(0, 0, 0, 'YXZ'), new Vector3()];
+
 /** Columns of the turn by roll, then pitch, then heading, times `size`; then the place. */
 export function write_matrix(out: Float32Array, at: number, poses: Poses, i: number, size: number): void {
-  const sh = Math.sin(poses.heading[i]!);
-  const ch = Math.cos(poses.heading[i]!);
-  const sp = Math.sin(poses.pitch[i]!);
-  const cp = Math.cos(poses.pitch[i]!);
-  const sr = Math.sin(poses.roll[i]!);
-  const cr = Math.cos(poses.roll[i]!);
-  out[at] = (ch * cr + sh * sp * sr) * size;
-  out[at + 1] = -cp * sr * size;
-  out[at + 2] = (sh * cr - ch * sp * sr) * size;
-  out[at + 3] = 0;
-  out[at + 4] = (ch * sr - sh * sp * cr) * size;
-  out[at + 5] = cp * cr * size;
-  out[at + 6] = (sh * sr + ch * sp * cr) * size;
-  out[at + 7] = 0;
-  out[at + 8] = -sh * cp * size;
-  out[at + 9] = -sp * size;
-  out[at + 10] = ch * cp * size;
-  out[at + 11] = 0;
-  out[at + 12] = poses.x[i]!;
-  out[at + 13] = poses.y[i]!;
-  out[at + 14] = poses.z[i]!;
-  out[at + 15] = 1;
+  angles.set(poses.pitch[i]!, -poses.heading[i]!, -poses.roll[i]!);
+  matrix.makeRotationFromEuler(angles).scale(scale.setScalar(size));
+  matrix.setPosition(poses.x[i]!, poses.y[i]!, poses.z[i]!).toArray(out, at);
 }

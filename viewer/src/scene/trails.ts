@@ -1,35 +1,37 @@
 // SPDX-License-Identifier: MIT
 /** Where everybody came from, and how high they are: trails, drop lines and the selected player's staff of altitudes. */
 import type { Motion } from '../run/run.ts';
-import { type Frame, kFoot, kSideMark } from './frame.ts';
+import { type Frame, kFoot, kSideMark, x_of, y_of, z_of } from './frame.ts';
 import { place_at } from './motion.ts';
+import type { Pens } from './painter.ts';
 
 /** s */
 export const kTrail = 60;
 const kTallest = 50;
 const at = { east: 0, north: 0, up: 0 };
 
-/** A way from `first` to `last` (s), each leg paler with its age. Legs end at whole multiples of their duration; of a broken way
- * a second is drawn and a second left out. */
-export function draw_way({ view, players, lines }: Frame, motion: Motion, first: number, last: number, broken = false): void {
-  const leg = players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5;
-  const dash = Math.max(1, leg);
-  if (last <= first) return;
-  let x = NaN;
-  let y = 0;
-  let z = 0;
-  let pale = 0;
-  for (let t = first; ;) {
+/** A way from `first` to `last` (s) in legs that end at whole multiples of `leg` s. `alpha_of` gives the opacity at a time, and
+ * may choose the pen; a leg that ends at a time for which `gap` holds is left out. */
+export function draw_legs(
+  lines: Pens, motion: Motion, [first, last]: [number, number], leg: number, alpha_of: (t: number) => number, gap = (_: number): boolean => false,
+): void {
+  let [x, y, z, pale] = [NaN, 0, 0, 0];
+  for (let t = first; last > first;) {
     if (!place_at(motion, t, at)) return;
-    const alpha = 0.8 * (1 - (view.time - t) / kTrail);
-    if (!Number.isNaN(x) && !(broken && Math.floor((t - 1e-6) / dash) % 2)) lines.add(x, y, z, at.east / 1000, at.up / 1000, -at.north / 1000, pale, alpha);
-    x = at.east / 1000;
-    y = at.up / 1000;
-    z = -at.north / 1000;
-    pale = alpha;
+    const alpha = alpha_of(t);
+    if (!Number.isNaN(x) && !gap(t)) lines.add(x, y, z, x_of(at), y_of(at), z_of(at), pale, alpha);
+    [x, y, z, pale] = [x_of(at), y_of(at), z_of(at), alpha];
     if (t >= last) return;
     t = Math.min(last, (Math.floor(t / leg + 1e-6) + 1) * leg);
   }
+}
+
+/** A way, paler with its age; of a broken one a second is drawn and a second left out. */
+export function draw_way({ view, players, lines }: Frame, motion: Motion, first: number, last: number, broken = false): void {
+  const leg = players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5;
+  const dash = Math.max(1, leg);
+  draw_legs(lines, motion, [first, last], leg, (t) => 0.8 * (1 - (view.time - t) / kTrail),
+    (t) => broken && Math.floor((t - 1e-6) / dash) % 2 === 1);
 }
 
 /** Where everybody was in the last minute. */

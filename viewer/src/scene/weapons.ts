@@ -2,7 +2,7 @@
 /** Missiles in flight and what becomes of them, and of whom they hit. */
 import type { Missile, Player } from '../run/run.ts';
 import { type Frame, kCrowd, kSideMark } from './frame.ts';
-import { place_at } from './motion.ts';
+import { draw_legs } from './trails.ts';
 
 /** s: how long smoke, fire and its smoke hang there. */
 const kSmoke = 20;
@@ -11,28 +11,13 @@ const kPlume = 25;
 const kPuff = 2.5;
 /** Among more missiles than these only those that concern the selected player have labels. */
 const kFew = 8;
-const at = { east: 0, north: 0, up: 0 };
 
 function draw_smoke({ view, lines, palette }: Frame, missile: Missile): void {
-  const last = Math.min(view.time, missile.gone);
-  const first = Math.max(missile.born, view.time - kSmoke);
-  let x = NaN;
-  let y = 0;
-  let z = 0;
-  let pale = 0;
-  for (let t = first; last > first;) {
-    if (!place_at(missile.motion, t, at)) return;
+  draw_legs(lines, missile.motion, [Math.max(missile.born, view.time - kSmoke), Math.min(view.time, missile.gone)], 0.5, (t) => {
     const age = (view.time - t) / kSmoke;
-    const alpha = 0.75 * (1 - age) * (1 - age);
     lines.pen(palette.smoke, 2 + 4 * age);
-    if (!Number.isNaN(x)) lines.add(x, y, z, at.east / 1000, at.up / 1000, -at.north / 1000, pale, alpha);
-    x = at.east / 1000;
-    y = at.up / 1000;
-    z = -at.north / 1000;
-    pale = alpha;
-    if (t >= last) return;
-    t = Math.min(last, (Math.floor(t * 2 + 1e-6) + 1) / 2);
-  }
+    return 0.75 * (1 - age) * (1 - age);
+  });
 }
 
 /** A fireball and the smoke it leaves, `age` s after it burst. */

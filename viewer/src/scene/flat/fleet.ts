@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. */
-import type { Missile, Player, Side } from '../../run/run.ts';
+import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
-import type { Palette } from '../palette.ts';
-import { css } from '../palette.ts';
+import { css, type Palette } from '../palette.ts';
 import type { Poses } from '../poses.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
 import { size_of, write_matrix } from '../stature.ts';
@@ -52,19 +51,12 @@ export class FlatFleet {
   private readonly deep: Float64Array;
   private readonly seen: number[] = [];
 
-  constructor(private readonly sides: readonly Side[], shapes: readonly ShapeName[]) {
-    this.models = shapes.map(model_of);
+  constructor(private readonly all: readonly (Player | Missile)[]) {
+    this.models = all.map((one) => model_of(shape_of(one)));
     const most = this.models.reduce((faces, model) => Math.max(faces, model.faces), 0);
     this.spots = new Float64Array(6 * most);
     this.deep = new Float64Array(most);
-    this.depths = new Float64Array(shapes.length);
-  }
-
-  static of_players(players: readonly Player[]): FlatFleet {
-    return new FlatFleet(players.map((p) => p.side), players.map((p) => shape_of(p.kind, p.model)));
-  }
-  static of_missiles(missiles: readonly Missile[]): FlatFleet {
-    return new FlatFleet(missiles.map((m) => m.side), missiles.map(() => 'missile'));
+    this.depths = new Float64Array(all.length);
   }
 
   draw(context: CanvasRenderingContext2D, poses: Poses, eye: Eye, palette: Palette): void {
@@ -81,7 +73,7 @@ export class FlatFleet {
     for (const i of order) {
       const model = this.models[i]!;
       write_matrix(this.matrix, 0, poses, i, size_of(model.name, model.length, poses, i, eye));
-      const tint = palette.side[this.sides[i]!];
+      const tint = palette.side[this.all[i]!.side];
       if (poses.count > kCrowd) this.outline(context, model, tint, eye);
       else this.shade(context, model, tint, eye);
     }

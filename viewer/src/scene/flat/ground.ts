@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** The map below on a flat canvas: sea, land, shores and graticule, far haze, and the grid. */
-import { type Coast, coast_of, kReach } from '../coast.ts';
+import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
 import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
-import type { Pens } from '../painter.ts';
 import { css, type Palette } from '../palette.ts';
 import { FlatLines } from './lines.ts';
 import { circle_on_ground, trace_area } from './polygon.ts';
@@ -15,11 +14,6 @@ const kVeils = 10;
 function smooth(share: number): number {
   const s = Math.min(1, Math.max(0, share));
   return s * s * (3 - 2 * s);
-}
-
-function put(lines: Pens, segments: Float32Array, alpha: number): void {
-  for (let i = 0; i < segments.length; i += 4)
-    lines.add(segments[i]!, 0, -segments[i + 1]!, segments[i + 2]!, 0, -segments[i + 3]!, alpha);
 }
 
 export class FlatGround {
@@ -39,12 +33,8 @@ export class FlatGround {
   }
 
   paint(palette: Palette): void {
-    const { shores, coast } = this;
-    shores.begin();
-    shores.pen(palette.shore, 1);
-    put(shores, coast.graticule, 0.22);
-    shores.pen(palette.shore, 1.4);
-    put(shores, coast.shore, 0.9);
+    this.shores.begin();
+    draw_shores(this.shores, this.coast, palette);
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {

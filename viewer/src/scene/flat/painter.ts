@@ -21,8 +21,8 @@ export class FlatPainter implements Painter {
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly context: CanvasRenderingContext2D, run: Run) {
     this.ground = new FlatGround(run.origin);
-    this.players = FlatFleet.of_players(run.players);
-    this.missiles = FlatFleet.of_missiles(run.missiles);
+    this.players = new FlatFleet(run.players);
+    this.missiles = new FlatFleet(run.missiles);
   }
 
   resize(width: number, height: number, ratio: number): void {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model, one instanced mesh for each shape; never smaller on screen than can be read. */
-import { Color, DoubleSide, DynamicDrawUsage, type Group, InstancedMesh, MeshLambertMaterial, type Side as Faces } from 'three';
-import type { Missile, Player, Side } from '../../run/run.ts';
+import { Color, DoubleSide, DynamicDrawUsage, type Group, InstancedMesh, MeshLambertMaterial } from 'three';
+import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import type { Palette } from '../palette.ts';
 import type { Poses } from '../poses.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
 import { size_of, write_matrix } from '../stature.ts';
-
-const kFaces: Faces = DoubleSide;
 
 interface Squadron {
   mesh: InstancedMesh;
@@ -20,10 +18,11 @@ interface Squadron {
 
 export class Fleet {
   private readonly squadrons: Squadron[] = [];
-  private readonly material = new MeshLambertMaterial({ side: kFaces });
+  private readonly material = new MeshLambertMaterial({ side: DoubleSide });
   private readonly color = new Color();
 
-  constructor(private readonly group: Group, private readonly sides: readonly Side[], shapes: readonly ShapeName[]) {
+  constructor(private readonly group: Group, private readonly all: readonly (Player | Missile)[]) {
+    const shapes = all.map(shape_of);
     for (const name of new Set(shapes)) {
       const { geometry, length } = kShapes[name]();
       const members = shapes.flatMap((shape, i) => (shape === name ? [i] : []));
@@ -35,16 +34,9 @@ export class Fleet {
     }
   }
 
-  static of_players(group: Group, players: readonly Player[]): Fleet {
-    return new Fleet(group, players.map((p) => p.side), players.map((p) => shape_of(p.kind, p.model)));
-  }
-  static of_missiles(group: Group, missiles: readonly Missile[]): Fleet {
-    return new Fleet(group, missiles.map((m) => m.side), missiles.map(() => 'missile'));
-  }
-
   paint(palette: Palette): void {
     for (const { mesh, members } of this.squadrons) {
-      members.forEach((i, slot) => mesh.setColorAt(slot, this.color.setHex(palette.side[this.sides[i]!])));
+      members.forEach((i, slot) => mesh.setColorAt(slot, this.color.setHex(palette.side[this.all[i]!.side])));
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
     }
   }

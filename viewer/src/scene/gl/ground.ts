@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The map below: sea, land, shores and graticule, and a grid in nautical miles. */
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, type Vector2 } from 'three';
-import { type Coast, coast_of, kReach } from '../coast.ts';
+import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, type Vector2 } from 'three';
+import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
 import { draw_grid, grid_key, grid_of, is_near, kClear, kHazy } from '../grid.ts';
@@ -11,11 +11,7 @@ import { type Palette, shares } from '../palette.ts';
 type Flat = Mesh<BufferGeometry, ShaderMaterial>;
 
 /** Drawn before all else. Flat at y = 0, in one colour, that goes over into the sky's far from the middle. */
-function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, sky: { value: Color }): Flat {
-  const geometry = new BufferGeometry();
-  const places = new Float32Array((corners.length / 2) * 3);
-  for (let i = 0; i < corners.length / 2; ++i) places.set([corners[2 * i]!, 0, -corners[2 * i + 1]!], 3 * i);
-  geometry.setAttribute('position', new BufferAttribute(places, 3));
+function flat(geometry: BufferGeometry, order: number, middle: { value: Vector2 }, sky: { value: Color }): Flat {
   const material = new ShaderMaterial({
     vertexShader: 'varying vec2 at; void main() { at = position.xz; gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0); }',
     fragmentShader: `uniform vec3 tint; uniform vec3 sky; uniform vec2 middle; varying vec2 at;
@@ -31,11 +27,11 @@ function flat(corners: Float32Array, order: number, middle: { value: Vector2 }, 
   return mesh;
 }
 
-function disc(): Float32Array {
-  const out: number[] = [];
-  const corner = (k: number): [number, number] => [kReach * Math.cos((k * Math.PI) / 32), kReach * Math.sin((k * Math.PI) / 32)];
-  for (let k = 0; k < 64; ++k) out.push(0, 0, ...corner(k), ...corner(k + 1));
-  return Float32Array.from(out);
+/** From x y of the corners of triangles. */
+function geometry_of(corners: Float32Array): BufferGeometry {
+  const places = new Float32Array((corners.length / 2) * 3);
+  for (let i = 0; i < corners.length / 2; ++i) places.set([corners[2 * i]!, 0, -corners[2 * i + 1]!], 3 * i);
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3));
 }
 
 export class Ground {
@@ -52,8 +48,8 @@ export class Ground {
   constructor(origin: Origin, screen: Screen, middle: Vector2) {
     this.coast = coast_of(origin);
     this.middle = { value: middle };
-    this.sea = flat(disc(), 0, this.middle, this.sky);
-    this.land = flat(this.coast.land, 1, this.middle, this.sky);
+    this.sea = flat(new CircleGeometry(kReach, 64).rotateX(-Math.PI / 2), 0, this.middle, this.sky);
+    this.land = flat(geometry_of(this.coast.land), 1, this.middle, this.sky);
     this.shores = new Lines(screen, 2);
     this.grid = new Lines(screen, 3);
     this.group.add(this.sea, this.land, this.shores.mesh, this.grid.mesh);
@@ -63,17 +59,9 @@ export class Ground {
     this.sky.value.setRGB(...shares(palette.sky));
     (this.sea.material.uniforms.tint!.value as Color).setRGB(...shares(palette.sea));
     (this.land.material.uniforms.tint!.value as Color).setRGB(...shares(palette.land));
-    const { shores, coast } = this;
-    const put = (flat_lines: Float32Array, alpha: number): void => {
-      for (let i = 0; i < flat_lines.length; i += 4)
-        shores.add(flat_lines[i]!, 0, -flat_lines[i + 1]!, flat_lines[i + 2]!, 0, -flat_lines[i + 3]!, alpha);
-    };
-    shores.begin();
-    shores.pen(palette.shore, 1);
-    put(coast.graticule, 0.22);
-    shores.pen(palette.shore, 1.4);
-    put(coast.shore, 0.9);
-    shores.end();
+    this.shores.begin();
+    draw_shores(this.shores, this.coast, palette);
+    this.shores.end();
     this.drawn = '';
   }
 

@@ -36,8 +36,8 @@ export class GlPainter implements Painter {
     this.lines = new Lines(screen, 5, 4096);
     this.puffs = new Puffs(screen, 6);
     this.ground = new Ground(run.origin, screen, new Vector2());
-    this.players = Fleet.of_players(group, run.players);
-    this.missiles = Fleet.of_missiles(group, run.missiles);
+    this.players = new Fleet(group, run.players);
+    this.missiles = new Fleet(group, run.missiles);
     const sun = new DirectionalLight(0xffffff, kSunlight);
     sun.position.set(...kSun);
     this.scene.add(new HemisphereLight(kSky, kGround, kDiffuse), sun);
