@@ -2,7 +2,7 @@
 /// Loads a scenario, flies it to its end and counts what happened.
 #include <fmt/format.h>
 
-#include "record/tally.hpp"
+#include "record/story.hpp"
 #include "scenario/mission.hpp"
 
 using namespace eyrie;

@@ -97,13 +97,13 @@ inline constexpr auto described<debrief::WhatIf> = Description{
     Member{"spans", &debrief::WhatIf::spans,
            "s, from the first to the last of other decisions in a row."}};
 template <>
-inline constexpr auto described<debrief::Outcome::Score> =
+inline constexpr auto described<record::Tally::OfSide> =
     Description{"Tally",
                 "How a side fared.",
-                Member{"losses", &debrief::Outcome::Score::losses, "Players lost."},
-                Member{"shots", &debrief::Outcome::Score::shots, "Missiles shot."},
-                Member{"kills", &debrief::Outcome::Score::kills, "Enemies killed."},
-                Member{"home", &debrief::Outcome::Score::home, "Came home."}};
+                Member{"losses", &record::Tally::OfSide::losses, "Players lost."},
+                Member{"shots", &record::Tally::OfSide::shots, "Missiles shot."},
+                Member{"kills", &record::Tally::OfSide::kills, "Enemies killed."},
+                Member{"home", &record::Tally::OfSide::home, "Came home."}};
 template <>
 inline constexpr auto described<debrief::Outcome> =
     Description{"Outcome",

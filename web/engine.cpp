@@ -13,7 +13,7 @@
 #include "model/weapon/kept_zones.hpp"
 #include "page/page_data.hpp"
 #include "record/run_file.hpp"
-#include "record/tally.hpp"
+#include "record/story.hpp"
 #include "scenario/plugins.hpp"
 #include "sim/trail.hpp"
 

@@ -17,7 +17,7 @@
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
-#include "record/run_folder.hpp"
+#include "record/run_file.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -75,7 +75,7 @@ page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shel
 /// The page with the data of its runs. Throws disk::Failed if that cannot be.
 std::string page_of(const disk::FileRead& shell, std::vector<page::Part> parts) {
   if (parts.front().type != "run")
-    parts.push_back(page::zones_part(launch_zones()));
+    parts.push_back(page::part_of("zones", launch_zones()));
   std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
     throw disk::Failed(

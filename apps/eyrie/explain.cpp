@@ -63,7 +63,6 @@ class EventTimes final : public sim::Observer {
             found_ = true;
         }) {}
 
-  void begin(const sim::World& world, double dt) override { story_.begin(world, dt); }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
     found_ = false;

@@ -10,7 +10,7 @@
 #include "disk/output.hpp"
 #include "interrupt.hpp"
 #include "record/paths.hpp"
-#include "record/run_folder.hpp"
+#include "record/run_file.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {

@@ -18,7 +18,6 @@
 #include "record/acmi.hpp"
 #include "record/csv.hpp"
 #include "record/run_file.hpp"
-#include "record/run_folder.hpp"
 #include "report.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"

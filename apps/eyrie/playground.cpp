@@ -62,7 +62,7 @@ page::Part texts_of(const std::string& home) {
   const scenario::Plugins none;
   texts["schema"] = nlohmann::ordered_json::parse(
       record::catalog_json_schema(scenario::make_catalog(scenario::Source::disk(home), none)));
-  return page::texts_part(texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return page::part_of("texts", texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ int playground(const PlaygroundOptions& options) {
   const disk::FileRead shell = read_page(playground_file(), kNoPlayground);
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
-  const std::array parts{texts_of(*there), page::zones_part(launch_zones())};
+  const std::array parts{texts_of(*there), page::part_of("zones", launch_zones())};
   const std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
     throw disk::Failed(

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "record/story.hpp"
-#include "record/tally.hpp"
 #include "say.hpp"
 #include "scenario/mission.hpp"
 

@@ -42,7 +42,7 @@ Json first_json(const debrief::Otherwise& first) {
 }
 
 Json outcome_json(const debrief::Outcome& outcome) {
-  const auto side = [](const debrief::Outcome::Score& s) {
+  const auto side = [](const record::Tally::OfSide& s) {
     return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
   };
   return {{"outcome", outcome.outcome},

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "record/tally.hpp"
+#include "record/story.hpp"
 #include "sim/snapshot.hpp"
 
 namespace eyrie::debrief {
@@ -51,12 +51,8 @@ class Twice {
 }  // namespace
 
 Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally) {
-  const auto side = [&](model::Side s) {
-    const auto sum = tally.side(s);
-    return Outcome::Score{sum.losses, sum.shots, sum.kills, sum.home};
-  };
   return {std::string(scenario::outcome_name(mission.outcome())), mission.run().time(),
-          side(model::Side::blue), side(model::Side::red)};
+          tally.side(model::Side::blue), tally.side(model::Side::red)};
 }
 
 WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, PlayerId who,

@@ -12,7 +12,7 @@
 
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
-#include "record/tally.hpp"
+#include "record/story.hpp"
 #include "scenario/mission.hpp"
 
 namespace eyrie::debrief {
@@ -45,10 +45,7 @@ struct WhatIf {
 struct Outcome {
   std::string outcome;  ///< as scenario::outcome_name
   double time = 0;      ///< s
-  struct Score {
-    std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
-  };
-  Score blue, red;
+  record::Tally::OfSide blue, red;
 };
 
 /// Of a flight that was watched by `tally`.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.hpp"
+
 namespace eyrie::page {
 namespace {
 
@@ -38,7 +40,7 @@ std::int64_t Column::rounded(double value) const {
 }
 
 ColumnPlace ColumnBytes::put(const Column& column) {
-  ColumnPlace place{bytes_.size(), column.size(), column.quantum(), 0};
+  ColumnPlace place{bytes_.size(), column.values().size(), column.quantum(), 0};
   std::string best;
   for (int order = 0; order < 3; ++order) {
     std::string candidate = encoded(column.values(), order);
@@ -49,6 +51,30 @@ ColumnPlace ColumnBytes::put(const Column& column) {
   }
   bytes_ += best;
   return place;
+}
+
+Json put(ColumnBytes& bytes, const Column& column) {
+  const ColumnPlace place = bytes.put(column);
+  return Json::array({place.offset, place.count, place.quantum, place.order});
+}
+
+Columns::Columns(std::initializer_list<Head> heads) {
+  for (const Head& head : heads)
+    columns_.emplace_back(head.name, Column(head.quantum));
+}
+
+void Columns::add(std::initializer_list<double> row) {
+  EYRIE_ASSERT(row.size() == columns_.size());
+  auto column = columns_.begin();
+  for (const double value : row)
+    (column++)->second.add(value);
+}
+
+Json Columns::json(ColumnBytes& bytes) const {
+  Json json;
+  for (const auto& [name, column] : columns_)
+    json[std::string(name)] = put(bytes, column);
+  return json;
 }
 
 }  // namespace eyrie::page

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Long rows of numbers in few bytes, as viewer/src/run/decode.ts reads them.
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eyrie::page {
+
+using Json = nlohmann::ordered_json;
 
 /// Numbers rounded to multiples of a quantum.
 class Column {
@@ -22,9 +27,7 @@ class Column {
   /// In quanta.
   void add_rounded(std::int64_t value) { values_.push_back(value); }
   [[nodiscard]] std::int64_t rounded(double value) const;
-
   [[nodiscard]] double quantum() const { return quantum_; }
-  [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] const std::vector<std::int64_t>& values() const { return values_; }
 
  private:
@@ -48,6 +51,28 @@ class ColumnBytes {
 
  private:
   std::string bytes_;
+};
+
+/// A column as decode.ts expects it.
+[[nodiscard]] Json put(ColumnBytes& bytes, const Column& column);
+
+/// Columns that grow together, with their names in the page.
+class Columns {
+ public:
+  struct Head {
+    std::string_view name;
+    double quantum = 1;
+  };
+  Columns(std::initializer_list<Head> heads);
+
+  /// A number for each column, in their order.
+  void add(std::initializer_list<double> row);
+  [[nodiscard]] bool empty() const { return columns_.front().second.values().empty(); }
+  /// By name.
+  [[nodiscard]] Json json(ColumnBytes& bytes) const;
+
+ private:
+  std::vector<std::pair<std::string_view, Column>> columns_;
 };
 
 }  // namespace eyrie::page

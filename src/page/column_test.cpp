@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "page/packed.hpp"
+#include "page/page.hpp"
 
 namespace eyrie::page {
 namespace {

@@ -10,54 +10,34 @@
 namespace eyrie::page {
 using model::EventKind;
 
-void Motion::add(double time, const Reference& reference, const model::Kinematics& k) {
+bool Motion::add(double time, const Reference& reference, const model::Kinematics& k) {
   if (time <= last_time_)
-    return;
+    return false;
   const OnMap at = on_map(reference, k.position);
   last_time_ = time;
-  t_.add(time);
-  east_.add(at.east);
-  north_.add(at.north);
-  up_.add(at.up);
-  heading_.add(wrap_tau(k.heading + at.turn));
-  pitch_.add(k.pitch);
-  roll_.add(wrap_pi(k.roll));
-}
-
-Json Motion::json(ColumnBytes& bytes) const {
-  return {
-      {"t", put(bytes, t_)},      {"east", put(bytes, east_)},       {"north", put(bytes, north_)},
-      {"up", put(bytes, up_)},    {"heading", put(bytes, heading_)}, {"pitch", put(bytes, pitch_)},
-      {"roll", put(bytes, roll_)}};
+  columns_.add(
+      {time, at.east, at.north, at.up, wrap_tau(k.heading + at.turn), k.pitch, wrap_pi(k.roll)});
+  return true;
 }
 
 Motions::Motions(const scenario::Scenario& scenario, double period)
     : scenario_(scenario), period_(period), players_(scenario.roster.players.size()) {}
 
-void Motions::sample(Flown& player, double time, const model::Kinematics& k, double fuel) {
-  if (time <= player.motion.last_time())
-    return;
-  player.motion.add(time, scenario_.library->reference, k);
-  player.speed.add(k.speed);
-  player.mach.add(k.mach);
-  player.load_factor.add(k.load_factor);
-  player.fuel.add(fuel);
+void Motions::sample(Flown& player) const {
+  const model::Kinematics& k = player.last;
+  if (player.motion.add(time_, scenario_.library->reference, k))
+    player.gauges.add({k.speed, k.mach, k.load_factor, player.last_fuel});
 }
 
 void Motions::look(const sim::World& world, bool players, bool missiles) {
-  const auto see = [&](PlayerId id, const model::Kinematics& k, double fuel) {
-    Flown& player = players_[id.value - 1];
-    if (!player.born) {
-      player.born = true;
-      player.born_time = time_;
-    }
-    player.last = k;
-    player.last_fuel = fuel;
-    if (players)
-      sample(player, time_, k, fuel);
-  };
   scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
-    see(id, fleet.motion(world, row), fleet.gauges(world, row).fuel.value_or(ubf::kNoValue));
+    Flown& player = players_[id.value - 1];
+    if (!player.born)
+      player.born = time_;
+    player.last = fleet.motion(world, row);
+    player.last_fuel = fleet.gauges(world, row).fuel.value_or(ubf::kNoValue);
+    if (players)
+      sample(player);
   });
   const auto ids = world.ids(scenario_.missiles.table);
   for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -69,12 +49,8 @@ void Motions::look(const sim::World& world, bool players, bool missiles) {
 }
 
 void Motions::begin(const sim::World& world, double dt) {
-  dt_ = dt;
-  const auto steps = [&](double seconds) {
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
-  };
-  players_every_ = steps(period_);
-  missiles_every_ = steps(period_ / 5);
+  players_every_ = record::steps_in(period_, dt);
+  missiles_every_ = record::steps_in(period_ / 5, dt);
   time_ = static_cast<double>(world.step()) * dt;
   look(world, true, true);
 }
@@ -94,14 +70,14 @@ void Motions::launched(const sim::Event& e, const sim::World& world) {
 void Motions::left(const record::Fate& fate) {
   if (scenario_.roster.find(fate.who)) {
     Flown& player = players_[fate.who.value - 1];
-    if (player.gone >= 0)
+    if (player.gone)
       return;
     player.gone = time_;
     player.end = fate.end;
     if (player.born)
-      sample(player, time_, player.last, player.last_fuel);
+      sample(player);
   } else if (const auto at = missiles_.find(fate.who.value);
-             fate.end != "lost" && at != missiles_.end() && at->second.gone < 0) {
+             fate.end != "lost" && at != missiles_.end() && !at->second.gone) {
     Missile& missile = at->second;
     missile.gone = time_;
     missile.end = fate.end;
@@ -122,9 +98,7 @@ void Motions::happened(const sim::Event& e, const sim::World& world) {
 
 void Motions::observe(const sim::World& world, const sim::StepInfo& info,
                       std::span<const sim::Event> events) {
-  time_ = info.time() + info.dt;
-  for (const sim::Event& e : events)
-    happened(e, world);
+  remember(world, info, events);
   look(world, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
 }
 
@@ -141,12 +115,9 @@ void Motions::finish(const sim::World& world) {
 
 Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
   const Flown& p = players_[index];
-  Json j{{"born", p.born_time}, {"gone", gone(p.gone)}, {"end", p.end}};
+  Json j{{"born", p.born.value_or(0)}, {"gone", p.gone.value_or(time_)}, {"end", p.end}};
   j["motion"] = p.motion.json(bytes);
-  j["gauges"] = {{"speed", put(bytes, p.speed)},
-                 {"mach", put(bytes, p.mach)},
-                 {"load_factor", put(bytes, p.load_factor)},
-                 {"fuel", put(bytes, p.fuel)}};
+  j["gauges"] = p.gauges.json(bytes);
   return j;
 }
 
@@ -162,10 +133,10 @@ Json Motions::missiles(ColumnBytes& bytes) const {
                      {"side", scenario::side_name(m.side)},
                      {"shooter", index(m.shooter)},
                      {"target", index(m.target)},
-                     {"born", m.born},
-                     {"gone", gone(m.gone)},
-                     {"active", number_or_null(m.active)},
-                     {"end", m.end},
+                     {"born", m.born.value_or(0)},
+                     {"gone", m.gone.value_or(time_)},
+                     {"active", std::isnan(m.active) ? Json() : Json(m.active)},
+                     {"end", m.end.empty() ? "flying" : m.end},
                      {"motion", m.motion.json(bytes)}});
   return all;
 }

@@ -3,11 +3,11 @@
 /// \file  How players and missiles moved, and what became of them, in columns.
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "page/json.hpp"
 #include "page/sights.hpp"
 #include "record/names.hpp"
 #include "scenario/scenario.hpp"
@@ -18,14 +18,15 @@ namespace eyrie::page {
 /// Samples of one motion.
 class Motion {
  public:
-  void add(double time, const Reference& reference, const model::Kinematics& k);
-  [[nodiscard]] bool empty() const { return t_.size() == 0; }
-  [[nodiscard]] double last_time() const { return last_time_; }
-  [[nodiscard]] Json json(ColumnBytes& bytes) const;
+  /// False if there is one of that time (s) already.
+  bool add(double time, const Reference& reference, const model::Kinematics& k);
+  [[nodiscard]] bool empty() const { return columns_.empty(); }
+  [[nodiscard]] Json json(ColumnBytes& bytes) const { return columns_.json(bytes); }
 
  private:
   double last_time_ = -1;
-  Column t_{1e-3}, east_{0.5}, north_{0.5}, up_{0.5}, heading_{1e-3}, pitch_{1e-3}, roll_{1e-3};
+  Columns columns_{{"t", 1e-3},       {"east", 0.5},   {"north", 0.5}, {"up", 0.5},
+                   {"heading", 1e-3}, {"pitch", 1e-3}, {"roll", 1e-3}};
 };
 
 /// Watches a run: aircraft and vehicles every `period` seconds, missiles five times as often, all
@@ -47,36 +48,31 @@ class Motions final : public sim::Observer {
   [[nodiscard]] Json missiles(ColumnBytes& bytes) const;
 
  private:
-  struct Flown {
-    double gone = -1;
+  struct Mover {
+    std::optional<double> born, gone;  ///< s
     std::string_view end;
     Motion motion;
-    Column speed{0.1}, mach{1e-3}, load_factor{0.01}, fuel{1};
     model::Kinematics last;  ///< as last seen, in case it is not there at the next look
-    double last_fuel = 0;
-    bool born = false;
-    double born_time = 0;
   };
-  struct Missile {
+  struct Flown : Mover {
+    Columns gauges{{"speed", 0.1}, {"mach", 1e-3}, {"load_factor", 0.01}, {"fuel", 1}};
+    double last_fuel = 0;
+  };
+  struct Missile : Mover {
     std::string type;
     model::Side side = model::Side::none;
     PlayerId shooter, target;
-    double born = 0, gone = -1, active = ubf::kNoValue;
-    std::string_view end = "flying";
-    Motion motion;
-    model::Kinematics last;
+    double active = ubf::kNoValue;
   };
 
   void look(const sim::World& world, bool players, bool missiles);
-  void sample(Flown& player, double time, const model::Kinematics& k, double fuel);
+  void sample(Flown& player) const;
   void happened(const sim::Event& event, const sim::World& world);
   void launched(const sim::Event& event, const sim::World& world);
   void left(const record::Fate& fate);
-  /// Who is still there is gone at the end of what was seen.
-  [[nodiscard]] double gone(double time) const { return time < 0 ? time_ : time; }
 
   const scenario::Scenario& scenario_;
-  double period_, time_ = 0, dt_ = 0.02;
+  double period_, time_ = 0;
   std::uint64_t players_every_ = 25, missiles_every_ = 5;
   std::vector<Flown> players_;
   std::map<std::uint32_t, Missile> missiles_;

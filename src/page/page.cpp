@@ -2,8 +2,12 @@
 #include "page/page.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
-#include "page/packed.hpp"
+#include <cstdint>
+
+#include "core/assert.hpp"
+#include "page/page_data.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::page {
@@ -18,15 +22,11 @@ std::string begin_of(std::string_view type) {
 Part run_file_part(const record::RunFile& run) {
   record::RunFile light = run;
   light.trail = sim::without_digests(run.trail);
-  return {"run-file", base64(deflated(record::encode(light)))};
+  return part_of("run-file", record::encode(light));
 }
 
-Part zones_part(std::string_view zones) {
-  return {"zones", base64(deflated(zones))};
-}
-
-Part texts_part(std::string_view json) {
-  return {"texts", base64(deflated(json))};
+Part part_of(std::string_view type, std::string_view bytes) {
+  return {type, base64(deflated(bytes))};
 }
 
 bool has_engine(std::string_view page) {
@@ -42,6 +42,47 @@ std::string page_with(std::string_view page, std::span<const Part> parts) {
     whole.append(begin_of(part.type)).append(part.data).append("</script>\n");
   whole.append(page.substr(at + kPlaceOfParts.size()));
   return whole;
+}
+
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string out(size, '\0');
+  const int result =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()), 9);
+  EYRIE_DEMAND(result == Z_OK, "zlib has no memory");
+  out.resize(size);
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    const std::size_t there = bytes.size() - i < 3 ? bytes.size() - i : 3;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      out.push_back(k <= there ? kDigits[three >> (18 - 6 * k) & 63] : '=');
+  }
+  return out;
+}
+
+std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
+  constexpr std::uint64_t kTell = 512;  // steps
+  const auto packer = make_packer(*recorded.scenario, recorded.until(), plenty);
+  debrief::Reflight flight(recorded);
+  flight.attach(*packer);
+  while (flight.step()) {
+    packer->look(flight.before(), flight.after(), flight.orders());
+    if (progress && flight.after().step() % kTell == 0 && !progress(flight.time()))
+      return {};
+  }
+  packer->finish(flight.after());
+  return base64(deflated(packer->packed(facts_of(recorded))));
 }
 
 }  // namespace eyrie::page

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "debrief/decision.hpp"
 #include "page/decisions.hpp"
 #include "page/motions.hpp"
 #include "page/sights.hpp"
-#include "page/tree_json.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
 
@@ -38,6 +38,29 @@ struct Agent {
   Decisions decisions;
   Sights sights;
 };
+
+/// A tree as the page draws it. `platform` is "aircraft" or "vehicle".
+template <class State, class Action>
+Json tree_json(const ubf::Tree<State, Action>& tree, std::string_view platform) {
+  Json nodes = Json::array();
+  const std::vector<debrief::Answer> all = team::unanswered(ubf::outline(tree));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
+    const debrief::Answer& answer = all[i];
+    Json params = Json::object();  // in SI; a page may ask for others
+    for (const ParamValue& param : node.values())
+      std::visit([&](const auto& value) { params[param.name] = value; }, param.value);
+    nodes.push_back({{"label", answer.label},
+                     {"type", answer.type},
+                     {"path", answer.path},
+                     {"kind", to_text(node.node_kind())},
+                     {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
+                     {"depth", answer.depth},
+                     {"params", std::move(params)},
+                     {"remembers", node.remembers()}});
+  }
+  return {{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}};
+}
 
 /// What the decisions of all agents of one platform are put together with.
 template <class State, class Action>
@@ -112,10 +135,7 @@ class Writer final : public Packer {
     motions_.remember(world, happened.info, happened.events);
     story_.observe(world, happened.info, happened.events);
   }
-  void begin(const sim::World& world, double dt) override {
-    motions_.begin(world, dt);
-    story_.begin(world, dt);
-  }
+  void begin(const sim::World& world, double dt) override { motions_.begin(world, dt); }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
     motions_.observe(world, info, events);

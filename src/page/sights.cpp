@@ -39,28 +39,20 @@ void Sights::add_state(const State& state) {
     state_[i].add(fields[i].read(state));
 }
 
-void Sights::add_track(std::int64_t id, PlayerId truth, model::Identity identity, bool target,
+void Sights::add_track(std::uint32_t id, PlayerId truth, model::Identity identity, bool target,
                        const Vec3& position, double age) {
   const OnMap at = on_map(scenario_.library->reference, position);
-  ++track_count_;
-  tracks_.id.add_rounded(id);
-  tracks_.truth.add_rounded(scenario_.roster.find(truth) ? std::int64_t{truth.value} - 1 : -1);
-  tracks_.identity.add_rounded(static_cast<std::int64_t>(identity));
-  tracks_.target.add_rounded(target);
-  tracks_.east.add(at.east);
-  tracks_.north.add(at.north);
-  tracks_.up.add(at.up);
-  tracks_.age.add(age);
+  const double player = scenario_.roster.find(truth) ? truth.value - 1.0 : -1.0;
+  tracks_.add({static_cast<double>(id), player, static_cast<double>(identity), target ? 1.0 : 0.0,
+               at.east, at.north, at.up, age});
 }
 
 void Sights::add_warning(const std::string& kind, double bearing, double range, PlayerId truth) {
-  ++warning_count_;
-  warnings_.kind.add_rounded(texts_.number(kind));
-  warnings_.bearing.add(wrap_tau(bearing));
-  warnings_.range.add(range);
   const std::string name = scenario_.roster.find(truth) ? scenario_.roster.name(truth)
-                                                        : fmt::format("missile {}", truth.value);
-  warnings_.name.add_rounded(texts_.number(truth ? name : "?"));
+                           : truth                      ? fmt::format("missile {}", truth.value)
+                                                        : "?";
+  const auto kind_number = static_cast<double>(texts_.number(kind));
+  warnings_.add({kind_number, wrap_tau(bearing), range, static_cast<double>(texts_.number(name))});
 }
 
 void Sights::add_zone(const pilot::State& s) {
@@ -72,15 +64,7 @@ void Sights::add_zone(const pilot::State& s) {
         if (one.possible() && one.r_max > zone.r_max)
           zone = one;
       }
-  least_.add(zone.r_min);
-  no_escape_.add(zone.r_ne);
-  most_.add(zone.r_max);
-}
-
-void Sights::end_sight() {
-  tracks_.count.add_rounded(track_count_);
-  warnings_.count.add_rounded(warning_count_);
-  track_count_ = warning_count_ = 0;
+  zone_.add({zone.r_min, zone.r_ne, zone.r_max});
 }
 
 void Sights::add(const pilot::State& s, const model::RadarState* radar) {
@@ -98,46 +82,38 @@ void Sights::add(const pilot::State& s, const model::RadarState* radar) {
     add_warning("missile", missile.bearing, missile.has_position ? missile.range : ubf::kNoValue,
                 missile.truth);
   }
-  mode_.add_rounded(radar ? static_cast<std::int64_t>(radar->mode) : 0);
-  azimuth_.add(radar ? radar->scan_azimuth : 0);
-  elevation_.add(radar ? radar->scan_elevation : 0);
+  track_counts_.add_rounded(static_cast<std::int64_t>(s.tracks_seen().size()));
+  warning_counts_.add_rounded(s.rwr.count + s.threats.count);
+  const model::RadarState off{};
+  const model::RadarState& scan = radar ? *radar : off;
+  scan_.add({static_cast<double>(scan.mode), scan.scan_azimuth, scan.scan_elevation});
   add_zone(s);
-  end_sight();
 }
 
 void Sights::add(const driver::State& s) {
   add_state(s);
-  std::int64_t number = 0;
+  std::uint32_t number = 0;
   for (const model::Sighted& seen : s.lookout.all())
     add_track(++number, seen.truth, seen.identity, s.watched() == &seen, seen.position,
               s.time - seen.time);
-  end_sight();
+  track_counts_.add_rounded(number);
+  warning_counts_.add_rounded(0);
 }
 
 Json Sights::json(ColumnBytes& bytes) const {
   Json state = Json::array();
   for (const Column& column : state_)
     state.push_back(put(bytes, column));
+  const auto counted = [&](const Column& counts, const Columns& all) {
+    Json j{{"count", put(bytes, counts)}};
+    j.update(all.json(bytes));
+    return j;
+  };
   Json j{{"t", put(bytes, t_)}, {"state", std::move(state)}};
-  j["tracks"] = {{"count", put(bytes, tracks_.count)},   {"id", put(bytes, tracks_.id)},
-                 {"truth", put(bytes, tracks_.truth)},   {"identity", put(bytes, tracks_.identity)},
-                 {"target", put(bytes, tracks_.target)}, {"east", put(bytes, tracks_.east)},
-                 {"north", put(bytes, tracks_.north)},   {"up", put(bytes, tracks_.up)},
-                 {"age", put(bytes, tracks_.age)}};
-  j["warnings"] = {{"count", put(bytes, warnings_.count)},
-                   {"kind", put(bytes, warnings_.kind)},
-                   {"bearing", put(bytes, warnings_.bearing)},
-                   {"range", put(bytes, warnings_.range)},
-                   {"name", put(bytes, warnings_.name)}};
-  const bool pilots = mode_.size() > 0;
-  j["scan"] = pilots ? Json{{"mode", put(bytes, mode_)},
-                            {"azimuth", put(bytes, azimuth_)},
-                            {"elevation", put(bytes, elevation_)}}
-                     : Json();
-  j["zone"] = pilots ? Json{{"min", put(bytes, least_)},
-                            {"no_escape", put(bytes, no_escape_)},
-                            {"max", put(bytes, most_)}}
-                     : Json();
+  j["tracks"] = counted(track_counts_, tracks_);
+  j["warnings"] = counted(warning_counts_, warnings_);
+  j["scan"] = scan_.empty() ? Json() : scan_.json(bytes);
+  j["zone"] = zone_.empty() ? Json() : zone_.json(bytes);
   return j;
 }
 

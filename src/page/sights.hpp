@@ -8,8 +8,7 @@
 
 #include "driver/state.hpp"
 #include "model/frames.hpp"
-#include "page/json.hpp"
-#include "page/text_book.hpp"
+#include "page/decisions.hpp"
 #include "pilot/state.hpp"
 #include "scenario/scenario.hpp"
 
@@ -35,29 +34,24 @@ class Sights {
  private:
   template <class State>
   void add_state(const State& state);
-  void add_track(std::int64_t id, PlayerId truth, model::Identity identity, bool target,
+  void add_track(std::uint32_t id, PlayerId truth, model::Identity identity, bool target,
                  const Vec3& position, double age);
   void add_warning(const std::string& kind, double bearing, double range, PlayerId truth);
   void add_zone(const pilot::State& state);
-  void end_sight();
-
-  struct Tracks {
-    Column count, id, truth, identity, target, east{1}, north{1}, up{1}, age{0.1};
-  };
-  struct Warnings {
-    Column count, kind, bearing{1e-3}, range{10}, name;
-  };
 
   const scenario::Scenario& scenario_;
   TextBook& texts_;
   double last_time_ = -1e9;
   Column t_{1e-3};
   std::vector<Column> state_;
-  Tracks tracks_;
-  Warnings warnings_;
-  std::int64_t track_count_ = 0, warning_count_ = 0;
-  Column mode_, azimuth_{1e-3}, elevation_{1e-3};
-  Column least_{10}, no_escape_{10}, most_{10};
+  // of tracks and warnings, how many there were each time, and all of them
+  Column track_counts_, warning_counts_;
+  Columns tracks_{{"id"},   {"truth"}, {"identity"}, {"target"},
+                  {"east"}, {"north"}, {"up"},       {"age", 0.1}};
+  Columns warnings_{{"kind"}, {"bearing", 1e-3}, {"range", 10}, {"name"}};
+  // of pilots only
+  Columns scan_{{"mode"}, {"azimuth", 1e-3}, {"elevation", 1e-3}};
+  Columns zone_{{"min", 10}, {"no_escape", 10}, {"max", 10}};
 };
 
 }  // namespace eyrie::page

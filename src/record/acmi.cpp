@@ -46,11 +46,8 @@ std::string AcmiWriter::introduction(const scenario::Roster::Player& player,
 
 void AcmiWriter::begin(const sim::World& world, double dt) {
   dt_ = dt;
-  const auto steps = [&](double seconds) {
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
-  };
-  players_every_ = steps(kPlayers);
-  missiles_every_ = steps(kMissiles);
+  players_every_ = steps_in(kPlayers, dt);
+  missiles_every_ = steps_in(kMissiles, dt);
   lines_every_ = players_every_ * kWindow;
   const Geodetic& origin = scenario_.library->reference.origin();
   sink_.write(
@@ -145,26 +142,20 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
       break;
     case EventKind::kill:
       tell("0,Event=Destroyed|{:x}|\n", e.whom.value);
-      gone(e.whom);
       break;
     case EventKind::loss:
     case EventKind::crash:
       if (scenario_.roster.find(e.who))
         tell("0,Event=Destroyed|{:x}|\n", e.who.value);
-      gone(e.who);
       break;
     case EventKind::home:
       tell("0,Event=LeftArea|{:x}|\n", e.who.value);
-      gone(e.who);
       break;
     case EventKind::detonation:
-    case EventKind::timeout: {
-      const bool kill = kind_of(e) == EventKind::detonation && e.values[2] < e.values[1];
+    case EventKind::timeout:
       tell("0,Event=Timeout|SourceId:{:x}|TargetId:{:x}|Outcome:{}\n", e.who.value, e.whom.value,
-           kill ? "Kill" : "Miss");
-      gone(e.who);
+           fate_of(e)->end == "kill" ? "Kill" : "Miss");
       break;
-    }
     case EventKind::phase:
       if (is_outermost(scenario_, e))
         tell("0,Event=Message|{:x}|{}: {}\n", e.who.value,
@@ -178,6 +169,8 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
     default:
       break;
   }
+  if (const auto fate = fate_of(e))
+    gone(fate->who);
 }
 
 void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,

@@ -3,6 +3,7 @@
 /// \file  One object of a Tacview ACMI file: which of its samples are written, and how.
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,10 +11,28 @@
 
 #include "core/angle.hpp"
 #include "core/id.hpp"
+#include "core/vec.hpp"
 #include "model/frames.hpp"
-#include "record/thinning.hpp"
 
 namespace eyrie::record {
+
+/// Where somebody was, and how it lay in the air.
+struct Pose {
+  double time = 0;                          ///< s
+  Vec3 position = {};                       ///< m, local frame
+  double roll = 0, pitch = 0, heading = 0;  ///< rad
+};
+
+/// How far what is left out may be from the line between what is kept.
+struct Tolerance {
+  double position = 0;  ///< m
+  double attitude = 0;  ///< rad, of each angle
+};
+
+/// Marks what has to be kept besides what is marked already (the first and the last pose must be):
+/// each line reaches as far as all poses that it leaves out are within the tolerance. Angles turn
+/// the shorter way.
+void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance);
 
 /// A line of the file. Lines of one step stand in the order of their kind, then as they came.
 struct AcmiLine {

@@ -18,8 +18,8 @@ using scenario::Catalog;
 using scenario::FilePart;
 using scenario::ModelKind;
 
-constexpr const char* kFlightName = "^[a-z]([a-z0-9_]*[a-z_])?$";
-constexpr const char* kPlayerName = "^[a-z]([a-z0-9_]*[a-z_])?[1-8]$";
+constexpr const char* kFlightPattern = "^[a-z]([a-z0-9_]*[a-z_])?$";
+constexpr const char* kPlayerPattern = "^[a-z]([a-z0-9_]*[a-z_])?[1-8]$";
 constexpr const char* kLabel = "^[^/\\[\\]]+$";
 
 Json any_of(Json first, Json second) {
@@ -305,7 +305,7 @@ class Root {
     result["flight"] = group("flight", "player");
     result["side"] = map_schema(part("side").parameters);
     Json flights = map_of(reference_to("flight"));
-    flights.update({{"minProperties", 1}, {"propertyNames", {{"pattern", kFlightName}}}});
+    flights.update({{"minProperties", 1}, {"propertyNames", {{"pattern", kFlightPattern}}}});
     put(result["side"], "flights", flights);
     result["vehicle"] = map_schema(part("vehicle").parameters);
     add_examples(result["vehicle"]);
@@ -339,9 +339,9 @@ class Root {
     Json overrides{{"type", "object"},
                    {"minProperties", 1},
                    {"maxProperties", 1},
-                   {"propertyNames", {{"pattern", kPlayerName}}},
+                   {"propertyNames", {{"pattern", kPlayerPattern}}},
                    {"additionalProperties", one_or_nothing(reference_to(member))}};
-    Json players = list_of(any_of({{"type", "string"}, {"pattern", kPlayerName}}, overrides));
+    Json players = list_of(any_of({{"type", "string"}, {"pattern", kPlayerPattern}}, overrides));
     players["maxItems"] = 8;
     put(map, "players", players);
     return map;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What events mean in names: phases, stores, behaviors.
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +15,11 @@ namespace eyrie::record {
 
 [[nodiscard]] inline model::EventKind kind_of(const sim::Event& e) {
   return static_cast<model::EventKind>(e.kind.value);
+}
+
+/// The whole steps in so many seconds, at least one.
+[[nodiscard]] inline std::uint64_t steps_in(double seconds, double dt) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
 }
 
 /// Of a phase event: whether its sequencer is the outermost one of the player's tree.

@@ -59,11 +59,8 @@ void Paths::look(const sim::World& world, bool players, bool missiles) {
 }
 
 void Paths::begin(const sim::World& world, double dt) {
-  const auto steps = [&](double seconds) {
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(seconds / dt + 0.5));
-  };
-  players_every_ = steps(1);
-  missiles_every_ = steps(0.2);
+  players_every_ = steps_in(1, dt);
+  missiles_every_ = steps_in(0.2, dt);
   time_ = static_cast<double>(world.step()) * dt;
   dt_ = dt;
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The run file: everything that a run was made from, and the hashes that it went through.
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -112,5 +113,21 @@ class RunFileWriter final : public sim::Observer {
   sim::TrailRecorder trail_;
   std::deque<End> ends_;  ///< the last ones that were written, or will be if nothing fails
 };
+
+// Every name that Eyrie gives to a file in the folder of a run. A folder that has another
+// one is not replaced.
+
+inline constexpr const char* kRunFileName = "run.eyrie";
+inline constexpr const char* kEventsName = "events.csv";
+inline constexpr const char* kFlightName = "flight.acmi";
+inline constexpr const char* kPageName = "debrief.html";
+inline constexpr const char* kPageOfTwoName = "debrief-two.html";
+inline constexpr const char* kCzmlName = "run.czml";
+inline constexpr const char* kGeojsonName = "run.geojson";
+inline constexpr const char* kDecisionsName = "decisions.csv";
+
+inline constexpr std::array kRunFolderNames{kRunFileName, kEventsName,    kFlightName,
+                                            kPageName,    kPageOfTwoName, kCzmlName,
+                                            kGeojsonName, kDecisionsName};
 
 }  // namespace eyrie::record

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The run in the field's words, one line per thing worth telling.
+/// \file  The run in the field's words, one line per thing worth telling, and in numbers.
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -33,7 +35,6 @@ class Story final : public sim::Observer {
   using Tell = std::function<void(const StoryLine&)>;
   Story(const scenario::Scenario& scenario, Tell tell);
 
-  void begin(const sim::World& world, double dt) override;
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
 
@@ -63,5 +64,45 @@ class Story final : public sim::Observer {
 
 /// "12:05.3"
 [[nodiscard]] std::string clock_text(double time);
+
+/// Counts a run as it is flown: shots, kills, losses, phases, and how it ended.
+class Tally final : public sim::Observer {
+ public:
+  struct OfPlayer {
+    std::uint32_t shots = 0, kills = 0;
+    bool lost = false, home = false;
+    double end_time = 0;  ///< s, when it was lost or came home
+    std::string phase;    ///< of its outermost sequencer, "" if it has none
+  };
+  struct OfSide {
+    std::uint32_t players = 0;  ///< that may come home: aircraft
+    std::uint32_t losses = 0, shots = 0, kills = 0, home = 0;
+  };
+  /// A flight's phase is that of whoever leads it.
+  struct Phase {
+    std::uint16_t flight = 0;
+    std::string phase;
+    double time = 0;  ///< s, when the flight entered it
+  };
+
+  explicit Tally(const scenario::Scenario& scenario);
+
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+
+  [[nodiscard]] const std::vector<OfPlayer>& players() const { return players_; }
+  [[nodiscard]] const std::vector<Phase>& phases() const { return phases_; }
+  [[nodiscard]] OfSide side(model::Side side) const;
+  /// The phase that a flight is in, "" if none yet.
+  [[nodiscard]] std::string_view phase(std::uint16_t flight) const;
+
+ private:
+  void enter(PlayerId who, double time);
+
+  const scenario::Scenario& scenario_;
+  std::vector<OfPlayer> players_;  ///< index: id - 1
+  std::vector<Phase> phases_;
+  std::vector<PlayerId> leads_;  ///< per flight
+};
 
 }  // namespace eyrie::record

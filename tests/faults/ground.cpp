@@ -13,7 +13,7 @@
 #include "commands.hpp"
 #include "disk/temporary.hpp"
 #include "faults/allocation.hpp"
-#include "record/run_folder.hpp"
+#include "record/run_file.hpp"
 
 namespace eyrie::test {
 namespace {

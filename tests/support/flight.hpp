@@ -14,7 +14,7 @@
 #include "core/diagnostics.hpp"
 #include "model/events.hpp"
 #include "record/names.hpp"
-#include "record/tally.hpp"
+#include "record/story.hpp"
 #include "scenario/mission.hpp"
 
 namespace eyrie::test {
