@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <new>
@@ -16,7 +17,6 @@
 #include "disk/failure.hpp"
 #include "disk/file_system.hpp"
 #include "disk/temporary.hpp"
-#include "interrupt.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -36,6 +36,33 @@ namespace {
   } catch (...) {
   }
   std::abort();
+}
+
+std::atomic<int> noted = 0;
+
+extern "C" void on_interrupt(int signal) {
+  const int error = errno;
+  int none = 0;
+  // each output may reach its limit, one after the other
+  if (!noted.compare_exchange_strong(none, signal) && signal != SIGXFSZ &&
+      disk::remove_temporaries_now()) {
+    ::signal(signal, SIG_DFL);
+    ::raise(signal);
+  }
+  errno = error;
+}
+
+extern "C" void on_gone_reader(int) {}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction before {
+  }, after{};
+  ::sigaction(signal, nullptr, &before);
+  if (before.sa_handler == SIG_IGN)
+    return;
+  after.sa_handler = handler;
+  after.sa_flags = SA_RESTART;
+  ::sigaction(signal, &after, nullptr);
 }
 
 }  // namespace
@@ -61,22 +88,30 @@ void open_standard_streams() {
   }
 }
 
-int run_command(const std::function<int()>& command) {
-  std::set_terminate(last_words);
-  int code = 1;
+int attempt(const std::function<int()>& command) {
   std::string words;
+  bool mistake = false;
   try {
-    code = command();
+    return command();
+  } catch (const Mistake& error) {
+    complain("{}\n", Composed{error.what()});
+    return 2;
+  } catch (const ConfigError& error) {
+    complain("{}\n", lines(error.diagnostics().text()));
+    return 2;
   } catch (const std::exception& error) {
     words = words_for(error);
     const auto* system = dynamic_cast<const std::system_error*>(&error);
-    const bool mistake = dynamic_cast<const disk::Refused*>(&error) != nullptr ||
-                         dynamic_cast<const ConfigError*>(&error) != nullptr ||
-                         (system && system->code() == std::errc::filename_too_long);
-    code = mistake ? 2 : 1;
+    mistake = dynamic_cast<const disk::Refused*>(&error) != nullptr ||
+              (system && system->code() == std::errc::filename_too_long);
   }
-  if (!words.empty())
-    complain("eyrie: {}\n", lines(words));
+  complain("eyrie: {}\n", lines(words));
+  return mistake ? 2 : 1;
+}
+
+int run_command(const std::function<int()>& command) {
+  std::set_terminate(last_words);
+  int code = attempt(command);
   if (const int lost = lost_output(); lost == EPIPE) {
     code = code ? code : 128 + SIGPIPE;
   } else if (lost) {
@@ -84,6 +119,34 @@ int run_command(const std::function<int()>& command) {
     code = code ? code : 1;
   }
   return interrupted() ? 128 + interruption() : code;
+}
+
+void listen_for_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ})
+    handle(signal, on_interrupt);
+  handle(SIGPIPE, on_gone_reader);
+}
+int interruption() {
+  return noted;
+}
+
+void finish(disk::OutputFile& out) {
+  if (interrupted())
+    throw disk::Failed("interrupted, nothing was written");
+  out.commit();
+  say("written to {}, {:.1f} MB\n", out.sink().path(),
+      static_cast<double>(out.sink().size()) / 1e6);
+}
+
+void finish(disk::OutputFolder& folder, const std::map<std::string, std::string>& files) {
+  for (const auto& [name, text] : files) {
+    disk::Sink sink = folder.file(name.c_str());
+    sink.write(text);
+    if (!sink.close())
+      throw disk::Failed(sink.error());
+  }
+  if (const std::string words = folder.commit(); !words.empty())
+    throw disk::Failed(words);
 }
 
 }  // namespace eyrie::app

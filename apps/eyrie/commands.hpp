@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "debrief/recorded.hpp"
 
 namespace eyrie::app {
@@ -25,8 +26,11 @@ struct FlyOptions {
 };
 
 int fly(const FlyOptions& options);
-int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins,
-             const std::vector<std::string>& includes);
+
+struct ValidateOptions {
+  std::vector<std::string> files, plugins, includes;
+};
+int validate(const ValidateOptions& options);
 
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file
@@ -48,8 +52,13 @@ struct WhatIfOptions {
   std::vector<std::string> plugins;
 };
 int what_if(const WhatIfOptions& options);
-int diff(const std::string& left, const std::string& right, bool json,
-         const std::vector<std::string>& plugins);
+
+struct DiffOptions {
+  std::vector<std::string> runs;  ///< two
+  bool json = false;
+  std::vector<std::string> plugins;
+};
+int diff(const DiffOptions& options);
 
 struct DebriefOptions {
   std::vector<std::string> runs;  ///< one, or two to compare: run folders or run files
@@ -76,6 +85,9 @@ struct PlaygroundOptions {
 int playground(const PlaygroundOptions& options);
 
 enum class ExportFormat { czml, geojson, decisions };
+constexpr auto names_of(ExportFormat) {
+  return names_from_zero<ExportFormat>("czml", "geojson", "decisions");
+}
 struct ExportOptions {
   std::string run, player;  ///< player: of decisions; empty: everybody's
   ExportFormat format = ExportFormat::czml;
@@ -85,8 +97,11 @@ struct ExportOptions {
 };
 int export_run(const ExportOptions& options);
 
-enum class CatalogFormat { text, markdown, json_schema };
-int catalog(CatalogFormat format, const std::vector<std::string>& plugins);
+struct CatalogOptions {
+  bool markdown = false, json_schema = false;  ///< neither: a short list
+  std::vector<std::string> plugins;
+};
+int catalog(const CatalogOptions& options);
 
 struct ReplayOptions {
   std::string run;
@@ -107,20 +122,11 @@ int trust(const TrustOptions& options);
 [[nodiscard]] scenario::PluginPermission trusted();
 
 /// Writes the folder `name` with a behavior, its test, a scenario and a CMake file.
-int new_behavior(const std::string& name);
+struct NewOptions {
+  std::string name;
+};
+int new_behavior(const NewOptions& options);
 
-/// s: "312.4", "5 min", or "5:12.4" as the story says it; nothing for other texts.
-[[nodiscard]] std::optional<double> time_of(const std::string& text);
-
-/// A recorded run; nothing after saying why there is none.
-[[nodiscard]] std::optional<debrief::Recorded> open_or_complain(
-    const std::string& run, const std::vector<std::string>& plugins);
-/// A player by name; nothing after saying that there is none.
-[[nodiscard]] std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
-                                                         const std::string& name);
-
-/// The folder with data/ and scenarios/: EYRIE_HOME, or the one the program was built from.
-[[nodiscard]] std::string home();
 /// "eyrie 0.1.0 (gcc 12.2.0, Release)"
 [[nodiscard]] std::string version_text();
 

@@ -13,7 +13,6 @@
 #include "commands.hpp"
 #include "disk/failure.hpp"
 #include "disk/output.hpp"
-#include "interrupt.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
@@ -103,13 +102,7 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
 }
 
 int debrief_page(const DebriefOptions& options) {
-  std::vector<debrief::Recorded> runs;
-  for (const std::string& run : options.runs) {
-    auto opened = open_or_complain(run, options.plugins);
-    if (!opened)
-      return 2;
-    runs.push_back(std::move(*opened));
-  }
+  const auto runs = open_runs(options.runs, options.plugins);
   const fs::path folder = fs::path(runs.front().file).parent_path();
   const std::string file =
       options.out.empty()
@@ -121,16 +114,12 @@ int debrief_page(const DebriefOptions& options) {
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
   std::vector<page::Part> data;
-  for (const debrief::Recorded& run : runs) {
-    data.push_back(data_of(run, shell, options.columns));
-    if (data.back().data.empty()) {
-      complain("eyrie: interrupted, nothing was written\n");
-      return 1;
-    }
-  }
-  out.sink().write(page_of(shell, data));
-  out.commit();
-  say("written to {}, {:.1f} MB\n", file, static_cast<double>(out.sink().size()) / 1e6);
+  for (const debrief::Recorded& run : runs)
+    if (!interrupted())
+      data.push_back(data_of(run, shell, options.columns));
+  if (!interrupted())
+    out.sink().write(page_of(shell, data));
+  finish(out);
   return 0;
 }
 

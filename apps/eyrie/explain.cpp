@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <set>
@@ -16,26 +14,13 @@
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "debrief/report.hpp"
+#include "locate.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
 namespace {
-
-/// A number that begins with a digit: no sign, no inf.
-std::optional<double> plain(std::string_view text) {
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
-  return digit && failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
-             ? std::optional(value)
-             : std::nullopt;
-}
-bool whole(std::string_view text) {
-  return std::all_of(text.begin(), text.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
-}
 
 std::string small_letters(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -173,73 +158,33 @@ std::string nothing_text(const ExplainOptions& options, const Wanted& wanted, co
 
 }  // namespace
 
-std::optional<PlayerId> player_or_complain(const scenario::Roster& roster,
-                                           const std::string& name) {
-  if (const auto who = roster.find(name))
-    return who;
-  std::vector<std::string> names;
-  for (const auto& player : roster.players)
-    names.push_back(player.name);
-  complain("--player: there is no player {}{}\n", quote(name), did_you_mean(name, names));
-  return std::nullopt;
-}
-
-std::optional<double> time_of(const std::string& text) {
-  if (const auto colon = text.find(':'); colon != std::string::npos) {
-    const std::string_view before = std::string_view(text).substr(0, colon);
-    const auto minutes = plain(before);
-    const auto seconds = plain(std::string_view(text).substr(colon + 1));
-    return minutes && whole(before) && seconds && *seconds < 60
-               ? std::optional(*minutes * 60 + *seconds)
-               : std::nullopt;
-  }
-  if (const auto seconds = plain(text))
-    return seconds;
-  const auto quantity = parse_quantity(text, Dimension::time);
-  return quantity && quantity.value >= 0 ? std::optional(quantity.value) : std::nullopt;
-}
-
 int explain(const ExplainOptions& options) {
   Wanted wanted{.event = options.event};
   for (const auto& [text, name, place] : {std::tuple(&options.at, "--at", &wanted.from),
                                           std::tuple(&options.from, "--from", &wanted.from),
                                           std::tuple(&options.to, "--to", &wanted.to)}) {
-    if (text->empty())
-      continue;
-    const auto time = time_of(*text);
-    if (!time)
-      return complain("{} {}: expected a time such as 312.4, '5 min' or 5:12.4\n", name,
-                      quote(*text)),
-             2;
-    *place = *time;
+    if (!text->empty())
+      *place = time_named(name, *text);
   }
   if (!options.to.empty() && wanted.to <= wanted.from)
-    return complain("--to {}: must be after --from\n", quote(options.to)), 2;
+    refuse("--to {}: must be after --from", quote(options.to));
   if (!options.event.empty() &&
       std::none_of(options.event.begin(), options.event.end(),
                    [](unsigned char c) { return std::isalpha(c) || c >= 0x80; }))
-    return complain("--event {}: expected a word, such as break\n", quote(options.event)), 2;
+    refuse("--event {}: expected a word, such as break", quote(options.event));
   wanted.once = !options.at.empty();
   const bool window = !options.from.empty() || !options.to.empty();
   wanted.changes =
       options.changes || (!options.csv && !wanted.once && !window && wanted.event.empty());
 
-  const auto recorded = open_or_complain(options.run, options.plugins);
-  if (!recorded)
-    return 2;
-  const scenario::Roster& roster = recorded->scenario->roster;
-  const auto who = player_or_complain(roster, options.player);
-  if (!who)
-    return 2;
+  const debrief::Recorded recorded = open_run(options.run, options.plugins);
+  const scenario::Roster& roster = recorded.scenario->roster;
+  const PlayerId who = player_named(roster, options.player);
+  if (wanted.from > recorded.until())
+    refuse("{} {}: the run ends at {}", wanted.once ? "--at" : "--from",
+           quote(wanted.once ? options.at : options.from), record::clock_text(recorded.until()));
 
-  const double length =
-      static_cast<double>(recorded->last_step()) * recorded->scenario->simulation->dt();
-  if (wanted.from > length)
-    return complain("{} {}: the run ends at {}\n", wanted.once ? "--at" : "--from",
-                    quote(wanted.once ? options.at : options.from), record::clock_text(length)),
-           2;
-
-  const Found found = look(*recorded, *who, wanted);
+  const Found found = look(recorded, who, wanted);
   if (options.csv) {
     say("{}", Composed{debrief::decisions_csv(found.decisions, roster)});
   } else if (options.json) {
@@ -255,10 +200,9 @@ int explain(const ExplainOptions& options) {
           Composed{whole ? debrief::decision_text(found.decisions[i], roster)
                          : debrief::decision_line(found.decisions[i])});
   }
-  if (!found.nothing())
-    return 0;
-  complain("{}\n", nothing_text(options, wanted, found));
-  return 2;
+  if (found.nothing())
+    refuse("{}", nothing_text(options, wanted, found));
+  return 0;
 }
 
 }  // namespace eyrie::app

@@ -4,11 +4,12 @@
 
 #include <filesystem>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "debrief/decision.hpp"
 #include "debrief/report.hpp"
 #include "disk/output.hpp"
-#include "interrupt.hpp"
+#include "locate.hpp"
 #include "record/paths.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
@@ -56,36 +57,25 @@ void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> 
 }  // namespace
 
 int export_run(const ExportOptions& options) {
-  const auto recorded = open_or_complain(options.run, options.plugins);
-  if (!recorded)
-    return 2;
+  const debrief::Recorded recorded = open_run(options.run, options.plugins);
   std::optional<PlayerId> who;
   if (!options.player.empty()) {
-    who = player_or_complain(recorded->scenario->roster, options.player);
-    if (!who)
-      return 2;
-    if (options.format != ExportFormat::decisions) {
-      complain("--player is for decisions: paths are those of all players\n");
-      return 2;
-    }
+    who = player_named(recorded.scenario->roster, options.player);
+    if (options.format != ExportFormat::decisions)
+      refuse("--player is for decisions: paths are those of all players");
   }
   constexpr const char* kNames[] = {record::kCzmlName, record::kGeojsonName,
                                     record::kDecisionsName};
   const std::string beside =
-      fs::path(recorded->file).parent_path() / kNames[static_cast<int>(options.format)];
+      fs::path(recorded.file).parent_path() / kNames[static_cast<int>(options.format)];
   const std::string& file = options.out.empty() ? beside : options.out;
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || options.out.empty());
   if (options.format == ExportFormat::decisions)
-    write_decisions(*recorded, who, out.sink());
+    write_decisions(recorded, who, out.sink());
   else
-    write_paths(*recorded, options.format, out.sink());
-  if (interrupted()) {
-    complain("eyrie: interrupted, nothing was written\n");
-    return 1;
-  }
-  out.commit();
-  say("written to {}, {:.1f} MB\n", file, static_cast<double>(out.sink().size()) / 1e6);
+    write_paths(recorded, options.format, out.sink());
+  finish(out);
   return 0;
 }
 

@@ -13,7 +13,6 @@
 #include "core/units.hpp"
 #include "disk/failure.hpp"
 #include "disk/output.hpp"
-#include "interrupt.hpp"
 #include "locate.hpp"
 #include "record/acmi.hpp"
 #include "record/csv.hpp"
@@ -123,20 +122,14 @@ int fly(const FlyOptions& options) {
   std::optional<double> until;
   if (!options.until.empty()) {
     const Parsed time = parse_quantity(options.until, Dimension::time);
-    if (!time) {
-      complain("--until: {}\n", time.error);
-      return 2;
-    }
+    if (!time)
+      refuse("--until: {}", time.error);
     until = time.value;
   }
   const auto scenario =
-      load_or_complain(options.scenario, options.sets, options.plugins, options.includes);
-  if (!scenario)
-    return 2;
-  if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt) {
-    complain("--until: {}\n", *problem);
-    return 2;
-  }
+      load_scenario(options.scenario, options.sets, options.plugins, options.includes);
+  if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
+    refuse("--until: {}", *problem);
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);
 
   listen_for_interrupts();

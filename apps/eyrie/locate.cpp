@@ -2,16 +2,21 @@
 #include "locate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cctype>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "core/units.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -29,32 +34,32 @@ std::string beside_program(const char* built, const char* installed) {
   return "";
 }
 
+/// A number that begins with a digit: no sign, no inf.
+std::optional<double> plain(std::string_view text) {
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
+  return digit && failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
+             ? std::optional(value)
+             : std::nullopt;
+}
+
 }  // namespace
 
 std::string home() {
-  if (const char* set = std::getenv("EYRIE_HOME"); set && *set)
-    return set;
-  // installed: beside the program
+  const char* set = std::getenv("EYRIE_HOME");
+  set = set && *set ? set : nullptr;
+  std::string found = set ? set : EYRIE_HOME_DEFAULT;
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
   const fs::path share = program.parent_path().parent_path() / "share" / "eyrie";
-  if (!failed && fs::is_directory(share / "scenarios", failed))
-    return share.string();
-  return EYRIE_HOME_DEFAULT;
-}
-
-std::optional<std::string> home_or_complain() {
-  const std::string found = home();
-  std::error_code ignored;
-  if (fs::is_directory(fs::path(found) / "data", ignored))
+  if (!set && !failed && fs::is_directory(share / "scenarios", failed))
+    found = share.string();  // installed: beside the program
+  if (fs::is_directory(fs::path(found) / "data", failed))
     return found;
-  const char* set = std::getenv("EYRIE_HOME");
-  if (set && *set)
-    complain("eyrie: EYRIE_HOME is {}, where there is no folder 'data'\n", quote_path(found));
-  else
-    complain("eyrie: {} has no folder 'data': set EYRIE_HOME to where Eyrie is\n",
-             quote_path(found));
-  return std::nullopt;
+  if (set)
+    refuse("eyrie: EYRIE_HOME is {}, where there is no folder 'data'", quote_path(found));
+  refuse("eyrie: {} has no folder 'data': set EYRIE_HOME to where Eyrie is", quote_path(found));
 }
 
 std::string viewer_file() {
@@ -98,36 +103,74 @@ std::string scenario_file(const std::string& name) {
                                                                     : shipped.generic_string();
 }
 
-std::shared_ptr<const scenario::Scenario> load_or_complain(
-    const std::string& name, const std::vector<std::string>& sets,
-    const std::vector<std::string>& plugins, const std::vector<std::string>& includes) {
-  const auto there = home_or_complain();
-  if (!there)
-    return nullptr;
+std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
+                                                        const std::vector<std::string>& sets,
+                                                        const std::vector<std::string>& plugins,
+                                                        const std::vector<std::string>& includes) {
+  const std::string there = home();
   std::error_code ignored;
   for (const std::string& folder : includes)
-    if (!fs::is_directory(folder, ignored)) {
-      complain("eyrie: --allow-include {}: there is no such folder\n", quote_path(folder));
-      return nullptr;
-    }
+    if (!fs::is_directory(folder, ignored))
+      refuse("eyrie: --allow-include {}: there is no such folder", quote_path(folder));
   const std::string file = scenario_file(name);
   if (!fs::is_regular_file(file, ignored)) {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(*there) / "scenarios", ignored))
+    for (const auto& entry : fs::directory_iterator(fs::path(there) / "scenarios", ignored))
       if (entry.path().extension() == ".yaml")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
-    complain("eyrie: there is no scenario {}{}\n", quote(name),
-             did_you_mean(fs::path(name).stem().string(), names));
-    return nullptr;
+    refuse("eyrie: there is no scenario {}{}", quote(name),
+           did_you_mean(fs::path(name).stem().string(), names));
   }
-  try {
-    return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
-                          scenario::Source::disk(*there, includes));
-  } catch (const ConfigError& e) {
-    complain("{}\n", lines(e.diagnostics().text()));
-    return nullptr;
+  return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
+                        scenario::Source::disk(there, includes));
+}
+
+std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
+                                         const std::vector<std::string>& plugins) {
+  std::vector<debrief::Recorded> all;
+  std::vector<std::string> problems;
+  for (const std::string& run : runs) {
+    debrief::Opened opened = debrief::open(run, plugins, version_text(), trusted());
+    if (opened.recorded)
+      all.push_back(std::move(*opened.recorded));
+    for (const std::string& problem : opened.problems)
+      problems.push_back(printable_lines(problem));
   }
+  if (!problems.empty())
+    throw Mistake(fmt::format("{}", fmt::join(problems, "\n")));
+  return all;
+}
+
+debrief::Recorded open_run(const std::string& run, const std::vector<std::string>& plugins) {
+  return std::move(open_runs({run}, plugins).front());
+}
+
+PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
+  if (const auto who = roster.find(name))
+    return *who;
+  std::vector<std::string> names;
+  for (const auto& player : roster.players)
+    names.push_back(player.name);
+  refuse("--player: there is no player {}{}", quote(name), did_you_mean(name, names));
+}
+
+double time_named(std::string_view option, const std::string& text) {
+  const auto colon = text.find(':');
+  const auto seconds = plain(std::string_view(text).substr(colon == text.npos ? 0 : colon + 1));
+  if (colon != text.npos) {
+    const std::string_view before = std::string_view(text).substr(0, colon);
+    const auto minutes = plain(before);
+    if (minutes && before.find_first_not_of("0123456789") == before.npos && seconds &&
+        *seconds < 60)
+      return *minutes * 60 + *seconds;
+  } else if (seconds) {
+    return *seconds;
+  } else if (const auto quantity = parse_quantity(text, Dimension::time);
+             quantity && quantity.value >= 0) {
+    return quantity.value;
+  }
+  refuse("{} {}: expected a time such as 312.4, '5 min' or 5:12.4", option, quote(text));
 }
 
 }  // namespace eyrie::app

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  From what the user typed to a loaded scenario.
+/// \file  From what the user typed to a loaded scenario, a recorded run, a player, a time.
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "debrief/recorded.hpp"
 #include "disk/read_file.hpp"
 #include "scenario/scenario.hpp"
 
@@ -26,13 +26,22 @@ namespace eyrie::app {
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 
-/// Loads it, or prints every mistake on stderr and gives null.
-[[nodiscard]] std::shared_ptr<const scenario::Scenario> load_or_complain(
+/// Loads it. Throws Mistake or ConfigError.
+[[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(
     const std::string& name, const std::vector<std::string>& sets,
     const std::vector<std::string>& plugins, const std::vector<std::string>& includes);
-
 /// The folder with data/ and scenarios/: EYRIE_HOME, or where this program is installed, or the one
-/// it was built from. Nothing after saying that it is not there.
-[[nodiscard]] std::optional<std::string> home_or_complain();
+/// it was built from. Throws Mistake if it is not there.
+[[nodiscard]] std::string home();
+
+/// Recorded runs: folders or run files. Throws Mistake with everything that is wrong with any.
+[[nodiscard]] std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
+                                                       const std::vector<std::string>& plugins);
+[[nodiscard]] debrief::Recorded open_run(const std::string& run,
+                                         const std::vector<std::string>& plugins);
+/// A player by the name that --player gives. Throws Mistake.
+[[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
+/// s: "312.4", "5 min", or "5:12.4" as the story says it. Throws Mistake, which names the option.
+[[nodiscard]] double time_named(std::string_view option, const std::string& text);
 
 }  // namespace eyrie::app

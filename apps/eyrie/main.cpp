@@ -5,14 +5,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
 #include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "checks.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
@@ -28,20 +31,48 @@ using namespace eyrie;
 using namespace eyrie::app;
 
 /// What the user asked for, once the line is parsed.
-struct Commands {
-  FlyOptions fly;
-  ReplayOptions replay;
-  ExplainOptions explain;
-  WhatIfOptions what_if;
-  DebriefOptions debrief;
-  ExportOptions exported;
-  PlaygroundOptions playground;
-  std::string left, right;
-  std::vector<std::string> files, plugins, includes;
-  TrustOptions trust;
-  std::string name;
-  bool markdown = false, json_schema = false;
-};
+using Chosen = std::function<int()>;
+
+/// The options of a command, there as long as the line; `run` is what is done with them.
+template <class Options>
+Options& options_of(CLI::App* command, int (*run)(const Options&), Chosen& chosen) {
+  const auto options = std::make_shared<Options>();
+  command->callback([=, &chosen] { chosen = [=] { return run(*options); }; });
+  return *options;
+}
+
+// what is wrong with an argument, or an empty text
+
+std::function<std::string(const std::string&)> whole_number(
+    std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
+  return [=](const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
+                      value <= most;
+    return good ? std::string{}
+                : fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
+  };
+}
+
+/// A factor of real time.
+std::string pace(const std::string& text) {
+  constexpr double kSlowest = 0.001, kFastest = 1000;
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = failed == std::errc{} && end == text.data() + text.size() &&
+                    value >= kSlowest && value <= kFastest;
+  return good ? std::string{}
+              : fmt::format("{} is no number from {} to {}", quote(text), kSlowest, kFastest);
+}
+
+std::string format_problem(const std::string& text) {
+  constexpr auto kNames = enum_names<ExportFormat>();
+  const bool known = std::find(kNames.begin(), kNames.end(), text) != kNames.end();
+  return known ? std::string{}
+               : fmt::format("must be one of {}, got {}{}", fmt::join(kNames, ", "), quote(text),
+                             did_you_mean(text, kNames));
+}
 
 void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
   app->add_option("--plugin", plugins, help)->allow_extra_args(false);
@@ -54,38 +85,39 @@ void add_includes(CLI::App* app, std::vector<std::string>& folders) {
 constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
 constexpr const char* kRunPluginHelp = "a plug-in of the run, which may be opened, where it is now";
 
-void add_fly(CLI::App& app, Commands& c) {
+void add_fly(CLI::App& app, Chosen& chosen) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
-  fly->add_option("scenario", c.fly.scenario, "a file, or the name of one in scenarios/")
+  FlyOptions& o = options_of(fly, app::fly, chosen);
+  fly->add_option("scenario", o.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
-  fly->add_option("--seed", c.fly.seed, "seed of the draws (default: the scenario's)")
+  fly->add_option("--seed", o.seed, "seed of the draws (default: the scenario's)")
       ->check(whole_number());
-  fly->add_option("--set", c.fly.sets, "override: path.in.the.file=value")->allow_extra_args(false);
-  add_plugins(fly, c.fly.plugins, kPluginHelp);
-  add_includes(fly, c.fly.includes);
-  fly->add_option("--out", c.fly.out, "folder for the output (default: runs/<name>-<seed>)");
-  fly->add_option("--until", c.fly.until, "stop at this simulated time, such as '10 min'");
-  fly->add_option("--workers", c.fly.workers, "threads that share the step; never the result")
+  fly->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+  add_plugins(fly, o.plugins, kPluginHelp);
+  add_includes(fly, o.includes);
+  fly->add_option("--out", o.out, "folder for the output (default: runs/<name>-<seed>)");
+  fly->add_option("--until", o.until, "stop at this simulated time, such as '10 min'");
+  fly->add_option("--workers", o.workers, "threads that share the step; never the result")
       ->check(whole_number(1, 256));
-  fly->add_option("--paranoid", c.fly.paranoid,
+  fly->add_option("--paranoid", o.paranoid,
                   "make every step twice, with this many workers the second time, and compare")
       ->expected(0, 1)
       ->default_str("2")
       ->check(whole_number(1, 256));
-  fly->add_option("--realtime", c.fly.realtime, "pace by the clock, times this factor")
+  fly->add_option("--realtime", o.realtime, "pace by the clock, times this factor")
       ->expected(0, 1)
       ->default_str("1")
       ->check(pace);
-  fly->add_flag("--force", c.fly.force, "replace the folder given by --out");
-  fly->add_flag("--quiet", c.fly.quiet, "no story, only how it ended");
-  fly->add_flag("!--no-debrief", c.fly.debrief, "do not write the page debrief.html");
-  fly->add_flag("--json", c.fly.json, "one JSON object on standard output instead of words");
+  fly->add_flag("--force", o.force, "replace the folder given by --out");
+  fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
+  fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
+  fly->add_flag("--json", o.json, "one JSON object on standard output instead of words");
 }
 
-void add_explain(CLI::App& app, Commands& c) {
+void add_explain(CLI::App& app, Chosen& chosen) {
   CLI::App* explain =
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
-  ExplainOptions& o = c.explain;
+  ExplainOptions& o = options_of(explain, app::explain, chosen);
   explain->add_option("run", o.run, "a run folder or its run file")->required();
   explain->add_option("--player", o.player, "who")->required();
   auto* at =
@@ -107,11 +139,11 @@ void add_explain(CLI::App& app, Commands& c) {
   add_plugins(explain, o.plugins, kRunPluginHelp);
 }
 
-void add_what_if(CLI::App& app, Commands& c) {
+void add_what_if(CLI::App& app, Chosen& chosen) {
   CLI::App* what_if = app.add_subcommand(
       "whatif",
       "What an agent of a recorded run would have decided with other trees or parameters");
-  WhatIfOptions& o = c.what_if;
+  WhatIfOptions& o = options_of(what_if, app::what_if, chosen);
   what_if->add_option("run", o.run, "a run folder or its run file")->required();
   what_if->add_option("--player", o.player, "who")->required();
   what_if
@@ -129,10 +161,10 @@ void add_what_if(CLI::App& app, Commands& c) {
   add_plugins(what_if, o.plugins, kRunPluginHelp);
 }
 
-void add_debrief(CLI::App& app, Commands& c) {
+void add_debrief(CLI::App& app, Chosen& chosen) {
   CLI::App* debrief = app.add_subcommand(
       "debrief", "A recorded run, or two, as a page in which every decision can be questioned");
-  DebriefOptions& o = c.debrief;
+  DebriefOptions& o = options_of(debrief, debrief_page, chosen);
   debrief->add_option("runs", o.runs, "a run folder or its run file; two of them to compare")
       ->required()
       ->expected(1, 2);
@@ -143,20 +175,26 @@ void add_debrief(CLI::App& app, Commands& c) {
   add_plugins(debrief, o.plugins, kRunPluginHelp);
 }
 
-void add_playground(CLI::App& app, Commands& c) {
+void add_playground(CLI::App& app, Chosen& chosen) {
   CLI::App* playground = app.add_subcommand(
       "playground", "A folder of files in which a browser edits, flies and debriefs scenarios");
-  playground->add_option("--out", c.playground.out, "the folder")->capture_default_str();
-  playground->add_flag("--force", c.playground.force, "replace the folder");
+  PlaygroundOptions& o = options_of(playground, app::playground, chosen);
+  playground->add_option("--out", o.out, "the folder")->capture_default_str();
+  playground->add_flag("--force", o.force, "replace the folder");
 }
 
-void add_export(CLI::App& app, Commands& c) {
+void add_export(CLI::App& app, Chosen& chosen) {
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
-  ExportOptions& o = c.exported;
+  ExportOptions& o = options_of(exported, export_run, chosen);
   exported->add_option("run", o.run, "a run folder or its run file")->required();
   exported
       ->add_option_function<std::string>(
-          "--to", [&o](const std::string& name) { o.format = *format_named(name); },
+          "--to",
+          [&o](const std::string& name) {
+            for (const auto& [known, format] : EnumNames<ExportFormat>::names)
+              if (name == known)
+                o.format = format;
+          },
           "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
           "player proposed)")
       ->required()
@@ -168,16 +206,64 @@ void add_export(CLI::App& app, Commands& c) {
   add_plugins(exported, o.plugins, kRunPluginHelp);
 }
 
-void add_trust(CLI::App& app, Commands& c) {
+void add_trust(CLI::App& app, Chosen& chosen) {
   CLI::App* trust = app.add_subcommand(
       "trust", "Plug-ins that scenarios and run files may name without --plugin");
-  auto* add = trust->add_option("plugins", c.trust.add,
+  TrustOptions& o = options_of(trust, app::trust, chosen);
+  auto* add = trust->add_option("plugins", o.add,
                                 "shared libraries to trust, each as long as it stays as it is");
-  auto* remove = trust->add_option("--remove", c.trust.remove, "trust these no longer");
-  auto* list = trust->add_flag("--list", c.trust.list, "show which are trusted");
+  auto* remove = trust->add_option("--remove", o.remove, "trust these no longer");
+  auto* list = trust->add_flag("--list", o.list, "show which are trusted");
   add->excludes(remove)->excludes(list);
   remove->excludes(list);
   trust->require_option(1);
+}
+
+void add_diff(CLI::App& app, Chosen& chosen) {
+  CLI::App* diff = app.add_subcommand("diff", "Where two recorded runs part");
+  DiffOptions& o = options_of(diff, app::diff, chosen);
+  o.runs.resize(2);
+  diff->add_option("left", o.runs[0], "a run folder or its run file")->required();
+  diff->add_option("right", o.runs[1], "another one")->required();
+  diff->add_flag("--json", o.json, "for tools");
+  add_plugins(diff, o.plugins, kRunPluginHelp);
+}
+
+void add_validate(CLI::App& app, Chosen& chosen) {
+  CLI::App* validate = app.add_subcommand("validate", "Check scenario files");
+  ValidateOptions& o = options_of(validate, app::validate, chosen);
+  validate->add_option("files", o.files, "scenario files")->required();
+  add_plugins(validate, o.plugins, kPluginHelp);
+  add_includes(validate, o.includes);
+}
+
+void add_catalog(CLI::App& app, Chosen& chosen) {
+  CLI::App* catalog =
+      app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
+  CatalogOptions& o = options_of(catalog, app::catalog, chosen);
+  auto* schema = catalog->add_flag("--json-schema", o.json_schema, "as a JSON schema");
+  catalog->add_flag("--markdown", o.markdown, "as the reference page")->excludes(schema);
+  add_plugins(catalog, o.plugins, kPluginHelp);
+}
+
+void add_replay(CLI::App& app, Chosen& chosen) {
+  CLI::App* replay = app.add_subcommand("replay", "Fly a recorded run again and compare");
+  ReplayOptions& o = options_of(replay, app::replay, chosen);
+  replay->add_option("run", o.run, "a run folder or its run file")->required();
+  replay->add_option("--workers", o.workers, "threads that share the step")
+      ->check(whole_number(1, 256));
+  replay->add_flag("--json", o.json, "one JSON object instead of words");
+  add_plugins(replay, o.plugins, kRunPluginHelp);
+}
+
+void add_new(CLI::App& app, Chosen& chosen) {
+  CLI::App* begin = app.add_subcommand("new", "Begin something of your own");
+  CLI::App* behavior = begin->require_subcommand(1)->add_subcommand(
+      "behavior", "A plug-in with one behavior, its test and a scenario");
+  behavior
+      ->add_option("name", options_of(behavior, new_behavior, chosen).name,
+                   "what trees call it; also the name of the folder")
+      ->required();
 }
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
@@ -232,7 +318,7 @@ std::string empty_text(std::span<char*> words) {
 }
 
 /// Short, whatever was typed. The exit code.
-int refuse(const CLI::App& app, std::span<char*> words, std::string_view problem) {
+int say_wrong(const CLI::App& app, std::span<char*> words, std::string_view problem) {
   constexpr std::size_t kLongest = 300;
   complain("eyrie: {}\n{} --help says more\n",
            printable(problem.substr(0, problem.find('\n')), kLongest),
@@ -248,82 +334,27 @@ int say_mistake(const CLI::App& app, const CLI::ParseError& e, std::span<char*> 
     return 0;
   }
   const std::string unknown = unknown_text(app, words);
-  return refuse(app, words, unknown.empty() ? e.what() : unknown);
+  return say_wrong(app, words, unknown.empty() ? e.what() : unknown);
 }
 
 int run(int argc, char** argv) {
   CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
-  Commands c;
-  add_fly(app, c);
-  add_explain(app, c);
-  add_what_if(app, c);
-  add_debrief(app, c);
-  add_playground(app, c);
-  add_export(app, c);
-  CLI::App* diff_cmd = app.add_subcommand("diff", "Where two recorded runs part");
-  diff_cmd->add_option("left", c.left, "a run folder or its run file")->required();
-  diff_cmd->add_option("right", c.right, "another one")->required();
-  diff_cmd->add_flag("--json", c.replay.json, "for tools");
-  add_plugins(diff_cmd, c.plugins, kRunPluginHelp);
-  CLI::App* validate_cmd = app.add_subcommand("validate", "Check scenario files");
-  validate_cmd->add_option("files", c.files, "scenario files")->required();
-  add_plugins(validate_cmd, c.plugins, kPluginHelp);
-  add_includes(validate_cmd, c.includes);
-  CLI::App* catalog_cmd =
-      app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
-  auto* schema = catalog_cmd->add_flag("--json-schema", c.json_schema, "as a JSON schema");
-  catalog_cmd->add_flag("--markdown", c.markdown, "as the reference page")->excludes(schema);
-  add_plugins(catalog_cmd, c.plugins, kPluginHelp);
-  CLI::App* replay_cmd = app.add_subcommand("replay", "Fly a recorded run again and compare");
-  replay_cmd->add_option("run", c.replay.run, "a run folder or its run file")->required();
-  replay_cmd->add_option("--workers", c.replay.workers, "threads that share the step")
-      ->check(whole_number(1, 256));
-  replay_cmd->add_flag("--json", c.replay.json, "one JSON object instead of words");
-  add_plugins(replay_cmd, c.replay.plugins, kRunPluginHelp);
-  add_trust(app, c);
-  CLI::App* new_cmd = app.add_subcommand("new", "Begin something of your own");
-  new_cmd->require_subcommand(1)
-      ->add_subcommand("behavior", "A plug-in with one behavior, its test and a scenario")
-      ->add_option("name", c.name, "what trees call it; also the name of the folder")
-      ->required();
-
+  Chosen chosen;
+  for (const auto add : {add_fly, add_explain, add_what_if, add_debrief, add_playground, add_export,
+                         add_diff, add_validate, add_catalog, add_replay, add_trust, add_new})
+    add(app, chosen);
   const std::span words(argv, static_cast<std::size_t>(argc));
   try {
     if (const std::string problem = empty_text(words); !problem.empty())
-      return refuse(app, words, problem);
+      return say_wrong(app, words, problem);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }
   model::weapon::kept_zones().take(launch_zones());
-  if (app.got_subcommand("fly"))
-    return fly(c.fly);
-  if (app.got_subcommand("explain"))
-    return explain(c.explain);
-  if (app.got_subcommand("whatif"))
-    return what_if(c.what_if);
-  if (app.got_subcommand("debrief"))
-    return debrief_page(c.debrief);
-  if (app.got_subcommand("playground"))
-    return playground(c.playground);
-  if (app.got_subcommand("export"))
-    return export_run(c.exported);
-  if (app.got_subcommand(diff_cmd))
-    return diff(c.left, c.right, c.replay.json, c.plugins);
-  if (app.got_subcommand(validate_cmd))
-    return validate(c.files, c.plugins, c.includes);
-  if (app.got_subcommand(replay_cmd))
-    return replay(c.replay);
-  if (app.got_subcommand("trust"))
-    return trust(c.trust);
-  if (app.got_subcommand(new_cmd))
-    return new_behavior(c.name);
-  return catalog(c.json_schema ? CatalogFormat::json_schema
-                 : c.markdown  ? CatalogFormat::markdown
-                               : CatalogFormat::text,
-                 c.plugins);
+  return chosen();
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 #include <system_error>
 #include <vector>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "disk/failure.hpp"
 #include "disk/output.hpp"
 #include "disk/read_file.hpp"
-#include "interrupt.hpp"
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/plugins.hpp"
@@ -128,28 +128,17 @@ std::map<std::string, std::string> renamed(const fs::path& from, const std::stri
 
 }  // namespace
 
-int new_behavior(const std::string& name) {
-  if (const std::string problem = name_problem(name); !problem.empty()) {
-    complain("eyrie: {}\n", problem);
-    return 2;
-  }
-  const auto there = home_or_complain();
-  if (!there)
-    return 2;
-  const auto files = renamed(fs::path(*there) / "examples" / "plugin", name);
+int new_behavior(const NewOptions& options) {
+  const std::string& name = options.name;
+  if (const std::string problem = name_problem(name); !problem.empty())
+    refuse("eyrie: {}", problem);
+  const auto files = renamed(fs::path(home()) / "examples" / "plugin", name);
   std::vector<const char*> names;
   for (const auto& [file, text] : files)
     names.push_back(file.c_str());
   listen_for_interrupts();
   disk::OutputFolder folder({.path = name, .names = names});
-  for (const auto& [file, text] : files) {
-    disk::Sink sink = folder.file(file.c_str());
-    sink.write(text);
-    if (!sink.close())
-      throw disk::Failed(sink.error());
-  }
-  if (const std::string words = folder.commit(); !words.empty())
-    throw disk::Failed(words);
+  finish(folder, files);
   say("{}/: {}\n", name, fmt::format("{}", fmt::join(names, ", ")));
   if (package().empty())
     say("Say in {}/CMakeLists.txt where Eyrie is installed.\n", name);

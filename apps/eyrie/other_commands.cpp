@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-/// \file  validate and --version.
+/// \file  validate, catalog and --version.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "locate.hpp"
+#include "record/json_schema.hpp"
 #include "say.hpp"
+#include "scenario/catalog.hpp"
+#include "scenario/plugins.hpp"
 
 namespace eyrie::app {
 
@@ -43,17 +47,31 @@ std::string players_text(const scenario::Scenario& scenario) {
 
 }  // namespace
 
-int validate(const std::vector<std::string>& files, const std::vector<std::string>& plugins,
-             const std::vector<std::string>& includes) {
+int validate(const ValidateOptions& options) {
   int code = 0;
-  for (const std::string& file : files) {
-    if (const auto scenario = load_or_complain(file, {}, plugins, includes))
-      say("{}: {}, {}\n", scenario->file, players_text(*scenario),
-          counted(scenario->tree_count(), "tree"));
-    else
-      code = 2;
-  }
+  for (const std::string& file : options.files)
+    code = std::max(code, attempt([&] {
+                      const auto scenario =
+                          load_scenario(file, {}, options.plugins, options.includes);
+                      say("{}: {}, {}\n", scenario->file, players_text(*scenario),
+                          counted(scenario->tree_count(), "tree"));
+                      return 0;
+                    }));
   return code;
+}
+
+int catalog(const CatalogOptions& options) {
+  scenario::Source source = scenario::Source::disk(home());
+  scenario::Plugins plugins;
+  Diagnostics wrong;
+  scenario::load_plugins(options.plugins, plugins, source, wrong);
+  if (!wrong.ok())
+    throw ConfigError(wrong);
+  const scenario::Catalog all = scenario::make_catalog(source, plugins);
+  say("{}", lines(options.json_schema ? record::catalog_json_schema(all)
+                  : options.markdown  ? scenario::catalog_markdown(all)
+                                      : scenario::catalog_text(all)));
+  return 0;
 }
 
 }  // namespace eyrie::app

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "disk/failure.hpp"
 #include "disk/output.hpp"
 #include "disk/read_file.hpp"
-#include "interrupt.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "record/json_schema.hpp"
@@ -62,15 +62,14 @@ page::Part texts_of(const std::string& home) {
   const scenario::Plugins none;
   texts["schema"] = nlohmann::ordered_json::parse(
       record::catalog_json_schema(scenario::make_catalog(scenario::Source::disk(home), none)));
-  return page::part_of("texts", texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  return page::part_of("texts",
+                       texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace
 
 int playground(const PlaygroundOptions& options) {
-  const auto there = home_or_complain();
-  if (!there)
-    return 2;
+  const std::string there = home();
   listen_for_interrupts();
   disk::OutputFolder folder({.path = options.out,
                              .names = kNames,
@@ -80,19 +79,12 @@ int playground(const PlaygroundOptions& options) {
   const disk::FileRead shell = read_page(playground_file(), kNoPlayground);
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
-  const std::array parts{texts_of(*there), page::part_of("zones", launch_zones())};
+  const std::array parts{texts_of(there), page::part_of("zones", launch_zones())};
   const std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
     throw disk::Failed(
         fmt::format("{} is no playground of this version; build it again", playground_file()));
-  for (const auto& [name, text] : {std::pair{kPage, std::string_view(page)}, {kSign, kAbout}}) {
-    disk::Sink sink = folder.file(name);
-    sink.write(text);
-    if (!sink.close())
-      throw disk::Failed(sink.error());
-  }
-  if (const std::string words = folder.commit(); !words.empty())
-    throw disk::Failed(words);
+  finish(folder, {{kPage, page}, {kSign, std::string(kAbout)}});
   say("written to {}: open {}/{} in a browser, {:.1f} MB\n", folder.path(), folder.path(), kPage,
       static_cast<double>(page.size()) / 1e6);
   return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// \file  replay: a recorded run once more, with the plug-ins that it had.
+/// \file  replay: a recorded run once more, with the plug-ins that it had; diff: two of them.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -7,8 +7,11 @@
 
 #include "commands.hpp"
 #include "core/assert.hpp"
+#include "debrief/difference.hpp"
 #include "debrief/recorded.hpp"
+#include "locate.hpp"
 #include "record/json_text.hpp"
+#include "record/story.hpp"
 #include "report.hpp"
 #include "say.hpp"
 #include "scenario/fault_text.hpp"
@@ -16,21 +19,23 @@
 
 namespace eyrie::app {
 
-std::optional<debrief::Recorded> open_or_complain(const std::string& run,
-                                                  const std::vector<std::string>& plugins) {
-  debrief::Opened opened = debrief::open(run, plugins, version_text(), trusted());
-  for (const std::string& problem : opened.problems)
-    complain("{}\n", lines(problem));
-  return std::move(opened.recorded);
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parting_json(const std::optional<debrief::Parting>& parting) {
+  if (!parting)
+    return {};
+  return {{"time_s", parting->time}, {"step", parting->step}, {"text", parting->text}};
 }
 
+}  // namespace
+
 int replay(const ReplayOptions& options) {
-  const auto opened = open_or_complain(options.run, options.plugins);
-  if (!opened)
-    return 2;
-  const record::RunFile& recorded = opened->run;
-  const std::string& file = opened->file;
-  const auto& scenario = opened->scenario;
+  const debrief::Recorded opened = open_run(options.run, options.plugins);
+  const record::RunFile& recorded = opened.run;
+  const std::string& file = opened.file;
+  const auto& scenario = opened.scenario;
 
   sim::Run flight(scenario->simulation, scenario->world(recorded.seed),
                   {.workers = options.workers});
@@ -49,10 +54,10 @@ int replay(const ReplayOptions& options) {
 
   const auto& departure = checker.departure();
   if (options.json) {
-    nlohmann::ordered_json j{{"run", file},
-                             {"steps", flight.world().step()},
-                             {"hash", hash_text(flight.world().hash())},
-                             {"same", !departure}};
+    Json j{{"run", file},
+           {"steps", flight.world().step()},
+           {"hash", hash_text(flight.world().hash())},
+           {"same", !departure}};
     if (departure) {
       j["first_step"] = departure->step;
       j["reason"] = departure->reason;
@@ -70,6 +75,34 @@ int replay(const ReplayOptions& options) {
         hash_text(flight.world().hash()));
   }
   return departure ? 1 : 0;
+}
+
+int diff(const DiffOptions& options) {
+  const auto runs = open_runs(options.runs, options.plugins);
+  const debrief::Recorded &a = runs[0], &b = runs[1];
+  std::string problem;
+  const auto found = debrief::compare(a, b, problem);
+  if (!found)
+    refuse("{}", problem);
+  if (options.json) {
+    const Json j{{"left", a.file},
+                 {"right", b.file},
+                 {"same", found->same()},
+                 {"steps", found->steps},
+                 {"world", parting_json(found->world)},
+                 {"action", parting_json(found->action)},
+                 {"event", parting_json(found->event)}};
+    say("{}", Composed{record::json_lines(j)});
+    return found->same() ? 0 : 1;
+  }
+  if (found->same())
+    say("the same, {} steps\n", found->steps);
+  for (const auto& [name, place] :
+       {std::pair("world", &found->world), std::pair("action", &found->action),
+        std::pair("event", &found->event)})
+    if (*place)
+      say("{:<7} {:>8}  {}\n", name, record::clock_text((*place)->time), (*place)->text);
+  return found->same() ? 0 : 1;
 }
 
 }  // namespace eyrie::app

@@ -5,6 +5,7 @@
 /// together of such texts already, with our own colors and line ends, is Composed.
 #include <fmt/format.h>
 
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -59,6 +60,17 @@ void say(Format<T...> format, const T&... values) {
 template <class... T>
 void complain(Format<T...> format, const T&... values) {
   detail::print_error(shown<T...>(format, values...));
+}
+
+/// The user's mistake, in words that are fit for a terminal: run_command() says them, with exit
+/// code 2.
+struct Mistake : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// Throws one.
+template <class... T>
+[[noreturn]] void refuse(Format<T...> format, const T&... values) {
+  throw Mistake(shown<T...>(format, values...));
 }
 
 /// Writes what standard output still holds back. 0, or the errno for which something of it is lost.

@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
-#include "interrupt.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/sha256.hpp"
@@ -62,11 +62,6 @@ class OneAtATime {
   int folder_ = -1;
 };
 
-int refuse_trust(std::string_view words) {
-  complain("eyrie: {}\n", lines(words));
-  return 2;
-}
-
 std::string canonical(const std::string& path) {
   std::error_code failed;
   const fs::path file = fs::weakly_canonical(fs::absolute(path, failed), failed);
@@ -74,7 +69,7 @@ std::string canonical(const std::string& path) {
 }
 
 /// All of them or none.
-int add(TrustList& list, const std::vector<std::string>& paths) {
+void add(TrustList& list, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string file = canonical(path);
     const scenario::FileBytes read = scenario::read_plugin_file(file);
@@ -83,26 +78,24 @@ int add(TrustList& list, const std::vector<std::string>& paths) {
     if (problem.empty() && file.find_first_of("\n\r") != file.npos)
       problem = "its path holds a line break";
     if (!problem.empty())
-      return refuse_trust(fmt::format("trust {}: {}", scenario::shell_word(path), problem));
+      refuse("eyrie: trust {}: {}", scenario::shell_word(path), problem);
     list.add({scenario::sha256(read.bytes), file});
   }
-  return 0;
 }
 
-int remove(TrustList& list, const std::vector<std::string>& paths) {
+void remove(TrustList& list, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     std::vector<std::string> known;
     for (const TrustList::Entry& entry : list.entries())
       known.push_back(entry.path);
     const std::string file = canonical(path);
     if (!list.remove(file))
-      return refuse_trust(fmt::format("trust --remove {}: it is not trusted{}",
-                                      scenario::shell_word(path), did_you_mean(file, known)));
+      refuse("eyrie: trust --remove {}: it is not trusted{}", scenario::shell_word(path),
+             did_you_mean(file, known));
   }
-  return 0;
 }
 
-int show(const TrustList& list) {
+void show(const TrustList& list) {
   for (const TrustList::Entry& entry : list.entries()) {
     const scenario::FileBytes read = scenario::read_plugin_file(entry.path);
     const char* now = !read.problem.empty()                          ? "  (cannot be read now)"
@@ -110,7 +103,6 @@ int show(const TrustList& list) {
                                                                      : "";
     say("{}  {}{}\n", entry.sha256, scenario::shell_word(entry.path), now);
   }
-  return 0;
 }
 
 }  // namespace
@@ -131,20 +123,17 @@ scenario::PluginPermission trusted() {
 int trust(const TrustOptions& options) {
   const std::string file = list_file();
   if (file.empty())
-    return refuse_trust("neither XDG_CONFIG_HOME nor HOME is an absolute path: there is no list");
-  try {
-    if (options.list)
-      return show(TrustList::read(file));
-    const OneAtATime lock(file);
-    TrustList list = TrustList::read(file);
-    if (const int code =
-            options.remove.empty() ? add(list, options.add) : remove(list, options.remove))
-      return code;
-    listen_for_interrupts();
-    list.write(file);
-  } catch (const ConfigError& e) {
-    return refuse_trust(e.diagnostics().text());
+    refuse("eyrie: neither XDG_CONFIG_HOME nor HOME is an absolute path: there is no list");
+  if (options.list) {
+    show(TrustList::read(file));
+    return 0;
   }
+  const OneAtATime lock(file);
+  TrustList list = TrustList::read(file);
+  remove(list, options.remove);
+  add(list, options.add);
+  listen_for_interrupts();
+  list.write(file);
   for (const std::string& path : options.add)
     say("trusted: {}\n", scenario::shell_word(canonical(path)));
   for (const std::string& path : options.remove)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// \file  whatif: another tree or parameter for a recorded run; diff: two recorded runs.
+/// \file  whatif: another tree or parameter for a recorded run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "debrief/difference.hpp"
 #include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
+#include "locate.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
@@ -121,12 +121,6 @@ Json over_seeds(const debrief::Recorded& recorded,
   return {{"seeds", seeds}, {"figures", all}};
 }
 
-Json parting_json(const std::optional<debrief::Parting>& parting) {
-  if (!parting)
-    return {};
-  return {{"time_s", parting->time}, {"step", parting->step}, {"text", parting->text}};
-}
-
 /// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".
 std::string_view part_of(std::string_view set) {
   return set.substr(0, set.find_first_of(".="));
@@ -156,42 +150,27 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
 }  // namespace
 
 int what_if(const WhatIfOptions& options) {
-  const auto from = options.at.empty() ? std::optional(0.0) : time_of(options.at);
-  if (!from) {
-    complain("--at {}: expected a time such as 312.4, '5 min' or 5:12.4\n", quote(options.at));
-    return 2;
-  }
-  const auto recorded = open_or_complain(options.run, options.plugins);
-  if (!recorded)
-    return 2;
-  const auto who = player_or_complain(recorded->scenario->roster, options.player);
-  if (!who)
-    return 2;
-  std::shared_ptr<const scenario::Scenario> other;
-  bool asks_trees = true;
-  try {
-    Diagnostics wrong;
-    auto overrides = debrief::read_overrides(*recorded->scenario, *who, options.sets, wrong);
-    check_parts(overrides.sets, options, wrong);
-    asks_trees = overrides.sets.empty() || !overrides.changes.empty() ||
-                 std::any_of(overrides.sets.begin(), overrides.sets.end(),
-                             [](const std::string& set) { return part_of(set) == "trees"; });
-    if (!wrong.ok())
-      throw ConfigError(wrong);
-    other = debrief::with_overrides(*recorded, overrides.sets, std::move(overrides.changes));
-  } catch (const ConfigError& e) {
-    complain("{}\n", lines(e.diagnostics().text()));
-    return 2;
-  }
-  if (asks_trees && other->tree_count() != recorded->scenario->tree_count()) {
-    complain("the change adds or removes a tree; change one that is there\n");
-    return 2;
-  }
+  const double from = options.at.empty() ? 0 : time_named("--at", options.at);
+  const debrief::Recorded recorded = open_run(options.run, options.plugins);
+  const PlayerId who = player_named(recorded.scenario->roster, options.player);
+  Diagnostics wrong;
+  auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
+  check_parts(overrides.sets, options, wrong);
+  const bool asks_trees =
+      overrides.sets.empty() || !overrides.changes.empty() ||
+      std::any_of(overrides.sets.begin(), overrides.sets.end(),
+                  [](const std::string& set) { return part_of(set) == "trees"; });
+  if (!wrong.ok())
+    throw ConfigError(wrong);
+  const auto other =
+      debrief::with_overrides(recorded, overrides.sets, std::move(overrides.changes));
+  if (asks_trees && other->tree_count() != recorded.scenario->tree_count())
+    refuse("the change adds or removes a tree; change one that is there");
 
   debrief::WhatIf result;
-  Json json{{"run", recorded->file}, {"player", options.player}};
+  Json json{{"run", recorded.file}, {"player", options.player}};
   if (asks_trees) {
-    result = debrief::what_if(*recorded, *other, *who, *from);
+    result = debrief::what_if(recorded, *other, who, from);
     json["decisions"] = result.decisions;
     json["different"] = result.different;
     if (result.first)
@@ -210,17 +189,15 @@ int what_if(const WhatIfOptions& options) {
   std::optional<debrief::Outcome> flown;
   std::optional<double> until;
   if (options.branch || options.seeds > 0) {
-    flown = debrief::outcome_of(*recorded);
-    until = debrief::limit_of(*recorded, *flown);
+    flown = debrief::outcome_of(recorded);
+    until = debrief::limit_of(recorded, *flown);
   }
   if (options.branch && result.first) {
     std::string problem;
     const auto branched = debrief::branch(
-        *recorded, other, debrief::past_at(*recorded, result.first->step), until, problem);
-    if (!branched) {
-      complain("--branch: {}\n", problem);
-      return 2;
-    }
+        recorded, other, debrief::past_at(recorded, result.first->step), until, problem);
+    if (!branched)
+      refuse("--branch: {}", problem);
     const debrief::Outcome ended = branched->fly();
     json["branch"] = {{"flown", outcome_json(*flown)}, {"other", outcome_json(ended)}};
     if (!options.json) {
@@ -230,43 +207,10 @@ int what_if(const WhatIfOptions& options) {
     }
   }
   if (options.seeds > 0)
-    json["over_seeds"] = over_seeds(*recorded, other, options.seeds, until, options.json);
+    json["over_seeds"] = over_seeds(recorded, other, options.seeds, until, options.json);
   if (options.json)
     say("{}", Composed{record::json_lines(json)});
   return 0;
-}
-
-int diff(const std::string& left, const std::string& right, bool json,
-         const std::vector<std::string>& plugins) {
-  const auto a = open_or_complain(left, plugins);
-  const auto b = open_or_complain(right, plugins);
-  if (!a || !b)
-    return 2;
-  std::string problem;
-  const auto found = debrief::compare(*a, *b, problem);
-  if (!found) {
-    complain("{}\n", problem);
-    return 2;
-  }
-  if (json) {
-    const Json j{{"left", a->file},
-                 {"right", b->file},
-                 {"same", found->same()},
-                 {"steps", found->steps},
-                 {"world", parting_json(found->world)},
-                 {"action", parting_json(found->action)},
-                 {"event", parting_json(found->event)}};
-    say("{}", Composed{record::json_lines(j)});
-    return found->same() ? 0 : 1;
-  }
-  if (found->same())
-    say("the same, {} steps\n", found->steps);
-  for (const auto& [name, place] :
-       {std::pair("world", &found->world), std::pair("action", &found->action),
-        std::pair("event", &found->event)})
-    if (*place)
-      say("{:<7} {:>8}  {}\n", name, record::clock_text((*place)->time), (*place)->text);
-  return found->same() ? 0 : 1;
 }
 
 }  // namespace eyrie::app
