@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/printable.hpp"
-#include "debrief/report.hpp"
+#include "debrief/decision.hpp"
 #include "fuzz/memory_file.hpp"
 #include "record/csv.hpp"
 

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -29,7 +28,7 @@ constexpr const char* kFile = "scenarios/fuzzed.yaml";
 constexpr const char* kPackage = "scenarios/packages/pilots.yaml";
 constexpr std::string_view kSet = "#set ";
 
-std::shared_ptr<const std::map<std::string, std::string>> g_files;
+std::map<std::string, std::string> g_files;
 
 void demand(bool condition) {
   if (!condition)
@@ -84,13 +83,13 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
     std::exit(2);
   }
   files[kPackage] = without_comments(*package);
-  g_files = std::make_shared<const std::map<std::string, std::string>>(std::move(files));
+  g_files = std::move(files);
   return 0;
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  scenario::Source source = scenario::Source::shared(g_files);
+  scenario::Source source = scenario::Source::bundle(g_files);
   source.add(kFile, text);
   try {
     const auto loaded = scenario::load({kFile, sets_in(text)}, std::move(source));

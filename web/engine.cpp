@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/version.hpp"
-#include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "page/page_data.hpp"

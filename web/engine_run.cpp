@@ -4,7 +4,6 @@
 #include <cstring>
 #include <utility>
 
-#include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
 #include "page/page_data.hpp"
 #include "web/engine.hpp"

@@ -14,7 +14,6 @@
 #include <system_error>
 
 #include "core/diagnostics.hpp"
-#include "disk/failure.hpp"
 #include "disk/file_system.hpp"
 #include "disk/temporary.hpp"
 #include "say.hpp"

@@ -11,7 +11,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "disk/failure.hpp"
+#include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"

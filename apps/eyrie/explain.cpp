@@ -13,7 +13,6 @@
 #include "core/units.hpp"
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
-#include "debrief/report.hpp"
 #include "locate.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"

@@ -7,7 +7,6 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "debrief/decision.hpp"
-#include "debrief/report.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "record/paths.hpp"

@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "disk/failure.hpp"
+#include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "record/acmi.hpp"
@@ -20,7 +20,7 @@
 #include "report.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
-#include "scenario/fault_text.hpp"
+#include "scenario/mission.hpp"
 
 namespace eyrie::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "debrief/recorded.hpp"
-#include "disk/read_file.hpp"
+#include "disk/sink.hpp"
 #include "scenario/scenario.hpp"
 
 namespace eyrie::app {

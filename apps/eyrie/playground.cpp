@@ -11,9 +11,9 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "disk/failure.hpp"
+#include "disk/file_system.hpp"
 #include "disk/output.hpp"
-#include "disk/read_file.hpp"
+#include "disk/sink.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "record/json_schema.hpp"

@@ -14,7 +14,7 @@
 #include "record/story.hpp"
 #include "report.hpp"
 #include "say.hpp"
-#include "scenario/fault_text.hpp"
+#include "scenario/mission.hpp"
 #include "sim/trail.hpp"
 
 namespace eyrie::app {

@@ -8,7 +8,7 @@
 
 #include "core/units.hpp"
 #include "record/json_text.hpp"
-#include "scenario/fault_text.hpp"
+#include "scenario/mission.hpp"
 
 namespace eyrie::app {
 using model::Side;

@@ -18,8 +18,6 @@
 #include "core/diagnostics.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
-#include "scenario/sha256.hpp"
-#include "scenario/shared_object.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -72,7 +70,7 @@ std::string canonical(const std::string& path) {
 void add(TrustList& list, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string file = canonical(path);
-    const scenario::FileBytes read = scenario::read_plugin_file(file);
+    const disk::FileRead read = scenario::read_plugin_file(file);
     std::string problem =
         read.problem.empty() ? scenario::shared_object_problem(read.bytes) : read.problem;
     if (problem.empty() && file.find_first_of("\n\r") != file.npos)
@@ -97,7 +95,7 @@ void remove(TrustList& list, const std::vector<std::string>& paths) {
 
 void show(const TrustList& list) {
   for (const TrustList::Entry& entry : list.entries()) {
-    const scenario::FileBytes read = scenario::read_plugin_file(entry.path);
+    const disk::FileRead read = scenario::read_plugin_file(entry.path);
     const char* now = !read.problem.empty()                          ? "  (cannot be read now)"
                       : scenario::sha256(read.bytes) != entry.sha256 ? "  (has changed)"
                                                                      : "";

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "debrief/node_sets.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
 #include "record/json_text.hpp"

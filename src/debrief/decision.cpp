@@ -2,6 +2,15 @@
 #include "debrief/decision.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/printable.hpp"
+#include "record/csv.hpp"
+#include "record/json_text.hpp"
+#include "record/story.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -99,6 +108,263 @@ ubf::NodeIndex Explainer::leader(const sim::World& world, PlayerId who) const {
 std::string Explainer::leader_label(const sim::World& world, PlayerId who) const {
   const auto found = scenario_.find(world, who);
   return found ? found->fleet.leader(world, found->row) : "nobody";
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kWidth = 100;
+
+/// With every text in it fit for a terminal: labels and names come from files and plug-ins.
+Decision printable_copy(Decision d) {
+  const auto make = [](std::string& text) { text = printable(text); };
+  const auto make_value = [&](Value& value) {
+    for (std::string* text : {&value.name, &value.unit, &value.text})
+      make(*text);
+  };
+  const auto make_values = [&](std::vector<Value>& values) {
+    for (Value& value : values)
+      make_value(value);
+  };
+  make(d.tree);
+  for (Answer& answer : d.nodes) {
+    for (std::string* text : {&answer.label, &answer.type, &answer.path, &answer.why})
+      make(*text);
+    make_values(answer.action);
+  }
+  for (Won& won : d.action) {
+    make_value(won.value);
+    for (Rival& rival : won.rivals)
+      make_value(rival.value);
+  }
+  make_values(d.state);
+  for (Perceived& one : d.perceived) {
+    make(one.kind);
+    make(one.name);
+    make_values(one.values);
+  }
+  return d;
+}
+
+std::string joined(const std::vector<Value>& values) {
+  std::vector<std::string> words;
+  for (const Value& value : values)
+    words.push_back(value.name + " " + value.text);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Breaks after commas so that no line is longer than kWidth; further lines are indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::string out(indent, ' ');
+  std::size_t column = indent, begin = 0;
+  while (begin < text.size()) {
+    const std::size_t comma = text.find(", ", begin);
+    const std::size_t end = comma == std::string::npos ? text.size() : comma + 2;
+    const std::size_t wide = columns(std::string_view(text).substr(begin, end - begin));
+    if (column + wide > kWidth && column > indent) {
+      out.erase(out.find_last_not_of(' ') + 1);
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    }
+    out.append(text, begin, end - begin);
+    column += wide;
+    begin = end;
+  }
+  return out + "\n";
+}
+
+bool leads(const Decision& d, std::size_t node) {
+  for (ubf::NodeIndex n = d.leader; n != ubf::kNone; n = d.nodes[n].parent)
+    if (n == node)
+      return true;
+  return false;
+}
+
+void tree_text(const Decision& d, std::string& text) {
+  std::size_t width = 0;
+  for (const Answer& answer : d.nodes)
+    if (answer.parent == ubf::kNone || d.nodes[answer.parent].asked)
+      width = std::max(width, 2u * answer.depth + columns(answer.label));
+  width = std::min<std::size_t>(width, 48);
+  for (std::size_t i = 0; i < d.nodes.size(); ++i) {
+    const Answer& answer = d.nodes[i];
+    const bool hidden = answer.parent != ubf::kNone && !d.nodes[answer.parent].asked;
+    if (hidden)  // below what was not asked nothing was
+      continue;
+    const std::string name = std::string(2u * answer.depth, ' ') + answer.label;
+    // what a composite hands on is what some leaf below it said
+    const std::string said =
+        answer.is_leaf && !answer.action.empty() ? ": " + joined(answer.action) : "";
+    fmt::format_to(std::back_inserter(text), "{} {:<{}}  {}{}\n", leads(d, i) ? '>' : ' ', name,
+                   width, words(answer), said);
+  }
+}
+
+void action_text(const Decision& d, std::string& text) {
+  for (const Won& won : d.action) {
+    std::string rivals;
+    for (const Rival& rival : won.rivals)
+      rivals += fmt::format("{}{} {}", rivals.empty() ? " (" : ", ", d.nodes[rival.node].label,
+                            rival.value.text);
+    fmt::format_to(std::back_inserter(text), "  {:<12} {:<14} {:<16} {}{}\n", won.value.name,
+                   won.value.text, label_of(d, won.winner), reason(won),
+                   rivals.empty() ? "" : rivals + ")");
+  }
+}
+
+Json value_json(const Value& value) {
+  Json j{{"name", value.name}, {"text", value.text}};
+  if (value.number)
+    j["value"] = *value.number;
+  if (!value.unit.empty())
+    j["unit"] = value.unit;
+  return j;
+}
+Json values_json(const std::vector<Value>& values) {
+  Json all = Json::array();
+  for (const Value& value : values)
+    all.push_back(value_json(value));
+  return all;
+}
+
+Json answer_json(const Answer& answer) {
+  Json j{{"path", answer.path},
+         {"label", answer.label},
+         {"type", answer.type},
+         {"depth", answer.depth},
+         {"asked", answer.asked}};
+  if (!answer.asked)
+    return j;
+  j["status"] = ubf::to_text(answer.status);
+  j["vote"] = answer.vote;
+  if (!answer.why.empty())
+    j["why"] = answer.why;
+  if (answer.halts > 0)
+    j["halts"] = answer.halts;
+  j["action"] = values_json(answer.action);
+  return j;
+}
+
+Json won_json(const Decision& d, const Won& won) {
+  Json j = value_json(won.value);
+  j["winner"] = won.winner == ubf::kNone ? Json() : Json(d.nodes[won.winner].path);
+  j["reason"] = reason(won);
+  j["rivals"] = Json::array();
+  for (const Rival& rival : won.rivals)
+    j["rivals"].push_back({{"node", d.nodes[rival.node].path},
+                           {"value", value_json(rival.value)},
+                           {"vote", rival.vote},
+                           {"against", rival.against}});
+  return j;
+}
+
+Json decision_json(const Decision& d, const scenario::Roster& roster) {
+  Json j{{"time_s", d.time},
+         {"step", d.step},
+         {"player", roster.name(d.player)},
+         {"tree", d.tree},
+         {"status", ubf::to_text(d.status)},
+         {"vote", d.vote},
+         {"leader", d.leader == ubf::kNone ? Json() : Json(d.nodes[d.leader].path)}};
+  j["action"] = Json::array();
+  for (const Won& won : d.action)
+    j["action"].push_back(won_json(d, won));
+  j["nodes"] = Json::array();
+  for (const Answer& answer : d.nodes)
+    j["nodes"].push_back(answer_json(answer));
+  j["state"] = values_json(d.state);
+  j["perceived"] = Json::array();
+  for (const Perceived& one : d.perceived)
+    j["perceived"].push_back(
+        {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}});
+  return j;
+}
+
+}  // namespace
+
+std::string label_of(const Decision& decision, ubf::NodeIndex node) {
+  return node < decision.nodes.size() ? decision.nodes[node].label : "nobody";
+}
+
+std::string branch_of(const Decision& decision, ubf::NodeIndex node) {
+  if (node >= decision.nodes.size() || decision.nodes[node].parent == ubf::kNone)
+    return label_of(decision, node);
+  return label_of(decision, decision.nodes[node].parent) + "/" + label_of(decision, node);
+}
+
+std::string decision_text(const Decision& decision, const scenario::Roster& roster) {
+  const Decision d = printable_copy(decision);
+  std::string text = fmt::format("{} at {} (step {}), by tree {}: {} leads with {:g}\n\nsees\n",
+                                 printable(roster.name(d.player)), record::clock_text(d.time),
+                                 d.step, d.tree, label_of(d, d.leader), d.vote);
+  text += wrapped(joined(d.state), 2);
+  for (const Perceived& one : d.perceived)
+    text += wrapped(fmt::format("{} {}: {}", one.kind, one.name, joined(one.values)), 2);
+  text += "\ntree\n";
+  tree_text(d, text);
+  text += "\naction\n";
+  action_text(d, text);
+  return text;
+}
+
+std::string decision_line(const Decision& decision) {
+  const Decision d = printable_copy(decision);
+  std::vector<Value> values;
+  for (const Won& won : d.action)
+    values.push_back(won.value);
+  return fmt::format("{:>8}  {:<16} {:>5g}  {}\n", record::clock_text(d.time),
+                     label_of(d, d.leader), d.vote, joined(values));
+}
+
+std::string decisions_json(std::span<const Decision> decisions, const scenario::Roster& roster) {
+  Json all = Json::array();
+  for (const Decision& d : decisions)
+    all.push_back(decision_json(d, roster));
+  return record::json_lines(all);
+}
+
+std::string decisions_csv(std::span<const Decision> decisions, const scenario::Roster& roster) {
+  std::string text = "time_s,step,player,tree,node,status,vote,field,value,unit,won\n";
+  const auto to = std::back_inserter(text);
+  for (const Decision& d : decisions)
+    for (std::size_t i = 0; i < d.nodes.size(); ++i) {
+      const Answer& node = d.nodes[i];
+      if (!node.asked)
+        continue;
+      const std::string who =
+          fmt::format("{:.3f},{},{},{},{},{},{:g}", d.time, d.step,
+                      record::csv_text(roster.name(d.player)), record::csv_text(d.tree),
+                      record::csv_text(node.path), ubf::to_text(node.status), node.vote);
+      if (node.action.empty())
+        fmt::format_to(to, "{},,,,\n", who);
+      for (const Value& value : node.action) {
+        const bool won = std::any_of(d.action.begin(), d.action.end(), [&](const Won& w) {
+          return w.value.name == value.name && w.winner == i;
+        });
+        const std::string shown = value.number        ? fmt::format("{}", *value.number)
+                                  : value.text == "-" ? ""  // no value
+                                                      : record::csv_quoted(value.text);
+        fmt::format_to(to, "{},{},{},{},{}\n", who, record::csv_text(value.name), shown,
+                       record::csv_text(value.unit), won ? 1 : 0);
+      }
+    }
+  return text;
+}
+
+std::string change_text(const Change& change) {
+  return fmt::format("{:>8}  {:<16} -> {:<16} {}\n", record::clock_text(change.now.time),
+                     printable(change.from), printable(change.to), printable(change.why));
+}
+
+std::string changes_json(std::span<const Change> changes, const scenario::Roster& roster) {
+  Json all = Json::array();
+  for (const Change& change : changes) {
+    Json j{{"from", change.from}, {"to", change.to}, {"why", change.why}};
+    j["decision"] = decision_json(change.now, roster);
+    all.push_back(std::move(j));
+  }
+  return record::json_lines(all);
 }
 
 }  // namespace eyrie::debrief

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "debrief/report.hpp"
-
 namespace eyrie::debrief {
 namespace {
 

@@ -29,7 +29,7 @@ std::string plugin_problem(const scenario::PluginFile& plugin, const std::string
         "the run needs the plug-in {}, which is not there; --plugin says where it "
         "is now",
         shown);
-  const scenario::FileBytes read = scenario::read_plugin_file(file);
+  const disk::FileRead read = scenario::read_plugin_file(file);
   if (!read.problem.empty())
     return fmt::format("the run needs the plug-in {}: {}", shown, read.problem);
   if (unasked)

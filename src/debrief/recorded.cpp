@@ -9,7 +9,7 @@
 #include "core/assert.hpp"
 #include "core/printable.hpp"
 
-#include "scenario/fault_text.hpp"
+#include "scenario/mission.hpp"
 
 namespace eyrie::debrief {
 namespace {

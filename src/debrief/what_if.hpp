@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnostics.hpp"
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "record/story.hpp"
 #include "scenario/mission.hpp"
+#include "scenario/scenario.hpp"
 
 namespace eyrie::debrief {
 
@@ -93,5 +95,20 @@ class Branch {
 /// A whole flight of a scenario; `until` as for branch().
 [[nodiscard]] Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario,
                                  std::uint64_t seed, std::optional<double> until);
+
+// Overrides by the path of a node: `root/bvr=fusion`, `root/bvr/pursue.vote=70`.
+
+/// Overrides of the scenario's file and of nodes, told apart.
+struct Overrides {
+  std::vector<std::string> sets;
+  std::vector<scenario::TreeChange> changes;
+};
+
+/// A path as `explain` writes it, of the tree that the player begins with, or of another one as
+/// `patrol:root/bvr`. Before `=` stands the node, for another type, or the node, a point and a
+/// parameter. Everything else is an override of the file. Mistakes stand in "--set <text>".
+[[nodiscard]] Overrides read_overrides(const scenario::Scenario& scenario, PlayerId who,
+                                       const std::vector<std::string>& texts,
+                                       Diagnostics& diagnostics);
 
 }  // namespace eyrie::debrief

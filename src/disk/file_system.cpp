@@ -3,6 +3,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -12,6 +13,8 @@
 #include <new>
 #include <string_view>
 #include <system_error>
+
+#include "core/diagnostics.hpp"
 
 namespace eyrie::disk {
 namespace {
@@ -121,6 +124,18 @@ const char* kind_text(mode_t mode) {
 
 std::string words_of(int error) {
   return std::generic_category().message(error);
+}
+
+std::string quoted(const std::string& path) {
+  return quote_path(path);
+}
+
+void cannot_make(const std::string& path, int error) {
+  const std::string words = fmt::format("cannot make {}: {}", quoted(path), words_of(error));
+  if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || error == ELOOP ||
+      error == EINVAL)
+    throw Refused(words);
+  throw Failed(words);
 }
 
 }  // namespace eyrie::disk

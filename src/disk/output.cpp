@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "disk/failure.hpp"
+#include "disk/file_system.hpp"
 #include "disk/temporary.hpp"
 
 namespace eyrie::disk {
 namespace {
 
 /// What stands there, if it may be replaced.
-std::optional<struct stat> replaceable(const Place& place, bool replace) {
+std::optional<struct stat> replaceable(const Destination& place, bool replace) {
   const auto found = place.look();
   if (found && !S_ISREG(found->st_mode))
     throw Refused(fmt::format("{} is {}; only files are replaced", quoted(place.path()),

@@ -22,7 +22,7 @@ class OutputFile {
   void commit();
 
  private:
-  Place place_;
+  Destination place_;
   bool replace_;
   mode_t mode_;
   std::optional<struct stat> before_;
@@ -75,7 +75,7 @@ class OutputFolder {
   [[nodiscard]] std::string drop_old(const std::string& name);
 
   FolderWish wish_;
-  Place place_;
+  Destination place_;
   std::string path_;
   std::optional<Old> old_;
   bool spared_ = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  A file that remembers whether everything was written.
+/// \file  Files written and read: one that remembers whether everything was written, and a whole
+/// one of a stranger.
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -47,5 +49,16 @@ class Sink {
   int file_ = -1;
   bool borrowed_ = false;
 };
+
+/// The bytes, or why there are none: `problem` is "" exactly if they are there.
+struct FileRead {
+  std::string bytes{}, problem{};
+  bool missing = false;  ///< there is nothing of that name
+};
+
+/// Nothing is read that is no regular file (a device, a pipe, a folder) or larger than `limit`
+/// bytes; nothing is waited for. The problem is words to stand behind "file: ", such as "is a
+/// folder, not a file".
+[[nodiscard]] FileRead read_file(const std::string& path, std::size_t limit);
 
 }  // namespace eyrie::disk

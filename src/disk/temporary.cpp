@@ -12,11 +12,62 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 #include <vector>
 
-#include "disk/failure.hpp"
+#include "disk/file_system.hpp"
 
 namespace eyrie::disk {
+
+Destination::Destination(std::string path, Parents parents) : path_(std::move(path)) {
+  while (path_.size() > 1 && path_.back() == '/')
+    path_.pop_back();
+  const std::size_t slash = path_.rfind('/');
+  before_ = slash == path_.npos ? "" : path_.substr(0, slash + 1);
+  name_ = path_.substr(before_.size());
+  if (name_.empty() || name_ == "." || name_ == "..")
+    throw Refused(
+        fmt::format("{} is no place to write to: name something of its own", quoted(path_)));
+  if (parents == Parents::are_made)
+    make_parents();
+  folder_ = Handle(
+      files().open(AT_FDCWD, before_.empty() ? "." : before_.c_str(), O_RDONLY | O_DIRECTORY, 0));
+  if (folder_)
+    return;
+  const int error = errno;
+  if (error == ENOENT)
+    throw Refused(fmt::format("cannot make {}: there is no folder {}", quoted(path_),
+                              quoted(before_.substr(0, before_.size() - 1))));
+  cannot_make(path_, error);
+}
+
+void Destination::make_parents() {
+  for (std::size_t at = before_.find('/', 1); at != before_.npos; at = before_.find('/', at + 1)) {
+    // noted first: there may be no memory for it afterwards
+    made_.folders.push_back(before_.substr(0, at));
+    if (files().make_folder(AT_FDCWD, made_.folders.back().c_str(), 0777) == 0)
+      continue;
+    const int error = errno;
+    made_.folders.pop_back();
+    if (error != EEXIST)
+      cannot_make(path_, error);
+  }
+}
+
+Destination::Made::~Made() {
+  for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+    files().remove(AT_FDCWD, folder->c_str(), AT_REMOVEDIR);
+}
+
+std::optional<struct stat> Destination::look(const std::string& name) const {
+  struct stat found {};
+  if (files().status(folder(), name.c_str(), found, AT_SYMLINK_NOFOLLOW) == 0)
+    return found;
+  if (errno != ENOENT)
+    cannot_make(beside(name), errno);
+  return std::nullopt;
+}
+
 namespace {
 
 constexpr std::string_view kPrefix = ".eyrie-part-";
@@ -56,7 +107,7 @@ bool is_temporary(std::string_view name) {
          name.find_first_not_of("0123456789abcdef", kPrefix.size()) == name.npos;
 }
 
-Temporary::Temporary(const Place& place, EntryKind kind, Names names)
+Temporary::Temporary(const Destination& place, EntryKind kind, Names names)
     : place_(place), names_(names), kind_(kind) {
   for (std::size_t i = 0; i < slots.size() && slot_ < 0; ++i)
     if (!slots[i].used) {
@@ -141,7 +192,7 @@ bool remove_folder(int parent, const std::string& name, int folder, Names names)
   return files().remove(parent, name.c_str(), AT_REMOVEDIR) == 0 || errno == ENOENT;
 }
 
-void remove_abandoned(const Place& place, Names names) {
+void remove_abandoned(const Destination& place, Names names) {
   std::vector<std::string> all;
   files().list(place.folder(), all);
   for (const std::string& name : all) {

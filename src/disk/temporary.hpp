@@ -1,14 +1,54 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What is being written and is not in its place yet.
+/// \file  Where something is to be written, and what is being written and is not there yet.
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "disk/place.hpp"
+#include "disk/file_system.hpp"
 
 namespace eyrie::disk {
+
+enum class Parents { must_exist, are_made };
+
+/// A name in an open folder, so that the place stays the same whatever is renamed around it.
+class Destination {
+ public:
+  /// Throws Refused if the folder of `path` is not there or `path` ends in no name, such as "..".
+  Destination(std::string path, Parents parents);
+  Destination(const Destination&) = delete;
+  Destination& operator=(const Destination&) = delete;
+
+  /// As the user wrote it, without slashes at the end.
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] int folder() const { return folder_.get(); }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The path of another name in the same folder.
+  [[nodiscard]] std::string beside(const std::string& name) const { return before_ + name; }
+
+  /// What is there, not following a symbolic link; nothing if nothing is. Throws as cannot_make().
+  [[nodiscard]] std::optional<struct stat> look() const { return look(name_); }
+  [[nodiscard]] std::optional<struct stat> look(const std::string& name) const;
+
+ private:
+  /// Folders that go again if nothing is in them.
+  struct Made {
+    std::vector<std::string> folders;
+    ~Made();
+  };
+  void make_parents();
+
+  std::string path_, before_, name_;  // before_: "", or all up to the last slash and it
+  Made made_;
+  Handle folder_;
+};
+
+[[nodiscard]] inline bool same_inode(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
 
 /// Names of files that Eyrie writes into a folder; the texts live as long as the program.
 using Names = std::span<const char* const>;
@@ -21,7 +61,7 @@ enum class EntryKind { file, folder };
 class Temporary {
  public:
   /// `names` is what may be in a folder. Throws as cannot_make().
-  Temporary(const Place& place, EntryKind kind, Names names);
+  Temporary(const Destination& place, EntryKind kind, Names names);
   ~Temporary();
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
@@ -35,7 +75,7 @@ class Temporary {
  private:
   [[nodiscard]] bool make(mode_t mode);
 
-  const Place& place_;
+  const Destination& place_;
   Names names_;
   EntryKind kind_;
   std::string name_;
@@ -53,7 +93,7 @@ class Temporary {
 
 /// Removes what a program left in the folder of `place` that was killed: temporaries of this user
 /// that nobody holds and in which nothing is but `names`. Fails silently.
-void remove_abandoned(const Place& place, Names names);
+void remove_abandoned(const Destination& place, Names names);
 
 /// Removes the files with those names, and temporaries, from an open folder and then the folder
 /// `name` itself from its `parent`; false if something stays.

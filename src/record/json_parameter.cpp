@@ -7,7 +7,7 @@
 
 #include "core/bind.hpp"
 #include "core/units.hpp"
-#include "scenario/param_text.hpp"
+#include "scenario/catalog.hpp"
 
 namespace eyrie::record {
 namespace {

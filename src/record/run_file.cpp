@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "core/assert.hpp"
-#include "disk/read_file.hpp"
+#include "disk/sink.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -18,10 +18,6 @@ constexpr std::string_view kMagic = "EYRIERUN";
 constexpr std::uint32_t kByteOrder = 0x01020304;
 constexpr std::size_t kChecksum = sizeof(std::uint64_t);
 constexpr std::size_t kLargest = std::size_t{1} << 30;  // a day of a hundred players is 1 % of it
-
-std::uint64_t checksum(std::string_view bytes) {
-  return hash_bytes(std::as_bytes(std::span(bytes.data(), bytes.size())));
-}
 
 class Writer {
  public:
@@ -197,7 +193,7 @@ Decoded decode(std::string_view bytes) {
                         version, kRunFileVersion)};
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);
-  if (sum != checksum(bytes.substr(0, bytes.size() - kChecksum)))
+  if (sum != scenario::hash_of(bytes.substr(0, bytes.size() - kChecksum)))
     return {{}, "the run file is cut or corrupt: its checksum does not fit"};
 
   Decoded result;

@@ -9,9 +9,11 @@
 #include "model/events.hpp"
 #include "model/track.hpp"
 #include "model/weapon/missile.hpp"
+#include "model/events.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {
+using model::EventKind;
 
 namespace {
 

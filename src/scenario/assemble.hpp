@@ -7,12 +7,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/diagnostics.hpp"
+#include "core/value.hpp"
 #include "model/frames.hpp"
 #include "model/weapon/stores.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/spec.hpp"
 
 namespace eyrie::scenario {
 
@@ -49,5 +52,16 @@ struct VehicleStart {
 [[nodiscard]] std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                    std::span<const VehicleStart> vehicles,
                                    std::span<const std::unique_ptr<PlayerKind>> kinds = {});
+
+/// The point of the local frame `north` and `east` (m) of the reference point whose height above
+/// the ellipsoid is `altitude` (m). No libm: the same bits everywhere. What lies as far west
+/// instead of east gets the same bits, too.
+[[nodiscard]] Vec3 at_altitude(const Reference& reference, double north, double east,
+                               double altitude);
+
+/// Resolves a place. One that says neither or both ways, or half of one, is a mistake at `where`;
+/// so is a place more than 500 km from the reference point.
+[[nodiscard]] Vec3 resolve(const PlaceSpec& place, double altitude, const Reference& reference,
+                           const Location& where, Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

@@ -10,7 +10,6 @@
 
 #include "core/units.hpp"
 #include "scenario/catalog.hpp"
-#include "scenario/param_text.hpp"
 #include "ubf/spec.hpp"
 
 namespace eyrie::scenario {

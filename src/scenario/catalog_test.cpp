@@ -12,7 +12,6 @@
 
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
-#include "scenario/param_text.hpp"
 
 namespace eyrie::scenario {
 namespace {

@@ -18,7 +18,6 @@
 #include "scenario/document.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/mission.hpp"
-#include "scenario/place.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"

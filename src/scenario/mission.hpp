@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"
+#include "sim/event.hpp"
 #include "sim/run.hpp"
 
 namespace eyrie::scenario {
@@ -70,5 +72,12 @@ class Mission {
   bool any_home_ = false;
   Outcome outcome_ = Outcome::running;
 };
+
+/// "eagle1 at 12.3 s (step 615): root/pursue of tree 'pilot', from libmine.so, threw: no fuel"
+[[nodiscard]] std::string fault_text(const sim::Fault& fault, const Roster& roster, double dt);
+
+/// The fault of whoever ends the program in the middle of this thread's decision; its player is
+/// none if the thread makes no decision. `done` as of EndGuard.
+[[nodiscard]] sim::Fault fault_of_end(const std::string& done);
 
 }  // namespace eyrie::scenario

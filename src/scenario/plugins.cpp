@@ -4,9 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
+#include <utility>
 
+#include "core/hash.hpp"
+#include "disk/sink.hpp"
 #include "driver/catalog.hpp"
 #include "pilot/catalog.hpp"
+#include "scenario/plugin_file.hpp"
 
 namespace eyrie::scenario {
 
@@ -42,6 +48,40 @@ void load_plugins(const Value& key, const PluginPermission& permission, Plugins&
     load(key);
   else if (!key.is_null())
     diagnostics.error(key.where, "plugins: expected a file or a list of files, got " + key.shown());
+}
+
+disk::FileRead read_plugin_file(const std::string& path) {
+  disk::FileRead read = disk::read_file(path, kLargestPlugin);
+  if (!read.problem.empty() && !read.missing)
+    read.problem = "it " + read.problem;
+  return read;
+}
+
+std::uint64_t hash_of(std::string_view bytes) {
+  return hash_bytes(std::as_bytes(std::span(bytes.data(), bytes.size())));
+}
+
+std::string shell_word(std::string_view path) {
+  const auto plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("/._-+:@%=,").find(c) != std::string_view::npos;
+  };
+  const auto shown = [](char c) { return c >= ' ' && c <= '~'; };
+  if (!path.empty() && std::all_of(path.begin(), path.end(), plain))
+    return std::string(path);
+  const bool all_shown = std::all_of(path.begin(), path.end(), shown);
+  std::string word = all_shown ? "'" : "$'";
+  for (const char c : path) {
+    if (all_shown && c == '\'')
+      word += "'\\''";
+    else if (!all_shown && (c == '\'' || c == '\\'))
+      (word += '\\') += c;
+    else if (shown(c))
+      word += c;
+    else
+      fmt::format_to(std::back_inserter(word), "\\x{:02x}", static_cast<unsigned char>(c));
+  }
+  return word + "'";
 }
 
 }  // namespace eyrie::scenario

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Who is who in a scenario: names for reports, tables and recordings.
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +12,11 @@
 #include "core/diagnostics.hpp"
 #include "core/id.hpp"
 #include "model/fit.hpp"
+#include "model/kinematics.hpp"
+#include "model/library.hpp"
+#include "sim/world.hpp"
+#include "team/agents.hpp"
+#include "ubf/outline.hpp"
 
 namespace eyrie::scenario {
 
@@ -54,5 +61,69 @@ struct Roster {
 [[nodiscard]] constexpr std::string_view side_name(model::Side side) {
   return side == model::Side::blue ? "blue" : side == model::Side::red ? "red" : "none";
 }
+
+/// What a player shows besides its motion.
+struct Gauges {
+  std::optional<double> mach, load_factor;
+  std::optional<double> fuel;  ///< kg
+  PlayerId locked{};           ///< whom it attacks
+};
+
+/// How a flight or convoy stands: it has arrived when everybody stands and somebody is past the
+/// last point of the route.
+struct Standing {
+  std::uint32_t players = 0;
+  bool moving = false, at_the_end = false;
+};
+
+/// The players of one kind in a scenario, for who does not know the kind.
+class Fleet {
+ public:
+  struct Words {
+    std::string_view name;    ///< "vehicle": of the kind
+    std::string_view plural;  ///< "vehicles"
+    std::string_view group;   ///< "convoy"
+    std::string_view there;   ///< "on the ground": of who is still there at the end
+    std::string_view acmi;    ///< type in Tacview's files
+    bool comes_home = false;  ///< counted by who has come home at the end
+  };
+
+  explicit Fleet(const Words& its_words) : words(its_words) {}
+  virtual ~Fleet() = default;
+  Fleet(const Fleet&) = delete;
+  Fleet& operator=(const Fleet&) = delete;
+
+  const Words words;
+  std::vector<ubf::TreeOutline> trees;   ///< as its agents number them
+  const team::Agents* agents = nullptr;  ///< null if there are no such players
+  sim::Column<model::Fit> fit;
+  sim::Column<model::Kinematics> kinematics;
+
+  /// Live rows.
+  [[nodiscard]] std::uint32_t rows(const sim::World& world) const {
+    return agents ? world.rows(agents->table()) : 0;
+  }
+  [[nodiscard]] PlayerId id(const sim::World& world, std::size_t row) const {
+    return world.ids(agents->table())[row];
+  }
+  [[nodiscard]] std::optional<std::uint32_t> row(const sim::World& world, PlayerId who) const {
+    return agents ? world.row(agents->table(), who) : std::nullopt;
+  }
+  [[nodiscard]] const model::Kinematics& motion(const sim::World& world, std::size_t row) const {
+    return world.rows(kinematics)[row];
+  }
+  /// The label of who led the last decision; "nobody".
+  [[nodiscard]] std::string leader(const sim::World& world, std::size_t row) const {
+    const team::LastDecision last = agents->last_decision(world, row);
+    return last.tree < trees.size() ? trees[last.tree].label(last.node) : "nobody";
+  }
+  [[nodiscard]] virtual Gauges gauges(const sim::World&, std::size_t /*row*/) const { return {}; }
+  /// Adds who is there to how the flights stand; by flight.
+  virtual void count(const sim::World& world, const model::Library& /*library*/,
+                     std::span<Standing> standings) const {
+    for (std::size_t i = 0; i < rows(world); ++i)
+      ++standings[world.rows(fit)[i].flight].players;
+  }
+};
 
 }  // namespace eyrie::scenario

@@ -17,16 +17,15 @@
 #include "pilot/agent.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
-#include "scenario/fleet.hpp"
 #include "scenario/plugin_file.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
-#include "scenario/tree_change.hpp"
 #include "scenario/trust.hpp"
 #include "sim/event.hpp"
 #include "sim/simulation.hpp"
 #include "sim/world.hpp"
+#include "ubf/spec.hpp"
 
 namespace eyrie::scenario {
 
@@ -82,6 +81,12 @@ struct Scenario {
   }
   /// The world at step 0 for a seed.
   [[nodiscard]] sim::World world(std::uint64_t seed) const;
+};
+
+/// A change of one node of the tree of that name, beside what files say.
+struct TreeChange {
+  std::string tree;
+  ubf::NodeChange change;
 };
 
 /// What to load: a file, `path=value` overrides, and plug-ins that are opened whatever they are.

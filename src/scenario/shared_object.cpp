@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/shared_object.hpp"
+#include "scenario/plugin_file.hpp"
 
 #include <elf.h>
 #include <fmt/format.h>

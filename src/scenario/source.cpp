@@ -27,12 +27,6 @@ Source Source::bundle(std::map<std::string, std::string> files) {
   return s;
 }
 
-Source Source::shared(std::shared_ptr<const std::map<std::string, std::string>> all) {
-  Source s;
-  s.shared_ = std::move(all);
-  return s;
-}
-
 void Source::confine_to_folder_of(const std::string& file) {
   if (folders_)
     folders_->confine_to_folder_of(file);
@@ -48,9 +42,6 @@ std::optional<std::string> Source::read(const std::string& name) {
   for (const auto& [key, model] : models_)
     if (name == plugin_name(model.origin, key))
       return files_[name] = model.text;
-  if (shared_)
-    if (const auto there = shared_->find(name); there != shared_->end())
-      return files_[name] = there->second;
   auto text = folders_ ? folders_->read(name) : std::nullopt;
   if (text)
     files_[name] = *text;
@@ -93,7 +84,7 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
     for (std::string& name : folders_->names_in(folder))
       names.push_back(std::move(name));
   } else {
-    for (const auto& [name, text] : shared_ ? *shared_ : files_)
+    for (const auto& [name, text] : files_)
       if (name.starts_with(folder) && name.ends_with(".yaml") &&
           name.find('/', folder.size()) == name.npos)
         names.push_back(name.substr(folder.size(), name.size() - folder.size() - 5));

@@ -23,8 +23,6 @@ class Source {
   [[nodiscard]] static Source disk(std::string home, std::vector<std::string> allowed = {});
   /// Serves only these texts: a replay must not read what has changed on the disk since.
   [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);
-  /// The same of texts that many loads share; files() has those that were read.
-  [[nodiscard]] static Source shared(std::shared_ptr<const std::map<std::string, std::string>> all);
 
   /// From now on only what stands below the folder of `file`, below `home` or below what is
   /// allowed is read, symbolic links resolved. A scenario is often somebody else's: it must not
@@ -74,7 +72,6 @@ class Source {
  private:
   std::shared_ptr<Folders> folders_;  ///< if it reads from the disk
   std::map<std::string, std::string> files_;
-  std::shared_ptr<const std::map<std::string, std::string>> shared_;
 
   struct Model {
     std::string origin, text;

@@ -15,7 +15,7 @@
 #include "pilot/trees.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/plugin.hpp"
-#include "scenario/tree_change.hpp"
+#include "scenario/scenario.hpp"
 
 namespace eyrie::scenario {
 

@@ -3,19 +3,23 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/types.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <sha2.h>  // libmd
 #include <stdexcept>
 #include <system_error>
 
 #include "core/diagnostics.hpp"
 #include "disk/output.hpp"
-#include "disk/read_file.hpp"
+#include "disk/sink.hpp"
 #include "scenario/plugin_file.hpp"
-#include "scenario/sha256.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -130,6 +134,18 @@ void TrustList::add(Entry entry) {
 
 bool TrustList::remove(std::string_view path) {
   return std::erase_if(entries_, [&](const Entry& entry) { return entry.path == path; }) > 0;
+}
+
+std::string sha256(std::string_view bytes) {
+  SHA2_CTX context;
+  SHA256Init(&context);
+  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  std::array<std::uint8_t, SHA256_DIGEST_LENGTH> digest;
+  SHA256Final(digest.data(), &context);
+  std::string text;
+  for (const std::uint8_t byte : digest)
+    fmt::format_to(std::back_inserter(text), "{:02x}", byte);
+  return text;
 }
 
 }  // namespace eyrie::scenario

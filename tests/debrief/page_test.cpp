@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "debrief/decision.hpp"
-#include "debrief/report.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
 #include "support/recorded.hpp"

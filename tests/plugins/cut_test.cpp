@@ -2,8 +2,8 @@
 /// \file  Half of a shared library never reaches the dynamic linker, which it would kill.
 #include <gtest/gtest.h>
 
+#include "scenario/plugin_file.hpp"
 #include "scenario/plugins.hpp"
-#include "scenario/shared_object.hpp"
 #include "support/plugin.hpp"
 #include "support/program.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
-#include "scenario/sha256.hpp"
+#include "scenario/trust.hpp"
 #include "support/plugin.hpp"
 #include "support/program.hpp"
 
@@ -44,7 +44,7 @@ TEST(PluginLoading, TakesNodesAndModelsWithTheirOrigin) {
   EXPECT_EQ(source.origin("aircraft", "f16_without_radar"), "libgood.so");
   EXPECT_EQ(source.origin("aircraft", "f16c"), std::nullopt);
   ASSERT_EQ(plugins.files().size(), 1u);
-  EXPECT_EQ(plugins.files()[0].hash, scenario::hash_of_file(plugin("good")));
+  EXPECT_EQ(plugins.files()[0].hash, scenario::hash_of(read_text(plugin("good"))));
 }
 
 TEST(PluginLoading, TakesAFileOnceByWhateverPath) {

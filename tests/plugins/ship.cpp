@@ -9,7 +9,7 @@
 #include "core/math.hpp"
 #include "model/motion_check.hpp"
 #include "model/vehicle/vehicle.hpp"
-#include "scenario/place.hpp"
+#include "scenario/assemble.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/spec.hpp"
 #include "team/decision.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/place.hpp"
+#include "scenario/assemble.hpp"
 
 #include <gtest/gtest.h>
 
