@@ -79,10 +79,6 @@ struct Engine::Flight {
   record::Story story;
 };
 
-void Engine::FlightDeleter::operator()(Flight* flight) const {
-  delete flight;
-}
-
 void Engine::take_zones(std::string_view file) {
   model::weapon::kept_zones().take(file);
 }
@@ -135,7 +131,7 @@ About Engine::load(const Load& load) {
   reflown_.reset();
   recorded_.reset();
   here_.reset();
-  flight_.reset(new Flight(scenario, seed, load.until));
+  flight_ = std::make_shared<Flight>(scenario, seed, load.until);
   return about(*scenario, seed, "", flight_->mission.until());
 }
 

@@ -56,10 +56,8 @@ class Engine {
   Moment seek(const Step& step);
   /// A table of the world there.
   [[nodiscard]] Rows rows(const Table& table) const;
-  /// What a player decided in the step that follows.
-  Decided explain(const Who& who);
-  /// What it would have decided there with other trees.
-  Decided decide(const Otherwise& otherwise);
+  /// What a player decided in the step that follows, or would have with other trees.
+  [[nodiscard]] Decided explain(const Otherwise& otherwise) const;
   /// What it would have decided during the whole run, its states being what they were.
   [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise) const;
   /// How the run ended.
@@ -77,22 +75,15 @@ class Engine {
   void tell(const sim::World& world) const;
   /// The run at a step; the events are left out if nobody wants them.
   [[nodiscard]] debrief::Past past(std::uint64_t step, bool with_events) const;
-  [[nodiscard]] Decided decision(PlayerId who, const scenario::Scenario& trees) const;
 
   Progress progress_;
   // what is being flown
   struct Flight;
-  struct FlightDeleter {
-    void operator()(Flight* flight) const;
-  };
-  std::unique_ptr<Flight, FlightDeleter> flight_;
+  std::shared_ptr<Flight> flight_;
   // what was
   std::optional<debrief::Recorded> recorded_;
   struct Reflown;
-  struct ReflownDeleter {
-    void operator()(Reflown* reflown) const;
-  };
-  std::unique_ptr<Reflown, ReflownDeleter> reflown_;
+  std::shared_ptr<Reflown> reflown_;
   std::optional<sim::World> here_;
 };
 

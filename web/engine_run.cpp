@@ -89,10 +89,6 @@ struct Engine::Reflown {
   bool over = false;
 };
 
-void Engine::ReflownDeleter::operator()(Reflown* reflown) const {
-  delete reflown;
-}
-
 void Engine::tell(const sim::World& world) const {
   if (progress_ && world.step() % kTell == 0)
     progress_(static_cast<double>(world.step()) * run().scenario->simulation->dt());
@@ -102,7 +98,7 @@ Moment Engine::page(const Until& until, std::string& packed) {
   const debrief::Recorded& recorded = run();
   const double dt = recorded.scenario->simulation->dt();
   if (!reflown_ || reflown_->over)
-    reflown_.reset(new Reflown(recorded));
+    reflown_ = std::make_shared<Reflown>(recorded);
   const sim::World& world = reflown_->flight.after();
   while (!until.until || static_cast<double>(world.step()) * dt < *until.until) {
     if (!reflown_->step()) {
@@ -201,20 +197,17 @@ std::shared_ptr<const scenario::Scenario> Engine::other(
   return debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
 }
 
-Decided Engine::decision(PlayerId who, const scenario::Scenario& trees) const {
+Decided Engine::explain(const Otherwise& otherwise) const {
+  const scenario::Scenario& scenario = *run().scenario;
+  const PlayerId who = player(otherwise.player);
+  const auto asked =
+      otherwise.sets.empty() ? run().scenario : other(otherwise.player, otherwise.sets);
   debrief::Reflight flight(run(), *here_);
   if (!flight.step())
     return {};
-  return {debrief::Explainer(*run().scenario, trees)
-              .explain(flight.before(), flight.after(), who, flight.orders())};
-}
-
-Decided Engine::explain(const Who& who) {
-  return decision(player(who.player), *run().scenario);
-}
-
-Decided Engine::decide(const Otherwise& otherwise) {
-  return decision(player(otherwise.player), *other(otherwise.player, otherwise.sets));
+  const auto decision = debrief::Explainer(scenario, *asked)
+                            .explain(flight.before(), flight.after(), who, flight.orders());
+  return decision ? Decided{debrief::decision_json(*decision, scenario.roster)} : Decided{};
 }
 
 debrief::WhatIf Engine::what_if(const Otherwise& otherwise) const {

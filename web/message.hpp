@@ -203,6 +203,8 @@ template <class T>
     return "number";
   } else if constexpr (std::same_as<T, std::pair<double, double>>) {
     return "[number, number]";
+  } else if constexpr (std::same_as<T, Json>) {
+    return "object";
   } else {
     return "string";
   }

@@ -58,12 +58,6 @@ struct Table {
                        Member{"table", &Table::table, "Its name, such as aircraft or missiles."}};
   }
 };
-struct Who {
-  std::string player;
-  static constexpr auto describe() {
-    return Description{"Who", "A player.", Member{"player", &Who::player, "Its name."}};
-  }
-};
 struct Otherwise {
   std::string player;
   std::vector<std::string> sets;
@@ -180,12 +174,15 @@ struct Rows {
   }
 };
 struct Decided {
-  std::optional<debrief::Decision> decision;
+  std::optional<Json> decision;
+
   static constexpr auto describe() {
-    return Description{"Decided", "A decision, if one was due.",
-                       Member{"decision", &Decided::decision, "The decision."}};
+    return Description{
+        "Decided", "A decision, if one was due.",
+        Member{"decision", &Decided::decision, "As `eyrie explain --json` prints it."}};
   }
 };
+
 struct Problem {
   std::string file;
   int line = 0, column = 0;

@@ -106,10 +106,9 @@ const std::array kQuestions{
                                                  "what src/run/decode.ts reads."),
     question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
     question<Table, Rows, &Engine::rows>("rows", "A table of the world there."),
-    question<Who, Decided, &Engine::explain>("explain",
-                                             "What a player decided in the step that follows."),
-    question<Otherwise, Decided, &Engine::decide>(
-        "decide", "What it would have decided there with other trees."),
+    question<Otherwise, Decided, &Engine::explain>(
+        "explain",
+        "What a player decided in the step that follows, or would have with other trees."),
     question<Otherwise, debrief::WhatIf, &Engine::what_if>(
         "what_if",
         "What it would have decided during the whole run, its states being what they were."),

@@ -259,28 +259,6 @@ Json won_json(const Decision& d, const Won& won) {
   return j;
 }
 
-Json decision_json(const Decision& d, const scenario::Roster& roster) {
-  Json j{{"time_s", d.time},
-         {"step", d.step},
-         {"player", roster.name(d.player)},
-         {"tree", d.tree},
-         {"status", ubf::to_text(d.status)},
-         {"vote", d.vote},
-         {"leader", d.leader == ubf::kNone ? Json() : Json(d.nodes[d.leader].path)}};
-  j["action"] = Json::array();
-  for (const Won& won : d.action)
-    j["action"].push_back(won_json(d, won));
-  j["nodes"] = Json::array();
-  for (const Answer& answer : d.nodes)
-    j["nodes"].push_back(answer_json(answer));
-  j["state"] = values_json(d.state);
-  j["perceived"] = Json::array();
-  for (const Perceived& one : d.perceived)
-    j["perceived"].push_back(
-        {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}});
-  return j;
-}
-
 }  // namespace
 
 std::string label_of(const Decision& decision, ubf::NodeIndex node) {
@@ -315,6 +293,28 @@ std::string decision_line(const Decision& decision) {
     values.push_back(won.value);
   return fmt::format("{:>8}  {:<16} {:>5g}  {}\n", record::clock_text(d.time),
                      label_of(d, d.leader), d.vote, joined(values));
+}
+
+Json decision_json(const Decision& d, const scenario::Roster& roster) {
+  Json j{{"time_s", d.time},
+         {"step", d.step},
+         {"player", roster.name(d.player)},
+         {"tree", d.tree},
+         {"status", ubf::to_text(d.status)},
+         {"vote", d.vote},
+         {"leader", d.leader == ubf::kNone ? Json() : Json(d.nodes[d.leader].path)}};
+  j["action"] = Json::array();
+  for (const Won& won : d.action)
+    j["action"].push_back(won_json(d, won));
+  j["nodes"] = Json::array();
+  for (const Answer& answer : d.nodes)
+    j["nodes"].push_back(answer_json(answer));
+  j["state"] = values_json(d.state);
+  j["perceived"] = Json::array();
+  for (const Perceived& one : d.perceived)
+    j["perceived"].push_back(
+        {{"kind", one.kind}, {"name", one.name}, {"values", values_json(one.values)}});
+  return j;
 }
 
 std::string decisions_json(std::span<const Decision> decisions, const scenario::Roster& roster) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a decision (team/decision.hpp) says in words.
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,7 +65,10 @@ template <class System>
 [[nodiscard]] std::string decision_text(const Decision& decision, const scenario::Roster& roster);
 /// One line: time, who leads, vote, the action.
 [[nodiscard]] std::string decision_line(const Decision& decision);
-/// One JSON object per decision, in an array; docs/howto/explain-a-decision.md has the keys.
+/// An object, also for pages; docs/howto/explain-a-decision.md has the keys.
+[[nodiscard]] nlohmann::ordered_json decision_json(const Decision& decision,
+                                                   const scenario::Roster& roster);
+/// One such object per decision, in an array.
 [[nodiscard]] std::string decisions_json(std::span<const Decision> decisions,
                                          const scenario::Roster& roster);
 

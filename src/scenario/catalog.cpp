@@ -87,11 +87,11 @@ std::vector<FilePart> file_parts() {
 }
 
 template <Described Model>
-ModelKind kind(std::string_view folder, const Source& source) {
-  ModelKind result{std::string(folder), std::string(Model::type_name), std::string(Model::help),
-                   parameters<Model>(), source.data_names(folder),     {}};
+ModelKind kind(const KindOfModel<Model>& of, const Source& source) {
+  ModelKind result{std::string(of.folder), std::string(Model::type_name), std::string(Model::help),
+                   parameters<Model>(),    source.data_names(of.folder),  {}};
   for (const std::string& name : result.names)
-    if (const auto origin = source.origin(folder, name))
+    if (const auto origin = source.origin(of.folder, name))
       result.origins[name] = *origin;
   return result;
 }
@@ -116,18 +116,7 @@ Catalog make_catalog(const Source& source, const Plugins& plugins) {
     side.parameters.push_back(custom(std::string(added->key()), "map", group.help + ", by name"));
     result.file.push_back(std::move(group));
   }
-  using namespace model;
-  result.models = {kind<AircraftType>("aircraft", source),
-                   kind<VehicleType>("vehicles", source),
-                   kind<Airframe>("airframes", source),
-                   kind<Radar>("radars", source),
-                   kind<Rwr>("rwr", source),
-                   kind<Visual>("visual", source),
-                   kind<Iff>("iff", source),
-                   kind<Datalink>("datalinks", source),
-                   kind<Tracker>("trackers", source),
-                   kind<MissileType>("missiles", source),
-                   kind<GunType>("guns", source)};
+  each_kind_of_model([&](const auto& of) { result.models.push_back(kind(of, source)); });
   return result;
 }
 

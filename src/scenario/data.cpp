@@ -14,21 +14,16 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 11> kKinds{"aircraft", "vehicles", "airframes", "radars",
-                                                  "rwr",      "visual",   "iff",       "datalinks",
-                                                  "trackers", "missiles", "guns"};
-
 /// Far above what anybody needs; a longer chain is an attempt to exhaust the stack.
 constexpr std::size_t kMostBases = 20;
 
-std::string_view singular(std::string_view kind) {
-  if (kind == "rwr")
-    return "radar warning receiver";
-  if (kind == "visual")
-    return "visual model";
-  if (kind == "aircraft" || kind == "iff")
-    return kind;
-  return kind.substr(0, kind.size() - 1);
+std::string_view singular(std::string_view folder) {
+  std::string_view word;
+  each_kind_of_model([&](const auto& kind) {
+    if (kind.folder == folder)
+      word = kind.singular;
+  });
+  return word;
 }
 
 /// Of one kind in one scenario. A station knows its store by one byte (model::Station).
@@ -58,7 +53,9 @@ Value merged(Value base, const Value& over) {
 }  // namespace
 
 std::vector<std::string_view> DataLoader::kinds() {
-  return {kKinds.begin(), kKinds.end()};
+  std::vector<std::string_view> all;
+  each_kind_of_model([&](const auto& kind) { all.push_back(kind.folder); });
+  return all;
 }
 
 DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source& source,
@@ -80,9 +77,9 @@ DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source
 }
 
 void DataLoader::check_inline(const Value::Entry& kind) {
-  if (std::find(kKinds.begin(), kKinds.end(), kind.key) == kKinds.end()) {
+  if (singular(kind.key).empty()) {
     diagnostics_.error(kind.where, fmt::format("data has no kind {}{}", quote(kind.key),
-                                               did_you_mean(kind.key, kKinds)));
+                                               did_you_mean(kind.key, kinds())));
     return;
   }
   if (!kind.value.is_map() && !kind.value.is_null())
@@ -116,23 +113,10 @@ void DataLoader::check_plugins(Source source, Diagnostics& diagnostics) {
 }
 
 void DataLoader::load_any(std::string_view kind, const std::string& name, const Location& where) {
-  const auto into = [&](std::string_view folder, auto& shelf) {
-    if (kind == folder)
-      load(shelf, folder, name, where);
-  };
-  if (kind == "aircraft")
-    aircraft(name, where);
-  if (kind == "vehicles")
-    vehicle(name, where);
-  into("airframes", library_.airframes);
-  into("radars", library_.radars);
-  into("rwr", library_.rwrs);
-  into("visual", library_.visuals);
-  into("iff", library_.iffs);
-  into("datalinks", library_.datalinks);
-  into("trackers", library_.trackers);
-  into("missiles", library_.missiles);
-  into("guns", library_.guns);
+  each_kind_of_model([&]<class Model>(const KindOfModel<Model>& known) {
+    if (kind == known.folder)
+      load<Model>(name, where);
+  });
 }
 
 std::optional<Value> DataLoader::document(std::string_view kind, const std::string& name,
@@ -192,86 +176,70 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
 }
 
 template <Described Model>
-std::optional<std::uint16_t> DataLoader::load(model::Shelf<Model>& shelf, std::string_view kind,
-                                              const std::string& name, const Location& where) {
-  if (const auto known = shelf.find(name))
+std::optional<std::uint16_t> DataLoader::load(const std::string& name, const Location& where) {
+  constexpr const auto& kKind = std::get<KindOfModel<Model>>(kKindsOfModels);
+  if (const auto known = (library_.*kKind.shelf).find(name))
     return known;
-  if (failed_[{std::string(kind), name}])
-    return std::nullopt;
-  std::vector<std::string> chain;
-  const auto map = document(kind, name, where, chain);
-  Model model;
-  static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
-  if (!map || !bind(model, *map, diagnostics_, kAlso)) {
-    failed_[{std::string(kind), name}] = true;
-    return std::nullopt;
-  }
-  if constexpr (requires { model.name = name; })
-    model.name = name;
-  if constexpr (requires { model.prepare(); })
-    if (!only_checks_)
-      model.prepare();
-  return shelf.add(name, std::move(model));
-}
-
-template <Described Model>
-void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
-                      model::Shelf<Model>& shelf, std::string_view kind, const Location& where) {
-  if (name)
-    index = load(shelf, kind, *name, where);
-}
-
-std::optional<std::uint16_t> DataLoader::missile(const std::string& name, const Location& where) {
-  return load(library_.missiles, "missiles", name, where);
-}
-
-template <Described Type, class Parts>
-std::optional<std::uint16_t> DataLoader::assembled(model::Shelf<Type>& shelf, std::string_view kind,
-                                                   const std::string& name, const Location& where,
-                                                   Parts parts) {
-  if (const auto known = shelf.find(name))
-    return known;
-  bool& failed = failed_[{std::string(kind), name}];
+  bool& failed = failed_[{std::string(kKind.folder), name}];
   if (failed)
     return std::nullopt;
   const std::size_t before = diagnostics_.count();
   std::vector<std::string> chain;
-  const auto map = document(kind, name, where, chain);
-  Type type;
+  const auto map = document(kKind.folder, name, where, chain);
+  Model model;
   static constexpr std::array<std::string_view, 2> kAlso{"base", "source"};
-  if (map && bind(type, *map, diagnostics_, kAlso))
-    parts(type, [&](std::string_view key) {
-      const Value* v = map->find(key);
-      return v ? v->where : map->where;
-    });
-  failed = diagnostics_.count() != before;
-  return failed ? std::nullopt : std::optional(shelf.add(name, std::move(type)));
+  if (map && bind(model, *map, diagnostics_, kAlso))
+    complete(model, *map);
+  failed = !map || diagnostics_.count() != before;
+  if (failed)
+    return std::nullopt;
+  return (library_.*kKind.shelf).add(name, std::move(model));
+}
+
+template <Described Model>
+void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
+                      const Location& where) {
+  if (name)
+    index = load<Model>(*name, where);
+}
+
+template <Described Model>
+void DataLoader::complete(Model& model, const Value& document) {
+  const auto place = [&](std::string_view key) {
+    const Value* v = document.find(key);
+    return v ? v->where : document.where;
+  };
+  if constexpr (std::same_as<Model, model::AircraftType>)
+    if (const auto frame = load<model::Airframe>(model.airframe, place("airframe")))
+      model.index.airframe = *frame;
+  if constexpr (requires { model.index.radar; }) {
+    part<model::Radar>(model.index.radar, model.radar, place("radar"));
+    part<model::Rwr>(model.index.rwr, model.rwr, place("rwr"));
+    part<model::Iff>(model.index.iff, model.iff, place("iff"));
+    part<model::Tracker>(model.index.tracker, model.tracker, place("tracker"));
+    part<model::GunType>(model.index.gun, model.gun, place("gun"));
+    for (const model::StationFit& station : model.stations)
+      load<model::MissileType>(station.store, place("stations"));
+  }
+  if constexpr (requires { model.index.visual; }) {
+    part<model::Visual>(model.index.visual, model.visual, place("visual"));
+    part<model::Datalink>(model.index.datalink, model.datalink, place("datalink"));
+  }
+  if constexpr (requires { model.prepare(); })
+    if (!only_checks_)
+      model.prepare();
 }
 
 std::optional<std::uint16_t> DataLoader::aircraft(const std::string& name, const Location& where) {
-  const auto parts = [&](model::AircraftType& type, auto place) {
-    if (const auto frame = load(library_.airframes, "airframes", type.airframe, place("airframe")))
-      type.index.airframe = *frame;
-    part(type.index.radar, type.radar, library_.radars, "radars", place("radar"));
-    part(type.index.rwr, type.rwr, library_.rwrs, "rwr", place("rwr"));
-    part(type.index.visual, type.visual, library_.visuals, "visual", place("visual"));
-    part(type.index.iff, type.iff, library_.iffs, "iff", place("iff"));
-    part(type.index.datalink, type.datalink, library_.datalinks, "datalinks", place("datalink"));
-    part(type.index.tracker, type.tracker, library_.trackers, "trackers", place("tracker"));
-    part(type.index.gun, type.gun, library_.guns, "guns", place("gun"));
-    for (const model::StationFit& station : type.stations)
-      missile(station.store, place("stations"));
-  };
-  return assembled(library_.aircraft, "aircraft", name, where, parts);
+  return load<model::AircraftType>(name, where);
 }
 
 std::optional<std::uint16_t> DataLoader::vehicle(const std::string& name, const Location& where) {
-  const auto parts = [&](model::VehicleType& type, auto place) {
-    part(type.index.visual, type.visual, library_.visuals, "visual", place("visual"));
-    part(type.index.datalink, type.datalink, library_.datalinks, "datalinks", place("datalink"));
-    type.prepare();
-  };
-  return assembled(library_.vehicles, "vehicles", name, where, parts);
+  return load<model::VehicleType>(name, where);
+}
+
+std::optional<std::uint16_t> DataLoader::missile(const std::string& name, const Location& where) {
+  return load<model::MissileType>(name, where);
 }
 
 }  // namespace eyrie::scenario

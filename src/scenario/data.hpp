@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/bind.hpp"
@@ -15,6 +16,30 @@
 #include "scenario/source.hpp"
 
 namespace eyrie::scenario {
+
+/// A kind of model: its folder in data/, what one is called, and its shelf.
+template <class Model>
+struct KindOfModel {
+  std::string_view folder, singular;
+  model::Shelf<Model> model::Library::*shelf;
+};
+/// Every kind that has a folder in data/.
+inline constexpr std::tuple kKindsOfModels{
+    KindOfModel{"aircraft", "aircraft", &model::Library::aircraft},
+    KindOfModel{"vehicles", "vehicle", &model::Library::vehicles},
+    KindOfModel{"airframes", "airframe", &model::Library::airframes},
+    KindOfModel{"radars", "radar", &model::Library::radars},
+    KindOfModel{"rwr", "radar warning receiver", &model::Library::rwrs},
+    KindOfModel{"visual", "visual model", &model::Library::visuals},
+    KindOfModel{"iff", "iff", &model::Library::iffs},
+    KindOfModel{"datalinks", "datalink", &model::Library::datalinks},
+    KindOfModel{"trackers", "tracker", &model::Library::trackers},
+    KindOfModel{"missiles", "missile", &model::Library::missiles},
+    KindOfModel{"guns", "gun", &model::Library::guns}};
+template <class Visit>
+constexpr void each_kind_of_model(Visit visit) {
+  std::apply([&](const auto&... kind) { (visit(kind), ...); }, kKindsOfModels);
+}
 
 /// Puts models on the shelves of a Library: those of the scenario at once, so that all their
 /// mistakes are found, those of files when they are first asked for. A model stands in the
@@ -37,7 +62,7 @@ class DataLoader {
   /// Nothing of it stays.
   static void check_plugins(Source source, Diagnostics& diagnostics);
 
-  /// Every kind that has a folder in data/.
+  /// Their folders.
   [[nodiscard]] static std::vector<std::string_view> kinds();
 
  private:
@@ -45,17 +70,13 @@ class DataLoader {
   std::optional<Value> document(std::string_view kind, const std::string& name,
                                 const Location& where, std::vector<std::string>& chain);
   template <Described Model>
-  std::optional<std::uint16_t> load(model::Shelf<Model>& shelf, std::string_view kind,
-                                    const std::string& name, const Location& where);
-  /// Of a type that is put together from other models: `parts(type, place)` looks them up, where
-  /// place(key) is where the document names one.
-  template <Described Type, class Parts>
-  std::optional<std::uint16_t> assembled(model::Shelf<Type>& shelf, std::string_view kind,
-                                         const std::string& name, const Location& where,
-                                         Parts parts);
+  std::optional<std::uint16_t> load(const std::string& name, const Location& where);
+  /// What a model is put together from, looked up in its document, and what is made of it.
+  template <Described Model>
+  void complete(Model& model, const Value& document);
   template <Described Model>
   void part(std::optional<std::uint16_t>& index, const std::optional<std::string>& name,
-            model::Shelf<Model>& shelf, std::string_view kind, const Location& where);
+            const Location& where);
   void check_inline(const Value::Entry& kind);
   void load_any(std::string_view kind, const std::string& name, const Location& where);
 

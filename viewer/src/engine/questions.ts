@@ -13,19 +13,6 @@ export interface About {
   tables: Array<string>;  // What rows() can be asked for.
 }
 
-/** What one node answered. */
-export interface Answer {
-  label: string;  // Its label.
-  type: string;  // Its type.
-  path: string;  // From the root, as `eyrie explain` writes it.
-  depth: number;  // Below the root.
-  asked: boolean;  // Whether it was asked.
-  status: number;  // 0 failure, 1 running, 2 success.
-  vote: number | null;  // Its vote.
-  why: string;  // Why it failed.
-  action: Array<Value>;  // What it proposed.
-}
-
 /** Another future, from the moment of seek() on. */
 export interface Branch {
   sets: Array<string>;  // What is other from there on, as `eyrie whatif --set` takes it.
@@ -51,20 +38,7 @@ export interface Column {
 
 /** A decision, if one was due. */
 export interface Decided {
-  decision?: Decision;  // The decision.
-}
-
-/** What an agent decided, and why. */
-export interface Decision {
-  step: number;  // Of the world.
-  time: number | null;  // s.
-  tree: string;  // Its name.
-  vote: number | null;  // Of the root.
-  leader: number;  // Whose recommendation led; 65535: nobody's.
-  nodes: Array<Answer>;  // Every node, in pre-order.
-  action: Array<Won>;  // Who won each field, and against whom.
-  state: Array<Value>;  // What it was decided on.
-  perceived: Array<Perceived>;  // What it believed to be there.
+  decision?: object;  // As `eyrie explain --json` prints it.
 }
 
 /** The first other decision. */
@@ -153,13 +127,6 @@ export interface Parameter {
   choices: Array<string>;  // If it is one of several words.
 }
 
-/** Something that the agent believed to be there. */
-export interface Perceived {
-  kind: string;  // target, track, radar, missile or aircraft.
-  name: string;  // As the agent knows it; in brackets the truth.
-  values: Array<Value>;  // Range, bearing, identity ...
-}
-
 /** Somebody in the scenario. */
 export interface Player {
   name: string;  // As the scenario says.
@@ -178,14 +145,6 @@ export interface Problem {
 /** Every mistake that was found. */
 export interface Problems {
   problems: Array<Problem>;  // In the order of the texts; empty: it can be flown.
-}
-
-/** Somebody who proposed a field that another one won. */
-export interface Rival {
-  node: number;  // Which node.
-  value: Value;  // What it proposed.
-  against: number | null;  // The vote of the branch with the winner.
-  vote: number | null;  // The vote of the branch with the rival.
 }
 
 /** A table of the world, at a moment. */
@@ -224,14 +183,6 @@ export interface Until {
   until?: number | null;  // s of simulated time; to the end without it.
 }
 
-/** A value of the state or of an action. */
-export interface Value {
-  name: string;  // Such as heading.
-  unit: string;  // SI; empty for none.
-  number?: number | null;  // In that unit, if it is a number.
-  text: string;  // For people.
-}
-
 /** What other trees would have decided. */
 export interface WhatIf {
   decisions: number;  // Looked at.
@@ -240,19 +191,6 @@ export interface WhatIf {
   steps: Array<number>;  // Of the world, by decision.
   leaders: Array<number>;  // By decision the node that would have led; 65535: nobody.
   spans: Array<[number, number]>;  // s, from the first to the last of other decisions in a row.
-}
-
-/** A player. */
-export interface Who {
-  player: string;  // Its name.
-}
-
-/** A field of the action of the root. */
-export interface Won {
-  value: Value;  // What came out.
-  winner: number;  // Which node's.
-  blended: boolean;  // The winner made it of what its children said.
-  rivals: Array<Rival>;  // The highest vote first.
 }
 
 /** Numbers are SI, times s of simulated time. A question that cannot be answered is rejected with an EngineError. */
@@ -277,10 +215,8 @@ export interface Engine {
   seek(request: Step): Promise<Moment>;
   /** A table of the world there. */
   rows(request: Table): Promise<Rows>;
-  /** What a player decided in the step that follows. */
-  explain(request: Who): Promise<Decided>;
-  /** What it would have decided there with other trees. */
-  decide(request: Otherwise): Promise<Decided>;
+  /** What a player decided in the step that follows, or would have with other trees. */
+  explain(request: Otherwise): Promise<Decided>;
   /** What it would have decided during the whole run, its states being what they were. */
   what_if(request: Otherwise): Promise<WhatIf>;
   /** How the run ended. */
