@@ -6,7 +6,7 @@ import { EngineError } from './engine/module.ts';
 import { started } from './parts.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
-import type { SceneHandle } from './scene/scene.ts';
+import type { AirPicture } from './scene/scene.ts';
 import { first_view, Store, type View } from './store.ts';
 import { keep_in_sight } from './ui/actions.ts';
 import { App } from './ui/app.tsx';
@@ -53,7 +53,7 @@ function pages_of(runs: Run[], view: Partial<View>): Page[] {
   });
 }
 
-function ready(pages: Page[], scene: SceneHandle): void {
+function ready(pages: Page[], scene: AirPicture): void {
   const { run, store } = pages[0]!;
   // from the beginning of the navigation
   performance.measure(run.is_part ? 'eyrie-picture' : 'eyrie-open');
@@ -80,8 +80,8 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   ];
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
   const draw = (key: string): void => {
-    const scenes = new Map<Page, SceneHandle>();
-    const mounted = (page: Page, scene: SceneHandle): void => {
+    const scenes = new Map<Page, AirPicture>();
+    const mounted = (page: Page, scene: AirPicture): void => {
       scenes.set(page, scene);
       if (scenes.size === pages.length) ready(pages, scenes.get(pages[0]!)!);
     };

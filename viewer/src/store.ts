@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** What the user looks at: one object, changed in patches, that scene and panels follow. */
 
-export type Camera = 'free' | 'follow' | 'top' | 'whole';
+export const kCameras = ['whole', 'follow', 'top', 'free'] as const;
+export type Camera = (typeof kCameras)[number];
 
 /** Where a proposal that lost would have led: drawn in the air picture. */
 export interface Ghost {
@@ -43,27 +44,32 @@ export interface View {
 export const kLayers = ['trails', 'drop_lines', 'radar', 'tracks', 'zones', 'routes', 'labels', 'coast'] as const;
 export type Layer = (typeof kLayers)[number];
 
-export type Listener = (now: View, before: View) => void;
+type Listener<T> = (now: T, before: T) => void;
 
-export class Store {
-  private view: View;
-  private readonly listeners = new Set<Listener>();
+/** One value that others share and follow. */
+export class Cell<T> {
+  private readonly listeners = new Set<Listener<T>>();
 
-  constructor(view: View) {
-    this.view = view;
+  constructor(private value: T) {}
+  get(): T {
+    return this.value;
   }
-  get(): View {
-    return this.view;
-  }
-  set(patch: Partial<View>): void {
-    const before = this.view;
-    this.view = { ...before, ...patch };
-    for (const listener of this.listeners) listener(this.view, before);
+  set(value: T): void {
+    const before = this.value;
+    if (Object.is(value, before)) return;
+    this.value = value;
+    for (const listener of this.listeners) listener(value, before);
   }
   /** Returns how to stop listening. */
-  subscribe(listener: Listener): () => void {
+  subscribe(listener: Listener<T>): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
+  }
+}
+
+export class Store extends Cell<View> {
+  override set(patch: Partial<View>): void {
+    super.set({ ...this.get(), ...patch });
   }
 }
 
@@ -78,7 +84,7 @@ export function first_view(selected: number): View {
     pose: null,
     ruler: null,
     ghost: null,
-    layers: { trails: true, drop_lines: true, radar: true, tracks: true, zones: true, routes: true, labels: true, coast: true },
+    layers: Object.fromEntries(kLayers.map((layer) => [layer, true])) as View['layers'],
     zoom: null,
     theme: globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ? 'dark' : 'light',
   };

@@ -9,7 +9,7 @@ import type { Run } from '../src/run/run.ts';
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
 function text(field: Partial<FieldInfo>, value: number): string {
-  return value_text(kRun, 'aircraft', { name: 'x', unit: '', kind: 'number', ...field }, value);
+  return value_text(kRun, { name: 'x', unit: '', kind: 'number', ...field }, value);
 }
 
 test('decimals round halves to even', () => {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The playground: the text of a scenario at the left, what became of it at the right. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
+import { listen } from '../events.ts';
 import { EngineError } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { started } from '../parts.ts';
@@ -229,21 +230,15 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     });
     editor.current = made;
     void restore();
-    const linked = (): void => void restore();
-    addEventListener('hashchange', linked);
-    const pressed = (event: KeyboardEvent): void => {
-      if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
-      event.preventDefault();
-      now.current.fly();
-    };
-    addEventListener('keydown', pressed);
-    const manners = mind_manners();
-    return () => {
-      made.destroy();
-      removeEventListener('hashchange', linked);
-      removeEventListener('keydown', pressed);
-      manners();
-    };
+    listen(window, {
+      hashchange: () => void restore(),
+      keydown: (event) => {
+        if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
+        event.preventDefault();
+        now.current.fly();
+      },
+    });
+    mind_manners();
   }, []);
   useEffect(() => editor.current!.show(file, text_of(project, file)), [file, version]);
   useEffect(() => editor.current!.mark(said.problems.filter((one) => one.file === file)), [said.problems, file]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** From pointers and wheel to what the user means: turn, push, zoom, click. */
+import { listen } from '../events.ts';
 
 export interface Hand {
   /** Drag with the main button, px. */
@@ -19,31 +20,24 @@ const kWheel = 0.0014;
 const kLine = 18;
 
 /** Returns how to stop listening. */
-export function listen(element: HTMLElement, hand: Hand): () => void {
+export function watch_hand(element: HTMLElement, hand: Hand): () => void {
   const pointers = new Map<number, { x: number; y: number }>();
   let wandered = 0;
   let spread = 0;
-  const done = new AbortController();
-  const { signal } = done;
   const local = (event: MouseEvent): { x: number; y: number } => {
     const box = element.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
-
-  element.addEventListener('pointerdown', (event) => {
+  const down = (event: PointerEvent): void => {
     if (pointers.size === 0) wandered = 0;
     pointers.set(event.pointerId, local(event));
     spread = 0;
     element.setPointerCapture(event.pointerId);
-  }, { signal });
-
-  element.addEventListener('pointermove', (event) => {
+  };
+  const move = (event: PointerEvent): void => {
     const at = local(event);
     const last = pointers.get(event.pointerId);
-    if (!last) {
-      hand.hover(at.x, at.y);
-      return;
-    }
+    if (!last) return hand.hover(at.x, at.y);
     const dx = at.x - last.x;
     const dy = at.y - last.y;
     pointers.set(event.pointerId, at);
@@ -60,23 +54,21 @@ export function listen(element: HTMLElement, hand: Hand): () => void {
     } else {
       hand.drag(dx, dy);
     }
-  }, { signal });
-
+  };
   const lift = (event: PointerEvent): void => {
     const was = pointers.get(event.pointerId);
     pointers.delete(event.pointerId);
     spread = 0;
     if (was && event.type === 'pointerup' && event.button === 0 && wandered <= kWander) hand.click(was.x, was.y, event.shiftKey);
   };
-  element.addEventListener('pointerup', lift, { signal });
-  element.addEventListener('pointercancel', lift, { signal });
-  element.addEventListener('pointerleave', () => hand.hover(null, 0), { signal });
-  element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
-  element.addEventListener('wheel', (event) => {
+  const wheel = (event: WheelEvent): void => {
     event.preventDefault();
     const at = local(event);
     const turned = event.deltaY * (event.deltaMode === 1 ? kLine : 1);
     hand.zoom(Math.exp(Math.max(-300, Math.min(300, turned)) * kWheel), at.x, at.y);
-  }, { signal, passive: false });
-  return () => done.abort();
+  };
+  return listen(element, {
+    pointerdown: down, pointermove: move, pointerup: lift, pointercancel: lift, pointerleave: () => hand.hover(null, 0),
+    contextmenu: (event) => event.preventDefault(), wheel,
+  }, { passive: false });
 }

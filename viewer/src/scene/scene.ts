@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
 import type { Run } from '../run/run.ts';
-import type { Store, View } from '../store.ts';
-import type { Cell } from '../ui/cell.ts';
+import type { Cell, Store, View } from '../store.ts';
+import { measure } from '../ui/actions.ts';
 import { draw_tracks, draw_zone } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
 import { SceneCamera } from './camera.ts';
 import { type Easel, set_up } from './choose.ts';
 import { Eye } from './eye.ts';
 import type { Frame } from './frame.ts';
-import { type Hand, listen } from './gestures.ts';
+import { type Hand, watch_hand } from './gestures.ts';
 import { draw_hud } from './hud.ts';
 import { Meter } from './meter.ts';
 import { Notes } from './notes.ts';
@@ -24,15 +24,6 @@ import { told } from './told.ts';
 import { draw_drop_lines, draw_trails } from './trails.ts';
 import { draw_losses, draw_missiles } from './weapons.ts';
 
-export interface SceneHandle {
-  resize(): void;
-  dispose(): void;
-  /** Since the last call: pictures drawn, and ms from one to the next while they follow each other. */
-  frames(): { count: number; worst_ms: number; mean_ms: number };
-  /** Whether no other picture is to come by itself, and this one has all its pixels. */
-  is_still(): boolean;
-}
-
 /** What of the view is seen here. */
 const kSeen = ['time', 'selected', 'camera', 'pose', 'ruler', 'ghost', 'layers', 'theme'] as const;
 const kSharpest = 2;
@@ -40,12 +31,13 @@ const kSharpest = 2;
 const kGrasp = 22;
 const kToldEvery = 1000;
 
-class AirPicture {
+/** Fills `host`, whose size it follows. */
+export class AirPicture {
   private readonly reader = new SightReader();
   private readonly camera: SceneCamera;
   private readonly easel: Easel;
   private readonly frame: Frame;
-  readonly meter = new Meter();
+  private readonly meter = new Meter();
   private readonly sharpness = new Sharpness();
   private theme: View['theme'] | null = null;
   private asked = 0;
@@ -55,7 +47,7 @@ class AirPicture {
   private rester = 0;
   private readonly stops: (() => void)[] = [];
 
-  constructor(private readonly host: HTMLElement, private readonly run: Run, private readonly store: Store, private readonly other: Cell<Other | null>) {
+  constructor(private readonly host: HTMLElement, private readonly run: Run, readonly store: Store, private readonly other: Cell<Other | null>) {
     const palette = palette_of(store.get().theme);
     const eye = new Eye();
     this.easel = set_up(run, eye);
@@ -68,6 +60,7 @@ class AirPicture {
     const over = this.frame.notes.canvas;
     over.style.cssText = this.easel.canvas.style.cssText;
     over.style.touchAction = 'none';
+    host.setAttribute('role', 'img');
     host.append(this.easel.canvas, over);
     this.watch();
     this.resize();
@@ -76,16 +69,13 @@ class AirPicture {
   private watch(): void {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.host);
+    this.easel.canvas.addEventListener('webglcontextrestored', () => this.wake());
     this.stops.push(
       () => observer.disconnect(), this.other.subscribe((now) => {
         this.frame.other = now;
         this.wake();
       }), this.store.subscribe((now, before) => this.follow(now, before)),
-      listen(this.frame.notes.canvas, this.hand()));
-    const restored = (): void => this.wake();
-    const { canvas } = this.easel;
-    canvas.addEventListener('webglcontextrestored', restored);
-    this.stops.push(() => canvas.removeEventListener('webglcontextrestored', restored));
+      watch_hand(this.frame.notes.canvas, this.hand()));
   }
 
   private follow(now: View, before: View): void {
@@ -102,11 +92,16 @@ class AirPicture {
     });
   }
 
+  /** Since the last call: pictures drawn, and ms from one to the next while they follow each other. */
+  frames(): ReturnType<Meter['read']> {
+    return this.meter.read();
+  }
+  /** Whether no other picture is to come by itself, and this one has all its pixels. */
   is_still(): boolean {
     return !this.asked && this.sharpness.scale === 1;
   }
 
-  resize(): void {
+  private resize(): void {
     const { host, frame } = this;
     const width = Math.max(1, host.clientWidth);
     const height = Math.max(1, host.clientHeight);
@@ -218,12 +213,6 @@ class AirPicture {
     return best;
   }
 
-  /** The ruler to somebody; none if it was that already. */
-  private measured(who: number): View['ruler'] {
-    const { selected, ruler } = this.frame.view;
-    return who === selected || (ruler?.[0] === selected && ruler[1] === who) ? null : [selected, who];
-  }
-
   private hand(): Hand {
     const { frame, camera, store } = this;
     const freed = (was_whole: boolean): void => {
@@ -236,9 +225,7 @@ class AirPicture {
       zoom: (factor, px, py) => freed(camera.zoom(factor, px, py, frame.view, frame.eye)),
       click: (px, py, shift) => {
         const who = this.pick(px, py);
-        if (who < 0) return;
-        if (!shift) store.set({ selected: who });
-        else store.set({ ruler: this.measured(who) });
+        if (who >= 0) shift ? measure(this, who) : store.set({ selected: who });
       },
       hover: (px, py) => {
         const who = px === null ? -1 : this.pick(px, py);
@@ -258,16 +245,5 @@ class AirPicture {
     this.easel.painter.dispose();
     this.easel.canvas.remove();
     this.frame.notes.canvas.remove();
-    this.host.removeAttribute('role');
-    this.host.removeAttribute('aria-label');
   }
-}
-
-/** Fills `host`, whose size it follows. */
-export function mount_scene(host: HTMLElement, run: Run, store: Store, other: Cell<Other | null>): SceneHandle {
-  if (getComputedStyle(host).position === 'static') host.style.position = 'relative';
-  host.style.overflow = 'hidden';
-  host.setAttribute('role', 'img');
-  const picture = new AirPicture(host, run, store, other);
-  return { resize: () => picture.resize(), dispose: () => picture.dispose(), frames: () => picture.meter.read(), is_still: () => picture.is_still() };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What buttons and keys do. */
 import { last_at } from '../run/run.ts';
-import type { Camera } from '../store.ts';
+import { kCameras } from '../store.ts';
 import { neighbor } from './marks.ts';
 import { range_of, type Page } from './page.ts';
 import { leader_spans } from './spans.ts';
@@ -61,12 +61,11 @@ export function select(page: Page, player: number): void {
 }
 
 /** Range and bearing between the selected player and `player`; once more takes them away. */
-export function measure({ store }: Page, player: number): void {
+export function measure({ store }: Pick<Page, 'store'>, player: number): void {
   const { selected, ruler } = store.get();
   store.set({ ruler: player === selected || (ruler?.[0] === selected && ruler[1] === player) ? null : [selected, player] });
 }
 
-const kCameras: Camera[] = ['whole', 'follow', 'top', 'free'];
 export function next_camera({ store }: Page): void {
   store.set({ camera: kCameras[(kCameras.indexOf(store.get().camera) + 1) % kCameras.length]! });
 }

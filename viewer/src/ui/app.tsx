@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** The page: players and story at the left, the air picture, the decision at the right, and time below. */
 import { useEffect, useState } from 'preact/hooks';
-import type { SceneHandle } from '../scene/scene.ts';
+import { listen } from '../events.ts';
+import type { AirPicture } from '../scene/scene.ts';
+import { Cell } from '../store.ts';
 import { rem_size } from './canvas.ts';
-import { Cell } from './cell.ts';
 import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
 import { Inspector } from './inspector.tsx';
@@ -73,10 +74,7 @@ function use_layout() {
   const [touched, touch] = useState(false);
   const [hidden, set_hidden] = useState<readonly Panel[]>([]);
   useEffect(() => {
-    if (touched) return;
-    const fit = (): void => set_sizes(first_sizes());
-    addEventListener('resize', fit);
-    return () => removeEventListener('resize', fit);
+    if (!touched) return listen(window, { resize: () => set_sizes(first_sizes()) });
   }, [touched]);
   const shown = (panel: Panel): boolean => !hidden.includes(panel);
   return {
@@ -91,7 +89,7 @@ function use_layout() {
 }
 
 export function App({ pages, back, onScene }: {
-  pages: Page[]; back: Back | undefined; onScene: (page: Page, scene: SceneHandle) => void;
+  pages: Page[]; back: Back | undefined; onScene: (page: Page, scene: AirPicture) => void;
 }) {
   const [active, activate] = useState(pages[0]!);
   const [help] = useState(() => new Cell(false));

@@ -11,8 +11,6 @@ export interface Of {
 }
 
 export interface Divergence {
-  /** Of the decision in the first and in the second run. */
-  index: [number, number];
   t: number;
   step: number;
   /** "pursue led with 40, in B release_weapon with 60" */
@@ -39,9 +37,9 @@ function root_value({ run, player }: Of, index: number, field: number): number |
   return run.platforms[player.kind].action[field]!.kind === 'text' ? run.texts[value]! : value;
 }
 
-function other_field(a: Of, b: Of, ia: number, ib: number): number {
+function other_field(a: Of, b: Of, index: number): number {
   return a.run.platforms[a.player.kind].action.findIndex((_, field) => {
-    const [one, two] = [root_value(a, ia, field), root_value(b, ib, field)];
+    const [one, two] = [root_value(a, index, field), root_value(b, index, field)];
     return typeof one === 'number' && typeof two === 'number' ? Math.abs(one - two) > kSame : one !== two;
   });
 }
@@ -51,17 +49,17 @@ function leader_words({ run, player }: Of, index: number): string {
   return `${label_of(run, shape.tree, shape.leader)} with ${Number(shape.vote[0]!.toFixed(2))}`;
 }
 
-function words_of(a: Of, b: Of, ia: number, ib: number, field: number): string {
-  const [one, two] = [leader_words(a, ia), leader_words(b, ib)];
+function words_of(a: Of, b: Of, index: number, field: number): string {
+  const [one, two] = [leader_words(a, index), leader_words(b, index)];
   if (one !== two) return `${one} leads, in B ${two}`;
   if (field < 0) return 'another answer in the tree, the same action';
-  const said = (of: Of, index: number): string => {
+  const said = (of: Of): string => {
     const value = root_value(of, index, field);
     const about = of.run.platforms[of.player.kind].action[field]!;
-    return value === null ? 'nothing' : typeof value === 'string' ? value : value_text(of.run, of.player.kind, about, value);
+    return value === null ? 'nothing' : typeof value === 'string' ? value : value_text(of.run, about, value);
   };
   const { name } = a.run.platforms[a.player.kind].action[field]!;
-  const [mine, its] = [said(a, ia), said(b, ib)];
+  const [mine, its] = [said(a), said(b)];
   return mine === its ? `${name} ${mine} in both, but not to the last digit` : `${name} ${mine}, in B ${its}`;
 }
 
@@ -71,18 +69,14 @@ export function first_difference(a: Of, b: Of): Divergence | null {
   const [ka, kb] = [keys_of(a.run), keys_of(b.run)];
   const count = Math.min(da.t.length, db.t.length);
   for (let i = 0; i < count; ++i) {
-    const at = { index: [i, i] as [number, number], t: Math.min(da.t[i]!, db.t[i]!), step: Math.min(da.step[i]!, db.step[i]!) };
+    const at = { t: Math.min(da.t[i]!, db.t[i]!), step: Math.min(da.step[i]!, db.step[i]!) };
     if (da.step[i] !== db.step[i]) return { ...at, words: 'from here on they decide at other times' };
-    const alike = ka[da.shape[i]!] === kb[db.shape[i]!];
-    const field = other_field(a, b, i, i);
-    if (!alike || field >= 0) return { ...at, words: words_of(a, b, i, i, field) };
+    const field = other_field(a, b, i);
+    if (ka[da.shape[i]!] !== kb[db.shape[i]!] || field >= 0) return { ...at, words: words_of(a, b, i, field) };
   }
   if (da.t.length === db.t.length) return null;
   const longer = da.t.length > db.t.length ? da : db;
-  return {
-    index: [Math.min(count, da.t.length - 1), Math.min(count, db.t.length - 1)], t: longer.t[count]!, step: longer.step[count]!,
-    words: `only in ${longer === da ? 'A' : 'B'} does it go on deciding`,
-  };
+  return { t: longer.t[count]!, step: longer.step[count]!, words: `only in ${longer === da ? 'A' : 'B'} does it go on deciding` };
 }
 
 /** The first story line that only one of the runs has: of the first (0) or of the second (1). */

@@ -89,7 +89,7 @@ export function Fields({ player, index, tree }: { player: Player; index: number;
       <thead class="unseen"><tr><th>field</th><th>value</th><th>who won, and why</th></tr></thead>
       {fields.map((won) => (
           <FieldRow key={won.field} won={won} tree={tree} onPoint={point}
-            text={(value) => value_text(page.run, player.kind, page.run.platforms[player.kind].action[won.field]!, value)} />
+            text={(value) => value_text(page.run, page.run.platforms[player.kind].action[won.field]!, value)} />
       ))}
     </table>
   );

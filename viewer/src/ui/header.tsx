@@ -2,7 +2,7 @@
 /** Which run this is, and what concerns the whole page. */
 import { useState } from 'preact/hooks';
 import { toggle_theme } from './actions.ts';
-import type { Cell } from './cell.ts';
+import type { Cell } from '../store.ts';
 import { clock_text, count_text, number_text } from './format.ts';
 import { IconButton } from './icon.tsx';
 import type { Page } from './page.ts';

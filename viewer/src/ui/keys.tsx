@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /** Everything from the keyboard, and the dialog that says so. */
 import { useEffect, useRef } from 'preact/hooks';
+import { listen } from '../events.ts';
 import {
   change_rate, jump, next_camera, select, step_decision, step_leader, step_mark, toggle_play, toggle_theme, toggle_zoom,
 } from './actions.ts';
-import type { Cell } from './cell.ts';
+import type { Cell } from '../store.ts';
 import type { Page } from './page.ts';
 import { use_cell } from './use.ts';
 
@@ -53,18 +54,16 @@ function is_taken(event: KeyboardEvent): boolean {
 
 /** Listens as long as the page that `page` gives is there. */
 export function use_keys(page: Page, help: Cell<boolean>): void {
-  useEffect(() => {
-    const press = (event: KeyboardEvent): void => {
+  useEffect(() => listen(window, {
+    keydown: (event) => {
       if (is_taken(event) || event.defaultPrevented || help.get()) return;
       if (event.key === '?') return help.set(true);
       const key = kByKey.get(event.shiftKey ? `Shift+${event.key}` : event.key);
       if (!key) return;
       event.preventDefault();
       key.does(page);
-    };
-    addEventListener('keydown', press);
-    return () => removeEventListener('keydown', press);
-  }, [page, help]);
+    },
+  }), [page, help]);
 }
 
 export function Help({ open }: { open: Cell<boolean> }) {

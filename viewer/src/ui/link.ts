@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. What a playground
  * says in s= stays in it. */
+import { listen } from '../events.ts';
 import type { Run } from '../run/run.ts';
-import type { Camera, Pose, View } from '../store.ts';
+import { kCameras, type Pose, type View } from '../store.ts';
 import type { Page } from './page.ts';
 
-const kCameras: readonly Camera[] = ['free', 'follow', 'top', 'whole'];
-type Told = Pick<View, 'time' | 'selected' | 'camera' | 'pose' | 'zoom' | 'ruler'>;
+const kTold = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'] as const;
+type Told = Pick<View, (typeof kTold)[number]>;
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
@@ -58,15 +59,13 @@ export function follow_address({ run, store }: Page): () => void {
     const text = link_text(run, store.get(), location.hash);
     if (text !== location.hash) history.replaceState(history.state, '', text);
   };
-  const keys: (keyof View)[] = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'];
   const stop = store.subscribe((now, before) => {
-    if (keys.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
+    if (kTold.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
   });
-  const read = (): void => store.set(read_link(run, location.hash, store.get().end));
-  addEventListener('hashchange', read);
+  const unlisten = listen(window, { hashchange: () => store.set(read_link(run, location.hash, store.get().end)) });
   return () => {
     stop();
+    unlisten();
     clearTimeout(timer ?? undefined);
-    removeEventListener('hashchange', read);
   };
 }

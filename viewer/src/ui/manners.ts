@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What the page does about menus and focus beyond what browsers do. */
+import { listen } from '../events.ts';
 
 /** Menus close when something else is pressed, or with escape. */
 function close_menus(besides: EventTarget | null): boolean {
@@ -32,14 +33,6 @@ export function mind_manners(): () => void {
     target.closest<HTMLElement>('button:not(.rival), summary, select, [type=checkbox]')?.blur();
   };
   // before the keys of the page, which heed what is dealt with already
-  addEventListener('keydown', press, { capture: true });
-  addEventListener('pointerdown', down);
-  addEventListener('click', done);
-  addEventListener('change', done);
-  return () => {
-    removeEventListener('keydown', press, { capture: true });
-    removeEventListener('pointerdown', down);
-    removeEventListener('click', done);
-    removeEventListener('change', done);
-  };
+  const stops = [listen(window, { keydown: press }, { capture: true }), listen(window, { pointerdown: down, click: done, change: done })];
+  return () => stops.forEach((stop) => stop());
 }

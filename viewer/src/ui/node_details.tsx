@@ -29,7 +29,7 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
       {rows.map(({ supplier, field }) => (
         <div key={field}>
           <dt>{action[field]!.name}</dt>
-          <dd>{value_text(run, player.kind, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
+          <dd>{value_text(run, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
             {supplier !== node && <span class="dim"> {tree.nodes[supplier]!.label}</span>}</dd>
         </div>
       ))}

@@ -5,8 +5,7 @@ import { useContext } from 'preact/hooks';
 import type { Change } from '../ask/change.ts';
 import type { Run } from '../run/run.ts';
 import type { Other } from '../scene/other.ts';
-import type { Store, View } from '../store.ts';
-import { Cell } from './cell.ts';
+import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
 import type { QuantityKey } from './series.ts';
 

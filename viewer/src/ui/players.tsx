@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Everybody in the run: side, type, what became of them, and who leads in their tree now. */
-import { memo_by } from './memo.ts';
 import { last_at, type Player, type Run, type Side } from '../run/run.ts';
 import { measure, select } from './actions.ts';
 import { clock_text } from './format.ts';
 import { Chip } from './leaders.tsx';
-import { use_page, type Page } from './page.ts';
+import { use_page } from './page.ts';
 import { label_of } from './spans.ts';
 import { use_paced, use_view } from './use.ts';
 
@@ -30,18 +29,14 @@ export function fate_words(fate: Fate, gone: number): string {
   return fate === 'not yet' ? fate : `${fate === 'lost' ? '✕ lost' : '⌂ home'} ${clock_text(gone)}`;
 }
 
-interface Entry {
-  page: Page;
-  player: Player;
-  selected: boolean;
-  measured: boolean;
-  fate: Fate;
-  leader: string;
-}
-
-/** Most stay as they are from one redraw to the next. */
-const Line = memo_by(function Line({ page, player, selected, measured, fate, leader }: Entry) {
+function Line({ player }: { player: Player }) {
+  const page = use_page();
+  const { run, store } = page;
   const { name, index, side, type } = player;
+  const selected = use_view(store, (v) => v.selected === index);
+  const measured = use_view(store, (v) => v.ruler !== null && v.ruler.includes(index) && v.selected !== index);
+  const fate = use_paced(store, ({ time }) => fate_at(player, time));
+  const leader = use_paced(store, ({ time }) => leader_at(run, player, time));
   const key = index < 9 ? String(index + 1) : '';
   return (
     <li>
@@ -57,16 +52,10 @@ const Line = memo_by(function Line({ page, player, selected, measured, fate, lea
       </button>
     </li>
   );
-});
+}
 
 export function Players() {
-  const page = use_page();
-  const { run, store } = page;
-  const selected = use_view(store, (v) => v.selected);
-  const ruler = use_view(store, (v) => v.ruler);
-  // one text for all that is shown, so that the list is redrawn only if something in it changed
-  const state = use_paced(store, ({ time }) => run.players.map((p) => `${fate_at(p, time)}|${leader_at(run, p, time)}`).join('\n'));
-  const lines = state.split('\n').map((line) => line.split('|') as [Fate, string]);
+  const { run } = use_page();
   return (
     <section class="players" aria-label="Players">
       {run.flights.map((flight) => (
@@ -76,11 +65,7 @@ export function Players() {
             <span class="dim">{flight.members.length} × {run.players[flight.members[0]!]?.type}</span>
           </h3>
           <ul>
-            {flight.members.map((member) => {
-              const [fate, leader] = lines[member]!;
-              return <Line key={member} page={page} player={run.players[member]!} selected={member === selected} fate={fate} leader={leader}
-                measured={ruler !== null && ruler.includes(member) && member !== selected} />;
-            })}
+            {flight.members.map((member) => <Line key={member} player={run.players[member]!} />)}
           </ul>
         </div>
       ))}

@@ -1,34 +1,21 @@
 // SPDX-License-Identifier: MIT
 /** What a player saw before a decision; names in brackets are the truth, which it did not know. */
 import { useMemo } from 'preact/hooks';
-import { value_text, type FieldInfo } from '../words/text.ts';
-import { last_at, type Motion, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
+import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
+import { new_pose, place_at } from '../scene/motion.ts';
+import { height_text, quantity_text, value_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { clock_text, number_text } from './format.ts';
 import { use_page } from './page.ts';
-
-const kRange: FieldInfo = { name: 'range', unit: 'm', kind: 'number' };
-const kBearing: FieldInfo = { name: 'bearing', unit: 'rad', kind: 'number' };
-const kAltitude: FieldInfo = { name: 'altitude', unit: 'm', kind: 'number' };
-
-/** Between two samples along the straight line. */
-export function place_at({ t, east, north, up }: Motion, time: number): Place {
-  const i = Math.max(last_at(t, time), 0);
-  const next = Math.min(i + 1, t.length - 1);
-  const part = next === i ? 0 : Math.min((time - t[i]!) / (t[next]! - t[i]!), 1);
-  const at = (values: Float64Array): number => values[i]! + (values[next]! - values[i]!) * Math.max(part, 0);
-  return { east: at(east), north: at(north), up: at(up) };
-}
 
 function from_here(own: Place, { east, north, up }: Place): { range: number; bearing: number } {
   const [e, n] = [east - own.east, north - own.north];
   return { range: Math.hypot(e, n, up - own.up), bearing: (Math.atan2(e, n) + 2 * Math.PI) % (2 * Math.PI) };
 }
 
-function Track({ player, track, own }: { player: Player; track: TrackSeen; own: Place }) {
+function Track({ track, own }: { track: TrackSeen; own: Place }) {
   const page = use_page();
   const { run } = page;
-  const text = (field: FieldInfo, value: number): string => value_text(run, player.kind, field, value);
   const { range, bearing } = from_here(own, track.place);
   const truth = run.players[track.truth];
   return (
@@ -40,25 +27,24 @@ function Track({ player, track, own }: { player: Player; track: TrackSeen; own: 
               onClick={() => select(page, truth.index)}>({truth.name})</button>
           : <span class="truth">(nothing there)</span>}
       </td>
-      <td>{text(kRange, range)}</td><td>{text(kBearing, bearing)}</td><td>{text(kAltitude, track.place.up)}</td>
+      <td>{quantity_text(range, 'm')}</td><td>{quantity_text(bearing, 'rad')}</td><td>{height_text(track.place.up)}</td>
       <td>{number_text(track.age, 1)} s</td><td class="accent">{track.is_target ? 'target' : ''}</td>
     </tr>
   );
 }
 
 function Perceived({ player, sight }: { player: Player; sight: Sight }) {
-  const { run } = use_page();
-  const own = place_at(player.motion, sight.t);
-  const text = (field: FieldInfo, value: number): string => value_text(run, player.kind, field, value);
+  const own = new_pose();
+  place_at(player.motion, sight.t, own);
   return (
     <table class="tracks">
       <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>altitude</th><th>age</th><th /></tr></thead>
       <tbody>
-        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} player={player} track={track} own={own} />)}
+        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
             <th scope="row">⚠ {kind}</th><td><span class="truth">({name})</span></td>
-            <td>{text(kRange, range)}</td><td>{text(kBearing, bearing)}</td><td colSpan={3} />
+            <td>{quantity_text(range, 'm')}</td><td>{quantity_text(bearing, 'rad')}</td><td colSpan={3} />
           </tr>
         ))}
       </tbody>
@@ -66,14 +52,9 @@ function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   );
 }
 
-function Zone({ player, zone }: { player: Player; zone: NonNullable<Sight['zone']> }) {
-  const { run } = use_page();
-  const text = (range: number): string => value_text(run, player.kind, kRange, range);
-  return (
-    <p class="small">
-      <span class="dim">zone of the missile in hand:</span> {text(zone.min)} to {text(zone.max)}, no escape within {text(zone.no_escape)}
-    </p>
-  );
+function Zone({ min, no_escape, max }: NonNullable<Sight['zone']>) {
+  const [least, sure, most] = [min, no_escape, max].map((range) => quantity_text(range, 'm'));
+  return <p class="small"><span class="dim">zone of the missile in hand:</span> {least} to {most}, no escape within {sure}</p>;
 }
 
 export function Seen({ player, time }: { player: Player; time: number }) {
@@ -89,12 +70,12 @@ export function Seen({ player, time }: { player: Player; time: number }) {
       <dl class="state">
         {state.map((field, i) => (
           <div key={field.name} class={Number.isNaN(sight.state[i]) ? 'none' : ''} data-state={field.name}>
-            <dt>{field.name}</dt><dd>{value_text(run, player.kind, field, sight.state[i]!)}</dd>
+            <dt>{field.name}</dt><dd>{value_text(run, field, sight.state[i]!)}</dd>
           </div>
         ))}
       </dl>
       {sight.tracks.length + sight.warnings.length > 0 && <Perceived player={player} sight={sight} />}
-      {sight.zone && <Zone player={player} zone={sight.zone} />}
+      {sight.zone && <Zone {...sight.zone} />}
     </>
   );
 }

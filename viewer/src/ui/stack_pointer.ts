@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The pointer over the timeline and the strips: click jumps, drag scrubs or zooms, wheel zooms or moves. */
+import { listen } from '../events.ts';
 import { jump, pan_by, zoom_by, zoom_to } from './actions.ts';
 import { range_of, type Page } from './page.ts';
 
@@ -82,22 +83,8 @@ export function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page,
   const whole = (event: MouseEvent): void => {
     if (row_of(event) && place(event).inside) page.store.set({ zoom: null });
   };
-  const leave = (): void => page.hover.set(null);
-
-  stack.addEventListener('pointerdown', down);
-  stack.addEventListener('pointermove', move);
-  stack.addEventListener('pointerup', up);
-  stack.addEventListener('pointercancel', cancel);
-  stack.addEventListener('pointerleave', leave);
-  stack.addEventListener('wheel', wheel, { passive: false });
-  stack.addEventListener('dblclick', whole);
-  return () => {
-    stack.removeEventListener('pointerdown', down);
-    stack.removeEventListener('pointermove', move);
-    stack.removeEventListener('pointerup', up);
-    stack.removeEventListener('pointercancel', cancel);
-    stack.removeEventListener('pointerleave', leave);
-    stack.removeEventListener('wheel', wheel);
-    stack.removeEventListener('dblclick', whole);
-  };
+  return listen(stack, {
+    pointerdown: down, pointermove: move, pointerup: up, pointercancel: cancel, pointerleave: () => page.hover.set(null), wheel,
+    dblclick: whole,
+  }, { passive: false });
 }

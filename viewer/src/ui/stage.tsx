@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** The air picture with its camera and layers. */
 import { useEffect, useRef } from 'preact/hooks';
-import { mount_scene, type SceneHandle } from '../scene/scene.ts';
-import { kLayers, type Camera, type Layer } from '../store.ts';
+import { AirPicture } from '../scene/scene.ts';
+import { kCameras, kLayers, type Camera, type Layer } from '../store.ts';
 import { use_page } from './page.ts';
 import { use_view } from './use.ts';
 
-const kCameras: { camera: Camera; label: string; help: string }[] = [
-  { camera: 'whole', label: 'whole', help: 'Everybody in the picture' },
-  { camera: 'follow', label: 'follow', help: 'Follow the selected player (f)' },
-  { camera: 'top', label: 'top', help: 'From above, north up' },
-  { camera: 'free', label: 'free', help: 'Stay where the camera is' },
-];
+const kCameraHelp: Record<Camera, string> = {
+  whole: 'Everybody in the picture', follow: 'Follow the selected player (f)', top: 'From above, north up', free: 'Stay where the camera is',
+};
 const kLayerWords: Record<Layer, string> = {
   trails: 'trails', drop_lines: 'heights', radar: 'radar', tracks: 'tracks it has', zones: 'missile zones', routes: 'routes',
   labels: 'names', coast: 'coast',
@@ -26,8 +23,8 @@ function Tools() {
     <div class="stage-tools">
       <div class="segments" role="group" aria-label="Camera">
         {kCameras.map((one) => (
-          <button type="button" key={one.camera} aria-pressed={camera === one.camera} title={one.help} aria-label={`Camera: ${one.help}`}
-            onClick={() => store.set({ camera: one.camera })}>{one.label}</button>
+          <button type="button" key={one} aria-pressed={camera === one} title={kCameraHelp[one]} aria-label={`Camera: ${kCameraHelp[one]}`}
+            onClick={() => store.set({ camera: one })}>{one}</button>
         ))}
       </div>
       <details class="menu">
@@ -44,11 +41,11 @@ function Tools() {
   );
 }
 
-export function Stage({ onMount }: { onMount: (scene: SceneHandle) => void }) {
+export function Stage({ onMount }: { onMount: (scene: AirPicture) => void }) {
   const { run, store, other, letter } = use_page();
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    const scene = mount_scene(host.current!, run, store, other);
+    const scene = new AirPicture(host.current!, run, store, other);
     onMount(scene);
     return () => scene.dispose();
   }, [run, store]);

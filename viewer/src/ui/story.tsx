@@ -6,7 +6,6 @@ import { jump, select } from './actions.ts';
 import { clock_text } from './format.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
-import { memo_by } from './memo.ts';
 import { type Page, use_page } from './page.ts';
 import { use_paced } from './use.ts';
 
@@ -74,9 +73,6 @@ function Told({ page, line }: { page: Page; line: number }) {
   );
 }
 
-/** Drawn once; where the present is in it is written on them afterwards. */
-const Lines = memo_by(({ page, lines }: { page: Page; lines: number[] }) => <>{lines.map((line) => <Told key={line} page={page} line={line} />)}</>);
-
 /** A big fight has thousands of lines: so many around the present stand in the list, and move on before it reaches their end. */
 const kStretch = 240;
 const kMargin = 40;
@@ -122,7 +118,8 @@ export function Story() {
   // whoever reads in it is not pulled away
   if (!still.current || stretch.current.last > lines.length) stretch.current = stretch_of(at, lines.length, stretch.current);
   const { first, last } = stretch.current;
-  const shown = useMemo(() => lines.slice(first, last), [lines, first, last]);
+  // drawn once; where the present is in them is written on them afterwards
+  const shown = useMemo(() => lines.slice(first, last).map((line) => <Told key={line} page={page} line={line} />), [page, lines, first, last]);
   const widen = (earlier: number, later: number): void => {
     stretch.current = { first: Math.max(0, first - earlier), last: Math.min(lines.length, last + later) };
     redraw(undefined);
@@ -139,7 +136,7 @@ export function Story() {
       <Filters filter={filter} onChange={set_filter} />
       <ol ref={list} onPointerEnter={() => (still.current = true)} onPointerLeave={() => (still.current = false)}>
         <More count={first} where="earlier" onClick={() => widen(kStretch, 0)} />
-        <Lines page={page} lines={shown} />
+        {shown}
         <More count={lines.length - last} where="later" onClick={() => widen(0, kStretch)} />
       </ol>
       {!lines.length && <p class="dim small">Nothing of that kind happened.</p>}

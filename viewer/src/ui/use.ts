@@ -4,8 +4,7 @@ import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { RefObject } from 'preact';
 import { subscribe_paced } from '../clock.ts';
 import { last_at, type Player } from '../run/run.ts';
-import type { Store, View } from '../store.ts';
-import type { Cell } from './cell.ts';
+import type { Cell, Store, View } from '../store.ts';
 import { use_page } from './page.ts';
 
 type Subscribe = (store: Store, listener: () => void) => () => void;

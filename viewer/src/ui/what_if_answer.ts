@@ -5,7 +5,7 @@ import { sets_of, type Change } from '../ask/change.ts';
 import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
 import { decode } from '../run/decode.ts';
 import type { Player, Run } from '../run/run.ts';
-import { Cell } from './cell.ts';
+import { Cell } from '../store.ts';
 import { use_page, type Page } from './page.ts';
 import { use_cell, use_view } from './use.ts';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What the page shows of itself to tests. */
 import type { Run } from '../run/run.ts';
-import type { SceneHandle } from '../scene/scene.ts';
+import type { AirPicture } from '../scene/scene.ts';
 import type { Store } from '../store.ts';
 
 declare global {
@@ -10,7 +10,7 @@ declare global {
       /** The first run, its store and its air picture. */
       run: Run;
       store: Store;
-      scene: SceneHandle;
+      scene: AirPicture;
       runs: Run[];
     };
   }
