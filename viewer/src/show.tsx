@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Runs on the screen: their stores, the clock, the address, and the page that shows them. */
-import { render } from 'preact';
+import { render, type ComponentChildren } from 'preact';
 import { run_clock } from './clock.ts';
-import { EngineError } from './engine/module.ts';
+import { EngineError, words_of } from './engine/module.ts';
 import { started } from './parts.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
@@ -19,7 +19,7 @@ import { leader_colors } from './ui/spans.ts';
 const kDamaged = 'the data of the run is damaged or incomplete';
 
 /** What goes wrong while unpacking is of no use to anybody, except that it did. */
-export async function unless_damaged<T>(unpacked: () => Promise<T>): Promise<T> {
+async function unless_damaged<T>(unpacked: () => Promise<T>): Promise<T> {
   try {
     return await unpacked();
   } catch (error) {
@@ -38,6 +38,12 @@ export async function flown_again(module: WebAssembly.Module, file: Uint8Array, 
   until = (await engine.open(file)).until ?? Infinity;
   begun({ ...decode((await engine.page({ until: kFirst })).bytes), engine, is_part: true });
   return { ...decode((await engine.page({})).bytes), engine };
+}
+
+/** Says why a page cannot be opened, instead of it. */
+export function say_failure(host: HTMLElement, title: string, error: unknown, hint?: ComponentChildren): void {
+  host.replaceChildren();
+  render(<div class="failure" role="alert"><h1>{title}</h1><p>{words_of(error)}</p>{hint && <p>{hint}</p>}</div>, host);
 }
 
 export function put_theme(theme: View['theme']): void {
@@ -104,17 +110,26 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   };
 }
 
-/** Shows runs as soon as there is a part of each of them, and whole when they are. */
+/** Makes a run; `told` which part of it is done, `begun` with its beginning. */
+export type Opening = (told: (part: number) => void, begun: (run: Run) => void) => Promise<Run>;
+
+/** Shows runs as soon as there is a part of each of them, and whole when they are; `told` how much is done, in percent. */
 export async function show_as_flown(
-  flights: ((begun: (run: Run) => void) => Promise<Run>)[], host: HTMLElement, view: Partial<View> = {}, back?: Back,
+  flights: Opening[], host: HTMLElement, told: (percent: number) => void, view: Partial<View> = {}, back?: Back,
 ): Promise<Shown> {
   const parts = new Map<number, Run>();
+  const done = flights.map(() => 0);
   let shown: Shown | null = null;
+  const tell = (i: number) => (part: number): void => {
+    done[i] = part;
+    told(Math.floor((100 * done.reduce((a, b) => a + b, 0)) / done.length));
+  };
+  const begin = (i: number) => (part: Run): void => {
+    parts.set(i, part);
+    if (parts.size === flights.length) shown = show(flights.map((_, k) => parts.get(k)!), host, view, back);
+  };
   try {
-    const runs = await Promise.all(flights.map((flight, i) => flight((part) => {
-      parts.set(i, part);
-      if (parts.size === flights.length) shown = show(flights.map((_, k) => parts.get(k)!), host, view, back);
-    })));
+    const runs = await Promise.all(flights.map((flight, i) => unless_damaged(() => flight(tell(i), begin(i)))));
     const begun = shown as Shown | null;
     begun?.update(runs);
     return begun ?? show(runs, host, view, back);

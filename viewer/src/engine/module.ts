@@ -20,6 +20,11 @@ export class EngineError extends Error {
   }
 }
 
+/** What went wrong, for people. */
+export function words_of(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
 /** What a C++ library asks of its system: nothing but to say its last words. */
 function system(memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
   const words: string[] = [];

@@ -2,7 +2,7 @@
 /** Opens the playground with the texts that stand in the page. */
 import { render } from 'preact';
 import { engine_module, painted, parts, unpack } from '../parts.ts';
-import { put_theme } from '../show.tsx';
+import { put_theme, say_failure } from '../show.tsx';
 import { first_view } from '../store.ts';
 import { Playground, type Opened } from './playground.tsx';
 
@@ -20,6 +20,4 @@ async function open(host: HTMLElement): Promise<void> {
 }
 
 const host = document.getElementById('app')!;
-open(host).catch((error: unknown) => {
-  host.replaceChildren(Object.assign(document.createElement('p'), { className: 'failure', textContent: `The playground cannot be opened: ${error instanceof Error ? error.message : String(error)}` }));
-});
+open(host).catch((error: unknown) => say_failure(host, 'The playground cannot be opened', error));

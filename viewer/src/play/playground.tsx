@@ -2,12 +2,11 @@
 /** The playground: the text of a scenario at the left, what became of it at the right. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
-import { EngineError } from '../engine/module.ts';
+import { EngineError, words_of } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
 import { started } from '../parts.ts';
 import type { RunningEngine } from '../engine/engine.ts';
-import type { Run } from '../run/run.ts';
-import { flown_again, put_theme, show_as_flown, unless_damaged } from '../show.tsx';
+import { flown_again, put_theme, show_as_flown, type Opening } from '../show.tsx';
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
@@ -24,8 +23,6 @@ import { link_of, read_link } from './share.ts';
 /** ms that the keyboard rests before the loader is asked. */
 const kRest = 150;
 const kMostFlights = 20;
-
-const words_of = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 /** What the loader said last, and whether that was of what the text is now. */
 interface Said {
@@ -160,11 +157,6 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
     try {
       await write_link(runs.at(-1)!.project);
-      const parts = runs.map(() => 0);
-      const told = (i: number) => (part: number): void => {
-        parts[i] = part;
-        put_busy(`Making the debrief: ${Math.floor((100 * parts.reduce((a, b) => a + b, 0)) / parts.length)} %`);
-      };
       const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
       const engines = new Set<RunningEngine | undefined>();
       let is_open = true;
@@ -183,13 +175,13 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
           closing.then((shown) => shown.close(), () => {});
         },
       };
-      const flights = runs.map((run, i) => (begun: (part: Run) => void) => unless_damaged(() => flown_again(module, run.file!, told(i), (part) => {
+      const flights = runs.map((run): Opening => (told, begun) => flown_again(module, run.file!, told, (part) => {
         engines.add(part.engine);
         document.body.append(box);
         host.hidden = true;
         begun(part);
-      })));
-      const closing = show_as_flown(flights, box, { theme, ...first }, back);
+      }));
+      const closing = show_as_flown(flights, box, (percent) => put_busy(`Making the debrief: ${percent} %`), { theme, ...first }, back);
       await closing.catch((error: unknown) => {
         if (!is_open) return;
         leave();
