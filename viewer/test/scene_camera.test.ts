@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Eye } from '../src/scene/eye.ts';
 import { fit, kFlatFov, kFov, Rig, type Stance } from '../src/scene/rig.ts';
-import { Sharpness } from '../src/scene/sharpness.ts';
+import { Sharpness } from '../src/scene/pace.ts';
 
 const near = (a: number, b: number, by = 1e-6): void => assert.ok(Math.abs(a - b) <= by, `${a} is not within ${by} of ${b}`);
 const stance = (patch: Partial<Stance> = {}): Stance => ({ x: 0, y: 0, z: 0, height: 100, azimuth: 0, polar: 0.9, fov: kFov, ...patch });

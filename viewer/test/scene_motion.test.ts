@@ -3,8 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Motion } from '../src/run/run.ts';
-import { climb_at, gauge_at, is_shown, new_pose, place_at, pose_at, turn } from '../src/scene/motion.ts';
-import { Poses } from '../src/scene/poses.ts';
+import { climb_at, gauge_at, is_shown, new_pose, place_at, pose_at, turn, Poses } from '../src/scene/motion.ts';
 
 function motion_of(times: number[], at: (t: number) => Partial<Record<Exclude<keyof Motion, 't'>, number>>): Motion {
   const column = (key: Exclude<keyof Motion, 't'>) => Float64Array.from(times, (t) => at(t)[key] ?? 0);

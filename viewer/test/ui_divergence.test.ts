@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
-import { first_difference, first_other_line, type Divergence } from '../src/ui/divergence.ts';
+import { first_difference, first_other_line, type Divergence } from '../src/ui/compare.tsx';
 import { kBreaks, kPursues, kStory, told_run } from './ui_run.ts';
 
 function between(a: Run, b: Run): Divergence | null {

@@ -4,9 +4,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { resample } from '../src/ui/series.ts';
 import { fill_of, leader_colors, leader_spans, spans_of } from '../src/ui/spans.ts';
-import { layout_tree } from '../src/ui/tree_layout.ts';
-import { command_of, sets_of } from '../src/ask/change.ts';
-import { ask } from '../src/ui/what_if_answer.ts';
+import { layout_tree } from '../src/ui/tree_view.tsx';
+import { command_of, sets_of, ask } from '../src/ui/what_if_answer.ts';
 import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
 
 const kRun = told_run([kPursues, kPursues, kBreaks, kPursues]);

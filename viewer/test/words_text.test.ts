@@ -2,9 +2,8 @@
 /** Values in words, as the terminal writes them. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { fixed, general } from '../src/words/format.ts';
-import { value_text, type FieldInfo } from '../src/words/text.ts';
 import type { Run } from '../src/run/run.ts';
+import { fixed, general, value_text, type FieldInfo } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 

@@ -2,7 +2,7 @@
 /** The store's camera and the user's hand, turned into what the rig should do. */
 import type { Pose, View } from '../store.ts';
 import type { Eye } from './eye.ts';
-import type { Poses } from './poses.ts';
+import type { Poses } from './motion.ts';
 import { fit, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 
 /** rad from straight down, in 'whole' and when 'top' is left. */

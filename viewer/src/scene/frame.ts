@@ -2,13 +2,13 @@
 /** What every layer draws from and into. Each is a function of this alone, so a picture depends on nothing before it. */
 import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
+import type { Eyesight } from './beliefs.ts';
 import type { Eye } from './eye.ts';
+import type { Poses } from './motion.ts';
 import type { Mark, Notes } from './notes.ts';
 import type { Other } from './other.ts';
 import type { Discs, Pens } from './painter.ts';
 import type { Palette } from './palette.ts';
-import type { Poses } from './poses.ts';
-import type { Eyesight } from './sight.ts';
 
 export interface Frame {
   run: Run;

@@ -33,12 +33,6 @@ export function grid_of(eye: Eye): Grid {
   return { step: kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!, x, z };
 }
 
-/** What the grid depends on: the same numbers, the same grid. */
-export function grid_key({ step, x, z }: Grid): string {
-  const km = step * kNmi;
-  return `${step} ${Math.round(x / km)} ${Math.round(z / km)}`;
-}
-
 function lay(lines: Pens, km: number, x: number, z: number): void {
   const radius = kHalf * km;
   const [mx, mz] = [Math.round(x / km) * km, Math.round(z / km) * km];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The other future beside the one that was flown: where everybody would be, drawn hollow and broken from where the two part. */
 import type { Run, Side } from '../run/run.ts';
-import { type Frame, kSideMark } from './frame.ts';
-import { Poses } from './poses.ts';
+import { kSideMark, type Frame } from './frame.ts';
+import { Poses } from './motion.ts';
 import { draw_way, kTrail } from './trails.ts';
 
 export interface Other {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-/** What the layers draw with, and what puts it on the screen: with a graphics card (gl), or without (flat). */
+/** What the layers draw with, and what puts it on the screen: with a graphics card (gl) if there is one, or without (flat). */
+import type { Run } from '../run/run.ts';
+import type { Eye } from './eye.ts';
+import { FlatPainter } from './flat/painter.ts';
 import type { Frame } from './frame.ts';
+import { GlPainter } from './gl/painter.ts';
 import type { Palette } from './palette.ts';
 import type { Volume } from './radar.ts';
 
@@ -29,4 +33,48 @@ export interface Painter {
   /** The picture: ground, everybody, the radar's volume, and what was given to lines and puffs. */
   draw(frame: Frame, volume: Volume | null): void;
   dispose(): void;
+}
+
+/** Whether the processor stands in for a graphics card. */
+function is_stand_in(context: WebGL2RenderingContext): boolean {
+  const named = context.getExtension('WEBGL_debug_renderer_info');
+  const name: unknown = named && context.getParameter(named.UNMASKED_RENDERER_WEBGL);
+  return typeof name === 'string' && /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
+/** What the address asks for: "?draw=webgl" or "?draw=canvas" after the name of the file; null: what suits the machine. */
+function wish(): 'webgl' | 'canvas' | null {
+  const asked = new URLSearchParams(location.search).get('draw');
+  return asked === 'webgl' || asked === 'canvas' ? asked : null;
+}
+
+function new_canvas(): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;display:block';
+  return canvas;
+}
+
+export interface Easel {
+  canvas: HTMLCanvasElement;
+  painter: Painter;
+  /** There is no graphics card. */
+  flat: boolean;
+}
+
+function with_card(run: Run, eye: Eye): Easel | null {
+  const canvas = new_canvas();
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'high-performance' });
+  if (!context) return null;
+  if (wish() === 'webgl' || !is_stand_in(context)) return { canvas, painter: new GlPainter(canvas, context, run, eye), flat: false };
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return null;
+}
+
+export function set_up(run: Run, eye: Eye): Easel {
+  const easel = wish() === 'canvas' ? null : with_card(run, eye);
+  if (easel) return easel;
+  const canvas = new_canvas();
+  const context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
+  if (!context) throw new Error('this browser offers neither WebGL 2 nor a 2-D canvas');
+  return { canvas, painter: new FlatPainter(canvas, context, run), flat: true };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/** The picture's colours, 0xRRGGBB, after Okabe and Ito's set that colour-blind people can tell apart. */
+/** The picture's colours, 0xRRGGBB, after Okabe and Ito's set that colour-blind people can tell apart; and how
+ * models are lit: by the sky from above, by the ground from below, and by a sun. */
 import type { Side } from '../run/run.ts';
 import type { View } from '../store.ts';
 
@@ -86,3 +87,11 @@ export function css(tint: number, alpha = 1): string {
   }
   return style;
 }
+
+export const kSky = 0xffffff;
+export const kGround = 0x56606b;
+/** Of sky and ground. */
+export const kDiffuse = 1.6;
+export const kSunlight = 1.9;
+/** To the sun, in the scene. */
+export const kSun = [-0.6, 1, 0.5] as const;

@@ -3,25 +3,22 @@
 import type { Run } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
 import { measure } from '../ui/actions.ts';
-import { draw_tracks, draw_zone } from './beliefs.ts';
+import { draw_tracks, draw_zone, SightReader } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
 import { SceneCamera } from './camera.ts';
-import { type Easel, set_up } from './choose.ts';
 import { Eye } from './eye.ts';
 import type { Frame } from './frame.ts';
-import { type Hand, watch_hand } from './gestures.ts';
+import { watch_hand, type Hand } from './gestures.ts';
 import { draw_hud } from './hud.ts';
-import { Meter } from './meter.ts';
+import { Poses } from './motion.ts';
 import { Notes } from './notes.ts';
-import { css, palette_of } from './palette.ts';
-import { Poses } from './poses.ts';
-import { draw_radar, type Volume } from './radar.ts';
-import { draw_routes } from './routes.ts';
 import { draw_other, type Other } from './other.ts';
-import { kRest, Sharpness } from './sharpness.ts';
-import { SightReader } from './sight.ts';
+import { set_up, type Easel } from './painter.ts';
+import { css, palette_of } from './palette.ts';
+import { draw_radar, type Volume } from './radar.ts';
+import { Meter, kRest, Sharpness } from './pace.ts';
 import { told } from './told.ts';
-import { draw_drop_lines, draw_trails } from './trails.ts';
+import { draw_routes, draw_drop_lines, draw_trails } from './trails.ts';
 import { draw_losses, draw_missiles } from './weapons.ts';
 
 /** What of the view is seen here. */

@@ -3,7 +3,7 @@
 import { Euler, Matrix4, Vector3 } from 'three';
 import type { Eye } from './eye.ts';
 import { kCrowd } from './frame.ts';
-import type { Poses } from './poses.ts';
+import type { Poses } from './motion.ts';
 import type { ShapeName } from './shapes.ts';
 
 /** Least length on screen, CSS px. */

@@ -4,7 +4,7 @@ import type { Run } from '../run/run.ts';
 import type { View } from '../store.ts';
 import { degrees, feet } from './frame.ts';
 import { convergence } from './geo.ts';
-import type { Poses } from './poses.ts';
+import type { Poses } from './motion.ts';
 
 const kCamera: Record<View['camera'], string> = {
   free: 'seen from a free camera', follow: 'seen from behind the selected player', top: 'seen from above', whole: 'seen as a whole',

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
-import type { Change } from '../ask/change.ts';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
-import { general } from '../words/format.ts';
-import { value_text } from '../words/text.ts';
+import { general, value_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
-import { ask, change_of, use_node_types } from './what_if_answer.ts';
+import { ask, change_of, use_node_types, type Change } from './what_if_answer.ts';
 
 interface Looked {
   player: Player;

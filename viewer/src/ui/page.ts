@@ -2,12 +2,12 @@
 /** One run on the page with what its panels share. */
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { Change } from '../ask/change.ts';
 import type { Run } from '../run/run.ts';
 import type { Other } from '../scene/other.ts';
 import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
 import type { QuantityKey } from './series.ts';
+import type { Change } from './what_if_answer.ts';
 
 /** What the strips show. */
 export interface StripChoice {

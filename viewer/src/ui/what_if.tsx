@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The answer to what is asked of the trees: how many decisions would have been others, and the first one. */
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { command_of, type Change } from '../ask/change.ts';
+import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
 import type { Other } from '../scene/other.ts';
@@ -10,7 +10,9 @@ import { clock_text, count_text } from './format.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
-import { branch, use_answer, use_question, type Asked as AskedOf, type Future } from './what_if_answer.ts';
+import {
+  command_of, branch, use_answer, use_question, type Change, type Asked as AskedOf, type Future,
+} from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
 export async function copy_text(text: string, shown: HTMLElement | null): Promise<boolean> {
@@ -114,7 +116,7 @@ function FlyOn({ player }: { player: Player }) {
         put({ from: time, value });
         show({ from: step * dt, run: value.run });
       },
-      (error: unknown) => put({ from: time, problem: error instanceof Error ? error.message : String(error) }),
+      (error: unknown) => put({ from: time, problem: words_of(error) }),
     );
   };
   return (

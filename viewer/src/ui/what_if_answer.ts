@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** What changed trees would have decided, as the engine says, asked once for all panels that show it. */
+/** What is asked of a tree instead of what was flown, in the words of `eyrie whatif --set`; and what it would have decided, as the
+ * engine says, asked once for all panels that show it. */
 import { useEffect, useState } from 'preact/hooks';
-import { sets_of, type Change } from '../ask/change.ts';
+import { words_of } from '../engine/module.ts';
 import type { NodeType, NodeTypes, Outcome, WhatIf } from '../engine/questions.ts';
 import { decode } from '../run/decode.ts';
 import type { Player, Run } from '../run/run.ts';
@@ -31,7 +32,7 @@ function use_asked<T>(key: string | null, ask: () => Promise<T>, rest = 0): Aske
     put((last) => last ?? { key: '' });
     const timer = setTimeout(() => ask().then(
       (value) => is_wanted && put({ key, value }),
-      (error: unknown) => is_wanted && put({ key, problem: error instanceof Error ? error.message : String(error) }),
+      (error: unknown) => is_wanted && put({ key, problem: words_of(error) }),
     ), rest);
     return () => {
       is_wanted = false;
@@ -111,4 +112,40 @@ export function ask(changes: Cell<Change[]>, change: Change): void {
   const others = changes.get().filter((one) => one.tree !== change.tree || one.node !== change.node);
   const is_one = change.type !== undefined || Object.keys(change.params).length > 0;
   changes.set(is_one ? [...others, change] : others);
+}
+
+export interface Change {
+  /** Index into Run.trees. */
+  tree: number;
+  node: number;
+  /** Another type for the node. */
+  type?: string;
+  /** Values of parameters as a file has them: "30", "12 nmi", "{heading: {min: 0 deg}}". */
+  params: Record<string, string>;
+}
+
+/** The tree that a player begins with; a path without the name of a tree is about it. */
+function first_tree(run: Run, player: number): number {
+  const first = run.players[player]!.decisions.shape[0];
+  return first === undefined ? -1 : run.shapes[first]!.tree;
+}
+
+export function sets_of(run: Run, player: number, changes: readonly Change[]): string[] {
+  const own = first_tree(run, player);
+  return changes.flatMap(({ tree, node, type, params }) => {
+    const { name, nodes } = run.trees[tree]!;
+    const path = `${tree === own ? '' : `${name}:`}${nodes[node]!.path}`;
+    return [...(type === undefined ? [] : [`${path}=${type}`]), ...Object.entries(params).map(([key, value]) => `${path}.${key}=${value}`)];
+  });
+}
+
+/** A word of a shell's command line. */
+function quoted(text: string): string {
+  return `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+/** The same question for the terminal; RUN stands for the folder of the run. */
+export function command_of(run: Run, player: number, changes: readonly Change[]): string {
+  const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
+  return ['eyrie whatif RUN', `--player ${run.players[player]!.name}`, ...sets].join(' ');
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** One decision in words and numbers, as `eyrie explain` tells it: src/debrief/decision.cpp. */
 import type { Run, Shape, Tree } from '../run/run.ts';
-import { general } from './format.ts';
+import { general } from './text.ts';
 
 /** Somebody who proposed a field that another one won. */
 export interface Rival {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-/** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. */
+/** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. Faces
+ * have the colours that a renderer which knows of light in linear shares makes. */
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
-import { css, type Palette } from '../palette.ts';
-import type { Poses } from '../poses.ts';
+import type { Poses } from '../motion.ts';
+import { kDiffuse, kGround, kSky, kSun, kSunlight, css, shares, type Palette } from '../palette.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
 import { size_of, write_matrix } from '../stature.ts';
-import { level_of, shades_of } from './shades.ts';
 
 interface Model {
   name: ShapeName;
@@ -149,4 +149,47 @@ export class FlatFleet {
       context.stroke();
     }
   }
+}
+
+const kLevels = 24;
+/** What is brighter is white already. */
+const kBrightest = (kDiffuse + kSunlight) / Math.PI;
+
+function to_linear(share: number): number {
+  return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+}
+function to_screen(light: number): number {
+  const share = Math.min(1, light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055);
+  return Math.round(share * 255);
+}
+function grey_of(tint: number): number {
+  return shares(tint).reduce((sum, share) => sum + to_linear(share), 0) / 3;
+}
+
+const sky = grey_of(kSky);
+const ground = grey_of(kGround);
+const sun_length = Math.hypot(...kSun);
+
+/** The level of light on a face with that normal. */
+export function level_of(x: number, y: number, z: number): number {
+  const above = 0.5 + 0.5 * y;
+  const sun = Math.max(0, (x * kSun[0] + y * kSun[1] + z * kSun[2]) / sun_length);
+  const light = (kDiffuse * (ground + (sky - ground) * above) + kSunlight * sun) / Math.PI;
+  return Math.min(kLevels, Math.round((light / kBrightest) * kLevels));
+}
+
+const shades = new Map<number, string[]>();
+
+/** Of a colour at each level. */
+export function shades_of(tint: number): string[] {
+  let all = shades.get(tint);
+  if (!all) {
+    const linear = shares(tint).map(to_linear);
+    all = Array.from({ length: kLevels + 1 }, (_, level) => {
+      const [r, g, b] = linear.map((share) => to_screen((share * level * kBrightest) / kLevels)) as [number, number, number];
+      return css((r << 16) | (g << 8) | b);
+    });
+    shades.set(tint, all);
+  }
+  return all;
 }

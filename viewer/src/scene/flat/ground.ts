@@ -6,7 +6,7 @@ import type { Origin } from '../geo.ts';
 import { draw_grid, grid_of, is_near, kClear, kHazy } from '../grid.ts';
 import { css, type Palette } from '../palette.ts';
 import { FlatLines } from './lines.ts';
-import { circle_on_ground, trace_area } from './polygon.ts';
+import { circle_on_ground, trace_area } from './areas.ts';
 
 /** So many veils lie over each other until all is sky. */
 const kVeils = 10;

@@ -8,8 +8,8 @@ import type { Volume } from '../radar.ts';
 import { FlatFleet } from './fleet.ts';
 import { FlatGround } from './ground.ts';
 import { FlatLines } from './lines.ts';
+import { draw_volume } from './areas.ts';
 import { FlatPuffs } from './puffs.ts';
-import { draw_volume } from './radar.ts';
 
 export class FlatPainter implements Painter {
   readonly lines = new FlatLines();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model, one instanced mesh for each shape; never smaller on screen than can be read. */
-import { Color, DoubleSide, DynamicDrawUsage, type Group, InstancedMesh, MeshLambertMaterial } from 'three';
+import { Color, DoubleSide, DynamicDrawUsage, InstancedMesh, MeshLambertMaterial, type Group } from 'three';
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
+import type { Poses } from '../motion.ts';
 import type { Palette } from '../palette.ts';
-import type { Poses } from '../poses.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
 import { size_of, write_matrix } from '../stature.ts';
 

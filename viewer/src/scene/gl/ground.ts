@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** The map below: sea, land, shores and graticule, and a grid in nautical miles. */
-import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, type Vector2 } from 'three';
+import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, Vector2 } from 'three';
 import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
-import { draw_grid, grid_key, grid_of, is_near, kClear, kHazy } from '../grid.ts';
+import { draw_grid, grid_of, kClear, kHazy } from '../grid.ts';
 import { Lines, type Screen } from './lines.ts';
 import { type Palette, shares } from '../palette.ts';
 
@@ -38,16 +38,14 @@ export class Ground {
   readonly group = new Group();
   private readonly coast: Coast;
   private readonly sky = { value: new Color() };
-  private readonly middle: { value: Vector2 };
+  private readonly middle = { value: new Vector2() };
   private readonly sea: Flat;
   private readonly land: Flat;
   private readonly shores: Lines;
   private readonly grid: Lines;
-  private drawn = '';
 
-  constructor(origin: Origin, screen: Screen, middle: Vector2) {
+  constructor(origin: Origin, screen: Screen) {
     this.coast = coast_of(origin);
-    this.middle = { value: middle };
     this.sea = flat(new CircleGeometry(kReach, 64).rotateX(-Math.PI / 2), 0, this.middle, this.sky);
     this.land = flat(geometry_of(this.coast.land), 1, this.middle, this.sky);
     this.shores = new Lines(screen, 2);
@@ -62,28 +60,18 @@ export class Ground {
     this.shores.begin();
     draw_shores(this.shores, this.coast, palette);
     this.shores.end();
-    this.drawn = '';
   }
 
-  /** The grid around the middle of the picture; `coast` shows land and shores. Returns the colour of what is left free. */
-  update(eye: Eye, palette: Palette, coast: boolean): number {
+  /** The grid around the middle of the picture; `coast` shows land and shores. */
+  update(eye: Eye, palette: Palette, coast: boolean): void {
     this.land.visible = coast;
     this.shores.mesh.visible = coast;
-    const { stance } = eye;
-    if (!stance) return palette.sky;
-    this.middle.value.set(stance.x, stance.z);
-    this.shores.haze.set(stance.x, kReach, stance.z);
-    const grid = grid_of(eye);
-    const key = grid_key(grid);
-    const plain = is_near(eye, stance.x, stance.z);
-    this.sea.visible = !plain;
-    const free = plain ? palette.sea : palette.sky;
-    if (key === this.drawn) return free;
-    this.drawn = key;
+    const { x, z } = eye.stance!;
+    this.middle.value.set(x, z);
+    this.shores.haze.set(x, kReach, z);
     this.grid.begin();
-    draw_grid(this.grid, grid, palette);
+    draw_grid(this.grid, grid_of(eye), palette);
     this.grid.end();
-    return free;
   }
 
   dispose(): void {

@@ -4,9 +4,8 @@ import { DirectionalLight, Group, HemisphereLight, Scene, Vector2, WebGLRenderer
 import type { Run } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import type { Frame } from '../frame.ts';
-import { kDiffuse, kGround, kSky, kSun, kSunlight } from '../light.ts';
 import type { Painter } from '../painter.ts';
-import type { Palette } from '../palette.ts';
+import { kDiffuse, kGround, kSky, kSun, kSunlight, type Palette } from '../palette.ts';
 import type { Volume } from '../radar.ts';
 import { Fleet } from './fleet.ts';
 import { Ground } from './ground.ts';
@@ -35,7 +34,7 @@ export class GlPainter implements Painter {
     group.renderOrder = 2;
     this.lines = new Lines(screen, 5, 4096);
     this.puffs = new Puffs(screen, 6);
-    this.ground = new Ground(run.origin, screen, new Vector2());
+    this.ground = new Ground(run.origin, screen);
     this.players = new Fleet(group, run.players);
     this.missiles = new Fleet(group, run.missiles);
     const sun = new DirectionalLight(0xffffff, kSunlight);
@@ -65,7 +64,8 @@ export class GlPainter implements Painter {
   }
 
   draw({ eye, palette, view, players, missiles }: Frame, volume: Volume | null): void {
-    this.renderer.setClearColor(this.ground.update(eye, palette, view.layers.coast));
+    this.renderer.setClearColor(palette.sky);
+    this.ground.update(eye, palette, view.layers.coast);
     this.players.update(players, eye);
     this.missiles.update(missiles, eye);
     this.radar.update(volume, palette);

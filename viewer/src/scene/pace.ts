@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+/** How smoothly pictures follow each other, and how many of the screen's pixels are therefore drawn: fewer while they come too
+ * slowly, all of them when nothing moves. */
+
+/** ms between pictures that are too many, and how many such in a row. */
+const kSlow = 45;
+const kMostSlow = 4;
+const kStep = 0.72;
+const kLeast = 0.4;
+/** Device pixels that are always drawn. */
+const kEnough = 1280 * 720;
+/** ms after which it is at rest. */
+export const kRest = 350;
+
+export class Sharpness {
+  /** In motion. */
+  private moving = 1;
+  private late = 0;
+  /** Of one: device pixels that are drawn, along each side. */
+  scale = 1;
+
+  /** A picture of so many pixels in full followed the one before after so many ms; null: it stands alone. True: the scale is another. */
+  judge(interval: number | null, pixels: number): boolean {
+    const before = this.scale;
+    if (interval === null) return false;
+    this.late = interval > kSlow ? this.late + 1 : 0;
+    if (this.late >= kMostSlow) {
+      this.moving = Math.min(1, Math.max(kLeast, Math.sqrt(kEnough / pixels), this.moving * kStep));
+      this.late = 0;
+    }
+    this.scale = this.moving;
+    return this.scale !== before;
+  }
+
+  /** Nothing moves: true if it should be drawn once more, with all pixels. */
+  rest(): boolean {
+    this.late = 0;
+    if (this.scale === 1) return false;
+    this.scale = 1;
+    return true;
+  }
+}
+
+/** ms: who asks for a picture later than this after the last one was not waiting for it. */
+const kPatience = 25;
+
+export class Meter {
+  private count = 0;
+  private worst = 0;
+  private sum = 0;
+  private began = -Infinity;
+  private ended = -Infinity;
+  private waiting = false;
+
+  /** A picture is wanted. */
+  ask(now: number): void {
+    this.waiting = now - this.ended < kPatience;
+  }
+
+  /**
+   * A picture that was begun and ended then. Its time is that since the one before if it was wanted at once, else its own.
+   * Returns the first, or null.
+   */
+  drawn(began: number, ended: number): number | null {
+    const interval = this.waiting ? began - this.began : null;
+    const ms = interval ?? ended - began;
+    this.began = began;
+    this.ended = ended;
+    this.waiting = false;
+    ++this.count;
+    this.sum += ms;
+    this.worst = Math.max(this.worst, ms);
+    return interval;
+  }
+
+  read(): { count: number; worst_ms: number; mean_ms: number } {
+    const out = { count: this.count, worst_ms: this.worst, mean_ms: this.count ? this.sum / this.count : 0 };
+    this.count = this.worst = this.sum = 0;
+    return out;
+  }
+}
