@@ -123,25 +123,14 @@ template <class Field>
   ? "text" : "id";
 }
 
-/// How a field is blended, as the page calls it.
-template <class Field>
-[[nodiscard]] constexpr std::string_view blend_name() {
-  using Blend = typename Field::BlendTag;
-  return std::is_same_v<Blend, ubf::blend::Angle>    ? "angle"
-         : std::is_same_v<Blend, ubf::blend::Mean>   ? "mean"
-         : std::is_same_v<Blend, ubf::blend::Agreed> ? "agreed"
-                                                     : "strongest";
-}
 /// What the page knows of the fields of an action.
 template <class Action>
 [[nodiscard]] Json action_fields() {
   Json fields = Json::array();
   ubf::for_each_field<Action>([&](const auto& f, auto) {
     using Field = std::remove_cvref_t<decltype(f)>;
-    fields.push_back({{"name", f.name},
-                      {"unit", f.unit.si_symbol},
-                      {"blend", blend_name<Field>()},
-                      {"kind", column_kind<Field>()}});
+    fields.push_back(
+        {{"name", f.name}, {"unit", f.unit.si_symbol}, {"kind", column_kind<Field>()}});
   });
   return fields;
 }

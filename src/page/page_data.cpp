@@ -263,9 +263,10 @@ class Writer final : public Packer {
   [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const {
     const auto& p = scenario_.roster.players[index];
     const std::string_view kind = scenario_.fleets[p.fleet]->words.name;
-    Json j{{"id", index + 1},    {"name", p.name},  {"side", scenario::side_name(p.side)},
-           {"kind", kind},       {"type", p.label}, {"model", p.type},
-           {"flight", p.flight}, {"rank", p.rank},  {"radar", radar(p.type)}};
+    Json j{{"name", p.name},        {"side", scenario::side_name(p.side)},
+           {"kind", kind},          {"type", p.label},
+           {"model", p.type},       {"flight", p.flight},
+           {"radar", radar(p.type)}};
     j.update(motions_.player(index, bytes));
     j["decisions"] = agents_[index].decisions.json(bytes);
     j["sights"] = agents_[index].sights.json(bytes);

@@ -23,21 +23,15 @@ export interface View {
   /** s */
   time: number;
   playing: boolean;
-  /** s: how far the timeline goes. */
-  end: number;
-  /** Times real time. */
-  rate: number;
-  /** Index into Run.players. */
-  selected: number;
+  end: number;  // s: how far the timeline goes.
+  rate: number;  // Times real time.
+  selected: number;  // Index into Run.players.
   camera: Camera;
-  /** Of the cameras free and top, told when they rest; null: nobody has moved them. */
-  pose: Pose | null;
-  /** Players (indices) between which range and bearing are shown. */
-  ruler: [number, number] | null;
+  pose: Pose | null;  // Of the cameras free and top, told when they rest; null: nobody has moved them.
+  ruler: [number, number] | null;  // Players (indices) between which range and bearing are shown.
   ghost: Ghost | null;
   layers: Record<Layer, boolean>;
-  /** Of a strip: s; null: the whole run. */
-  zoom: [number, number] | null;
+  zoom: [number, number] | null;  // Of a strip: s; null: the whole run.
   theme: 'light' | 'dark';
 }
 

@@ -2,7 +2,7 @@
 /** Which events stand on the timeline, which is meant by a click, and where the keys go. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { kGlyphs, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
+import { kMarks as kLooks, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
 import { filtered } from '../src/ui/story.tsx';
 import { kPursues, told_run } from './ui_run.ts';
 
@@ -16,7 +16,7 @@ test('events that matter have a mark on the lane of their side', () => {
 });
 
 test('every kind of mark looks different', () => {
-  const paths = Object.values(kGlyphs).map((glyph) => glyph.path);
+  const paths = Object.values(kLooks).map((glyph) => glyph.path);
   assert.equal(new Set(paths).size, paths.length);
 });
 

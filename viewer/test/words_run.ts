@@ -3,12 +3,12 @@
 import type { ActionField, Player, Run, Shape, Status, Tree, TreeNode } from '../src/run/run.ts';
 
 export const kFields: ActionField[] = [
-  { name: 'heading', unit: 'rad', blend: 'angle', kind: 'number' },
-  { name: 'altitude', unit: 'm', blend: 'mean', kind: 'number' },
-  { name: 'speed', unit: 'm/s', blend: 'mean', kind: 'number' },
-  { name: 'mode', unit: '', blend: 'agreed', kind: 'text' },
-  { name: 'target', unit: '', blend: 'strongest', kind: 'id' },
-  { name: 'trigger', unit: '', blend: 'strongest', kind: 'flag' },
+  { name: 'heading', unit: 'rad', kind: 'number' },
+  { name: 'altitude', unit: 'm', kind: 'number' },
+  { name: 'speed', unit: 'm/s', kind: 'number' },
+  { name: 'mode', unit: '', kind: 'text' },
+  { name: 'target', unit: '', kind: 'id' },
+  { name: 'trigger', unit: '', kind: 'flag' },
 ];
 export type FieldName = 'heading' | 'altitude' | 'speed' | 'mode' | 'target' | 'trigger';
 /** What a leaf says; by default it is running. */

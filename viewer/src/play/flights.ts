@@ -6,8 +6,7 @@ import { started } from '../parts.ts';
 import { name_of, texts_of, type Project } from './project.ts';
 
 export interface Flight {
-  /** From 1. */
-  number: number;
+  number: number;  // From 1.
   project: Project;
   name: string;
   seed: string;
@@ -15,11 +14,9 @@ export interface Flight {
   /** s: how far it is, and when it ends at the latest. */
   time: number;
   until: number;
-  /** ms of the clock that flying took, without loading. */
-  took: number;
+  took: number;  // ms of the clock that flying took, without loading.
   story: Line[];
-  /** When it is over. */
-  outcome?: Outcome;
+  outcome?: Outcome;  // When it is over.
   hash: string;
   file?: Uint8Array;
 }

@@ -4,14 +4,10 @@
 export type Files = Readonly<Record<string, string>>;
 
 export interface Project {
-  /** As they were shipped. */
-  readonly shipped: Files;
-  /** What is other in them, by name. */
-  edits: Files;
-  /** The name of the file that is flown. */
-  scenario: string;
-  /** Digits; "" for the scenario's own. */
-  seed: string;
+  readonly shipped: Files;  // As they were shipped.
+  edits: Files;  // What is other in them, by name.
+  scenario: string;  // The name of the file that is flown.
+  seed: string;  // Digits; "" for the scenario's own.
 }
 
 export const kFirst = 'scenarios/sweep.yaml';

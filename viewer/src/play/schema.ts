@@ -21,8 +21,7 @@ export interface Schema {
 export interface Place {
   path: string[];
   at: 'key' | 'value';
-  /** What stands of the key or value before the place. */
-  said: string;
+  said: string;  // What stands of the key or value before the place.
 }
 
 const kKey = /^("[^"]*"|'[^']*'|[^\s#{}[\],&*!|>'"%@`:-][^#{}[\],:]*|-[^\s#{}[\],:]+)\s*:(?=\s|$)/;

@@ -18,45 +18,32 @@ export interface Motion {
   east: Float64Array;
   north: Float64Array;
   up: Float64Array;
-  /** rad clockwise from north on the map, in [0, 2 pi). */
-  heading: Float64Array;
-  /** rad, positive up. */
-  pitch: Float64Array;
-  /** rad, positive right wing down. */
-  roll: Float64Array;
+  heading: Float64Array;  // rad clockwise from north on the map, in [0, 2 pi).
+  pitch: Float64Array;  // rad, positive up.
+  roll: Float64Array;  // rad, positive right wing down.
 }
 
 /** What the strips show, at the times of `motion.t`. */
 export interface Gauges {
-  /** m/s true airspeed. */
-  speed: Float64Array;
+  speed: Float64Array;  // m/s true airspeed.
   mach: Float64Array;
-  /** g */
-  load_factor: Float64Array;
-  /** kg, NaN for vehicles. */
-  fuel: Float64Array;
+  load_factor: Float64Array;  // g
+  fuel: Float64Array;  // kg, NaN for vehicles.
 }
 
 export type PlayerKind = 'aircraft' | 'vehicle';
 
 export interface Player {
-  /** Index into Run.players. */
-  index: number;
-  id: number;
+  index: number;  // Index into Run.players.
   name: string;
   side: Side;
   kind: PlayerKind;
   /** "F-15C" */
   type: string;
-  /** "f15c" */
-  model: string;
-  /** Index into Run.flights. */
-  flight: number;
-  /** In the flight at birth, 1 leads. */
-  rank: number;
+  model: string;  // "f15c"
+  flight: number;  // Index into Run.flights.
   born: number;
-  /** When it left the run: home, lost, or the end of the run. */
-  gone: number;
+  gone: number;  // When it left the run: home, lost, or the end of the run.
   end: 'home' | 'lost' | '';
   motion: Motion;
   gauges: Gauges;
@@ -76,46 +63,36 @@ export interface Missile {
   target: number;
   born: number;
   gone: number;
-  /** When its own seeker went active; NaN: never. */
-  active: number;
+  active: number;  // When its own seeker went active; NaN: never.
   end: 'kill' | 'miss' | 'trashed' | 'flying';
   motion: Motion;
 }
 
 export interface Waypoint extends Place {
-  /** m/s, NaN: unchanged. */
-  speed: number;
+  speed: number;  // m/s, NaN: unchanged.
 }
 
 export interface Flight {
   name: string;
   side: Side;
   kind: PlayerKind;
-  /** Indices into Run.players, in order of rank. */
-  members: number[];
+  members: number[];  // Indices into Run.players, in order of rank.
   route: Waypoint[];
   home: Place | null;
 }
 
 export interface StoryLine {
   t: number;
-  /** "launch", "kill", "defend", "phase", ...: the kind of event. */
-  kind: string;
+  kind: string;  // "launch", "kill", "defend", "phase", ...: the kind of event.
   tone: 'plain' | 'blue' | 'red' | 'kill' | 'phase';
-  /** Index into Run.players; -1: nobody. */
-  who: number;
+  who: number;  // Index into Run.players; -1: nobody.
   name: string;
   text: string;
 }
 
-/** How a field of an action is blended (docs/ubf.md). */
-export type Blend = 'angle' | 'mean' | 'agreed' | 'strongest';
-
 export interface ActionField {
   name: string;
-  /** SI: "rad", "m", "m/s", "". */
-  unit: string;
-  blend: Blend;
+  unit: string;  // SI: "rad", "m", "m/s", "".
   /** number: the value itself; text: an index into Run.texts; id: a track's number, 0 for nobody. */
   kind: 'number' | 'text' | 'flag' | 'id';
 }
@@ -137,17 +114,14 @@ export interface TreeNode {
   label: string;
   /** "winner_takes_all", "pursue" ... */
   type: string;
-  /** "root/bvr/pursue": what `eyrie whatif --set` calls it. */
-  path: string;
+  path: string;  // "root/bvr/pursue": what `eyrie whatif --set` calls it.
   kind: 'behavior' | 'arbiter' | 'control' | 'decorator' | 'condition';
-  /** Index of the parent in the tree; -1 for the root. */
-  parent: number;
+  parent: number;  // Index of the parent in the tree; -1 for the root.
   children: number[];
   depth: number;
   /** In SI; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
   params: Record<string, number | string | number[]>;
-  /** It keeps something from decision to decision. */
-  remembers: boolean;
+  remembers: boolean;  // It keeps something from decision to decision.
 }
 
 /** Nodes in pre-order: children stand behind their parent. */
@@ -161,16 +135,11 @@ export type Status = 'failure' | 'success' | 'running';
 
 /** What does not change from decision to decision for long: statuses, votes, who supplied what. */
 export interface Shape {
-  /** Index into Run.trees. */
-  tree: number;
-  /** The node whose recommendation led; -1: nobody's. */
-  leader: number;
-  /** Per node; null: not asked. */
-  status: (Status | null)[];
-  /** Per node, as it went up. */
-  vote: number[];
-  /** Per node why it failed; "" if it did not say or did not fail. */
-  why: string[];
+  tree: number;  // Index into Run.trees.
+  leader: number;  // The node whose recommendation led; -1: nobody's.
+  status: (Status | null)[];  // Per node; null: not asked.
+  vote: number[];  // Per node, as it went up.
+  why: string[];  // Per node why it failed; "" if it did not say or did not fail.
   /** Per node, per field of the action: the node that supplied it (a leaf, or the arbiter that
    * blended it), or -1: not set. Null for nodes that proposed nothing. */
   supplier: (Int16Array | null)[];
@@ -180,37 +149,28 @@ export interface Decisions {
   /** By time; `step` is the world's. */
   t: Float64Array;
   step: Float64Array;
-  /** Indices into Run.shapes. */
-  shape: Int32Array;
+  shape: Int32Array;  // Indices into Run.shapes.
   /** What `node` proposed itself for `field` at each decision; NaN where it did not. Null: never. */
   value(node: number, field: number): Float64Array | null;
 }
 
 export interface TrackSeen {
-  /** As the player knows it. */
-  id: number;
-  /** Who it really is: index into Run.players; -1: not one of them. */
-  truth: number;
+  id: number;  // As the player knows it.
+  truth: number;  // Who it really is: index into Run.players; -1: not one of them.
   identity: 'unknown' | 'friendly' | 'hostile';
   is_target: boolean;
   place: Place;
-  /** s since the last update. */
-  age: number;
+  age: number;  // s since the last update.
 }
 export interface Warning {
-  /** "radar" or "missile". */
-  kind: string;
-  /** rad, true. */
-  bearing: number;
-  /** m; NaN: unknown. */
-  range: number;
-  /** "bogey1", "missile 12": who it really is. */
-  name: string;
+  kind: string;  // "radar" or "missile".
+  bearing: number;  // rad, true.
+  range: number;  // m; NaN: unknown.
+  name: string;  // "bogey1", "missile 12": who it really is.
 }
 export interface Sight {
   t: number;
-  /** By field of the platform's state, NaN: no value. */
-  state: Float64Array;
+  state: Float64Array;  // By field of the platform's state, NaN: no value.
   tracks: TrackSeen[];
   warnings: Warning[];
   /** Middle of the scan: rad clockwise from the heading, and up. */
@@ -232,8 +192,7 @@ export interface Run {
     help: string;
     file: string;
     seed: string;
-    /** World hash at the end. */
-    hash: string;
+    hash: string;  // World hash at the end.
     build: string;
     steps: number;
     dt: number;
@@ -243,8 +202,7 @@ export interface Run {
     decision_period: number;
     thinned: boolean;
   };
-  /** deg */
-  origin: { latitude: number; longitude: number };
+  origin: { latitude: number; longitude: number };  // deg
   flights: Flight[];
   players: Player[];
   missiles: Missile[];
@@ -253,10 +211,8 @@ export interface Run {
   platforms: Record<PlayerKind, Platform>;
   texts: string[];
   story: StoryLine[];
-  /** Only its beginning: the rest is being flown. */
-  is_part?: boolean;
-  /** Who flew it again and can be asked; none if the page has its columns only. */
-  engine?: RunningEngine;
+  is_part?: boolean;  // Only its beginning: the rest is being flown.
+  engine?: RunningEngine;  // Who flew it again and can be asked; none if the page has its columns only.
 }
 
 /** The index of the last time that is not after `t`; -1 if all are. */

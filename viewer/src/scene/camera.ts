@@ -19,10 +19,8 @@ export class SceneCamera {
   readonly rig: Rig;
   private camera: View['camera'] | null = null;
   private followed = -1;
-  /** Where the chasing camera looks, from the heading. */
-  private beside = 0;
-  /** As the view has it. */
-  private pose: Pose | null = null;
+  private beside = 0;  // Where the chasing camera looks, from the heading.
+  private pose: Pose | null = null;  // As the view has it.
 
   constructor(still: boolean) {
     this.rig = new Rig({ x: 0, y: 6, z: 0, height: 150, azimuth: 0, polar: kTilt, fov: kFov }, still);

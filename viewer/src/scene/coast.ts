@@ -19,12 +19,9 @@ type Point = [x: number, y: number];
 type Ring = Point[];
 
 export interface Coast {
-  /** Triangles, x y of each corner: km east, km north. */
-  land: Float32Array;
-  /** Segments, x y of both ends. */
-  shore: Float32Array;
-  /** Segments of the lines of equal latitude and longitude each five degrees. */
-  graticule: Float32Array;
+  land: Float32Array;  // Triangles, x y of each corner: km east, km north.
+  shore: Float32Array;  // Segments, x y of both ends.
+  graticule: Float32Array;  // Segments of the lines of equal latitude and longitude each five degrees.
 }
 
 function project(origin: Origin, longitude: number, latitude: number): Point {

@@ -13,8 +13,7 @@ export class Eye {
   /** CSS px */
   width = 1;
   height = 1;
-  /** How much larger than on a small screen writing and marks are. */
-  ui = 1;
+  ui = 1;  // How much larger than on a small screen writing and marks are.
   /** Of the last project(): CSS px, and how far in front of the eye (km). */
   px = 0;
   py = 0;
@@ -34,8 +33,7 @@ export class Eye {
   private readonly up = new Float64Array(3);
   private readonly back = new Float64Array(3);
   private readonly at = new Float64Array(3);
-  /** px per unit of depth ratio. */
-  private focal = 1;
+  private focal = 1;  // px per unit of depth ratio.
 
   constructor() {
     this.camera.matrixAutoUpdate = false;

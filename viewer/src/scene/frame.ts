@@ -12,20 +12,17 @@ import type { Palette } from './palette.ts';
 
 export interface Frame {
   run: Run;
-  /** Flown on otherwise; null: nobody has asked. */
-  other: Other | null;
+  other: Other | null;  // Flown on otherwise; null: nobody has asked.
   view: View;
   players: Poses;
   missiles: Poses;
-  /** What the selected player believes; null: there is none, or it is not alive. */
-  sight: Eyesight | null;
+  sight: Eyesight | null;  // What the selected player believes; null: there is none, or it is not alive.
   eye: Eye;
   lines: Pens;
   puffs: Discs;
   notes: Notes;
   palette: Palette;
-  /** Under the pointer; -1: nobody. */
-  hovered: number;
+  hovered: number;  // Under the pointer; -1: nobody.
 }
 
 /** More players than these are a crowd: smaller, and only those who matter are named. */

@@ -46,12 +46,9 @@ function to_globe(origin: Origin, east: number, north: number): [latitude: numbe
 }
 
 export interface Measure {
-  /** m, as the crow flies. */
-  range: number;
-  /** rad from true north at `a`, in [0, 2 pi). */
-  bearing: number;
-  /** m that `b` is higher. */
-  higher: number;
+  range: number;  // m, as the crow flies.
+  bearing: number;  // rad from true north at `a`, in [0, 2 pi).
+  higher: number;  // m that `b` is higher.
 }
 
 /** From `a` to `b`. Off the origin the map's north is not true north; the bearing is the great circle's. */

@@ -17,8 +17,7 @@ const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
 const kCoarse = 10;
 
 export interface Grid {
-  /** nmi between lines. */
-  step: number;
+  step: number;  // nmi between lines.
   /** km: the ground seen in the middle of the picture, or lower down if the view is flat. */
   x: number;
   z: number;

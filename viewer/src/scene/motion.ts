@@ -131,8 +131,7 @@ const kMourned = 10;
 
 export class Poses {
   readonly shown: Uint8Array;
-  /** Shown, or lost so lately that one still wants to see where. */
-  readonly noted: Uint8Array;
+  readonly noted: Uint8Array;  // Shown, or lost so lately that one still wants to see where.
   readonly x: Float64Array;
   readonly y: Float64Array;
   readonly z: Float64Array;

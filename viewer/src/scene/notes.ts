@@ -36,8 +36,7 @@ export class Notes {
   palette: Palette;
   ui = 1;
   private tags: Tag[] = [];
-  /** x y width height of what is taken already. */
-  private readonly taken: number[] = [];
+  private readonly taken: number[] = [];  // x y width height of what is taken already.
   private readonly slots = new Map<number, number>();
   private letter = 7;
   private width = 1;

@@ -6,8 +6,7 @@ import { Poses } from './motion.ts';
 import { draw_way, kTrail } from './trails.ts';
 
 export interface Other {
-  /** s: where it parts from the run. */
-  from: number;
+  from: number;  // s: where it parts from the run.
   run: Run;
 }
 

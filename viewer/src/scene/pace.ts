@@ -13,11 +13,9 @@ const kEnough = 1280 * 720;
 export const kRest = 350;
 
 export class Sharpness {
-  /** In motion. */
-  private moving = 1;
+  private moving = 1;  // In motion.
   private late = 0;
-  /** Of one: device pixels that are drawn, along each side. */
-  scale = 1;
+  scale = 1;  // Of one: device pixels that are drawn, along each side.
 
   /** A picture of so many pixels in full followed the one before after so many ms; null: it stands alone. True: the scale is another. */
   judge(interval: number | null, pixels: number): boolean {

@@ -57,8 +57,7 @@ function new_canvas(): HTMLCanvasElement {
 export interface Easel {
   canvas: HTMLCanvasElement;
   painter: Painter;
-  /** There is no graphics card. */
-  flat: boolean;
+  flat: boolean;  // There is no graphics card.
 }
 
 function with_card(run: Run, eye: Eye): Easel | null {

@@ -4,70 +4,33 @@
 import type { Side } from '../run/run.ts';
 import type { View } from '../store.ts';
 
-export interface Palette {
-  sky: number;
-  sea: number;
-  land: number;
-  shore: number;
-  grid: number;
-  text: number;
-  faint: number;
-  chip: number;
-  side: Record<Side, number>;
-  radar: number;
-  /** Opacity of the radar's volume in search. */
-  veil: number;
-  zone: number;
-  ruler: number;
-  ghost: number;
-  /** What burns, its core, and what is left of it. */
-  fire: number;
-  core: number;
-  smoke: number;
-}
+/** In the dark, and in the light. */
+const kBoth = {
+  sky: [0x06090e, 0xdce5ee],
+  sea: [0x0c131b, 0xf4f7fa],
+  land: [0x1a242d, 0xe3e5dc],
+  shore: [0x51687c, 0x8d9aa5],
+  grid: [0x6f879d, 0x7d8f9f],
+  text: [0xe6edf4, 0x15202b],
+  faint: [0x93a3b3, 0x52616f],
+  chip: [0x0a1017, 0xffffff],
+  side: [{ blue: 0x56b4e9, red: 0xf27a35, none: 0xc3cbd3 }, { blue: 0x0072b2, red: 0xd55e00, none: 0x5b6670 }],
+  radar: [0x2fc69b, 0x007a5a],
+  veil: [0.085, 0.07],  // opacity of the radar's volume in search
+  zone: [0xe08fbd, 0x9c3f74],
+  ruler: [0xf0e442, 0x6b5900],
+  ghost: [0xffffff, 0x000000],
+  fire: [0xff8c1a, 0xf07800],  // what burns, its core, and what is left of it
+  core: [0xfff2c4, 0xffd75e],
+  smoke: [0x8d98a3, 0x6c757d],
+} as const;
 
-const kDark: Palette = {
-  sky: 0x06090e,
-  sea: 0x0c131b,
-  land: 0x1a242d,
-  shore: 0x51687c,
-  grid: 0x6f879d,
-  text: 0xe6edf4,
-  faint: 0x93a3b3,
-  chip: 0x0a1017,
-  side: { blue: 0x56b4e9, red: 0xf27a35, none: 0xc3cbd3 },
-  radar: 0x2fc69b,
-  veil: 0.085,
-  zone: 0xe08fbd,
-  ruler: 0xf0e442,
-  ghost: 0xffffff,
-  fire: 0xff8c1a,
-  core: 0xfff2c4,
-  smoke: 0x8d98a3,
-};
+export type Palette = { [K in Exclude<keyof typeof kBoth, 'side'>]: number } & { side: Record<Side, number> };
 
-const kLight: Palette = {
-  sky: 0xdce5ee,
-  sea: 0xf4f7fa,
-  land: 0xe3e5dc,
-  shore: 0x8d9aa5,
-  grid: 0x7d8f9f,
-  text: 0x15202b,
-  faint: 0x52616f,
-  chip: 0xffffff,
-  side: { blue: 0x0072b2, red: 0xd55e00, none: 0x5b6670 },
-  radar: 0x007a5a,
-  veil: 0.07,
-  zone: 0x9c3f74,
-  ruler: 0x6b5900,
-  ghost: 0x000000,
-  fire: 0xf07800,
-  core: 0xffd75e,
-  smoke: 0x6c757d,
-};
+const [kDark, kLight] = [0, 1].map((i) => Object.fromEntries(Object.entries(kBoth).map(([name, both]) => [name, both[i]])) as Palette);
 
 export function palette_of(theme: View['theme']): Palette {
-  return theme === 'dark' ? kDark : kLight;
+  return theme === 'dark' ? kDark! : kLight!;
 }
 
 /** Red, green and blue of one, as the screen shows them: for shaders, which write without conversion. */

@@ -9,10 +9,8 @@ export const kRows = 4;
 export const kTrackVeil = 1.9;
 
 export interface Volume {
-  /** x y z of the antenna, then of the front, row by row from the lowest. */
-  corners: Float32Array;
-  /** It follows one target, and is drawn stronger. */
-  track: boolean;
+  corners: Float32Array;  // x y z of the antenna, then of the front, row by row from the lowest.
+  track: boolean;  // It follows one target, and is drawn stronger.
 }
 
 const volume: Volume = { corners: new Float32Array(3 + (kColumns + 1) * (kRows + 1) * 3), track: false };

@@ -9,12 +9,9 @@ export interface Stance {
   y: number;
   z: number;
   height: number;
-  /** rad from north, where it looks to. */
-  azimuth: number;
-  /** rad from straight down. */
-  polar: number;
-  /** rad, vertical. */
-  fov: number;
+  azimuth: number;  // rad from north, where it looks to.
+  polar: number;  // rad from straight down.
+  fov: number;  // rad, vertical.
 }
 
 export const kFov = 0.7;

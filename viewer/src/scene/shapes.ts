@@ -13,8 +13,7 @@ export interface Shape {
   geometry: BufferGeometry;
   /** Its right half from above, from the nose back: x z of each corner, in m. Enough for one of a crowd. */
   outline: readonly (readonly [x: number, z: number])[];
-  /** m */
-  length: number;
+  length: number;  // m
 }
 
 class Modeller {

@@ -113,8 +113,7 @@ export interface Of {
 export interface Divergence {
   t: number;
   step: number;
-  /** "pursue led with 40, in B release_weapon with 60" */
-  words: string;
+  words: string;  // "pursue led with 40, in B release_weapon with 60"
 }
 
 /** Numbers closer than this are what rounding left. */

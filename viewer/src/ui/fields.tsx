@@ -70,7 +70,7 @@ function FieldRow({ won, tree, text, onPoint }: { won: Won; tree: Tree; text: (v
 
 export function Fields({ player, index, tree }: { player: Player; index: number; tree: Tree }) {
   const page = use_page();
-  const { fields } = useMemo(() => contest(page.run, player.index, index), [page, player, index]);
+  const fields = useMemo(() => contest(page.run, player.index, index), [page, player, index]);
   const [pointed, point] = useState(-1);
   const asks = pointed >= 0 && fields.some(({ rivals }) => rivals.some(({ node }) => node === pointed));
   useEffect(() => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Small pictures: of buttons, in a box of 16 by 16, and the glyphs of events. */
-import { kGlyphs, type MarkKind } from './marks.ts';
+import { kMarks, type MarkKind } from './marks.ts';
 
 export const kIcons = {
   play: 'M4 2.5L13.5 8L4 13.5Z',
@@ -45,7 +45,7 @@ export function IconButton({ icon, label, keys, pressed, onClick }: ButtonProps)
 
 /** Of an event; empty for those that have none. */
 export function Glyph({ kind, side = '' }: { kind: MarkKind | null; side?: string }) {
-  const glyph = kind && kGlyphs[kind];
+  const glyph = kind && kMarks[kind];
   return (
     <svg class={`icon ${side}`} viewBox="-7 -7 14 14" aria-hidden="true">
       {glyph && <path d={glyph.path} class={glyph.open ? 'open' : ''} />}

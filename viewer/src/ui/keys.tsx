@@ -10,8 +10,7 @@ import type { Page } from './page.ts';
 import { use_cell } from './use.ts';
 
 interface Key {
-  /** As in KeyboardEvent.key, "Shift+" before it where it matters. */
-  keys: string[];
+  keys: string[];  // As in KeyboardEvent.key, "Shift+" before it where it matters.
   shown: string;
   help: string;
   does(page: Page): void;

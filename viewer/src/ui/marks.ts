@@ -5,8 +5,7 @@ import type { Run, Side, StoryLine } from '../run/run.ts';
 export type MarkKind = 'contact' | 'launch' | 'defend' | 'kill' | 'phase' | 'lead' | 'home';
 
 export interface Mark {
-  /** Index into Run.story. */
-  line: number;
+  line: number;  // Index into Run.story.
   t: number;
   kind: MarkKind;
   side: Side;
@@ -17,21 +16,17 @@ const kKinds: Record<string, MarkKind> = {
   loss: 'kill', phase: 'phase', lead_change: 'lead', home: 'home',
 };
 
-export const kMarkWords: Record<MarkKind, string> = {
-  contact: 'contact', launch: 'launch', defend: 'defense', kill: 'loss', phase: 'phase of a flight', lead: 'new lead of a flight',
-  home: 'home',
+/** Of each kind, what matters most first: its word, and its glyph in a box from -5 to 5; an `open` one is stroked. */
+export const kMarks: Record<MarkKind, { word: string; path: string; open: boolean }> = {
+  kill: { word: 'loss', path: 'M-4.2 -4.2L4.2 4.2M4.2 -4.2L-4.2 4.2', open: true },
+  launch: { word: 'launch', path: 'M0 -4.8L4.2 4.2L0 2.2L-4.2 4.2Z', open: false },
+  phase: { word: 'phase of a flight', path: 'M-2.5 5V-5H4.5L2.2 -2.4L4.5 0.2H-2.5', open: false },
+  lead: { word: 'new lead of a flight', path: 'M-4.8 3.6L-4.8 -2.8L-2 0L0 -4L2 0L4.8 -2.8L4.8 3.6Z', open: false },
+  defend: { word: 'defense', path: 'M-4.4 3.4V-0.4A4.4 4.4 0 0 1 4.4 -0.4V3.4M1.8 1.4L4.4 4.2L7 1.4', open: true },
+  home: { word: 'home', path: 'M-4.4 0.4L0 -4.2L4.4 0.4M-3 -0.8V4.2H3V-0.8', open: true },
+  contact: { word: 'contact', path: 'M3.4 0A3.4 3.4 0 1 1 -3.4 0A3.4 3.4 0 1 1 3.4 0Z', open: true },
 };
-
-/** Paths of glyphs in a box from -5 to 5; `open` ones are stroked. */
-export const kGlyphs: Record<MarkKind, { path: string; open: boolean }> = {
-  contact: { path: 'M3.4 0A3.4 3.4 0 1 1 -3.4 0A3.4 3.4 0 1 1 3.4 0Z', open: true },
-  launch: { path: 'M0 -4.8L4.2 4.2L0 2.2L-4.2 4.2Z', open: false },
-  defend: { path: 'M-4.4 3.4V-0.4A4.4 4.4 0 0 1 4.4 -0.4V3.4M1.8 1.4L4.4 4.2L7 1.4', open: true },
-  kill: { path: 'M-4.2 -4.2L4.2 4.2M4.2 -4.2L-4.2 4.2', open: true },
-  phase: { path: 'M-2.5 5V-5H4.5L2.2 -2.4L4.5 0.2H-2.5', open: false },
-  lead: { path: 'M-4.8 3.6L-4.8 -2.8L-2 0L0 -4L2 0L4.8 -2.8L4.8 3.6Z', open: false },
-  home: { path: 'M-4.4 0.4L0 -4.2L4.4 0.4M-3 -0.8V4.2H3V-0.8', open: true },
-};
+export const kMarkKinds = Object.keys(kMarks) as MarkKind[];
 
 export function mark_of(run: Run, line: number): Mark | null {
   const told = run.story[line]!;
@@ -49,9 +44,8 @@ export function marks_of(run: Run): Mark[] {
 
 /** Of several marks within `near` seconds the one that matters most, then the nearest; null: none is near. */
 export function pick_mark(marks: Mark[], t: number, near: number): Mark | null {
-  const rank: MarkKind[] = ['kill', 'launch', 'phase', 'lead', 'defend', 'home', 'contact'];
   let best: Mark | null = null;
-  const cost = (m: Mark): number => Math.abs(m.t - t) / near + 0.1 * rank.indexOf(m.kind);
+  const cost = (m: Mark): number => Math.abs(m.t - t) / near + 0.1 * kMarkKinds.indexOf(m.kind);
   for (const mark of marks) if (Math.abs(mark.t - t) <= near && (!best || cost(mark) < cost(best))) best = mark;
   return best;
 }

@@ -43,8 +43,7 @@ function flown_text(value: TreeNode['params'][string] | undefined, unit = ''): s
 
 interface EditProps {
   parameter: Parameter;
-  /** What is asked; undefined: as flown. */
-  value: string | undefined;
+  value: string | undefined;  // What is asked; undefined: as flown.
   flown: string;
   onChange: (value: string | undefined) => void;
 }

@@ -12,40 +12,29 @@ import type { Change } from './what_if_answer.ts';
 /** What the strips show. */
 export interface StripChoice {
   quantities: QuantityKey[];
-  /** Indices of players besides the selected one. */
-  players: number[];
+  players: number[];  // Indices of players besides the selected one.
 }
 
 export interface Hover {
   /** s */
   t: number;
-  /** As in data-row. */
-  row: string;
+  row: string;  // As in data-row.
 }
 
 export interface Page {
   run: Run;
   store: Store;
-  /** "" for the only run, otherwise "A" or "B". */
-  letter: string;
+  letter: string;  // "" for the only run, otherwise "A" or "B".
   /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
   readonly duration: number;
-  /** The run flown on otherwise from a moment on, beside the one that was flown. */
-  other: Cell<Other | null>;
-  /** By label of who leads in a tree: the same colour wherever it is drawn. */
-  colors: Map<string, string>;
-  /** In order of time. */
-  marks: Mark[];
-  /** What is asked of the trees instead of what was flown. */
-  changes: Cell<Change[]>;
-  /** The node of the tree that is looked into; -1: none. */
-  node: Cell<number>;
-  /** The node of the tree that something else on the page speaks of now; -1: none. */
-  pointed: Cell<number>;
-  /** What of the strips is under the pointer. */
-  hover: Cell<Hover | null>;
-  /** By row, what to say of a time in it. */
-  tips: Map<string, (t: number) => string>;
+  other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
+  colors: Map<string, string>;  // By label of who leads in a tree: the same colour wherever it is drawn.
+  marks: Mark[];  // In order of time.
+  changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
+  node: Cell<number>;  // The node of the tree that is looked into; -1: none.
+  pointed: Cell<number>;  // The node of the tree that something else on the page speaks of now; -1: none.
+  hover: Cell<Hover | null>;  // What of the strips is under the pointer.
+  tips: Map<string, (t: number) => string>;  // By row, what to say of a time in it.
   strips: Cell<StripChoice>;
 }
 

@@ -10,8 +10,7 @@ export interface Quantity {
   label: string;
   unit: string;
   digits: number;
-  /** Between two samples it stays what it was. */
-  steps: boolean;
+  steps: boolean;  // Between two samples it stays what it was.
   of(run: Run, player: Player): Series | null;
 }
 export interface Series {

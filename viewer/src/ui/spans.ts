@@ -9,12 +9,9 @@ export interface Span {
   /** s */
   from: number;
   to: number;
-  /** Index of the tree; -1: unknown. */
-  tree: number;
-  /** The node that led; -1: nobody, -2: unknown. */
-  node: number;
-  /** Of the node: "pursue", "nobody", "unknown". */
-  label: string;
+  tree: number;  // Index of the tree; -1: unknown.
+  node: number;  // The node that led; -1: nobody, -2: unknown.
+  label: string;  // Of the node: "pursue", "nobody", "unknown".
 }
 
 export function label_of(run: Run, tree: number, node: number): string {

@@ -6,7 +6,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
 import { jump, select, pan_by, zoom_by, zoom_to } from './actions.ts';
 import { clock_text } from './format.ts';
-import { kMarkWords, pick_mark } from './marks.ts';
+import { kMarks, pick_mark } from './marks.ts';
 import { range_of, use_page, type Page } from './page.ts';
 import { use_cell, use_range, use_size } from './use.ts';
 
@@ -48,7 +48,7 @@ function tip_words(page: Page, t: number, row: string, per_pixel: number): strin
     const mark = pick_mark(page.marks, t, kReach * per_pixel);
     if (!mark) return '';
     const told = page.run.story[mark.line]!;
-    return `${kMarkWords[mark.kind]} at ${clock_text(told.t)}: ${told.name} ${told.text}`;
+    return `${kMarks[mark.kind].word} at ${clock_text(told.t)}: ${told.name} ${told.text}`;
   }
   return page.tips.get(row)?.(t) ?? '';
 }

@@ -10,10 +10,8 @@ import { type Page, use_page } from './page.ts';
 import { use_paced } from './use.ts';
 
 export interface Filter {
-  /** Index into Run.players; -1: everybody. */
-  who: number;
-  /** "" is every kind. */
-  kind: string;
+  who: number;  // Index into Run.players; -1: everybody.
+  kind: string;  // "" is every kind.
   text: string;
 }
 

@@ -4,7 +4,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import { pan_by, zoom_to } from './actions.ts';
 import { use_canvas, type Sheet } from './canvas.ts';
 import { tick_text } from './format.ts';
-import { kGlyphs, type Mark, type MarkKind } from './marks.ts';
+import { kMarkKinds, kMarks, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
 import { use_paced, use_range, use_view } from './use.ts';
@@ -22,7 +22,7 @@ export function ticks_of(from: number, to: number, pixels: number, rem: number):
 const kPaths = new Map<MarkKind, Path2D>();
 function path_of(kind: MarkKind): Path2D {
   let path = kPaths.get(kind);
-  if (!path) kPaths.set(kind, (path = new Path2D(kGlyphs[kind].path)));
+  if (!path) kPaths.set(kind, (path = new Path2D(kMarks[kind].path)));
   return path;
 }
 
@@ -31,7 +31,7 @@ export function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: num
   pen.translate(x, y);
   pen.scale(size / 5, size / 5);
   pen.lineWidth = kind === 'kill' ? 2.4 : 1.6;
-  if (kGlyphs[kind].open) pen.stroke(path_of(kind));
+  if (kMarks[kind].open) pen.stroke(path_of(kind));
   else pen.fill(path_of(kind));
   pen.restore();
 }
@@ -54,8 +54,7 @@ function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], fr
   const top = 1.35 * rem;
   const lane = (height - top) / 2;
   // what matters most is drawn last
-  const rank: MarkKind[] = ['contact', 'home', 'defend', 'phase', 'lead', 'launch', 'kill'];
-  const sorted = [...marks].sort((a, b) => rank.indexOf(a.kind) - rank.indexOf(b.kind));
+  const sorted = [...marks].sort((a, b) => kMarkKinds.indexOf(b.kind) - kMarkKinds.indexOf(a.kind));
   for (const { t, kind, side } of sorted) {
     const exact = ((t - from) / (to - from)) * width;
     if (exact < -10 || exact > width + 10) continue;

@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by } from './actions.ts';
 import { clock_text } from './format.ts';
 import { Glyph, Icon, IconButton } from './icon.tsx';
-import { kMarkWords, type MarkKind } from './marks.ts';
+import { kMarks, type MarkKind } from './marks.ts';
 import { use_page } from './page.ts';
 import { StripMenu } from './strips.tsx';
 import { use_view } from './use.ts';
@@ -71,7 +71,7 @@ function MarkLegend() {
       <div class="menu-body">
         {kinds.map((kind) => (
           <button type="button" key={kind} onClick={() => first_of(kind)}>
-            <Glyph kind={kind} />{kMarkWords[kind]}
+            <Glyph kind={kind} />{kMarks[kind].word}
           </button>
         ))}
       </div>

@@ -16,10 +16,8 @@ interface Placed {
   x: number;
   y: number;
   width: number;
-  /** How many nodes below are not shown. */
-  hidden: number;
-  /** From the parent to here; "" for the root. */
-  link: string;
+  hidden: number;  // How many nodes below are not shown.
+  link: string;  // From the parent to here; "" for the root.
 }
 interface Layout {
   placed: Placed[];

@@ -139,8 +139,7 @@ function FlyOn({ player }: { player: Player }) {
 
 interface Props {
   player: Player;
-  /** Index of the tree that is shown. */
-  tree: number;
+  tree: number;  // Index of the tree that is shown.
 }
 
 function Answered({ player, tree, asked }: Props & { asked: AskedOf<Answer> | null }) {

@@ -12,8 +12,7 @@ import { use_cell, use_view } from './use.ts';
 
 /** An answer, or why there is none; neither of them yet. */
 export interface Asked<T> {
-  /** Of the question that it answers; "" for none so far. */
-  key: string;
+  key: string;  // Of the question that it answers; "" for none so far.
   value?: T;
   problem?: string;
 }
@@ -115,8 +114,7 @@ export function ask(changes: Cell<Change[]>, change: Change): void {
 }
 
 export interface Change {
-  /** Index into Run.trees. */
-  tree: number;
+  tree: number;  // Index into Run.trees.
   node: number;
   /** Another type for the node. */
   type?: string;

@@ -13,19 +13,12 @@ export interface Rival {
   against: number;
 }
 export interface Won {
-  /** Index into the platform's action. */
-  field: number;
+  field: number;  // Index into the platform's action.
   value: number;
   winner: number;
-  /** The winner is an arbiter that made it of what its children said. */
-  blended: boolean;
+  blended: boolean;  // The winner is an arbiter that made it of what its children said.
   reason: string;
-  /** By vote, the highest first; what a blend is made of, too. */
-  rivals: Rival[];
-}
-export interface Contest {
-  leader: number;
-  fields: Won[];
+  rivals: Rival[];  // By vote, the highest first; what a blend is made of, too.
 }
 
 const kNobody = new Int16Array(0);
@@ -64,7 +57,7 @@ export function reason({ blended, rivals }: Pick<Won, 'blended' | 'rivals'>): st
 }
 
 /** One decision of a player: who won each field of the action, and against whom. */
-export function contest(run: Run, player: number, index: number): Contest {
+export function contest(run: Run, player: number, index: number): Won[] {
   const { decisions } = run.players[player]!;
   const shape = run.shapes[decisions.shape[index]!]!;
   const tree = run.trees[shape.tree]!;
@@ -80,8 +73,7 @@ export function contest(run: Run, player: number, index: number): Contest {
     const blended = tree.nodes[winner]!.children.length > 0;
     return { field, value: value(winner, field), winner, blended, reason: reason({ blended, rivals }), rivals };
   };
-  const fields = Array.from(suppliers(shape, 0), (winner, field) => (winner >= 0 ? won(winner, field) : null));
-  return { leader: shape.leader, fields: fields.filter((field) => field !== null) };
+  return Array.from(suppliers(shape, 0)).flatMap((winner, field) => (winner >= 0 ? won(winner, field) : []));
 }
 
 /** What a node has to say of itself: "failed: no target", "not asked", "running, votes 40". */

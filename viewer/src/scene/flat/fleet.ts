@@ -11,13 +11,10 @@ import { size_of, write_matrix } from '../stature.ts';
 
 interface Model {
   name: ShapeName;
-  /** km */
-  length: number;
-  /** Nine numbers for each face. */
-  corners: ArrayLike<number>;
+  length: number;  // km
+  corners: ArrayLike<number>;  // Nine numbers for each face.
   faces: number;
-  /** x z, all the way around. */
-  outline: number[];
+  outline: number[];  // x z, all the way around.
 }
 
 /** px around the picture within which a model may still reach into it. */

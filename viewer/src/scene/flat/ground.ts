@@ -18,10 +18,8 @@ function smooth(share: number): number {
 
 export class FlatGround {
   private readonly coast: Coast;
-  /** x y z of the corners of triangles. */
-  private readonly land: Float32Array;
-  /** They stay as they are until the colours change. */
-  private readonly shores = new FlatLines();
+  private readonly land: Float32Array;  // x y z of the corners of triangles.
+  private readonly shores = new FlatLines();  // They stay as they are until the colours change.
   private readonly grid = new FlatLines();
   private readonly disc = circle_on_ground(0, 0, kReach);
 

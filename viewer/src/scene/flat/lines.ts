@@ -13,8 +13,7 @@ interface Pen {
   tint: number;
   width: number;
   dash: number;
-  /** For each level of opacity that was used, x y z of both ends of each segment. */
-  segments: number[][];
+  segments: number[][];  // For each level of opacity that was used, x y z of both ends of each segment.
 }
 
 /** Segments that follow each other become one line. */

@@ -11,8 +11,7 @@ import { size_of, write_matrix } from '../stature.ts';
 interface Squadron {
   mesh: InstancedMesh;
   name: ShapeName;
-  /** km */
-  length: number;
+  length: number;  // km
   members: number[];
 }
 

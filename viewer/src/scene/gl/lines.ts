@@ -85,8 +85,7 @@ const kCorners = 4;
 
 export class Lines implements Pens {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  /** Around (x, z) all fades out towards the distance y; 0: nothing does. */
-  readonly haze = new Vector3();
+  readonly haze = new Vector3();  // Around (x, z) all fades out towards the distance y; 0: nothing does.
   private count = 0;
   private floats: InterleavedBuffer;
   private bytes: InterleavedBuffer;
