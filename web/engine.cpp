@@ -166,7 +166,7 @@ Flown Engine::fly(const Until& until) {
   Flown flown{mission.run().world().step(),
               mission.run().time(),
               hex(mission.run().world().hash()),
-              std::string(scenario::outcome_name(mission.outcome())),
+              std::string(enum_name(mission.outcome())),
               {},
               std::exchange(flight_->lines, {})};
   if (!over)

@@ -46,9 +46,9 @@ template <class T>
 inline constexpr auto described = nullptr;
 template <class T>
 requires requires {
-  T::describe();
+  T::kMessage;
 }
-inline constexpr auto described<T> = T::describe();
+inline constexpr auto described<T> = T::kMessage;
 template <class T>
 concept Described = !std::same_as<std::remove_cvref_t<decltype(described<T>)>, std::nullptr_t>;
 

@@ -9,121 +9,156 @@
 #include <tuple>
 #include <vector>
 
-#include "web/debrief_messages.hpp"
+#include "debrief/decision.hpp"
+#include "debrief/what_if.hpp"
+#include "web/message.hpp"
 
 namespace eyrie::web {
+
+// what a debrief says
+
+template <>
+inline constexpr auto described<debrief::Changed> =
+    Description{"Changed",
+                "A field that would have been another.",
+                Member{"name", &debrief::Changed::name, "Such as heading."},
+                Member{"unit", &debrief::Changed::unit, "SI."},
+                Member{"flown", &debrief::Changed::flown, "For people; - for nothing."},
+                Member{"other", &debrief::Changed::other, "For people; - for nothing."},
+                Member{"difference", &debrief::Changed::difference,
+                       "Other minus flown, directions the short way round."}};
+template <>
+inline constexpr auto described<debrief::Otherwise> =
+    Description{"FirstOther",
+                "The first other decision.",
+                Member{"step", &debrief::Otherwise::step, "Of the world."},
+                Member{"time", &debrief::Otherwise::time, "s."},
+                Member{"flown", &debrief::Otherwise::flown, "Who led."},
+                Member{"other", &debrief::Otherwise::other, "Who would have led."},
+                Member{"fields", &debrief::Otherwise::fields, "What would have been another."}};
+template <>
+inline constexpr auto described<debrief::WhatIf> = Description{
+    "WhatIf",
+    "What other trees would have decided.",
+    Member{"decisions", &debrief::WhatIf::decisions, "Looked at."},
+    Member{"different", &debrief::WhatIf::different, "Whose action would have been another one."},
+    Member{"first", &debrief::WhatIf::first, "The first of them."},
+    Member{"steps", &debrief::WhatIf::steps, "Of the world, by decision."},
+    Member{"leaders", &debrief::WhatIf::leaders,
+           "By decision the node that would have led; 65535: nobody."},
+    Member{"spans", &debrief::WhatIf::spans,
+           "s, from the first to the last of other decisions in a row."}};
+template <>
+inline constexpr auto described<record::Tally::OfSide> =
+    Description{"Tally",
+                "How a side fared.",
+                Member{"losses", &record::Tally::OfSide::losses, "Players lost."},
+                Member{"shots", &record::Tally::OfSide::shots, "Missiles shot."},
+                Member{"kills", &record::Tally::OfSide::kills, "Enemies killed."},
+                Member{"home", &record::Tally::OfSide::home, "Came home."}};
+template <>
+inline constexpr auto described<debrief::Outcome> =
+    Description{"Outcome",
+                "How a run ended.",
+                Member{"outcome", &debrief::Outcome::outcome, "Why it was over."},
+                Member{"time", &debrief::Outcome::time, "s."},
+                Member{"blue", &debrief::Outcome::blue, "Of blue."},
+                Member{"red", &debrief::Outcome::red, "Of red."}};
+
+// what is asked and answered
 
 struct Texts {
   std::map<std::string, std::string> files;
   std::string scenario;
   std::optional<std::vector<std::string>> sets;
-  static constexpr auto describe() {
-    return Description{
-        "Texts", "A scenario and what it includes.",
-        Member{"files", &Texts::files, "Texts by name: data/KIND/NAME.yaml, packages, scenarios."},
-        Member{"scenario", &Texts::scenario, "Which of them is flown."},
-        Member{"sets", &Texts::sets, "Overrides as `--set` takes them: PATH=VALUE."}};
-  }
+  static constexpr Description kMessage{
+      "Texts", "A scenario and what it includes.",
+      Member{"files", &Texts::files, "Texts by name: data/KIND/NAME.yaml, packages, scenarios."},
+      Member{"scenario", &Texts::scenario, "Which of them is flown."},
+      Member{"sets", &Texts::sets, "Overrides as `--set` takes them: PATH=VALUE."}};
 };
 struct Load {
   Texts texts;
   std::optional<std::string> seed;
   std::optional<double> until;
-  static constexpr auto describe() {
-    return Description{
-        "Load", "A scenario to be flown.", Member{"texts", &Load::texts, "What it is made of."},
-        Member{"seed", &Load::seed, "In digits; the scenario's own without it."},
-        Member{"until", &Load::until, "s, when it ends at the latest, instead of the scenario's."}};
-  }
+  static constexpr Description kMessage{
+      "Load", "A scenario to be flown.", Member{"texts", &Load::texts, "What it is made of."},
+      Member{"seed", &Load::seed, "In digits; the scenario's own without it."},
+      Member{"until", &Load::until, "s, when it ends at the latest, instead of the scenario's."}};
 };
 struct Until {
   std::optional<double> until;
-  static constexpr auto describe() {
-    return Description{
-        "Until", "How far.",
-        Member{"until", &Until::until, "s of simulated time; to the end without it."}};
-  }
+  static constexpr Description kMessage{
+      "Until", "How far.",
+      Member{"until", &Until::until, "s of simulated time; to the end without it."}};
 };
 struct Step {
   std::uint64_t step = 0;
-  static constexpr auto describe() {
-    return Description{"Step", "A moment of a run.",
-                       Member{"step", &Step::step, "Steps made before it: 0 is the start."}};
-  }
+  static constexpr Description kMessage{
+      "Step", "A moment of a run.",
+      Member{"step", &Step::step, "Steps made before it: 0 is the start."}};
 };
 struct Table {
   std::string table;
-  static constexpr auto describe() {
-    return Description{"Table", "A table of the world.",
-                       Member{"table", &Table::table, "Its name, such as aircraft or missiles."}};
-  }
+  static constexpr Description kMessage{
+      "Table", "A table of the world.",
+      Member{"table", &Table::table, "Its name, such as aircraft or missiles."}};
 };
 struct Otherwise {
   std::string player;
   std::vector<std::string> sets;
   std::optional<double> from;
-  static constexpr auto describe() {
-    return Description{
-        "Otherwise", "Other trees for a player's states.",
-        Member{"player", &Otherwise::player, "Whose."},
-        Member{"sets", &Otherwise::sets, "What is other, as `eyrie whatif --set` takes it."},
-        Member{"from", &Otherwise::from, "s, from when on; from the start without it."}};
-  }
+  static constexpr Description kMessage{
+      "Otherwise", "Other trees for a player's states.",
+      Member{"player", &Otherwise::player, "Whose."},
+      Member{"sets", &Otherwise::sets, "What is other, as `eyrie whatif --set` takes it."},
+      Member{"from", &Otherwise::from, "s, from when on; from the start without it."}};
 };
 struct Branch {
   std::vector<std::string> sets;
   std::string player;
   std::optional<double> until;
-  static constexpr auto describe() {
-    return Description{
-        "Branch", "Another future, from the moment of seek() on.",
-        Member{"sets", &Branch::sets,
-               "What is other from there on, as `eyrie whatif --set` takes it."},
-        Member{"player", &Branch::player, "Whose tree is meant where a path names none."},
-        Member{"until", &Branch::until,
-               "s, when it ends at the latest, instead of the scenario's."}};
-  }
+  static constexpr Description kMessage{
+      "Branch", "Another future, from the moment of seek() on.",
+      Member{"sets", &Branch::sets,
+             "What is other from there on, as `eyrie whatif --set` takes it."},
+      Member{"player", &Branch::player, "Whose tree is meant where a path names none."},
+      Member{"until", &Branch::until, "s, when it ends at the latest, instead of the scenario's."}};
 };
 struct Nothing {
-  static constexpr auto describe() { return Description{"Nothing", "No parameters."}; }
+  static constexpr Description kMessage{"Nothing", "No parameters."};
 };
 
 struct Player {
   std::string name, side, type;
-  static constexpr auto describe() {
-    return Description{"Player", "Somebody in the scenario.",
-                       Member{"name", &Player::name, "As the scenario says."},
-                       Member{"side", &Player::side, "blue or red."},
-                       Member{"type", &Player::type, "Of aircraft or vehicle."}};
-  }
+  static constexpr Description kMessage{"Player", "Somebody in the scenario.",
+                                        Member{"name", &Player::name, "As the scenario says."},
+                                        Member{"side", &Player::side, "blue or red."},
+                                        Member{"type", &Player::type, "Of aircraft or vehicle."}};
 };
 struct About {
   std::string scenario, help, seed, build;
   double dt = 0, until = 0;
   std::vector<Player> players;
   std::vector<std::string> tables;
-  static constexpr auto describe() {
-    return Description{
-        "About",
-        "What was loaded.",
-        Member{"scenario", &About::scenario, "Its name."},
-        Member{"help", &About::help, "What it says of itself."},
-        Member{"seed", &About::seed, "In digits."},
-        Member{"build", &About::build, "Who recorded it; empty before it was flown."},
-        Member{"dt", &About::dt, "s per step."},
-        Member{"until", &About::until, "s, when it ends, at the latest if it was not flown yet."},
-        Member{"players", &About::players, "In the order of their ids, which count from 1."},
-        Member{"tables", &About::tables, "What rows() can be asked for."}};
-  }
+  static constexpr Description kMessage{
+      "About",
+      "What was loaded.",
+      Member{"scenario", &About::scenario, "Its name."},
+      Member{"help", &About::help, "What it says of itself."},
+      Member{"seed", &About::seed, "In digits."},
+      Member{"build", &About::build, "Who recorded it; empty before it was flown."},
+      Member{"dt", &About::dt, "s per step."},
+      Member{"until", &About::until, "s, when it ends, at the latest if it was not flown yet."},
+      Member{"players", &About::players, "In the order of their ids, which count from 1."},
+      Member{"tables", &About::tables, "What rows() can be asked for."}};
 };
 struct Line {
   double time = 0;
   std::string who, text;
-  static constexpr auto describe() {
-    return Description{"Line", "A line of the story.", Member{"time", &Line::time, "s."},
-                       Member{"who", &Line::who, "Who does it."},
-                       Member{"text", &Line::text, "What happens."}};
-  }
+  static constexpr Description kMessage{
+      "Line", "A line of the story.", Member{"time", &Line::time, "s."},
+      Member{"who", &Line::who, "Who does it."}, Member{"text", &Line::text, "What happens."}};
 };
 struct Flown {
   std::uint64_t step = 0;
@@ -131,122 +166,105 @@ struct Flown {
   std::string hash, outcome;
   std::optional<debrief::Outcome> result;
   std::vector<Line> story;
-  static constexpr auto describe() {
-    return Description{"Flown",
-                       "How far a flight is.",
-                       Member{"step", &Flown::step, "Steps made."},
-                       Member{"time", &Flown::time, "s."},
-                       Member{"hash", &Flown::hash, "Of the world, as the terminal prints it."},
-                       Member{"outcome", &Flown::outcome, "running, or why it is over."},
-                       Member{"result", &Flown::result, "How it ended, once it is over."},
-                       Member{"story", &Flown::story, "What happened since the last answer."}};
-  }
+  static constexpr Description kMessage{
+      "Flown",
+      "How far a flight is.",
+      Member{"step", &Flown::step, "Steps made."},
+      Member{"time", &Flown::time, "s."},
+      Member{"hash", &Flown::hash, "Of the world, as the terminal prints it."},
+      Member{"outcome", &Flown::outcome, "running, or why it is over."},
+      Member{"result", &Flown::result, "How it ended, once it is over."},
+      Member{"story", &Flown::story, "What happened since the last answer."}};
 };
 struct Moment {
   std::uint64_t step = 0;
   double time = 0;
   std::string hash;
-  static constexpr auto describe() {
-    return Description{"Moment", "Where the run is looked at.",
-                       Member{"step", &Moment::step, "Steps made before it."},
-                       Member{"time", &Moment::time, "s."},
-                       Member{"hash", &Moment::hash, "Of the world, as the terminal prints it."}};
-  }
+  static constexpr Description kMessage{
+      "Moment", "Where the run is looked at.",
+      Member{"step", &Moment::step, "Steps made before it."}, Member{"time", &Moment::time, "s."},
+      Member{"hash", &Moment::hash, "Of the world, as the terminal prints it."}};
 };
 struct Column {
   std::string name, unit;
   std::vector<double> values;
-  static constexpr auto describe() {
-    return Description{
-        "Column", "One number of every row.",
-        Member{"name", &Column::name, "COLUMN.FIELD, with [i] if the field has several numbers."},
-        Member{"unit", &Column::unit, "SI; empty for none."},
-        Member{"values", &Column::values, "By row."}};
-  }
+  static constexpr Description kMessage{
+      "Column", "One number of every row.",
+      Member{"name", &Column::name, "COLUMN.FIELD, with [i] if the field has several numbers."},
+      Member{"unit", &Column::unit, "SI; empty for none."},
+      Member{"values", &Column::values, "By row."}};
 };
 struct Rows {
   std::vector<std::uint64_t> ids;
   std::vector<Column> columns;
-  static constexpr auto describe() {
-    return Description{"Rows", "A table of the world, at a moment.",
-                       Member{"ids", &Rows::ids, "Of the players, row by row."},
-                       Member{"columns", &Rows::columns, "Whatever they keep."}};
-  }
+  static constexpr Description kMessage{"Rows", "A table of the world, at a moment.",
+                                        Member{"ids", &Rows::ids, "Of the players, row by row."},
+                                        Member{"columns", &Rows::columns, "Whatever they keep."}};
 };
 struct Decided {
   std::optional<Json> decision;
 
-  static constexpr auto describe() {
-    return Description{
-        "Decided", "A decision, if one was due.",
-        Member{"decision", &Decided::decision, "As `eyrie explain --json` prints it."}};
-  }
+  static constexpr Description kMessage{
+      "Decided", "A decision, if one was due.",
+      Member{"decision", &Decided::decision, "As `eyrie explain --json` prints it."}};
 };
 
 struct Problem {
   std::string file;
   int line = 0, column = 0;
   std::string message;
-  static constexpr auto describe() {
-    return Description{
-        "Problem",
-        "A mistake in a text.",
-        Member{"file", &Problem::file, "Whose."},
-        Member{"line", &Problem::line, "From 1; 0: unknown."},
-        Member{"column", &Problem::column, "From 1; 0: unknown."},
-        Member{"message", &Problem::message, "What is wrong, and the nearest right name."}};
-  }
+  static constexpr Description kMessage{
+      "Problem",
+      "A mistake in a text.",
+      Member{"file", &Problem::file, "Whose."},
+      Member{"line", &Problem::line, "From 1; 0: unknown."},
+      Member{"column", &Problem::column, "From 1; 0: unknown."},
+      Member{"message", &Problem::message, "What is wrong, and the nearest right name."}};
 };
 struct Problems {
   std::vector<Problem> problems;
-  static constexpr auto describe() {
-    return Description{"Problems", "Every mistake that was found.",
-                       Member{"problems", &Problems::problems,
-                              "In the order of the texts; empty: it can be flown."}};
-  }
+  static constexpr Description kMessage{
+      "Problems", "Every mistake that was found.",
+      Member{"problems", &Problems::problems,
+             "In the order of the texts; empty: it can be flown."}};
 };
 struct Parameter {
   std::string name, kind, unit, help, standard;
   std::optional<double> min, max;
   std::vector<std::string> choices;
-  static constexpr auto describe() {
-    return Description{
-        "Parameter",
-        "Of a type of node.",
-        Member{"name", &Parameter::name, "As files write it."},
-        Member{"kind", &Parameter::kind, "number, flag, choice or other."},
-        Member{"unit", &Parameter::unit, "A unit of its dimension; empty for none."},
-        Member{"help", &Parameter::help, "What it means."},
-        Member{"standard", &Parameter::standard,
-               "What it is if nobody says; empty if it must be said."},
-        Member{"min", &Parameter::min, "The least number, in SI, if there is one."},
-        Member{"max", &Parameter::max, "The greatest number, in SI, if there is one."},
-        Member{"choices", &Parameter::choices, "If it is one of several words."}};
-  }
+  static constexpr Description kMessage{
+      "Parameter",
+      "Of a type of node.",
+      Member{"name", &Parameter::name, "As files write it."},
+      Member{"kind", &Parameter::kind, "number, flag, choice or other."},
+      Member{"unit", &Parameter::unit, "A unit of its dimension; empty for none."},
+      Member{"help", &Parameter::help, "What it means."},
+      Member{"standard", &Parameter::standard,
+             "What it is if nobody says; empty if it must be said."},
+      Member{"min", &Parameter::min, "The least number, in SI, if there is one."},
+      Member{"max", &Parameter::max, "The greatest number, in SI, if there is one."},
+      Member{"choices", &Parameter::choices, "If it is one of several words."}};
 };
 struct NodeType {
   std::string name, kind, help;
   bool takes_children = false;
   std::vector<Parameter> parameters;
-  static constexpr auto describe() {
-    return Description{
-        "NodeType",
-        "What a tree may be made of.",
-        Member{"name", &NodeType::name, "As files write it."},
-        Member{"kind", &NodeType::kind, "behavior, condition, arbiter, control or decorator."},
-        Member{"help", &NodeType::help, "What it does."},
-        Member{"takes_children", &NodeType::takes_children,
-               "Whether it may have any number of children."},
-        Member{"parameters", &NodeType::parameters, "Besides its children."}};
-  }
+  static constexpr Description kMessage{
+      "NodeType",
+      "What a tree may be made of.",
+      Member{"name", &NodeType::name, "As files write it."},
+      Member{"kind", &NodeType::kind, "behavior, condition, arbiter, control or decorator."},
+      Member{"help", &NodeType::help, "What it does."},
+      Member{"takes_children", &NodeType::takes_children,
+             "Whether it may have any number of children."},
+      Member{"parameters", &NodeType::parameters, "Besides its children."}};
 };
 struct NodeTypes {
   std::vector<NodeType> aircraft, vehicle;
-  static constexpr auto describe() {
-    return Description{"NodeTypes", "Every type of node.",
-                       Member{"aircraft", &NodeTypes::aircraft, "Of trees of pilots."},
-                       Member{"vehicle", &NodeTypes::vehicle, "Of trees of drivers."}};
-  }
+  static constexpr Description kMessage{
+      "NodeTypes", "Every type of node.",
+      Member{"aircraft", &NodeTypes::aircraft, "Of trees of pilots."},
+      Member{"vehicle", &NodeTypes::vehicle, "Of trees of drivers."}};
 };
 
 }  // namespace eyrie::web

@@ -146,7 +146,7 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                                                           {"kills", s.kills},
                                                           {"home", s.home}};
   }
-  j["outcome"] = scenario::outcome_name(mission.outcome());
+  j["outcome"] = enum_name(mission.outcome());
   if (const sim::Fault* fault = mission.run().fault())
     j["fault"] =
         scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());

@@ -56,7 +56,7 @@ class Twice {
 }  // namespace
 
 Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally) {
-  return {std::string(scenario::outcome_name(mission.outcome())), mission.run().time(),
+  return {std::string(enum_name(mission.outcome())), mission.run().time(),
           tally.side(model::Side::blue), tally.side(model::Side::red)};
 }
 
@@ -90,7 +90,7 @@ Outcome outcome_of(const Recorded& recorded) {
 }
 
 std::optional<double> limit_of(const Recorded& recorded, const Outcome& flown) {
-  const bool out_of_time = flown.outcome == scenario::outcome_name(scenario::Outcome::time);
+  const bool out_of_time = flown.outcome == enum_name(scenario::Outcome::time);
   return out_of_time ? std::optional(recorded.until()) : std::nullopt;
 }
 

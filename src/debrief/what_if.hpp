@@ -45,7 +45,7 @@ struct WhatIf {
 
 /// How a run ended, for comparisons.
 struct Outcome {
-  std::string outcome;  ///< as scenario::outcome_name
+  std::string outcome;  ///< a name of scenario::Outcome
   double time = 0;      ///< s
   record::Tally::OfSide blue, red;
 };

@@ -28,26 +28,6 @@ std::uint64_t step_at(double time, const Scenario& scenario) {
 
 }  // namespace
 
-std::string_view outcome_name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::running:
-      return "running";
-    case Outcome::blue_home:
-      return "blue_home";
-    case Outcome::blue_lost:
-      return "blue_lost";
-    case Outcome::red_lost:
-      return "red_lost";
-    case Outcome::time:
-      return "time";
-    case Outcome::stopped:
-      return "stopped";
-    case Outcome::fault:
-      return "fault";
-  }
-  return "?";
-}
-
 std::optional<std::string> until_problem(const ScenarioSpec& spec, double until) {
   const double step = 1 / spec.rates.kinematics;
   if (until >= step && until <= kLongestFlight)

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/enum_names.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/event.hpp"
@@ -25,7 +26,10 @@ enum class Outcome : std::uint8_t {
   stopped,    ///< from outside
   fault,      ///< the next step cannot be made: run().fault()
 };
-[[nodiscard]] std::string_view outcome_name(Outcome outcome);
+constexpr auto names_of(Outcome) {
+  return names_from_zero<Outcome>("running", "blue_home", "blue_lost", "red_lost", "time",
+                                  "stopped", "fault");
+}
 
 /// Why a flight cannot end at `until` (s), in words: before its first step is over, or later than
 /// any. Nothing if it can.

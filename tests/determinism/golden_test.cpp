@@ -23,7 +23,7 @@ std::string facts(const std::string& name) {
   Flight f(load_scenario(name));
   f.mission.fly();
   std::string text = fmt::format("{} seed {}: {} after {} steps\n", name, f.scenario->spec.seed,
-                                 scenario::outcome_name(f.mission.outcome()), f.world().step());
+                                 enum_name(f.mission.outcome()), f.world().step());
   for (const model::Side side : {model::Side::blue, model::Side::red}) {
     const auto s = f.tally.side(side);
     if (s.players)

@@ -48,7 +48,7 @@ red:
 }
 
 void expect(const Ending& is, Outcome outcome, double time) {
-  EXPECT_EQ(is.outcome, outcome) << scenario::outcome_name(is.outcome);
+  EXPECT_EQ(is.outcome, outcome) << enum_name(is.outcome);
   EXPECT_NEAR(is.time, time, 0.03);
 }
 
