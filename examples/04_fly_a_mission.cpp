@@ -16,8 +16,7 @@ int main() {
     mission.fly();
     const auto blue = tally.side(model::Side::blue), red = tally.side(model::Side::red);
     fmt::print("seed {}: {}, blue lost {} of {}, red lost {} of {}, phases", seed,
-               enum_name(mission.outcome()), blue.losses, blue.players, red.losses,
-               red.players);
+               enum_name(mission.outcome()), blue.losses, blue.players, red.losses, red.players);
     for (const auto& phase : tally.phases())
       if (phase.flight == 0)
         fmt::print(" {}", phase.phase);

@@ -13,12 +13,12 @@ int main() {
   while (mission.run().time() < 7 * 60)
     mission.step();
 
-  debrief::Explainer explainer(*sweep);
   std::optional<debrief::Decision> why;
   while (!why) {  // its next one
     const sim::World before = mission.run().world();
     mission.step();
-    why = explainer.explain(before, mission.run().world(), *sweep->roster.find("eagle1"), {});
+    why =
+        debrief::explain(*sweep, before, mission.run().world(), *sweep->roster.find("eagle1"), {});
   }
   for (const debrief::Answer& node : why->nodes)
     if (node.asked)

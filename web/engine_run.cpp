@@ -205,8 +205,8 @@ Decided Engine::explain(const Otherwise& otherwise) const {
   debrief::Reflight flight(run(), *here_);
   if (!flight.step())
     return {};
-  const auto decision = debrief::Explainer(scenario, *asked)
-                            .explain(flight.before(), flight.after(), who, flight.orders());
+  const auto decision = debrief::explain(scenario, flight.before(), flight.after(), who,
+                                         flight.orders(), asked.get());
   return decision ? Decided{debrief::decision_json(*decision, scenario.roster)} : Decided{};
 }
 

@@ -87,11 +87,11 @@ struct Found {
 Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted) {
   Found found;
   debrief::Reflight flight(recorded);
-  debrief::Explainer explainer(*recorded.scenario);
   EventTimes events(*recorded.scenario, who, wanted.event);
   flight.attach(events);
   const auto explain = [&] {
-    return explainer.explain(flight.before(), flight.after(), who, flight.orders());
+    return debrief::explain(*recorded.scenario, flight.before(), flight.after(), who,
+                            flight.orders());
   };
 
   std::optional<debrief::Decision> last;  // for events between two decisions
@@ -109,7 +109,7 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
       continue;
     }
     if (wanted.changes) {
-      const ubf::NodeIndex now = explainer.leader(flight.after(), who);
+      const ubf::NodeIndex now = recorded.scenario->leader(flight.after(), who);
       if (leader == now)
         continue;
       auto decision = explain();

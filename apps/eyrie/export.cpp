@@ -32,7 +32,6 @@ void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> 
                      disk::Sink& sink) {
   const scenario::Scenario& scenario = *recorded.scenario;
   debrief::Reflight flight(recorded);
-  debrief::Explainer explainer(scenario);
   std::vector<debrief::Decision> decisions;
   bool first = true;
   const auto flush = [&] {
@@ -44,8 +43,8 @@ void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> 
   while (!interrupted() && flight.step()) {
     for (std::uint32_t id = 1; id <= scenario.roster.players.size(); ++id)
       if (!who || *who == PlayerId{id})
-        if (auto decision =
-                explainer.explain(flight.before(), flight.after(), PlayerId{id}, flight.orders()))
+        if (auto decision = debrief::explain(scenario, flight.before(), flight.after(),
+                                             PlayerId{id}, flight.orders()))
           decisions.push_back(std::move(*decision));
     if (decisions.size() > 1000)
       flush();

@@ -38,6 +38,11 @@ struct Value {
   /// The first entry of that key, or null. Null for everything that is not a map.
   [[nodiscard]] const Value* find(std::string_view key) const;
   [[nodiscard]] const Entry* find_entry(std::string_view key) const;
+  /// Where the value of that key stands; if there is none, where this stands.
+  [[nodiscard]] const Location& where_of(std::string_view key) const {
+    const Value* value = find(key);
+    return value ? value->where : where;
+  }
 
   /// What stands here, for an error: "nothing", "a list", "a map" or the quoted scalar.
   [[nodiscard]] std::string shown() const;

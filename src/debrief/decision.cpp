@@ -88,26 +88,18 @@ std::string debrief_name(const Perceived& one, const scenario::Roster& roster) {
 
 }  // namespace
 
-std::optional<Decision> Explainer::explain(const sim::World& before, const sim::World& after,
-                                           PlayerId who, std::span<const sim::Order> orders) const {
+std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
+                                const sim::World& after, PlayerId who,
+                                std::span<const sim::Order> orders,
+                                const scenario::Scenario* other) {
   std::optional<Decision> decision;
-  if (const auto found = scenario_.find(before, who))
+  if (const auto found = scenario.find(before, who))
     found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
-      decision = m.decision(*asked_.fleet_of(who).agents);
+      decision = m.decision(*(other ? *other : scenario).fleet_of(who).agents);
       for (Perceived& one : decision->perceived)
-        one.name = debrief_name(one, scenario_.roster);
+        one.name = debrief_name(one, scenario.roster);
     });
   return decision;
-}
-
-ubf::NodeIndex Explainer::leader(const sim::World& world, PlayerId who) const {
-  const auto found = scenario_.find(world, who);
-  return found ? found->fleet.agents->last_decision(world, found->row).node : ubf::kNone;
-}
-
-std::string Explainer::leader_label(const sim::World& world, PlayerId who) const {
-  const auto found = scenario_.find(world, who);
-  return found ? found->fleet.leader(world, found->row) : "nobody";
 }
 
 namespace {

@@ -25,30 +25,13 @@ using team::parting, team::Won;
 /// Why somebody else leads now: what became of who led before (an index into now.nodes).
 [[nodiscard]] std::string why_not(const Decision& now, ubf::NodeIndex before);
 
-// From the worlds before and after a step to the decision that an agent made in it.
-
-/// Looks at decisions of one scenario again.
-class Explainer {
- public:
-  explicit Explainer(const scenario::Scenario& scenario) : Explainer(scenario, scenario) {}
-  /// Of what `asked`, the scenario with other trees, would have decided there.
-  Explainer(const scenario::Scenario& scenario, const scenario::Scenario& asked)
-      : scenario_(scenario), asked_(asked) {}
-
-  /// Nothing if that agent had no decision due in the step, has no tree, or left the run in it.
-  [[nodiscard]] std::optional<Decision> explain(const sim::World& before, const sim::World& after,
-                                                PlayerId who,
-                                                std::span<const sim::Order> orders) const;
-
-  /// Who led after the last decision, as the agent's row keeps it; kNone for nobody.
-  [[nodiscard]] ubf::NodeIndex leader(const sim::World& world, PlayerId who) const;
-  /// Its label, such as "pursue"; "nobody".
-  [[nodiscard]] std::string leader_label(const sim::World& world, PlayerId who) const;
-
- private:
-  const scenario::Scenario& scenario_;
-  const scenario::Scenario& asked_;
-};
+/// From the worlds before and after a step to the decision that an agent made in it, or would have
+/// made with the trees of `other`. Nothing if it had no decision due in the step, has no tree, or
+/// left the run in it.
+[[nodiscard]] std::optional<Decision> explain(const scenario::Scenario& scenario,
+                                              const sim::World& before, const sim::World& after,
+                                              PlayerId who, std::span<const sim::Order> orders,
+                                              const scenario::Scenario* other = nullptr);
 
 /// A system of a simulation by its type, or null.
 template <class System>

@@ -25,6 +25,11 @@ PlayerId asks_otherwise(const scenario::Scenario& s, const sim::World& a, const 
   return {};
 }
 
+std::string leader_of(const scenario::Scenario& s, const sim::World& world, PlayerId who) {
+  const auto found = s.find(world, who);
+  return found ? found->fleet.leader(world, found->row) : "nobody";
+}
+
 std::string event_text(std::span<const sim::Event> events, std::size_t i,
                        const scenario::Roster& roster) {
   if (i >= events.size())
@@ -64,7 +69,6 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
   const scenario::Scenario& scenario = *left.scenario;
   RunDifference found;
   Reflight a(left), b(right);
-  Explainer in_left(scenario), in_right(*right.scenario);
   const auto part = [&](std::optional<Parting>& place, std::string text) {
     place = {a.before().step(), a.time(), std::move(text)};
   };
@@ -85,8 +89,8 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
       if (const PlayerId who = asks_otherwise(scenario, a.after(), b.after()))
         part(found.action,
              fmt::format("{}: {} leads, and {} in the other", scenario.roster.name(who),
-                         in_left.leader_label(a.after(), who),
-                         in_right.leader_label(b.after(), who)));
+                         leader_of(scenario, a.after(), who),
+                         leader_of(*right.scenario, b.after(), who)));
     }
     if (!found.event)
       if (const auto text = other_event(a, b, scenario.roster))

@@ -205,25 +205,21 @@ void DataLoader::part(std::optional<std::uint16_t>& index, const std::optional<s
 
 template <Described Model>
 void DataLoader::complete(Model& model, const Value& document) {
-  const auto place = [&](std::string_view key) {
-    const Value* v = document.find(key);
-    return v ? v->where : document.where;
-  };
   if constexpr (std::same_as<Model, model::AircraftType>)
-    if (const auto frame = load<model::Airframe>(model.airframe, place("airframe")))
+    if (const auto frame = load<model::Airframe>(model.airframe, document.where_of("airframe")))
       model.index.airframe = *frame;
   if constexpr (requires { model.index.radar; }) {
-    part<model::Radar>(model.index.radar, model.radar, place("radar"));
-    part<model::Rwr>(model.index.rwr, model.rwr, place("rwr"));
-    part<model::Iff>(model.index.iff, model.iff, place("iff"));
-    part<model::Tracker>(model.index.tracker, model.tracker, place("tracker"));
-    part<model::GunType>(model.index.gun, model.gun, place("gun"));
+    part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
+    part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
+    part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
+    part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
+    part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
     for (const model::StationFit& station : model.stations)
-      load<model::MissileType>(station.store, place("stations"));
+      load<model::MissileType>(station.store, document.where_of("stations"));
   }
   if constexpr (requires { model.index.visual; }) {
-    part<model::Visual>(model.index.visual, model.visual, place("visual"));
-    part<model::Datalink>(model.index.datalink, model.datalink, place("datalink"));
+    part<model::Visual>(model.index.visual, model.visual, document.where_of("visual"));
+    part<model::Datalink>(model.index.datalink, model.datalink, document.where_of("datalink"));
   }
   if constexpr (requires { model.prepare(); })
     if (!only_checks_)

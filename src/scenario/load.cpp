@@ -79,7 +79,7 @@ class Loader {
     out_->formations.resize(library_->flights.size());
     out_->convoys.resize(library_->flights.size());
     if (const auto problem = until_problem(out_->spec, out_->spec.until))
-      error(place(document_, "until"), "until: " + *problem);
+      error(document_.where_of("until"), "until: " + *problem);
     orders();
     stop_if_wrong();
     finish();
@@ -94,16 +94,12 @@ class Loader {
   void error(const Location& where, std::string message) {
     diagnostics_.error(where, std::move(message));
   }
-  Location place(const Value& map, std::string_view key) const {
-    const Value* v = map.find(key);
-    return v ? v->where : map.where;
-  }
 
   void environment(const Value& v) {
     model::EnvironmentSpec spec;
     bind(spec, v, diagnostics_);
     if (const auto problem = model::Wind::problem(spec.wind))
-      error(place(v, "wind"), *problem);
+      error(v.where_of("wind"), *problem);
     else
       library_->environment = model::Environment(spec);
   }
@@ -310,7 +306,7 @@ class Loader {
       const Value& item = list->items[index];
       const Location where = item.where;
       if (order.at >= out_->spec.until)
-        error(place(item, "at"),
+        error(item.where_of("at"),
               fmt::format("an order at {} is never given: the flight ends at {} (until)",
                           exact_quantity(order.at, Dimension::time),
                           exact_quantity(out_->spec.until, Dimension::time)));
@@ -352,7 +348,7 @@ class Loader {
     for (const std::string_view key : {kind, model, parameter}) {
       const Value* next = found ? found->find(key) : nullptr;
       if (!next && key != parameter)
-        return place(document_, "rates");
+        return document_.where_of("rates");
       found = next ? next : found;
     }
     return found->where;
@@ -367,7 +363,7 @@ class Loader {
     stop_if_wrong();
     const std::string problem = assemble(*out_, starts_, vehicle_starts_, kinds_);
     if (!problem.empty()) {
-      error(place(document_, "rates"), problem);
+      error(document_.where_of("rates"), problem);
       stop_if_wrong();
     }
     out_->files = source_.files();

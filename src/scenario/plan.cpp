@@ -152,16 +152,12 @@ class Reader {
     plan.where = entry.where;
     static constexpr std::array<std::string_view, 1> kAlso{"players"};
     plan.sound = bind(plan.spec, entry.value, diagnostics_, kAlso);
-    const auto place = [&](std::string_view key) {
-      const Value* v = entry.value.find(key);
-      return v ? v->where : entry.value.where;
-    };
-    plan.start_where = place("start");
-    plan.route_where = place("route");
+    plan.start_where = entry.value.where_of("start");
+    plan.route_where = entry.value.where_of("route");
     if constexpr (requires { plan.spec.home; }) {
       if (plan.spec.home) {
         plan.home = plan.spec.home;
-        plan.home_where = place("home");
+        plan.home_where = entry.value.where_of("home");
       }
     }
 

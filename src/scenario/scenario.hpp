@@ -72,6 +72,11 @@ struct Scenario {
     const auto row = roster.find(who) ? fleet_of(who).row(world, who) : std::nullopt;
     return row ? std::optional<Found>({fleet_of(who), *row}) : std::nullopt;
   }
+  /// Who led a player's last decision, as its row keeps it; kNone for nobody.
+  [[nodiscard]] ubf::NodeIndex leader(const sim::World& world, PlayerId who) const {
+    const auto found = find(world, who);
+    return found ? found->fleet.agents->last_decision(world, found->row).node : ubf::kNone;
+  }
   /// Calls `use(fleet, id, row)` for every player that is there.
   template <class Use>
   void each_player(const sim::World& world, Use use) const {

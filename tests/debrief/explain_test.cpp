@@ -21,7 +21,6 @@ INSTANTIATE_TEST_SUITE_P(Whole, ExplainedRun, testing::Values("sweep", "convoy")
 TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
   const Recorded run = recorded_flight(GetParam(), 900, 5);
   const scenario::Scenario& s = *run.scenario;
-  Explainer explainer(s);
   Reflight flight(run);
   std::size_t decisions = 0;
   while (flight.step()) {
@@ -30,12 +29,12 @@ TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
     for (std::size_t i = 0; i < s.roster.players.size(); ++i) {
       const PlayerId who{static_cast<std::uint32_t>(i + 1)};
       const auto decision =
-          explainer.explain(flight.before(), flight.after(), who, flight.orders());
+          debrief::explain(s, flight.before(), flight.after(), who, flight.orders());
       if (!decision)
         continue;
       ++decisions;
       // what the agent's row says after the step
-      ASSERT_EQ(decision->leader, explainer.leader(flight.after(), who))
+      ASSERT_EQ(decision->leader, s.leader(flight.after(), who))
           << s.roster.name(who) << " at " << flight.time();
       ASSERT_EQ(decision->nodes.size() > 0, true);
       // the leader set what came out, or some of it
@@ -51,13 +50,13 @@ TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
 
 TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
   const Recorded run = recorded_flight("sweep", 800, 13);
-  Explainer explainer(*run.scenario);
   Reflight flight(run);
   std::size_t failures = 0;
   while (flight.step()) {
     if (flight.before().step() / 5 % 5 != 0)
       continue;
-    const auto d = explainer.explain(flight.before(), flight.after(), PlayerId{1}, flight.orders());
+    const auto d = debrief::explain(*run.scenario, flight.before(), flight.after(), PlayerId{1},
+                                    flight.orders());
     for (std::size_t i = 0; d && i < d->nodes.size(); ++i) {
       const Answer& node = d->nodes[i];
       if (!node.is_leaf || !node.asked || node.status != ubf::Status::failure)

@@ -101,10 +101,10 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   const json& fields = page.document["platforms"][player["kind"].get<std::string>()]["action"];
 
   debrief::Reflight flight(recorded);
-  debrief::Explainer explainer(*recorded.scenario);
   std::size_t at = 0, compared = 0;
   while (flight.step()) {
-    const auto decision = explainer.explain(flight.before(), flight.after(), who, flight.orders());
+    const auto decision =
+        debrief::explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
     if (!decision)
       continue;
     ASSERT_LT(at, steps.size());

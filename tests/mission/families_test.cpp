@@ -15,7 +15,6 @@ namespace {
 /// The types of nodes that were asked in the first minutes of a scenario, by every pilot.
 std::set<std::string> asked_in(const std::string& name) {
   const Recorded run = recorded_flight(name, 280, {});
-  debrief::Explainer explainer(*run.scenario);
   Reflight flight(run);
   std::set<std::string> asked;
   while (flight.step()) {
@@ -23,8 +22,8 @@ std::set<std::string> asked_in(const std::string& name) {
       continue;
     for (std::size_t i = 0; i < run.scenario->roster.players.size(); ++i)
       if (const auto decision =
-              explainer.explain(flight.before(), flight.after(),
-                                PlayerId{static_cast<std::uint32_t>(i + 1)}, flight.orders()))
+              debrief::explain(*run.scenario, flight.before(), flight.after(),
+                               PlayerId{static_cast<std::uint32_t>(i + 1)}, flight.orders()))
         for (const debrief::Answer& node : decision->nodes)
           if (node.asked)
             asked.insert(node.type);
@@ -46,12 +45,12 @@ TEST(Families, EveryStandardNodeFlies) {
 
 TEST(Families, AVoteThatFollowsTheStateIsExplainedByWhatItFollowed) {
   const Recorded run = recorded_flight("commitment", 120, {});
-  debrief::Explainer explainer(*run.scenario);
   Reflight flight(run);
   const PlayerId bogey{3};
   std::set<float> votes;
   while (flight.step()) {
-    const auto decision = explainer.explain(flight.before(), flight.after(), bogey, {});
+    const auto decision =
+        debrief::explain(*run.scenario, flight.before(), flight.after(), bogey, {});
     if (!decision)
       continue;
     for (const debrief::Answer& node : decision->nodes)
