@@ -10,6 +10,7 @@ import { flown_again, put_theme, show_as_flown, type Opening } from '../show.tsx
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
+import { said_in } from '../ui/link.ts';
 import { mind_manners } from '../ui/manners.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
@@ -58,8 +59,7 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
 async function write_link(project: Project): Promise<void> {
   const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
   const link = is_first ? '' : await link_of(project);
-  const edit = (fragment: string): string | null => new URLSearchParams(fragment.slice(1)).get('s');
-  if (edit(link) !== edit(location.hash)) history.replaceState(history.state, '', link || location.pathname + location.search);
+  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
 }
 
 /** The names that a key takes from the texts. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A project as a link: #s=... is packed JSON with what differs from the shipped texts. What a link holds is shown, and flies when
  * somebody presses the button: nothing in it is believed to be more than texts for files that are there. */
+import { said_in } from '../ui/link.ts';
 import { scenarios, type Project } from './project.ts';
 
 /** Characters of a link, and bytes of what it unpacks to. */
@@ -56,7 +57,7 @@ function checked(value: unknown, shipped: Project['shipped']): Omit<Project, 'sh
 
 /** What the fragment of an address holds; null: nothing of ours. Throws an Error that says why it cannot be used. */
 export async function read_link(fragment: string, shipped: Project['shipped']): Promise<Project | null> {
-  const said = new URLSearchParams(fragment.replace(/^#/, '')).get('s');
+  const said = said_in(fragment).get('s');
   if (said === null) return null;
   if (said.length > kLongestLink) throw new Error('it is too long');
   let value: unknown;

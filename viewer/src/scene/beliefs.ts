@@ -87,39 +87,20 @@ export interface Eyesight {
   place_of(track: TrackSeen): Place;
 }
 
-/** Keeps the last two sights read, as each is made anew when asked for. */
-export class SightReader {
-  private player: Player | null = null;
-  private index = -2;
-  private now: Sight | null = null;
-  private next: Sight | null = null;
-  private share = 0;
-  private readonly between: Place = { east: 0, north: 0, up: 0 };
-
-  read(player: Player, t: number): Eyesight | null {
-    const { sights } = player;
-    const index = last_at(sights.t, t);
-    if (index < 0) return null;
-    if (player !== this.player || index !== this.index) {
-      this.now = sights.at(index);
-      const span = index + 1 < sights.t.length ? sights.t[index + 1]! - sights.t[index]! : Infinity;
-      this.next = span > 0 && span < kBridge ? sights.at(index + 1) : null;
-      this.player = player;
-      this.index = index;
-    }
-    const { now, next } = this;
-    if (!now) return null;
-    this.share = next ? Math.min(1, (t - now.t) / (next.t - now.t)) : 0;
-    return { player, now, place_of: (track) => this.place_of(track) };
-  }
-
-  private place_of(track: TrackSeen): Place {
-    const { next, share, between } = this;
-    const then = next?.tracks.find((other) => other.id === track.id);
-    if (!then) return track.place;
-    between.east = track.place.east + (then.place.east - track.place.east) * share;
-    between.north = track.place.north + (then.place.north - track.place.north) * share;
-    between.up = track.place.up + (then.place.up - track.place.up) * share;
-    return between;
-  }
+/** Null: it has seen nothing yet. */
+export function eyesight(player: Player, t: number): Eyesight | null {
+  const { sights } = player;
+  const index = last_at(sights.t, t);
+  if (index < 0) return null;
+  const [from, to] = [sights.t[index]!, sights.t[index + 1] ?? Infinity];
+  const next = to > from && to - from < kBridge ? sights.at(index + 1) : null;
+  const share = Math.min(1, (t - from) / (to - from));
+  return {
+    player, now: sights.at(index),
+    place_of({ id, place }) {
+      const then = next?.tracks.find((other) => other.id === id)?.place ?? place;
+      const between = (axis: keyof Place): number => place[axis] + (then[axis] - place[axis]) * share;
+      return { east: between('east'), north: between('north'), up: between('up') };
+    },
+  };
 }

@@ -124,9 +124,8 @@ export class SceneCamera {
   zoom(factor: number, px: number, py: number, view: View, eye: Eye): boolean {
     const freed = this.free(view);
     const { rig } = this;
-    const level = eye.stance?.y ?? 0;
-    const farthest = (eye.stance?.height ?? 0) * (view.camera === 'top' ? 1000 : 4);
-    if (view.camera !== 'follow' && eye.hit(px, py, level, farthest)) rig.zoom(factor, eye.ground_x, eye.ground_z);
+    const { y, height } = eye.stance;
+    if (view.camera !== 'follow' && eye.hit(px, py, y, height * (view.camera === 'top' ? 1000 : 4))) rig.zoom(factor, eye.ground_x, eye.ground_z);
     else rig.zoom(factor);
     return freed;
   }

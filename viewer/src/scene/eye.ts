@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The camera as the overlay and the screen-sized things need it: from the scene (km) to CSS px and back. */
 import { PerspectiveCamera } from 'three';
-import type { Stance } from './rig.ts';
+import { kFov, type Stance } from './rig.ts';
 
 /** km: nothing nearer is seen. */
 const kNear = 0.002;
@@ -24,7 +24,7 @@ export class Eye {
   /** The last hit of the ground. */
   ground_x = 0;
   ground_z = 0;
-  stance: Stance | null = null;
+  stance: Stance = { x: 0, y: 0, z: 0, height: 1, azimuth: 0, polar: 0, fov: kFov };
   /** Of the last turn(): km to the right of the line of sight, above it, and in front of the eye. */
   private rightward = 0;
   private upward = 0;

@@ -25,8 +25,7 @@ export interface Grid {
 
 /** Some eight lines to the height of the picture. */
 export function grid_of(eye: Eye): Grid {
-  const { stance } = eye;
-  if (!stance || !eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(stance.polar)))) return { step: 1, x: 0, z: 0 };
+  if (!eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(eye.stance.polar)))) return { step: 1, x: 0, z: 0 };
   const { ground_x: x, ground_z: z } = eye;
   const wanted = (eye.km_per_px(x, 0, z) * eye.height) / kNmi / 8;
   return { step: kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!, x, z };

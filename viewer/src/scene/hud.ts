@@ -54,7 +54,6 @@ function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: n
 /** True in the middle of the picture. */
 function draw_scale({ eye, notes, palette }: Frame): void {
   const { ui, stance } = eye;
-  if (!stance) return;
   const c = notes.context;
   const small = stance.height < 4;
   const unit = small ? kFoot : kNmi;
@@ -76,7 +75,6 @@ function draw_scale({ eye, notes, palette }: Frame): void {
 
 function draw_north({ eye, notes, palette }: Frame): void {
   const { ui, stance } = eye;
-  if (!stance) return;
   const c = notes.context;
   const r = 17 * ui;
   const [x, y] = [eye.width - kMargin * ui - r, kMargin * 1.7 * ui + r];

@@ -3,7 +3,7 @@
 import type { Run } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
 import { measure } from '../ui/actions.ts';
-import { draw_tracks, draw_zone, SightReader } from './beliefs.ts';
+import { draw_tracks, draw_zone, eyesight } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
 import { SceneCamera } from './camera.ts';
 import { Eye } from './eye.ts';
@@ -30,7 +30,6 @@ const kToldEvery = 1000;
 
 /** Fills `host`, whose size it follows. */
 export class AirPicture {
-  private readonly reader = new SightReader();
   private readonly camera: SceneCamera;
   private readonly easel: Easel;
   private readonly frame: Frame;
@@ -142,7 +141,7 @@ export class AirPicture {
     this.drawn_at = now;
     eye.look(camera.rig.stance());
     const selected = this.run.players[view.selected];
-    frame.sight = selected && players.shown[view.selected] ? this.reader.read(selected, view.time) : null;
+    frame.sight = selected && players.shown[view.selected] ? eyesight(selected, view.time) : null;
 
     this.easel.painter.draw(frame, this.fill());
     const interval = this.meter.drawn(now, performance.now());

@@ -18,9 +18,8 @@ export function size_of(name: ShapeName, length: number, poses: Poses, i: number
 
 const [matrix, angles, scale] = [new Matrix4(), new Euler(0, 0, 0, 'YXZ'), new Vector3()];
 
-/** Columns of the turn by roll, then pitch, then heading, times `size`; then the place. */
-export function write_matrix(out: Float32Array, at: number, poses: Poses, i: number, size: number): void {
+/** The turn by roll, then pitch, then heading, times `size`; then the place. The next call changes it. */
+export function matrix_of(poses: Poses, i: number, size: number): Matrix4 {
   angles.set(poses.pitch[i]!, -poses.heading[i]!, -poses.roll[i]!);
-  matrix.makeRotationFromEuler(angles).scale(scale.setScalar(size));
-  matrix.setPosition(poses.x[i]!, poses.y[i]!, poses.z[i]!).toArray(out, at);
+  return matrix.makeRotationFromEuler(angles).scale(scale.setScalar(size)).setPosition(poses.x[i]!, poses.y[i]!, poses.z[i]!);
 }

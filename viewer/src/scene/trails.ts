@@ -66,7 +66,6 @@ export function draw_drop_lines(frame: Frame): void {
 /** Ticks each five thousand feet on the line under the selected player, with figures as far as there is room. */
 function draw_staff({ lines, palette, eye, notes, view, run }: Frame, x: number, y: number, z: number): void {
   const { stance } = eye;
-  if (!stance) return;
   const km_per_px = eye.km_per_px(x, y / 2, z);
   const step = 5000 * kFoot;
   const tall = (Math.sin(stance.polar) * step) / km_per_px;

@@ -11,13 +11,18 @@ type Told = Pick<View, (typeof kTold)[number]>;
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
+/** The fragment of an address, by name. */
+export function said_in(fragment: string): URLSearchParams {
+  return new URLSearchParams(fragment.replace(/^#/, ''));
+}
+
 export function link_text(run: Run, view: Told, fragment = ''): string {
   const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
   const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
   if (view.pose && (view.camera === 'free' || view.camera === 'top')) parts.push(`e=${view.pose.map((v) => short(v, 4)).join(',')}`);
   if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
   if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
-  const edit = new URLSearchParams(fragment.replace(/^#/, '')).get('s');
+  const edit = said_in(fragment).get('s');
   if (edit) parts.push(`s=${edit}`);
   return `#${parts.join('&')}`;
 }
@@ -29,7 +34,7 @@ function seconds(text: string | null, duration: number): number | null {
 
 /** What of a link makes sense in this run; the rest is left out. */
 export function read_link(run: Run, fragment: string, duration = run.about.duration): Partial<Told> {
-  const said = new URLSearchParams(fragment.replace(/^#/, ''));
+  const said = said_in(fragment);
   const player = (name: string | undefined): number => run.players.findIndex((p) => p.name === name);
   const told: Partial<Told> = {};
 

@@ -7,31 +7,29 @@ import { last_at, type Player } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
 import { use_page } from './page.ts';
 
-type Subscribe = (store: Store, listener: () => void) => () => void;
-const at_once: Subscribe = (store, listener) => store.subscribe(listener);
-
-function use_picked<T>(store: Store, pick: (view: View) => T, subscribe: Subscribe): T {
-  const picked = pick(store.get());
+/** Redraws if another thing is picked out of the value when `follow` tells. */
+function use_picked<V, T>(cell: Cell<V>, pick: (value: V) => T, follow = (listener: () => void) => cell.subscribe(listener)): T {
+  const picked = pick(cell.get());
   const latest = useRef({ pick, picked });
   latest.current = { pick, picked };
   const [, redraw] = useReducer((n: number) => n + 1, 0);
   useEffect(() => {
     const check = (): void => {
-      if (!Object.is(latest.current.pick(store.get()), latest.current.picked)) redraw(undefined);
+      if (!Object.is(latest.current.pick(cell.get()), latest.current.picked)) redraw(undefined);
     };
     check();
-    return subscribe(store, check);
-  }, [store, subscribe]);
+    return follow(check);
+  }, [cell]);
   return picked;
 }
 
 /** What `pick` takes out of the view; it must give the same object for the same state of affairs. */
 export function use_view<T>(store: Store, pick: (view: View) => T): T {
-  return use_picked(store, pick, at_once);
+  return use_picked(store, pick);
 }
 /** The same at the pace of panels, for what changes with time. */
 export function use_paced<T>(store: Store, pick: (view: View) => T): T {
-  return use_picked(store, pick, subscribe_paced);
+  return use_picked(store, pick, (listener) => subscribe_paced(store, listener));
 }
 
 /** s: what the strips show now; the same array as long as that is the same. */
@@ -43,12 +41,7 @@ export function use_range(): [number, number] {
 }
 
 export function use_cell<T>(cell: Cell<T>): T {
-  const [value, set] = useState(cell.get());
-  useEffect(() => {
-    set(() => cell.get());
-    return cell.subscribe((now) => set(() => now));
-  }, [cell]);
-  return value;
+  return use_picked(cell, (value) => value);
 }
 
 /** The selected player and his last decision at or before the time; -1: none yet. */

@@ -10,6 +10,41 @@ import { Cell } from '../store.ts';
 import { use_page, type Page } from './page.ts';
 import { use_cell, use_view } from './use.ts';
 
+export interface Change {
+  tree: number;  // Index into Run.trees.
+  node: number;
+  /** Another type for the node. */
+  type?: string;
+  /** Values of parameters as a file has them: "30", "12 nmi", "{heading: {min: 0 deg}}". */
+  params: Record<string, string>;
+}
+
+/** The tree that a player begins with; a path without the name of a tree is about it. */
+function first_tree(run: Run, player: number): number {
+  const first = run.players[player]!.decisions.shape[0];
+  return first === undefined ? -1 : run.shapes[first]!.tree;
+}
+
+export function sets_of(run: Run, player: number, changes: readonly Change[]): string[] {
+  const own = first_tree(run, player);
+  return changes.flatMap(({ tree, node, type, params }) => {
+    const { name, nodes } = run.trees[tree]!;
+    const path = `${tree === own ? '' : `${name}:`}${nodes[node]!.path}`;
+    return [...(type === undefined ? [] : [`${path}=${type}`]), ...Object.entries(params).map(([key, value]) => `${path}.${key}=${value}`)];
+  });
+}
+
+/** A word of a shell's command line. */
+function quoted(text: string): string {
+  return `'${text.replaceAll("'", "'\\''")}'`;
+}
+
+/** The same question for the terminal; RUN stands for the folder of the run. */
+export function command_of(run: Run, player: number, changes: readonly Change[]): string {
+  const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
+  return ['eyrie whatif RUN', `--player ${run.players[player]!.name}`, ...sets].join(' ');
+}
+
 /** An answer, or why there is none; neither of them yet. */
 export interface Asked<T> {
   key: string;  // Of the question that it answers; "" for none so far.
@@ -111,39 +146,4 @@ export function ask(changes: Cell<Change[]>, change: Change): void {
   const others = changes.get().filter((one) => one.tree !== change.tree || one.node !== change.node);
   const is_one = change.type !== undefined || Object.keys(change.params).length > 0;
   changes.set(is_one ? [...others, change] : others);
-}
-
-export interface Change {
-  tree: number;  // Index into Run.trees.
-  node: number;
-  /** Another type for the node. */
-  type?: string;
-  /** Values of parameters as a file has them: "30", "12 nmi", "{heading: {min: 0 deg}}". */
-  params: Record<string, string>;
-}
-
-/** The tree that a player begins with; a path without the name of a tree is about it. */
-function first_tree(run: Run, player: number): number {
-  const first = run.players[player]!.decisions.shape[0];
-  return first === undefined ? -1 : run.shapes[first]!.tree;
-}
-
-export function sets_of(run: Run, player: number, changes: readonly Change[]): string[] {
-  const own = first_tree(run, player);
-  return changes.flatMap(({ tree, node, type, params }) => {
-    const { name, nodes } = run.trees[tree]!;
-    const path = `${tree === own ? '' : `${name}:`}${nodes[node]!.path}`;
-    return [...(type === undefined ? [] : [`${path}=${type}`]), ...Object.entries(params).map(([key, value]) => `${path}.${key}=${value}`)];
-  });
-}
-
-/** A word of a shell's command line. */
-function quoted(text: string): string {
-  return `'${text.replaceAll("'", "'\\''")}'`;
-}
-
-/** The same question for the terminal; RUN stands for the folder of the run. */
-export function command_of(run: Run, player: number, changes: readonly Change[]): string {
-  const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
-  return ['eyrie whatif RUN', `--player ${run.players[player]!.name}`, ...sets].join(' ');
 }

@@ -1,149 +1,108 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. Faces
  * have the colours that a renderer which knows of light in linear shares makes. */
+import { type Matrix4, Vector3 } from 'three';
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
 import type { Poses } from '../motion.ts';
 import { kDiffuse, kGround, kSky, kSun, kSunlight, css, shares, type Palette } from '../palette.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
-import { size_of, write_matrix } from '../stature.ts';
+import { matrix_of, size_of } from '../stature.ts';
 
 interface Model {
   name: ShapeName;
   length: number;  // km
-  corners: ArrayLike<number>;  // Nine numbers for each face.
-  faces: number;
-  outline: number[];  // x z, all the way around.
+  corners: ArrayLike<number>;  // x y z of the three of each face
+  normals: ArrayLike<number>;  // at each of them
+  outline: (readonly [x: number, z: number])[];  // all the way around
+}
+/** A face that looks here: x y of its corners in the picture, how deep they lie together, and how much light it has. */
+interface Face {
+  spots: number[];
+  depth: number;
+  level: number;
 }
 
 /** px around the picture within which a model may still reach into it. */
 const kMargin = 60;
 /** Of the faces between which no gap may show. */
 const kSeam = 0.6;
-/** Of outlines. */
+/** Of outlines: seen from the side one is but a line. */
 const kEdge = 1;
 
 const models = new Map<ShapeName, Model>();
 
 function model_of(name: ShapeName): Model {
-  let model = models.get(name);
-  if (!model) {
-    const { geometry, length, outline } = kShapes[name]();
-    const corners = geometry.getAttribute('position').array;
-    const left = outline.filter(([x]) => x > 0).reverse().map(([x, z]) => [-x, z]);
-    model = { name, length: length / 1000, corners, faces: corners.length / 9, outline: [...outline, ...left].flat() };
-    models.set(name, model);
-  }
+  const known = models.get(name);
+  if (known) return known;
+  const { geometry, length, outline } = kShapes[name]();
+  const [corners, normals] = ['position', 'normal'].map((each) => geometry.getAttribute(each).array);
+  const left = outline.filter(([x]) => x > 0).reverse().map(([x, z]) => [-x, z] as const);
+  const model = { name, length: length / 1000, corners: corners!, normals: normals!, outline: [...outline, ...left] };
+  models.set(name, model);
   return model;
+}
+
+const point = new Vector3();
+
+function outline_of({ outline }: Model, matrix: Matrix4, eye: Eye): number[] {
+  return outline.flatMap(([x, z]) => {
+    eye.project(...point.set(x, 0, z).applyMatrix4(matrix).toArray());
+    return [eye.px, eye.py];
+  });
+}
+
+/** From back to front. */
+function faces_of({ corners, normals }: Model, matrix: Matrix4, eye: Eye): Face[] {
+  const faces: Face[] = [];
+  for (let at = 0; at < corners.length; at += 9) {
+    const spots: number[] = [];
+    let depth = 0;
+    for (let k = at; k < at + 9; k += 3) {
+      eye.project(...point.fromArray(corners, k).applyMatrix4(matrix).toArray());
+      spots.push(eye.px, eye.py);
+      depth += eye.depth;
+    }
+    const [ax, ay, bx, by, cx, cy] = spots as [number, number, number, number, number, number];
+    // the y axis of the screen points down
+    if ((bx - ax) * (cy - ay) - (cx - ax) * (by - ay) >= 0) continue;
+    const level = level_of(...point.fromArray(normals, at).transformDirection(matrix).toArray());
+    faces.push({ spots, depth, level });
+  }
+  return faces.sort((a, b) => b.depth - a.depth);
+}
+
+function fill(context: CanvasRenderingContext2D, spots: number[], style: string): void {
+  context.beginPath();
+  for (let k = 0; k < spots.length; k += 2) context.lineTo(spots[k]!, spots[k + 1]!);
+  context.closePath();
+  context.fillStyle = context.strokeStyle = style;
+  context.fill();
+  context.stroke();
 }
 
 export class FlatFleet {
   private readonly models: Model[];
-  private readonly matrix = new Float32Array(16);
-  private readonly order: number[] = [];
-  private readonly depths: Float64Array;
-  /** Of the model that is drawn: x y of the corners of each face, how deep it lies, and those that are seen. */
-  private readonly spots: Float64Array;
-  private readonly deep: Float64Array;
-  private readonly seen: number[] = [];
 
   constructor(private readonly all: readonly (Player | Missile)[]) {
     this.models = all.map((one) => model_of(shape_of(one)));
-    const most = this.models.reduce((faces, model) => Math.max(faces, model.faces), 0);
-    this.spots = new Float64Array(6 * most);
-    this.deep = new Float64Array(most);
-    this.depths = new Float64Array(all.length);
   }
 
   draw(context: CanvasRenderingContext2D, poses: Poses, eye: Eye, palette: Palette): void {
-    const { order, depths } = this;
-    order.length = 0;
-    for (let i = 0; i < poses.count; ++i) {
-      if (!poses.shown[i] || !eye.project(poses.x[i]!, poses.y[i]!, poses.z[i]!) || !eye.on_screen(kMargin * eye.ui)) continue;
-      depths[i] = eye.depth;
-      order.push(i);
-    }
-    order.sort((a, b) => depths[b]! - depths[a]!);
-    context.lineWidth = poses.count > kCrowd ? kEdge : kSeam;
+    const seen: { i: number; depth: number }[] = [];
+    for (let i = 0; i < poses.count; ++i)
+      if (poses.shown[i] && eye.project(poses.x[i]!, poses.y[i]!, poses.z[i]!) && eye.on_screen(kMargin * eye.ui))
+        seen.push({ i, depth: eye.depth });
+    const crowd = poses.count > kCrowd;
+    context.lineWidth = crowd ? kEdge : kSeam;
     context.lineJoin = 'round';
-    for (const i of order) {
+    for (const { i } of seen.sort((a, b) => b.depth - a.depth)) {
       const model = this.models[i]!;
-      write_matrix(this.matrix, 0, poses, i, size_of(model.name, model.length, poses, i, eye));
+      const matrix = matrix_of(poses, i, size_of(model.name, model.length, poses, i, eye));
       const tint = palette.side[this.all[i]!.side];
-      if (poses.count > kCrowd) this.outline(context, model, tint, eye);
-      else this.shade(context, model, tint, eye);
-    }
-  }
-
-  /** Leaves the faces that look here in `seen`. */
-  private turn({ corners, faces }: Model, eye: Eye): void {
-    const { matrix: m, spots, deep, seen } = this;
-    seen.length = 0;
-    for (let face = 0; face < faces; ++face) {
-      let depth = 0;
-      for (let k = 0; k < 3; ++k) {
-        const at = 9 * face + 3 * k;
-        const [x, y, z] = [corners[at]!, corners[at + 1]!, corners[at + 2]!];
-        eye.project(m[0]! * x + m[4]! * y + m[8]! * z + m[12]!, m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
-          m[2]! * x + m[6]! * y + m[10]! * z + m[14]!);
-        spots[6 * face + 2 * k] = eye.px;
-        spots[6 * face + 2 * k + 1] = eye.py;
-        depth += eye.depth;
-      }
-      const s = 6 * face;
-      const area = (spots[s + 2]! - spots[s]!) * (spots[s + 5]! - spots[s + 1]!) -
-        (spots[s + 4]! - spots[s]!) * (spots[s + 3]! - spots[s + 1]!);
-      // the y axis of the screen points down
-      if (area >= 0) continue;
-      deep[face] = depth;
-      seen.push(face);
-    }
-  }
-
-  private trace(context: CanvasRenderingContext2D, face: number): void {
-    const { spots } = this;
-    const s = 6 * face;
-    context.moveTo(spots[s]!, spots[s + 1]!);
-    context.lineTo(spots[s + 2]!, spots[s + 3]!);
-    context.lineTo(spots[s + 4]!, spots[s + 5]!);
-  }
-
-  /** Stroked too: seen from the side it is but a line. */
-  private outline(context: CanvasRenderingContext2D, { outline }: Model, tint: number, eye: Eye): void {
-    const { matrix: m } = this;
-    context.beginPath();
-    for (let k = 0; k < outline.length; k += 2) {
-      const [x, z] = [outline[k]!, outline[k + 1]!];
-      eye.project(m[0]! * x + m[8]! * z + m[12]!, m[1]! * x + m[9]! * z + m[13]!, m[2]! * x + m[10]! * z + m[14]!);
-      if (k === 0) context.moveTo(eye.px, eye.py);
-      else context.lineTo(eye.px, eye.py);
-    }
-    context.closePath();
-    context.fillStyle = context.strokeStyle = css(tint);
-    context.fill();
-    context.stroke();
-  }
-
-  private shade(context: CanvasRenderingContext2D, model: Model, tint: number, eye: Eye): void {
-    this.turn(model, eye);
-    const { corners: c } = model;
-    const { matrix: m, deep, seen } = this;
-    const shades = shades_of(tint);
-    seen.sort((a, b) => deep[b]! - deep[a]!);
-    for (const face of seen) {
-      const at = 9 * face;
-      const [ux, uy, uz] = [c[at + 3]! - c[at]!, c[at + 4]! - c[at + 1]!, c[at + 5]! - c[at + 2]!];
-      const [vx, vy, vz] = [c[at + 6]! - c[at]!, c[at + 7]! - c[at + 1]!, c[at + 8]! - c[at + 2]!];
-      const [nx, ny, nz] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-      const [x, y, z] = [m[0]! * nx + m[4]! * ny + m[8]! * nz, m[1]! * nx + m[5]! * ny + m[9]! * nz, m[2]! * nx + m[6]! * ny + m[10]! * nz];
-      const length = Math.hypot(x, y, z) || 1;
-      context.fillStyle = context.strokeStyle = shades[level_of(x / length, y / length, z / length)]!;
-      context.beginPath();
-      this.trace(context, face);
-      context.closePath();
-      context.fill();
-      context.stroke();
+      if (crowd) fill(context, outline_of(model, matrix, eye), css(tint));
+      else for (const { spots, level } of faces_of(model, matrix, eye)) fill(context, spots, shades_of(tint)[level]!);
     }
   }
 }

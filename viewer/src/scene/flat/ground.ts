@@ -36,11 +36,10 @@ export class FlatGround {
   }
 
   draw(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, coast: boolean): void {
-    const { stance } = eye;
-    const plain = stance !== null && is_near(eye, stance.x, stance.z);
+    const { x, z } = eye.stance;
+    const plain = is_near(eye, x, z);
     context.fillStyle = css(plain ? palette.sea : palette.sky);
     context.fillRect(0, 0, eye.width, eye.height);
-    if (!stance) return;
     if (!plain) {
       const sea = new Path2D();
       trace_area(sea, eye, this.disc);
@@ -48,7 +47,7 @@ export class FlatGround {
       context.fill(sea);
     }
     if (coast) this.draw_land(context, eye, palette);
-    if (!plain) this.draw_haze(context, eye, palette, stance.x, stance.z);
+    if (!plain) this.draw_haze(context, eye, palette, x, z);
     this.grid.begin();
     draw_grid(this.grid, grid_of(eye), palette);
     this.grid.draw(context, eye);

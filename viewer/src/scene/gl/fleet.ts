@@ -6,7 +6,7 @@ import type { Eye } from '../eye.ts';
 import type { Poses } from '../motion.ts';
 import type { Palette } from '../palette.ts';
 import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
-import { size_of, write_matrix } from '../stature.ts';
+import { matrix_of, size_of } from '../stature.ts';
 
 interface Squadron {
   mesh: InstancedMesh;
@@ -48,7 +48,7 @@ export class Fleet {
         // colours stay with their slots, so those who are not there keep theirs and have no size
         const shown = poses.shown[i] === 1;
         const size = shown ? size_of(name, length, poses, i, eye) : 0;
-        write_matrix(matrices, slot * 16, poses, i, size);
+        matrix_of(poses, i, size).toArray(matrices, slot * 16);
         if (shown) used = slot + 1;
       }
       mesh.count = used;

@@ -66,7 +66,7 @@ export class Ground {
   update(eye: Eye, palette: Palette, coast: boolean): void {
     this.land.visible = coast;
     this.shores.mesh.visible = coast;
-    const { x, z } = eye.stance!;
+    const { x, z } = eye.stance;
     this.middle.value.set(x, z);
     this.shores.haze.set(x, kReach, z);
     this.grid.begin();
