@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
 /** The page as a person uses it, in a real browser, against what the program says of the same run. */
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import type { Browser } from 'puppeteer-core';
 import type { Opened, UserPage } from './browsers.ts';
 import {
-  ask_command, explain, kNoPage, kNoProgram, kPageFile, launch, open_file, open_page, shoot, two_runs, without_labels, type DecisionJson,
+  ask_command, explain, kNoPage, kNoProgram, kPageFile, open_file, open_page, scratch_folder, shoot, two_runs, with_page, without_labels,
+  type DecisionJson,
 } from './page_kit.ts';
 
 let browser: Browser;
 let opened: Opened;
 let page: UserPage;
-
-before(async () => {
-  if (kNoPage) return;
-  browser = await launch();
-  opened = await open_page(browser);
-  page = opened.page;
+with_page({}, (...made) => {
+  [opened, browser] = made;
+  ({ page } = opened);
 });
-after(async () => browser?.close());
 
 /** s */
 function time_now(): Promise<number> {
@@ -323,9 +319,7 @@ test('the address leads back to the same moment', { skip: kNoPage }, async () =>
 });
 
 describe('two runs on one page', { skip: kNoProgram }, () => {
-  let folder: string;
-  before(() => (folder = mkdtempSync(join(tmpdir(), 'eyrie-two-'))));
-  after(() => rmSync(folder, { recursive: true, force: true }));
+  const folder = scratch_folder();
 
   test('part where the program says, at one clock', async () => {
     const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=0.3']);
@@ -347,9 +341,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
 });
 
 describe('a page that cannot show its run says so in words', { skip: kNoPage }, () => {
-  let folder: string;
-  before(() => (folder = mkdtempSync(join(tmpdir(), 'eyrie-page-'))));
-  after(() => rmSync(folder, { recursive: true, force: true }));
+  const folder = scratch_folder();
   const kRun = /(<script type="application\/x-eyrie-run(?:-file)?">)([^<]*)(<\/script>)/;
 
   async function words_of(change: (data: string) => string): Promise<string> {

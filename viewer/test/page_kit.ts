@@ -2,8 +2,10 @@
 /** A real browser without a network, and the program itself: what the tests of the page need. */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { after, before } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
@@ -41,6 +43,24 @@ export async function open_page(browser: Browser, look: PageLook = {}): Promise<
   const opened = await open_file(browser, kPageFile, look);
   await opened.page.waitForSelector('body[data-ready=true]');
   return opened;
+}
+
+/** A browser with the page for all tests of a file; `take` is called before the first of them. */
+export function with_page(look: PageLook, take: (opened: Opened, browser: Browser) => void): void {
+  let browser: Browser | undefined;
+  before(async () => {
+    if (kNoPage) return;
+    browser = await launch();
+    take(await open_page(browser, look), browser);
+  });
+  after(async () => browser?.close());
+}
+
+/** A folder for the tests of a suite, which is gone after them. */
+export function scratch_folder(): string {
+  const folder = mkdtempSync(join(tmpdir(), 'eyrie-page-'));
+  after(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
 }
 
 /** A page made by the program of the run and of another flight of it, with changes; with what it says of where they part. */

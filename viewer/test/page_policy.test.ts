@@ -2,25 +2,19 @@
 /** The page runs its own script and nothing else, whatever the texts of a run hold. */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
-import { kNoPage, kNoProgram, kPageFile, kProgram, launch, open_file } from './page_kit.ts';
+import { kNoPage, kNoProgram, kPageFile, kProgram, launch, open_file, scratch_folder } from './page_kit.ts';
 
 let browser: Browser;
-let folder: string;
-
+const folder = scratch_folder();
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'eyrie-policy-'));
   if (!kNoPage) browser = await launch();
 });
-after(async () => {
-  await browser?.close();
-  rmSync(folder, { recursive: true, force: true });
-});
+after(async () => browser?.close());
 
 const kReady = 'body[data-ready=true]';
 

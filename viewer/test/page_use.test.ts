@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
 /** The page in the hands of somebody with a mouse, and of somebody who cannot see it. */
 import assert from 'node:assert/strict';
-import { after, before, describe, test } from 'node:test';
-import type { Browser } from 'puppeteer-core';
+import { describe, test } from 'node:test';
 import type { Opened, UserPage } from './browsers.ts';
-import { kNoPage, launch, open_page, shoot } from './page_kit.ts';
+import { kNoPage, shoot, with_page } from './page_kit.ts';
 
-let browser: Browser;
 let opened: Opened;
 let page: UserPage;
-
-before(async () => {
-  if (kNoPage) return;
-  browser = await launch();
-  opened = await open_page(browser, { fragment: '#t=600&p=eagle2' });
-  page = opened.page;
+with_page({ fragment: '#t=600&p=eagle2' }, (made) => {
+  opened = made;
+  ({ page } = opened);
 });
-after(async () => browser?.close());
 
 const view = () => page.evaluate(() => window.eyrie!.store.get());
 

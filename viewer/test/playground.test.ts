@@ -94,6 +94,8 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await type_behind(page, 'aircraft: f15c', 'x');
       await reads(page);
       assert.deepEqual(await problems(page), [`${kSweep}:15:17 unknown aircraft 'f15cx'; did you mean 'f15c'?`]);
+      // the mark follows in the next picture
+      await page.waitForFunction(() => document.querySelector('.editor')!.shadowRoot!.querySelector('.cm-lintRange-error') !== null);
       assert.deepEqual(await marked(page), ['f15cx']);
       assert.equal(await page.$eval('.top .fly', (button) => (button as HTMLButtonElement).disabled), true);
       await page.keyboard.press('Backspace');

@@ -48,7 +48,8 @@ const point = new Vector3();
 
 function outline_of({ outline }: Model, matrix: Matrix4, eye: Eye): number[] {
   return outline.flatMap(([x, z]) => {
-    eye.project(...point.set(x, 0, z).applyMatrix4(matrix).toArray());
+    point.set(x, 0, z).applyMatrix4(matrix);
+    eye.project(point.x, point.y, point.z);
     return [eye.px, eye.py];
   });
 }
@@ -60,7 +61,8 @@ function faces_of({ corners, normals }: Model, matrix: Matrix4, eye: Eye): Face[
     const spots: number[] = [];
     let depth = 0;
     for (let k = at; k < at + 9; k += 3) {
-      eye.project(...point.fromArray(corners, k).applyMatrix4(matrix).toArray());
+      point.fromArray(corners, k).applyMatrix4(matrix);
+      eye.project(point.x, point.y, point.z);
       spots.push(eye.px, eye.py);
       depth += eye.depth;
     }
