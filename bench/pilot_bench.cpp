@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "pilot/testing.hpp"
 #include "support/no_allocation.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace {
 

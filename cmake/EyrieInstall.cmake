@@ -31,13 +31,13 @@ install(FILES ${EYRIE_ZONES} ${PROJECT_BINARY_DIR}/viewer/debrief.html ${PROJECT
 install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 
 # the cockpit for tests of behaviors, pilot/testing.hpp, without what Eyrie's own tests need besides
-add_library(eyrie_testing STATIC src/pilot/testing.cpp tests/support/data_file.cpp)
+add_library(eyrie_testing STATIC tests/support/pilot/testing.cpp tests/support/data_file.cpp)
 target_include_directories(eyrie_testing PRIVATE tests)
 target_link_libraries(eyrie_testing PUBLIC eyrie_pilot)
 set_target_properties(eyrie_testing PROPERTIES EXPORT_NAME testing UNITY_BUILD OFF)
 install(TARGETS eyrie_testing EXPORT EyrieTargets-testing DESTINATION lib COMPONENT library)
 install(EXPORT EyrieTargets-testing NAMESPACE Eyrie:: DESTINATION ${package} COMPONENT library)
-install(FILES src/pilot/testing.hpp DESTINATION include/eyrie/pilot COMPONENT library)
+install(FILES tests/support/pilot/testing.hpp DESTINATION include/eyrie/pilot COMPONENT library)
 install(FILES tests/support/model/flying.hpp DESTINATION include/eyrie/support/model COMPONENT library)
 install(FILES cmake/EyriePlugin.cmake DESTINATION ${package} COMPONENT library)
 install(FILES cmake/plugin_test_main.cpp DESTINATION share/eyrie COMPONENT library)

@@ -2,17 +2,14 @@
 # eyrie_layer(NAME LINK libs... PRIVATE libs...)
 # Makes eyrie_NAME from src/NAME/**/*.cpp (header-only layers become INTERFACE-like with an empty
 # anchor) and, with EYRIE_TESTS, NAME_test from src/NAME/**/*_test.cpp. What the tests of a layer
-# and others share is in src/NAME/testing*.cpp and tests/support/NAME: eyrie_NAME_testing.
+# and others share is in tests/support/NAME: eyrie_NAME_testing.
 function(eyrie_layer name)
   cmake_parse_arguments(ARG "" "" "LINK;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   set(tests ${sources})
-  set(testing ${sources})
-  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/testing[a-z_]*\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
-  list(FILTER testing INCLUDE REGEX "/testing[a-z_]*\\.cpp$")
-  file(GLOB support CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/${name}/*.cpp)
-  list(APPEND testing ${support})
+  file(GLOB testing CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/${name}/*.cpp)
   if(EYRIE_LEFT_OUT)
     list(FILTER sources EXCLUDE REGEX ${EYRIE_LEFT_OUT})
   endif()

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string>
 
-#include "pilot/testing.hpp"
 #include "support/data_file.hpp"
 #include "support/model/lone_flight.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

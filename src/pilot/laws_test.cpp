@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -7,7 +7,7 @@
 #include <array>
 #include <bit>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

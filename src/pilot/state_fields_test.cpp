@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

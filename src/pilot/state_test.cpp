@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math.hpp"
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 

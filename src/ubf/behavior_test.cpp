@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

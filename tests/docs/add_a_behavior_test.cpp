@@ -5,7 +5,7 @@
 
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {

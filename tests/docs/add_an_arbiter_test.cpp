@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/yaml.hpp"
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf {
 namespace {

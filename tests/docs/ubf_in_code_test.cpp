@@ -3,7 +3,7 @@
 /// compiled and run.
 #include <gtest/gtest.h>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

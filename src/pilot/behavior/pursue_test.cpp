@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "pilot/gunnery.hpp"
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
 namespace {

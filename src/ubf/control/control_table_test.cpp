@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 namespace {

@@ -18,8 +18,8 @@
 #include "model/weapon/stores_system.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/pilot_system.hpp"
-#include "pilot/testing.hpp"
 #include "sim/simulation.hpp"
+#include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot::testing {
 

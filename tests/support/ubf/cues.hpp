@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/yaml.hpp"
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 

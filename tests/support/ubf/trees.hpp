@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/draw.hpp"
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
 

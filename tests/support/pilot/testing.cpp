@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pilot/testing.hpp"
+#include "support/pilot/testing.hpp"
 
 #include <stdexcept>
 #include <utility>

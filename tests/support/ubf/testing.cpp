@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ubf/testing.hpp"
+#include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf {
 
