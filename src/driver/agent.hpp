@@ -33,7 +33,6 @@ struct Agent {
                       field("reserved", &Agent::reserved));
   }
 };
-static_assert(fields_cover_row<Agent>());
 
 /// What drivers add to the table of vehicles.
 using DriverColumns = team::AgentColumns<Agent>;

@@ -38,7 +38,6 @@ struct Emission {
         field("kind", &Emission::kind), field("side", &Emission::side));
   }
 };
-static_assert(fields_cover_row<Emission>());
 
 /// How far a receiver with the sensitivity and the antenna gain of the radar's own would hear it,
 /// in metres, for a radar that just detects `reference_rcs` (m^2) at `reference_range` (m): the

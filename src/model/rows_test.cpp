@@ -12,11 +12,6 @@
 namespace eyrie::model {
 namespace {
 
-static_assert(fields_cover_row<Kinematics>());
-static_assert(fields_cover_row<Command>());
-static_assert(fields_cover_row<Request>());
-static_assert(fields_cover_row<Fit>());
-
 template <class Row>
 std::string shown(const Row& row, std::string_view name) {
   for (const FieldInfo& field : fields_of<Row>())

@@ -78,7 +78,6 @@ struct Track {
         field("shot_by", &Track::shot_by));
   }
 };
-static_assert(fields_cover_row<Track>());
 
 inline constexpr std::size_t kMaxTracks = 16;
 

@@ -28,7 +28,6 @@ struct Shot {
                       field("store", &Shot::store));
   }
 };
-static_assert(fields_cover_row<Shot>());
 
 /// One pilot. A scenario sets `bingo` and `tree` at birth; everything else begins at its default.
 /// Recorders find here what the last decision was: step, node, vote, phase, target.
@@ -74,7 +73,6 @@ struct Agent {
     return count;
   }
 };
-static_assert(fields_cover_row<Agent>());
 
 /// What pilots add to the table of aircraft.
 using PilotColumns = team::AgentColumns<Agent>;

@@ -33,24 +33,11 @@ void demand_identifier(std::string_view name) {
     misuse(fmt::format("'{}' is not a lower-case identifier", name));
 }
 
-/// The fields must name every byte of a row once: a byte that nobody describes is padding, and
-/// padding would make equal worlds look different.
-void demand_cover(std::string_view row, std::size_t size, std::span<const FieldInfo> fields) {
-  std::vector<FieldInfo> sorted(fields.begin(), fields.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const FieldInfo& a, const FieldInfo& b) { return a.offset < b.offset; });
+void demand_unique(std::string_view row, std::span<const FieldInfo> fields) {
   std::set<std::string_view> names;
-  std::size_t end = 0;
-  for (const FieldInfo& field : sorted) {
+  for (const FieldInfo& field : fields)
     if (!names.insert(field.name.view()).second)
       misuse(fmt::format("{}: field '{}' is described twice", row, field.name.view()));
-    if (field.offset != end)
-      misuse(fmt::format("{}: field '{}' begins at byte {}, but the one before ends at {}", row,
-                         field.name.view(), field.offset, end));
-    end += field.size();
-  }
-  if (end != size)
-    misuse(fmt::format("{}: the fields end at byte {}, the row at {}", row, end, size));
 }
 
 void add_text(Hasher& hasher, std::string_view text) {
@@ -155,7 +142,7 @@ std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size
   TableInfo& info = schema_->tables_[table.value - 1];
   if (schema_->find_column(table, name) != kNoColumn)
     misuse(fmt::format("column '{}' is added twice to table '{}'", name, info.name));
-  demand_cover(fmt::format("{}.{}", info.name, name), stride, fields);
+  demand_unique(fmt::format("{}.{}", info.name, name), fields);
 
   const auto index = static_cast<std::uint32_t>(schema_->columns_.size());
   schema_->columns_.push_back({.name = std::string(name),
@@ -202,7 +189,7 @@ OrderKind SchemaBuilder::add(OrderKind kind, std::string_view name, std::size_t 
   if (bytes > Order::kPayload)
     misuse(
         fmt::format("order '{}' has {} bytes, an order carries {}", name, bytes, Order::kPayload));
-  demand_cover(fmt::format("order {}", name), bytes, fields);
+  demand_unique(fmt::format("order {}", name), fields);
   schema_->orders_.push_back({kind, std::string(name), {fields.begin(), fields.end()}});
   return kind;
 }

@@ -110,17 +110,15 @@ class Schema {
   std::uint64_t layout_hash_ = 0;
 };
 
-/// A row is plain bytes whose scalars Row::fields() lists completely.
+/// A row is plain bytes, of which Row::fields() names each once: a byte that nobody describes is
+/// padding, and padding would make equal worlds look different.
 template <class Row>
-concept DescribedRow = std::is_trivially_copyable_v<Row> && std::is_standard_layout_v<Row> &&
-                           alignof(Row) <= 64 &&
-                       requires {
-  std::span<const FieldInfo>(Row::fields());
-};
+concept DescribedRow = HasFields<Row> && std::is_standard_layout_v<Row> && alignof(Row) <= 64 &&
+                       fields_cover_row<Row>();
 
 /// Collects tables and columns, then builds the Schema. Misuse (a name given twice, a name that is
-/// not an identifier, a capacity of zero, fields that leave bytes of a row undescribed, an unknown
-/// table) is a mistake of the program and throws std::logic_error.
+/// not an identifier, a capacity of zero, a field described twice, an unknown table) is a mistake
+/// of the program and throws std::logic_error.
 class SchemaBuilder {
  public:
   SchemaBuilder();

@@ -52,7 +52,6 @@ struct SharedTrack {
                       field("sensed", &S::sensed), field("reserved", &S::reserved));
   }
 };
-static_assert(fields_cover_row<SharedTrack>());
 
 /// What one aircraft tells its flight.
 struct DatalinkMessage {
@@ -72,7 +71,6 @@ struct DatalinkMessage {
                       field("reserved", &D::reserved));
   }
 };
-static_assert(fields_cover_row<DatalinkMessage>());
 
 /// The last messages of one aircraft, written in act by the sender alone; its mates read it in
 /// perceive. Message n lies in slot n modulo kMessages.
@@ -110,7 +108,6 @@ struct Mate {
                       field("reserved", &Mate::reserved));
   }
 };
-static_assert(fields_cover_row<Mate>());
 
 /// The flight as one of its members believes it to be. Index = rank at birth - 1; the own entry
 /// has the own id and is always alive.
@@ -124,7 +121,6 @@ struct DatalinkState {
                       field("count", &DatalinkState::count), field("self", &DatalinkState::self));
   }
 };
-static_assert(fields_cover_row<DatalinkState>());
 
 /// Rank among the members believed alive: 1 for the lead.
 [[nodiscard]] constexpr std::uint32_t living_rank(const DatalinkState& state) {

@@ -49,7 +49,6 @@ struct RadarState {
         field("locked", &R::locked), field("mode", &R::mode), field("reserved", &R::reserved));
   }
 };
-static_assert(fields_cover_row<RadarState>());
 
 /// Const and shared by every aircraft that carries it. It sees aircraft only: a missile's cross
 /// section is some hundred times smaller, so its range is a third or less, and the tracker of the

@@ -36,7 +36,6 @@ struct RwrWarning {
                       field("kind", &RwrWarning::kind), field("reserved", &RwrWarning::reserved));
   }
 };
-static_assert(fields_cover_row<RwrWarning>());
 
 inline constexpr std::size_t kMaxWarnings = 8;
 
@@ -51,7 +50,6 @@ struct RwrState {
                       field("reserved", &RwrState::reserved));
   }
 };
-static_assert(fields_cover_row<RwrState>());
 
 /// Const and shared by every aircraft that carries it. It hears main beams only: a radar that does
 /// not point here, or does not sweep over here, is not heard.

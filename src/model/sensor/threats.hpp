@@ -42,7 +42,6 @@ struct InboundMissile {
                       field("sources", &I::sources), field("reserved", &I::reserved));
   }
 };
-static_assert(fields_cover_row<InboundMissile>());
 
 inline constexpr std::size_t kMaxThreats = 4;
 
@@ -57,7 +56,6 @@ struct Threats {
                       field("reserved", &Threats::reserved));
   }
 };
-static_assert(fields_cover_row<Threats>());
 
 /// One sensor's word about one inbound missile.
 struct Sighting {

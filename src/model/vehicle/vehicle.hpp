@@ -102,7 +102,6 @@ struct Driving {
                       field("reserved", &Driving::reserved));
   }
 };
-static_assert(fields_cover_row<Driving>());
 
 /// An aircraft that the driver has seen, or was told of over the radio.
 struct Sighted {
@@ -120,7 +119,6 @@ struct Sighted {
                       field("identity", &Sighted::identity), field("reserved", &Sighted::reserved));
   }
 };
-static_assert(fields_cover_row<Sighted>());
 
 /// The aircraft that a driver keeps in mind, written in perceive. Who watches a handful of aircraft
 /// does not mix them up: a sighting belongs to the aircraft it was of.
@@ -143,7 +141,6 @@ struct Lookout {
                       field("reserved", &Lookout::reserved));
   }
 };
-static_assert(fields_cover_row<Lookout>());
 
 /// A vehicle at a place of the local frame (m), put onto the surface below or above it.
 [[nodiscard]] Kinematics parked(const Reference& reference, const Vec3& position, double heading,

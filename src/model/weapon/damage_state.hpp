@@ -19,6 +19,5 @@ struct Damage {
                       field("hits", &Damage::hits));
   }
 };
-static_assert(fields_cover_row<Damage>());
 
 }  // namespace eyrie::model::weapon

@@ -33,7 +33,6 @@ struct GunState {
         field("burst_hits", &GunState::burst_hits), field("burst_target", &GunState::burst_target));
   }
 };
-static_assert(fields_cover_row<GunState>());
 
 /// Const and shared by every aircraft that carries it. Fixed forward along the nose.
 struct GunType {

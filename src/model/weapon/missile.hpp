@@ -238,7 +238,6 @@ struct MissileState {
         field("locked", &M::locked), field("reserved", &M::reserved));
   }
 };
-static_assert(fields_cover_row<MissileState>());
 
 struct Launch {
   const MissileType& type;

@@ -46,7 +46,6 @@ struct Stores {
         field("winchester", &Stores::winchester), field("reserved", &Stores::reserved));
   }
 };
-static_assert(fields_cover_row<Stores>());
 
 /// The stores of an aircraft at birth. std::logic_error for a store that is not in the library, for
 /// more stations than kMaxStations and for more than 255 missile types.
