@@ -228,6 +228,13 @@ class Decorator : public Composite<State, Action> {
     this->took(t, child());
     return answer;
   }
+  /// The same for a node that will not ask it again before it starts anew, once it has ended.
+  Status ask_to_its_end(const Tick<State>& t, Proposal<Action>& out) const {
+    const Status answer = ask_child(t, out);
+    if (answer != Status::running)
+      this->close(child(), t);
+    return answer;
+  }
 };
 
 }  // namespace eyrie::ubf

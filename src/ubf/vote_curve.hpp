@@ -30,6 +30,9 @@ enum class Curve : std::uint8_t {
   root,       ///< early
   logistic,   ///< in the middle
 };
+constexpr auto names_of(Curve) {
+  return names_from_zero<Curve>("linear", "quadratic", "root", "logistic");
+}
 
 /// What one field of the state says: 0 at `from` and before, 1 at `to` and beyond.
 struct Consideration {
@@ -72,12 +75,3 @@ struct VoteCurve {
     const std::function<std::optional<std::size_t>(const Value&)>& find, Diagnostics& diagnostics);
 
 }  // namespace eyrie::ubf
-
-template <>
-struct eyrie::EnumNames<eyrie::ubf::Curve> {
-  using E = eyrie::ubf::Curve;
-  static constexpr std::array names{std::pair<std::string_view, E>{"linear", E::linear},
-                                    std::pair<std::string_view, E>{"quadratic", E::quadratic},
-                                    std::pair<std::string_view, E>{"root", E::root},
-                                    std::pair<std::string_view, E>{"logistic", E::logistic}};
-};

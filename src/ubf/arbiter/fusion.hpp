@@ -11,18 +11,9 @@ namespace eyrie::ubf {
 
 /// What becomes of a field on which the proposals differ.
 enum class Conflicts : std::uint8_t { blend, drop };
-
-}  // namespace eyrie::ubf
-
-template <>
-struct eyrie::EnumNames<eyrie::ubf::Conflicts> {
-  using Conflicts = ubf::Conflicts;
-  static constexpr std::array names{
-      std::pair<std::string_view, Conflicts>{"blend", Conflicts::blend},
-      std::pair<std::string_view, Conflicts>{"drop", Conflicts::drop}};
-};
-
-namespace eyrie::ubf {
+constexpr auto names_of(Conflicts) {
+  return names_from_zero<Conflicts>("blend", "drop");
+}
 
 /// Asks every child and takes each field of the action from the highest vote that set it, the
 /// earlier of equals. Failing and abstaining children are ignored; if that leaves none, it fails.

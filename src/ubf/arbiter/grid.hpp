@@ -21,6 +21,15 @@ class OverGrid : public Mixing<State, Action> {
 
   Grid<Action> grid;
 
+  [[nodiscard]] static constexpr auto params() {
+    return OverGrid::with_vote(
+        param("grid", &OverGrid::grid, "what there is to choose from: a map from fields to axes")
+            .required());
+  }
+  [[nodiscard]] std::string problem() const override {
+    return grid.size() ? Mixing<State, Action>::problem() : "a grid needs at least one field";
+  }
+
  protected:
   using Sums = std::array<double, Grid<Action>::kMostCandidates>;
 
@@ -69,9 +78,6 @@ class OverGrid : public Mixing<State, Action> {
         return !all.any || !grid.has(field);
       });
     return all.strongest.status;
-  }
-  [[nodiscard]] std::string grid_problem() const {
-    return grid.size() ? Arbiter<State, Action>::problem() : "a grid needs at least one field";
   }
 
  private:
@@ -152,17 +158,13 @@ class VoteGrid final : public OverGrid<State, Action> {
   static constexpr std::string_view type_name = "vote_grid";
   static constexpr std::string_view help =
       "the candidate of a grid that gets most of the children's votes";
-  [[nodiscard]] static constexpr auto params() {
-    return VoteGrid::with_vote(
-        param("grid", &VoteGrid::grid, "the candidates: a map from fields to axes").required());
-  }
   using OverGrid<State, Action>::OverGrid;
 
   [[nodiscard]] std::string problem() const override {
     for (const auto& axis : this->grid.axes())
       if (axis.spread.size() > 1)
         return "'spread' is for utility: votes are for commands, not for what comes of them";
-    return this->grid_problem();
+    return OverGrid<State, Action>::problem();
   }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
@@ -188,13 +190,7 @@ class Utility final : public OverGrid<State, Action> {
  public:
   static constexpr std::string_view type_name = "utility";
   static constexpr std::string_view help = "the command with the highest expected utility";
-  [[nodiscard]] static constexpr auto params() {
-    return Utility::with_vote(
-        param("grid", &Utility::grid, "the outcomes: a map from fields to axes").required());
-  }
   using Base::Base;
-
-  [[nodiscard]] std::string problem() const override { return this->grid_problem(); }
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     typename Base::Sums utility, expected;

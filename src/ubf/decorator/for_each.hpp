@@ -11,6 +11,9 @@ namespace eyrie::ubf {
 
 /// Which of the things a loop goes over decides.
 enum class Choose : std::uint8_t { strongest, first };
+constexpr auto names_of(Choose) {
+  return names_from_zero<Choose>("strongest", "first");
+}
 
 /// Asks its child once for each of the things in a list of the state, each time in a state that
 /// looks at that one; the highest vote goes up, the earlier of equals, or with `choose: first` the
@@ -123,10 +126,3 @@ class ForEach final : public Decorator<State, Action> {
 };
 
 }  // namespace eyrie::ubf
-
-template <>
-struct eyrie::EnumNames<eyrie::ubf::Choose> {
-  using E = eyrie::ubf::Choose;
-  static constexpr std::array names{std::pair<std::string_view, E>{"strongest", E::strongest},
-                                    std::pair<std::string_view, E>{"first", E::first}};
-};

@@ -9,75 +9,56 @@ namespace eyrie::ubf {
 
 /// What run_once answers when its child has ended.
 enum class Afterwards : std::uint8_t { same, failure, success };
+constexpr auto names_of(Afterwards) {
+  return names_from_zero<Afterwards>("same", "failure", "success");
+}
 
-}  // namespace eyrie::ubf
+/// The base of inverter, force_success and force_failure: what a child's success and its failure
+/// become; running stays. A failing child's proposal is ignored as everywhere, so a success made of
+/// a failure proposes nothing.
+template <class State, class Action, Status on_success, Status on_failure>
+class Turning : public Decorator<State, Action> {
+ public:
+  using Decorator<State, Action>::Decorator;
 
-template <>
-struct eyrie::EnumNames<eyrie::ubf::Afterwards> {
-  using Afterwards = ubf::Afterwards;
-  static constexpr std::array names{
-      std::pair<std::string_view, Afterwards>{"same", Afterwards::same},
-      std::pair<std::string_view, Afterwards>{"failure", Afterwards::failure},
-      std::pair<std::string_view, Afterwards>{"success", Afterwards::success}};
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const final {
+    const Status answer = this->ask_child(t, out);
+    if (answer == Status::running)
+      return answer;
+    if (answer == Status::failure && on_failure == Status::success)
+      out.clear();
+    return answer == Status::success ? on_success : on_failure;
+  }
 };
 
-namespace eyrie::ubf {
-
-/// Success becomes failure and failure success; running stays. A failing child's proposal is
-/// ignored as everywhere, so the success made of it proposes nothing.
+/// Success becomes failure and failure success.
 ///   inverter: has_target
 template <class State, class Action>
-class Inverter final : public Decorator<State, Action> {
+class Inverter final : public Turning<State, Action, Status::failure, Status::success> {
  public:
   static constexpr std::string_view type_name = "inverter";
   static constexpr std::string_view help = "success becomes failure and failure success";
-  using Decorator<State, Action>::Decorator;
-
-  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    switch (this->ask_child(t, out)) {
-      case Status::running:
-        return Status::running;
-      case Status::success:
-        return Status::failure;
-      case Status::failure:
-        break;
-    }
-    out.clear();
-    return Status::success;
-  }
+  using Inverter::Turning::Turning;
 };
 
-/// Failure becomes success, which proposes nothing; everything else passes.
+/// Failure becomes success.
 ///   force_success: shoot_gun
 template <class State, class Action>
-class ForceSuccess final : public Decorator<State, Action> {
+class ForceSuccess final : public Turning<State, Action, Status::success, Status::success> {
  public:
   static constexpr std::string_view type_name = "force_success";
   static constexpr std::string_view help = "failure becomes success; running stays running";
-  using Decorator<State, Action>::Decorator;
-
-  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    const Status answer = this->ask_child(t, out);
-    if (answer != Status::failure)
-      return answer;
-    out.clear();
-    return Status::success;
-  }
+  using ForceSuccess::Turning::Turning;
 };
 
-/// Success becomes failure; everything else passes.
+/// Success becomes failure.
 ///   force_failure: shoot_gun
 template <class State, class Action>
-class ForceFailure final : public Decorator<State, Action> {
+class ForceFailure final : public Turning<State, Action, Status::failure, Status::failure> {
  public:
   static constexpr std::string_view type_name = "force_failure";
   static constexpr std::string_view help = "success becomes failure; running stays running";
-  using Decorator<State, Action>::Decorator;
-
-  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
-    const Status answer = this->ask_child(t, out);
-    return answer == Status::success ? Status::failure : answer;
-  }
+  using ForceFailure::Turning::Turning;
 };
 
 struct RepeatingMemory {
@@ -98,10 +79,9 @@ class Repeating : public WithMemory<Decorator<State, Action>, RepeatingMemory> {
   Status loop(const Tick<State>& t, Proposal<Action>& out, Status again,
               std::optional<std::uint32_t> rounds) const {
     auto& m = this->memory(t);
-    const Status answer = this->ask_child(t, out);
+    const Status answer = this->ask_to_its_end(t, out);
     if (answer == Status::running)
       return answer;
-    this->close(this->child(), t);
     if (answer != again || (rounds && m.rounds + 1 >= *rounds)) {
       m = {};
       return answer;
@@ -185,11 +165,9 @@ class RunOnce final : public WithMemory<Decorator<State, Action>, RunOnceMemory>
     auto& m = this->memory(t);
     if (m.ended)
       return afterwards(static_cast<Status>(m.ended - 1));
-    const Status answer = this->ask_child(t, out);
-    if (answer == Status::running)
-      return answer;
-    this->close(this->child(), t);
-    m.ended = static_cast<std::uint8_t>(static_cast<std::uint8_t>(answer) + 1);
+    const Status answer = this->ask_to_its_end(t, out);
+    if (answer != Status::running)
+      m.ended = static_cast<std::uint8_t>(static_cast<std::uint8_t>(answer) + 1);
     return answer;
   }
 

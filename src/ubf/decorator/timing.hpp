@@ -5,10 +5,25 @@
 
 namespace eyrie::ubf {
 
-struct TimeoutMemory {
-  double begun = 0;          ///< s, the tick in which the child began to run
-  std::uint8_t running = 0;  ///< 1: it still was in the last tick
-  std::uint8_t reserved[7] = {};
+/// What a child within time remembers.
+struct TimingMemory {
+  double since = 0;          ///< s, when it began, ended or was first asked
+  std::uint8_t counts = 0;   ///< 1: `since` counts
+  std::uint8_t running = 0;  ///< 1: the child was asked in the last tick and goes on
+  std::uint8_t reserved[6] = {};
+};
+
+/// The base of the nodes that keep a child within simulated time.
+template <class State, class Action>
+class Timing : public WithMemory<Decorator<State, Action>, TimingMemory> {
+ public:
+  using WithMemory<Decorator<State, Action>, TimingMemory>::WithMemory;
+
+ protected:
+  /// Whether so much time (s) has passed since `since`.
+  [[nodiscard]] bool is_over(const Tick<State>& t, double duration) const {
+    return passed(t.time, this->memory(t).since, duration);
+  }
 };
 
 /// Gives the child `after` seconds of simulated time from the tick in which it began to run. In the
@@ -16,7 +31,7 @@ struct TimeoutMemory {
 /// begins anew; a cooldown around the timeout keeps it shut.
 ///   timeout: {after: 5 s, child: pursue}
 template <class State, class Action>
-class Timeout final : public WithMemory<Decorator<State, Action>, TimeoutMemory> {
+class Timeout final : public Timing<State, Action> {
  public:
   static constexpr std::string_view type_name = "timeout";
   static constexpr std::string_view help = "fails and halts a child that runs for too long";
@@ -25,31 +40,24 @@ class Timeout final : public WithMemory<Decorator<State, Action>, TimeoutMemory>
         param("after", &Timeout::after, "s", positive(1e6), "how long the child may run")
             .required()};
   }
-  using WithMemory<Decorator<State, Action>, TimeoutMemory>::WithMemory;
+  using Timing<State, Action>::Timing;
 
   double after = 0;  ///< s
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    if (m.running && passed(t.time, m.begun, after)) {
+    if (m.counts && this->is_over(t, after)) {
       this->halt(this->child(), t);
       m = {};
       return Status::failure;
     }
-    const double begun = m.running ? m.begun : t.time;
+    const double begun = m.counts ? m.since : t.time;
     const Status answer = this->ask_child(t, out);
     m = {};
     if (answer == Status::running)
-      m = {.begun = begun, .running = 1};
+      m = {.since = begun, .counts = 1};
     return answer;
   }
-};
-
-struct CooldownMemory {
-  double ended = 0;          ///< s, the tick in which the child ended
-  std::uint8_t cooling = 0;  ///< 1: not asked until `duration` has passed since
-  std::uint8_t running = 0;  ///< 1: the child was running in the last tick
-  std::uint8_t reserved[6] = {};
 };
 
 /// After the child has ended, that is succeeded, or failed after running, it is not asked for
@@ -58,7 +66,7 @@ struct CooldownMemory {
 /// forgets; one that is cooling was left by nobody and goes on cooling.
 ///   cooldown: {duration: 20 s, child: break_turn}
 template <class State, class Action>
-class Cooldown final : public WithMemory<Decorator<State, Action>, CooldownMemory> {
+class Cooldown final : public Timing<State, Action> {
  public:
   static constexpr std::string_view type_name = "cooldown";
   static constexpr std::string_view help = "keeps a child that has ended from starting again";
@@ -67,7 +75,7 @@ class Cooldown final : public WithMemory<Decorator<State, Action>, CooldownMemor
         param("duration", &Cooldown::duration, "s", positive(1e6), "how long it stays shut")
             .required()};
   }
-  using WithMemory<Decorator<State, Action>, CooldownMemory>::WithMemory;
+  using Timing<State, Action>::Timing;
 
   double duration = 0;  ///< s
 
@@ -75,32 +83,23 @@ class Cooldown final : public WithMemory<Decorator<State, Action>, CooldownMemor
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    if (m.cooling && !passed(t.time, m.ended, duration))
+    if (m.counts && !this->is_over(t, duration))
       return Status::failure;
-    const Status answer = this->ask_child(t, out);
-    if (answer != Status::running)
-      this->close(this->child(), t);
+    const Status answer = this->ask_to_its_end(t, out);
     const bool ended = answer == Status::success || (answer == Status::failure && m.running);
     m = {};
     m.running = answer == Status::running;
     if (ended)
-      m = {.ended = t.time, .cooling = 1};
+      m = {.since = t.time, .counts = 1};
     return answer;
   }
-};
-
-struct DelayMemory {
-  double since = 0;          ///< s, when it was first asked
-  std::uint8_t waiting = 0;  ///< 1: `since` counts
-  std::uint8_t open = 0;     ///< 1: the time is up and the child has its turn
-  std::uint8_t reserved[6] = {};
 };
 
 /// Waits `duration` of simulated time, running and proposing nothing, then asks the child until it
 /// has ended. The next time it waits again.
 ///   delay: {duration: 3 s, child: release_weapon}
 template <class State, class Action>
-class Delay final : public WithMemory<Decorator<State, Action>, DelayMemory> {
+class Delay final : public Timing<State, Action> {
  public:
   static constexpr std::string_view type_name = "delay";
   static constexpr std::string_view help = "waits before it asks its child";
@@ -108,7 +107,7 @@ class Delay final : public WithMemory<Decorator<State, Action>, DelayMemory> {
     return std::tuple{
         param("duration", &Delay::duration, "s", positive(1e6), "how long it waits").required()};
   }
-  using WithMemory<Decorator<State, Action>, DelayMemory>::WithMemory;
+  using Timing<State, Action>::Timing;
 
   double duration = 0;  ///< s
 
@@ -116,25 +115,16 @@ class Delay final : public WithMemory<Decorator<State, Action>, DelayMemory> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    if (!m.waiting)
-      m = {.since = t.time, .waiting = 1};
-    if (!m.open && !passed(t.time, m.since, duration))
+    if (!m.counts)
+      m = {.since = t.time, .counts = 1};
+    if (!m.running && !this->is_over(t, duration))
       return Status::running;
-    m.open = 1;
-    const Status answer = this->ask_child(t, out);
-    if (answer == Status::running)
-      return answer;
-    this->close(this->child(), t);
-    m = {};
+    m.running = 1;
+    const Status answer = this->ask_to_its_end(t, out);
+    if (answer != Status::running)
+      m = {};
     return answer;
   }
-};
-
-struct RateLimitMemory {
-  double began = 0;          ///< s, when the child last began
-  std::uint8_t limited = 0;  ///< 1: `began` counts
-  std::uint8_t running = 0;  ///< 1: the child was running in the last tick
-  std::uint8_t reserved[6] = {};
 };
 
 /// Lets the child begin at most once per `period` of simulated time; a child that runs is asked in
@@ -142,7 +132,7 @@ struct RateLimitMemory {
 /// without having run did not begin. `cooldown` counts from the end, this from the beginning.
 ///   rate_limit: {period: 10 s, child: release_weapon}
 template <class State, class Action>
-class RateLimit final : public WithMemory<Decorator<State, Action>, RateLimitMemory> {
+class RateLimit final : public Timing<State, Action> {
  public:
   static constexpr std::string_view type_name = "rate_limit";
   static constexpr std::string_view help = "keeps a child from beginning too often";
@@ -151,7 +141,7 @@ class RateLimit final : public WithMemory<Decorator<State, Action>, RateLimitMem
                             "least time from one beginning to the next")
                           .required()};
   }
-  using WithMemory<Decorator<State, Action>, RateLimitMemory>::WithMemory;
+  using Timing<State, Action>::Timing;
 
   double period = 0;  ///< s
 
@@ -159,13 +149,11 @@ class RateLimit final : public WithMemory<Decorator<State, Action>, RateLimitMem
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     auto& m = this->memory(t);
-    if (!m.running && m.limited && !passed(t.time, m.began, period))
+    if (!m.running && m.counts && !this->is_over(t, period))
       return Status::failure;
-    const Status answer = this->ask_child(t, out);
-    if (answer != Status::running)
-      this->close(this->child(), t);
+    const Status answer = this->ask_to_its_end(t, out);
     if (!m.running && answer != Status::failure)
-      m = {.began = t.time, .limited = 1};
+      m = {.since = t.time, .counts = 1};
     m.running = answer == Status::running;
     return answer;
   }
