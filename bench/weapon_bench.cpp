@@ -10,7 +10,7 @@
 #include "model/library.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "model/weapon/missile.hpp"
-#include "model/weapon/missile_system.hpp"
+#include "model/weapon/systems.hpp"
 #include "sim/simulation.hpp"
 #include "support/no_allocation.hpp"
 

@@ -5,8 +5,8 @@
 
 namespace eyrie::model {
 
-std::vector<RateProblem> rate_problems(const Library& library, double dt) {
-  std::vector<RateProblem> problems;
+std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
+  std::vector<LibraryProblem> problems;
   const auto look = [&](std::string_view kind, const auto& shelf, std::string_view parameter,
                         auto rate) {
     for (std::size_t i = 0; i < shelf.size(); ++i)
@@ -20,6 +20,14 @@ std::vector<RateProblem> rate_problems(const Library& library, double dt) {
   look("visual", library.visuals, "rate", &Visual::rate);
   look("trackers", library.trackers, "rate", &Tracker::rate);
   look("datalinks", library.datalinks, "rate", &Datalink::rate);
+  for (std::size_t i = 0; i < library.aircraft.size(); ++i)
+    if (const sim::Period usual = sim::period_steps(Tracker{}.rate, dt);
+        !usual && !library.aircraft[i].index.tracker)
+      problems.push_back(
+          {"aircraft", library.aircraft.name(i), "tracker", "without one, " + usual.error});
+  for (std::size_t i = 0; i < library.datalinks.size(); ++i)
+    if (const std::string_view problem = library.datalinks[i].problem(); !problem.empty())
+      problems.push_back({"datalinks", library.datalinks.name(i), "delay", std::string(problem)});
   return problems;
 }
 

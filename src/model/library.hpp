@@ -92,15 +92,16 @@ struct Library {
   std::vector<Flight> flights;   ///< Fit::flight; convoys behind the flights
 };
 
-/// One of them: `data.<kind>.<model>.<parameter>`, and why there is no such period.
-struct RateProblem {
+/// What is wrong with `data.<kind>.<model>.<parameter>`.
+struct LibraryProblem {
   std::string_view kind;  ///< "radars", as in files
   std::string model;
   std::string_view parameter;
   std::string problem;
 };
 
-/// Of every model on the shelves, flown or not, in steps of `dt` seconds.
-[[nodiscard]] std::vector<RateProblem> rate_problems(const Library& library, double dt);
+/// Of every model on the shelves, flown or not, in steps of `dt` seconds: rates that are no whole
+/// number of steps, and datalinks slower than their ring.
+[[nodiscard]] std::vector<LibraryProblem> problems_of(const Library& library, double dt);
 
 }  // namespace eyrie::model

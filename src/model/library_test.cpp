@@ -53,19 +53,22 @@ TEST(Columns, HandOutRowsOfTheirTopic) {
   EXPECT_TRUE(world.canonical());
 }
 
-TEST(RateProblems, NameEachModelWhoseRateDoesNotDivideTheStep) {
+TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStep) {
   Library library;
   Radar odd;
   odd.track_rate = 7;
   library.radars.add("good", {});
   library.radars.add("odd", odd);
   library.visuals.add("eyes", {});
-  const auto problems = rate_problems(library, 0.02);
-  ASSERT_EQ(problems.size(), 1u);
+  library.datalinks.add("slow", {.rate = 1, .delay = 3});
+  const auto problems = problems_of(library, 0.02);
+  ASSERT_EQ(problems.size(), 2u);
   EXPECT_EQ(problems[0].kind, "radars");
   EXPECT_EQ(problems[0].model, "odd");
   EXPECT_EQ(problems[0].parameter, "track_rate");
   EXPECT_NE(problems[0].problem.find("7 Hz"), std::string::npos) << problems[0].problem;
+  EXPECT_EQ(problems[1].model, "slow");
+  EXPECT_EQ(problems[1].parameter, "delay");
 }
 
 }  // namespace

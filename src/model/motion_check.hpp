@@ -20,8 +20,7 @@ class MotionCheck final : public sim::System {
 
   [[nodiscard]] std::string_view name() const override { return "motion"; }
   [[nodiscard]] TableId table() const override { return table_; }
-  void move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-            sim::Outbox& out) const override;
+  void move(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
  private:
   TableId table_;

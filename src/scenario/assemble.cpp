@@ -16,11 +16,8 @@
 #include "model/sensor/sensor_system.hpp"
 #include "model/vehicle/vehicle.hpp"
 #include "model/vehicle/vehicle_system.hpp"
-#include "model/weapon/damage_system.hpp"
 #include "model/weapon/gun.hpp"
-#include "model/weapon/gun_system.hpp"
-#include "model/weapon/missile_system.hpp"
-#include "model/weapon/stores_system.hpp"
+#include "model/weapon/systems.hpp"
 #include "pilot/pilot_system.hpp"
 #include "sim/system.hpp"
 
@@ -195,10 +192,6 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   const sim::Period decisions = sim::period_steps(scenario.spec.rates.decisions, dt);
   if (!decisions)
     return "decisions: " + decisions.error;
-  for (const std::string& problem : model::sensor::sensor_problems(*scenario.library, dt))
-    return problem;
-  for (const std::string& problem : model::vehicle::vehicle_problems(*scenario.library, dt))
-    return problem;
 
   sim::SchemaBuilder schema;
   scenario.aircraft = model::AircraftColumns::define(

@@ -11,7 +11,7 @@
 #include "driver/driver_system.hpp"
 #include "model/events.hpp"
 #include "model/library.hpp"
-#include "model/weapon/damage_system.hpp"
+#include "model/weapon/systems.hpp"
 #include "pilot/pilot_system.hpp"
 #include "scenario/assemble.hpp"
 #include "scenario/data.hpp"
@@ -357,7 +357,7 @@ class Loader {
   void finish() {
     out_->library = library_;
     for (const auto& [kind, model, parameter, problem] :
-         model::rate_problems(*library_, 1 / out_->spec.rates.kinematics))
+         model::problems_of(*library_, 1 / out_->spec.rates.kinematics))
       error(place_in_data(kind, model, parameter),
             fmt::format("data.{}.{}.{}: {}", kind, model, parameter, problem));
     stop_if_wrong();

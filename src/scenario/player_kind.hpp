@@ -16,7 +16,7 @@
 #include "core/describe.hpp"
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
-#include "model/weapon/damage_system.hpp"
+#include "model/weapon/systems.hpp"
 #include "scenario/plugin.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"

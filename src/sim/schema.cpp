@@ -33,13 +33,6 @@ void demand_identifier(std::string_view name) {
     misuse(fmt::format("'{}' is not a lower-case identifier", name));
 }
 
-void demand_unique(std::string_view row, std::span<const FieldInfo> fields) {
-  std::set<std::string_view> names;
-  for (const FieldInfo& field : fields)
-    if (!names.insert(field.name.view()).second)
-      misuse(fmt::format("{}: field '{}' is described twice", row, field.name.view()));
-}
-
 void add_text(Hasher& hasher, std::string_view text) {
   hasher.word(text.size());
   hasher.bytes(text.data(), text.size());
@@ -142,7 +135,11 @@ std::uint32_t SchemaBuilder::add(TableId table, std::string_view name, std::size
   TableInfo& info = schema_->tables_[table.value - 1];
   if (schema_->find_column(table, name) != kNoColumn)
     misuse(fmt::format("column '{}' is added twice to table '{}'", name, info.name));
-  demand_unique(fmt::format("{}.{}", info.name, name), fields);
+  std::set<std::string_view> names;
+  for (const FieldInfo& field : fields)
+    if (!names.insert(field.name.view()).second)
+      misuse(
+          fmt::format("{}.{}: field '{}' is described twice", info.name, name, field.name.view()));
 
   const auto index = static_cast<std::uint32_t>(schema_->columns_.size());
   schema_->columns_.push_back({.name = std::string(name),
@@ -177,8 +174,7 @@ EventKind SchemaBuilder::add_event(EventKind kind, std::string_view name,
   return kind;
 }
 
-OrderKind SchemaBuilder::add(OrderKind kind, std::string_view name, std::size_t bytes,
-                             std::span<const FieldInfo> fields) {
+OrderKind SchemaBuilder::add_order(OrderKind kind, std::string_view name) {
   if (schema_ == nullptr)
     misuse("it was built already");
   demand_identifier(name);
@@ -186,11 +182,7 @@ OrderKind SchemaBuilder::add(OrderKind kind, std::string_view name, std::size_t 
                                  [&](const OrderInfo& o) { return o.name == name; });
   if (!kind || taken || schema_->order(kind) != nullptr)
     misuse(fmt::format("order '{}' is of kind 0, or its kind or name is taken", name));
-  if (bytes > Order::kPayload)
-    misuse(
-        fmt::format("order '{}' has {} bytes, an order carries {}", name, bytes, Order::kPayload));
-  demand_unique(fmt::format("order {}", name), fields);
-  schema_->orders_.push_back({kind, std::string(name), {fields.begin(), fields.end()}});
+  schema_->orders_.push_back({kind, std::string(name)});
   return kind;
 }
 

@@ -67,11 +67,10 @@ struct EventInfo {
   std::vector<NamedValue> values;  ///< of Event::values, first one first; the rest are unused
 };
 
-/// What an order's payload holds for one kind.
+/// A kind of order that somebody accepts.
 struct OrderInfo {
   OrderKind kind;
   std::string name;
-  std::vector<FieldInfo> fields;
 };
 
 /// The const description of a World. Immutable once built and shared by every World of a run.
@@ -146,15 +145,8 @@ class SchemaBuilder {
   EventKind add_event(EventKind kind, std::string_view name,
                       std::initializer_list<NamedValue> values = {});
 
-  /// Names one kind of order without payload. Kind 0 means "no order".
-  OrderKind add_order(OrderKind kind, std::string_view name) { return add(kind, name, 0, {}); }
-
-  /// Names one kind of order whose payload is a described row of at most Order::kPayload bytes.
-  template <DescribedRow Payload>
-  OrderKind add_order(OrderKind kind, std::string_view name) {
-    const auto fields = Payload::fields();
-    return add(kind, name, sizeof(Payload), fields);
-  }
+  /// Names one kind of order. Kind 0 means "no order".
+  OrderKind add_order(OrderKind kind, std::string_view name);
 
   /// The finished schema. The builder is empty afterwards.
   [[nodiscard]] std::shared_ptr<const Schema> build();
@@ -162,8 +154,6 @@ class SchemaBuilder {
  private:
   std::uint32_t add(TableId table, std::string_view name, std::size_t stride, std::size_t alignment,
                     std::span<const FieldInfo> fields);
-  OrderKind add(OrderKind kind, std::string_view name, std::size_t bytes,
-                std::span<const FieldInfo> fields);
 
   std::unique_ptr<Schema> schema_;
 };

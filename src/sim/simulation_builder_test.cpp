@@ -59,7 +59,7 @@ TEST(Step, PerceivesWhatItsOrdersChanged) {
   SchemaBuilder schema;
   keys.birds = schema.add_table("bird", 5);
   keys.vitals = schema.add_column<Vitals>(keys.birds, "vitals");
-  (void)schema.add_order<swarm::Turn>(Wish::turn, "turn");
+  (void)schema.add_order(Wish::turn, "turn");
   SimulationBuilder builder(schema.build());
   builder.add<Listener>(keys);
   const auto simulation = builder.build();

@@ -55,7 +55,6 @@ static_assert(fields_cover_row<Aim>());
 
 struct Turn {
   Vec3 velocity{};
-  static constexpr auto fields() { return field_list(field("velocity", &Turn::velocity)); }
 };
 
 /// The keys of the swarm's tables and columns.

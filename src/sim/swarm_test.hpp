@@ -232,7 +232,7 @@ struct Swarm {
     schema.add_event(Happening::kill, "kill");
     schema.add_event(Happening::hatched, "hatched");
     schema.add_event(Happening::turned, "turned");
-    schema.add_order<Turn>(Wish::turn, "turn");
+    schema.add_order(Wish::turn, "turn");
     return keys;
   }
 

@@ -63,7 +63,7 @@ class AgentSystem final : public Agents {
 
   /// Names the order in a schema.
   static void add_orders(sim::SchemaBuilder& builder) {
-    builder.add_order<SwapTree>(Platform::swap_tree, Platform::swap_tree_name);
+    builder.add_order(Platform::swap_tree, Platform::swap_tree_name);
   }
   /// From `step` on the player uses that tree, which begins with nothing remembered.
   [[nodiscard]] static sim::Order swap_tree_order(std::uint64_t step, PlayerId player,

@@ -47,10 +47,6 @@ struct AgentColumns {
 /// The payload of an order to use another tree.
 struct SwapTree {
   std::uint16_t tree = 0;
-  std::uint16_t reserved[3] = {};
-  static constexpr auto fields() {
-    return field_list(field("tree", &SwapTree::tree), field("reserved", &SwapTree::reserved));
-  }
 };
 
 /// From now on an agent uses another tree, which begins with nothing remembered.

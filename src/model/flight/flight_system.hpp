@@ -49,10 +49,8 @@ class FlightSystem final : public sim::System {
 
   [[nodiscard]] std::string_view name() const override { return "flight"; }
   [[nodiscard]] TableId table() const override { return columns_.table; }
-  void move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-            sim::Outbox& out) const override;
-  void interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-                sim::Outbox& out) const override;
+  void move(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
+  void interact(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
   /// Mass and drag area of what hangs under an aircraft.
   [[nodiscard]] Load load_of(const weapon::Stores& stores) const;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/sensor/sensor_system.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -21,23 +19,12 @@ constexpr track::Tracker kPlainTracker{};
 /// The own missiles in the air that one message can tell of.
 constexpr std::size_t kToldShots = 8;
 
-/// Whole steps between two happenings; adds to `problems` if there are none.
-std::uint32_t steps_of(double rate, double dt, std::string_view kind, std::string_view name,
-                       std::string_view parameter, std::vector<std::string>& problems) {
-  const sim::Period period = sim::period_steps(rate, dt);
-  if (period)
-    return period.steps;
-  problems.push_back(fmt::format("{} '{}': {}: {}", kind, name, parameter, period.error));
-  return 1;
-}
-
 template <class Model>
 const Model* chosen(const Shelf<Model>& shelf, const std::optional<std::uint16_t>& index) {
   return index ? &shelf[*index] : nullptr;
 }
 
-SensorSuite suite_of(const Library& library, const AircraftType& type, double dt,
-                     std::vector<std::string>& problems) {
+SensorSuite suite_of(const Library& library, const AircraftType& type, double dt) {
   SensorSuite suite;
   const auto& index = type.index;
   suite.signature = &type.signature;
@@ -48,39 +35,22 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   suite.datalink = chosen(library.datalinks, index.datalink);
   suite.tracker = index.tracker ? &library.trackers[*index.tracker] : &kPlainTracker;
 
-  const auto steps = [&](double rate, std::string_view kind, std::string_view parameter) {
-    return steps_of(rate, dt, kind, type.label, parameter, problems);
-  };
+  const auto steps = [dt](double rate) { return sim::period_steps(rate, dt).steps; };
   if (suite.radar != nullptr) {
     suite.radar_index = *index.radar;
-    suite.scan_steps = steps(suite.radar->scan_rate, "radar of", "scan_rate");
-    suite.track_steps = steps(suite.radar->track_rate, "radar of", "track_rate");
+    suite.scan_steps = steps(suite.radar->scan_rate);
+    suite.track_steps = steps(suite.radar->track_rate);
   }
   if (suite.rwr != nullptr) {
-    suite.rwr_steps = steps(suite.rwr->search_rate, "rwr of", "search_rate");
-    suite.seeker_steps = steps(suite.rwr->seeker_rate, "rwr of", "seeker_rate");
+    suite.rwr_steps = steps(suite.rwr->search_rate);
+    suite.seeker_steps = steps(suite.rwr->seeker_rate);
   }
   if (suite.visual != nullptr)
-    suite.visual_steps = steps(suite.visual->rate, "visual of", "rate");
-  suite.upkeep_steps = steps(suite.tracker->rate, "tracker of", "rate");
-  if (suite.datalink != nullptr) {
-    suite.datalink_steps = steps(suite.datalink->rate, "datalink of", "rate");
-    if (const std::string_view problem = suite.datalink->problem(); !problem.empty())
-      problems.push_back(fmt::format("datalink of '{}': {}", type.label, problem));
-  }
+    suite.visual_steps = steps(suite.visual->rate);
+  suite.upkeep_steps = steps(suite.tracker->rate);
+  if (suite.datalink != nullptr)
+    suite.datalink_steps = steps(suite.datalink->rate);
   return suite;
-}
-
-std::vector<SensorSuite> suites_of(const Library& library, double dt,
-                                   std::vector<std::string>& problems) {
-  std::vector<SensorSuite> suites;
-  for (std::size_t i = 0; i < library.aircraft.size(); ++i)
-    suites.push_back(suite_of(library, library.aircraft[i], dt, problems));
-  for (const Flight& flight : library.flights)
-    if (flight.members.size() > kMaxFlight)
-      problems.push_back(fmt::format("flight '{}' has {} members; a datalink carries at most {}",
-                                     flight.name, flight.members.size(), kMaxFlight));
-  return suites;
 }
 
 void publish(const Self& self) {
@@ -152,18 +122,14 @@ void perceive_one(const Scene& scene, Self& self) {
 
 }  // namespace
 
-std::vector<std::string> sensor_problems(const Library& library, double dt) {
-  std::vector<std::string> problems;
-  static_cast<void>(suites_of(library, dt, problems));
-  return problems;
-}
-
 SensorSystem::SensorSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
                            std::shared_ptr<const Library> library, double dt)
     : aircraft_(aircraft), missiles_(missiles), library_(std::move(library)) {
-  std::vector<std::string> problems;
-  suites_ = suites_of(*library_, dt, problems);
-  EYRIE_THROW_UNLESS(problems.empty(), problems.front().c_str());
+  EYRIE_THROW_UNLESS(problems_of(*library_, dt).empty(), "a sensor that does not fit the step");
+  for (const Flight& flight : library_->flights)
+    EYRIE_THROW_UNLESS(flight.members.size() <= kMaxFlight, "more members than a datalink carries");
+  for (std::size_t i = 0; i < library_->aircraft.size(); ++i)
+    suites_.push_back(suite_of(*library_, library_->aircraft[i], dt));
 }
 
 Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) const {

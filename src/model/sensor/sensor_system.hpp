@@ -12,26 +12,20 @@
 
 namespace eyrie::model::sensor {
 
-/// What in the sensors of a library does not fit a step of `dt` seconds, or does not go together:
-/// rates that are no whole number of steps, a datalink slower than its ring, a flight that is too
-/// big. One text per problem; none if all is well.
-[[nodiscard]] std::vector<std::string> sensor_problems(const Library& library, double dt);
-
 /// perceive: each aircraft writes its own radar, warnings, threats, tracks and datalink state.
 /// act: its own emission and its own messages. Emits contact, track_lost, identified, rwr_warning
 /// and missile_warning.
 class SensorSystem final : public sim::System {
  public:
-  /// `dt`: length of a step, s. std::logic_error if there are sensor_problems().
+  /// `dt`: length of a step, s. std::logic_error if the library has problems_of(), or a flight of
+  /// more than kMaxFlight.
   SensorSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
                std::shared_ptr<const Library> library, double dt);
 
   [[nodiscard]] std::string_view name() const override { return "sensors"; }
   [[nodiscard]] TableId table() const override { return aircraft_.table; }
-  void perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-                sim::Outbox& out) const override;
-  void act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-           sim::Outbox& out) const override;
+  void perceive(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
+  void act(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
   [[nodiscard]] const SensorSuite& suite(std::size_t type) const { return suites_[type]; }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/vehicle/vehicle_system.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -28,43 +26,22 @@ bool reaches(const datalink::Datalink& datalink, const Kinematics& own, const Ki
 
 }  // namespace
 
-std::vector<VehicleSystem::Suite> VehicleSystem::suites_of(const Library& library, double dt,
-                                                           std::vector<std::string>& problems) {
-  std::vector<Suite> suites(library.vehicles.size());
-  for (std::size_t i = 0; i < suites.size(); ++i) {
-    const VehicleType& type = library.vehicles[i];
-    const auto steps = [&](double rate, std::string_view part) {
-      const sim::Period period = sim::period_steps(rate, dt);
-      if (!period)
-        problems.push_back(fmt::format("{} of '{}': rate: {}", part, type.label, period.error));
-      return period ? period.steps : 1;
-    };
-    if (type.index.visual) {
-      suites[i].visual = &library.visuals[*type.index.visual];
-      suites[i].visual_steps = steps(suites[i].visual->rate, "visual");
-    }
-    if (type.index.datalink) {
-      suites[i].datalink = &library.datalinks[*type.index.datalink];
-      suites[i].datalink_steps = steps(suites[i].datalink->rate, "datalink");
-      if (const std::string_view problem = suites[i].datalink->problem(); !problem.empty())
-        problems.push_back(fmt::format("datalink of '{}': {}", type.label, problem));
-    }
-  }
-  return suites;
-}
-
-std::vector<std::string> vehicle_problems(const Library& library, double dt) {
-  std::vector<std::string> problems;
-  static_cast<void>(VehicleSystem::suites_of(library, dt, problems));
-  return problems;
-}
-
 VehicleSystem::VehicleSystem(const VehicleColumns& vehicles, const AircraftColumns& aircraft,
                              std::shared_ptr<const Library> library, double dt)
     : vehicles_(vehicles), aircraft_(aircraft), library_(std::move(library)) {
-  std::vector<std::string> problems;
-  suites_ = suites_of(*library_, dt, problems);
-  EYRIE_THROW_UNLESS(problems.empty(), problems.front().c_str());
+  EYRIE_THROW_UNLESS(problems_of(*library_, dt).empty(), "a sensor that does not fit the step");
+  for (std::size_t i = 0; i < library_->vehicles.size(); ++i) {
+    const auto& index = library_->vehicles[i].index;
+    Suite& suite = suites_.emplace_back();
+    if (index.visual) {
+      suite.visual = &library_->visuals[*index.visual];
+      suite.visual_steps = sim::period_steps(suite.visual->rate, dt).steps;
+    }
+    if (index.datalink) {
+      suite.datalink = &library_->datalinks[*index.datalink];
+      suite.datalink_steps = sim::period_steps(suite.datalink->rate, dt).steps;
+    }
+  }
   for (std::size_t i = 0; i < library_->aircraft.size(); ++i)
     signatures_.push_back(&library_->aircraft[i].signature);
 }

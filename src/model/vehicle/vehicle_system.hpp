@@ -14,18 +14,15 @@ namespace eyrie::model::vehicle {
 /// Everything about vehicles but their drivers' decisions.
 class VehicleSystem final : public sim::System {
  public:
-  /// std::logic_error for what vehicle_problems() would say.
+  /// std::logic_error if the library has problems_of().
   VehicleSystem(const VehicleColumns& vehicles, const AircraftColumns& aircraft,
                 std::shared_ptr<const Library> library, double dt);
 
   [[nodiscard]] std::string_view name() const override { return "vehicle"; }
   [[nodiscard]] TableId table() const override { return vehicles_.table; }
-  void perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-                sim::Outbox& out) const override;
-  void act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-           sim::Outbox& out) const override;
-  void move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
-            sim::Outbox& out) const override;
+  void perceive(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
+  void act(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
+  void move(sim::World&, const sim::StepInfo&, sim::Chunk, sim::Outbox&) const override;
 
  private:
   /// What a step needs of a VehicleType; what is null is not on board.
@@ -36,9 +33,6 @@ class VehicleSystem final : public sim::System {
   };
   void look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
   void listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
-  friend std::vector<std::string> vehicle_problems(const Library& library, double dt);
-  [[nodiscard]] static std::vector<Suite> suites_of(const Library& library, double dt,
-                                                    std::vector<std::string>& problems);
 
   VehicleColumns vehicles_;
   AircraftColumns aircraft_;
@@ -46,8 +40,5 @@ class VehicleSystem final : public sim::System {
   std::vector<Suite> suites_;                 ///< by Fit::type
   std::vector<const Signature*> signatures_;  ///< of aircraft, by Fit::type
 };
-
-/// Rates that do not divide the rate of the world, and what else cannot be driven; in words.
-[[nodiscard]] std::vector<std::string> vehicle_problems(const Library& library, double dt);
 
 }  // namespace eyrie::model::vehicle

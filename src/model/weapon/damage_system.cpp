@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/weapon/damage_system.hpp"
+#include "model/weapon/systems.hpp"
 
 #include <array>
 
@@ -11,20 +11,14 @@ namespace {
 
 constexpr std::array kOrders{sim::OrderKind(OrderKind::lose)};
 
-/// An order needs some payload to be described by.
-struct Lose {
-  std::uint64_t reserved = 0;
-  static constexpr auto fields() { return field_list(field("reserved", &Lose::reserved)); }
-};
-
 }  // namespace
 
 sim::Order lose_order(std::uint64_t step, PlayerId player) {
-  return sim::order_for(step, player, OrderKind::lose, Lose{});
+  return {.step = step, .player = player, .kind = OrderKind::lose};
 }
 
 void add_orders(sim::SchemaBuilder& builder) {
-  builder.add_order<Lose>(OrderKind::lose, "lose");
+  builder.add_order(OrderKind::lose, "lose");
 }
 
 std::span<const sim::OrderKind> DamageSystem::accepts() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/weapon/missile_system.hpp"
+#include "model/weapon/systems.hpp"
 
 #include <algorithm>
 #include <cmath>

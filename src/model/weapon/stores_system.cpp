@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model/weapon/stores_system.hpp"
+#include "model/weapon/systems.hpp"
 
 #include <utility>
 

@@ -12,12 +12,9 @@
 #include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
 #include "model/library.hpp"
-#include "model/weapon/damage_system.hpp"
 #include "model/weapon/gun.hpp"
-#include "model/weapon/gun_system.hpp"
-#include "model/weapon/missile_system.hpp"
 #include "model/weapon/stores.hpp"
-#include "model/weapon/stores_system.hpp"
+#include "model/weapon/systems.hpp"
 #include "sim/simulation.hpp"
 #include "support/data_file.hpp"
 
