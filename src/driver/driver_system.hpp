@@ -5,9 +5,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "driver/agent.hpp"
 #include "driver/state.hpp"
-#include "driver/trees.hpp"
 #include "team/agent_system.hpp"
 
 namespace eyrie::driver {

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "core/angle.hpp"
-#include "driver/behavior/scatter.hpp"
-#include "driver/behavior/ways.hpp"
+#include "driver/behaviors.hpp"
 #include "support/driver/cab.hpp"
 
 namespace eyrie::driver {

@@ -1,19 +1,109 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What one driver perceives at one decision: a view of his own rows, never of the truth.
+/// \file  A driver: what he wants (Action), keeps from decision to decision (Agent) and perceives
+/// (State), and the UBF types for these under one name each.
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
-#include "driver/agent.hpp"
+#include "core/describe.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
+#include "team/deciding.hpp"
 #include "team/decision.hpp"
 #include "team/member.hpp"
+#include "ubf/registry.hpp"
 
 namespace eyrie::driver {
+
+/// What the driver calls out while doing it: told as an event when it changes.
+enum class Call : std::uint32_t { none, scatter };
+constexpr auto names_of(Call) {
+  return names_from_zero<Call>("none", "scatter");
+}
+
+/// The recommendation of one behavior, or of a whole tree. A field that is empty at the root leaves
+/// heading and speed as they are.
+struct Action {
+  std::optional<double> heading;  ///< rad, true
+  std::optional<double> speed;    ///< m/s; 0 stands
+  std::optional<Call> call;       ///< ends
+};
+
+struct State;
+
+}  // namespace eyrie::driver
+
+template <>
+struct eyrie::ubf::ActionTraits<eyrie::driver::Action> {
+  using A = driver::Action;
+  static constexpr auto fields =
+      std::tuple{field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
+                 field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
+                 field<blend::Strongest>("call", &A::call)};
+};
+
+/// What expressions and switches may read of a driver's state: driver/state.cpp.
+template <>
+struct eyrie::ubf::StateFields<eyrie::driver::State> {
+  [[nodiscard]] static std::span<const StateField<eyrie::driver::State>> all();
+};
+/// Over what loops go: the aircraft in sight.
+template <>
+struct eyrie::ubf::StateLists<eyrie::driver::State> {
+  [[nodiscard]] static std::span<const StateList<eyrie::driver::State>> all();
+};
+
+namespace eyrie::driver {
+
+using Behavior = ubf::Behavior<State, Action>;
+using Condition = ubf::Condition<State, Action>;
+using Tick = ubf::Tick<State>;
+using Proposal = ubf::Proposal<Action>;
+using Status = ubf::Status;
+using Tree = ubf::Tree<State, Action>;
+using Trees = ubf::Trees<State, Action>;
+using Registry = ubf::Registry<State, Action>;
+using Trace = ubf::Trace<Action>;
+
+/// What behaviors for every platform (src/team) need to know of vehicles.
+struct Platform {
+  using State = driver::State;
+  using Action = driver::Action;
+  static constexpr double cruise = si(50, "km/h");
+  static constexpr auto speeds = range(0.5, 50);  ///< m/s
+  static constexpr std::string_view speed_help = "on legs that give none";
+};
+
+/// What a driver keeps from decision to decision besides the memory of his tree. Recorders find
+/// here what the last decision was.
+struct Agent {
+  static constexpr std::string_view system = "driver";  ///< who writes this row
+
+  std::uint64_t decided = 0;  ///< step of the last decision
+  PlayerId lead{};            ///< who he believes leads
+  std::uint32_t ticks = 0;    ///< decisions so far
+  float vote = 0;             ///< of what the tree recommended last
+  Call call = Call::none;
+  std::uint16_t tree = team::kNoTree;  ///< index into the scenario's trees for drivers
+  std::uint16_t node = ubf::kNone;     ///< the behavior whose recommendation led; kNone: none
+  std::uint16_t phase = ubf::kNone;    ///< what the outermost sequencer has in charge; kNone: none
+  std::uint8_t reserved[2] = {};
+
+  static constexpr auto fields() {
+    return field_list(field("decided", &Agent::decided), field("lead", &Agent::lead),
+                      field("ticks", &Agent::ticks), field("vote", &Agent::vote),
+                      field("call", &Agent::call), field("tree", &Agent::tree),
+                      field("node", &Agent::node), field("phase", &Agent::phase),
+                      field("reserved", &Agent::reserved));
+  }
+};
+
+/// What drivers add to the table of vehicles.
+using DriverColumns = team::AgentColumns<Agent>;
 
 /// What does not change about one convoy, for its drivers.
 struct Spacing {

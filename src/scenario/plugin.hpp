@@ -18,7 +18,6 @@
 #include "core/diagnostics.hpp"
 #include "core/version.hpp"
 #include "driver/state.hpp"
-#include "driver/trees.hpp"
 #include "model/library.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"

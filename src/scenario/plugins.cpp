@@ -10,7 +10,7 @@
 
 #include "core/hash.hpp"
 #include "disk/sink.hpp"
-#include "driver/catalog.hpp"
+#include "driver/behaviors.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/plugin_file.hpp"
 

@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/agent.hpp"
 #include "driver/state.hpp"
-#include "driver/trees.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "pilot/agent.hpp"

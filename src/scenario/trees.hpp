@@ -11,7 +11,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
-#include "driver/trees.hpp"
+#include "driver/state.hpp"
 #include "pilot/trees.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/plugin.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/units.hpp"
 #include "core/yaml.hpp"
-#include "driver/catalog.hpp"
+#include "driver/behaviors.hpp"
 #include "driver/state.hpp"
 #include "support/model/flying.hpp"
 

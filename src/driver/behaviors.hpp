@@ -1,11 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <tuple>
-
+/// \file  What drivers do: as all platforms do (src/team), with nothing added, and of their own.
 #include "driver/state.hpp"
-#include "driver/trees.hpp"
+#include "team/member.hpp"
 
 namespace eyrie::driver {
+
+/// Drives along a route of the convoy (team/member.hpp).
+class Navigate final : public team::Navigate<Platform> {
+ public:
+  static constexpr std::string_view help = "drives along the waypoints of the convoy's route";
+  Status tick(const Tick& t, Proposal& out) const override { return go(t, out).status; }
+};
+
+/// Keeps its distance behind the vehicle ahead (team/member.hpp).
+class FollowLead final : public team::FollowLead<Platform> {
+ public:
+  static constexpr std::string_view help = "keeps its distance behind the vehicle ahead";
+  Status tick(const Tick& t, Proposal& out) const override {
+    return go(t, out) ? Status::running : Status::failure;
+  }
+};
+
+using IsLead = team::IsLead<Platform>;
+using RouteDone = team::RouteDone<Platform>;
 
 struct ScatterMemory {
   double until = 0;    ///< s, when to come back if nothing more is seen; 0: not scattering
@@ -42,5 +60,8 @@ class Scatter final : public ubf::WithMemory<Behavior, ScatterMemory> {
   double speed_ = si(40, "km/h");
   double calm_ = 60;
 };
+
+/// Everything that a driver's tree may be made of: the standard nodes and the above.
+[[nodiscard]] Registry make_registry();
 
 }  // namespace eyrie::driver

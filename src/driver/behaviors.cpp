@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "driver/behavior/scatter.hpp"
+#include "driver/behaviors.hpp"
 
 #include "core/angle.hpp"
+#include "ubf/standard_nodes.hpp"
 
 namespace eyrie::driver {
 
@@ -25,6 +26,17 @@ Status Scatter::tick(const Tick& t, Proposal& out) const {
   out.action.call = Call::scatter;
   out.vote = vote_;
   return Status::running;
+}
+
+Registry make_registry() {
+  Registry registry;
+  ubf::add_standard_nodes(registry);
+  registry.add<Navigate>();
+  registry.add<FollowLead>();
+  registry.add<Scatter>();
+  registry.add<IsLead>();
+  registry.add<RouteDone>();
+  return registry;
 }
 
 }  // namespace eyrie::driver
