@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/printable.hpp"
+#include "core/text.hpp"
 #include "fuzz/memory_file.hpp"
 #include "record/acmi.hpp"
 #include "support/acmi_reader.hpp"
@@ -16,14 +16,14 @@ using namespace eyrie;
 using fuzz::demand;
 
 bool is_plain(const std::string& text, bool event = false) {
-  return is_printable(text) && text.find('\\') == text.npos &&
+  return printable(text) == text && text.find('\\') == text.npos &&
          (!event || text.find('|') == text.npos);
 }
 
 /// It is there, as it was if that may be; nothing in it says more than a text.
 void expect_name(const std::string& read, const std::string& name) {
   demand(!is_plain(name) || read == name);
-  demand(is_printable(read));
+  demand(printable(read) == read);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/printable.hpp"
+#include "core/text.hpp"
 #include "fuzz/named_flight.hpp"
 #include "record/json_text.hpp"
 #include "record/paths.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/diagnostics.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 #include "ubf/expression.hpp"
 
 namespace {
@@ -60,7 +60,7 @@ std::optional<bool> read(const std::string& text) {
       ubf::parse_expression(Value::scalar(text, {"t.yaml", 1, 1}), infos, names, diagnostics);
   demand(program.has_value() == diagnostics.ok());
   for (const Diagnostic& one : diagnostics.sorted())
-    demand(!one.message.empty() && one.text().size() < 5000 && is_printable(one.text()));
+    demand(!one.message.empty() && one.text().size() < 5000 && printable(one.text()) == one.text());
   if (!program)
     return std::nullopt;
   return ubf::Expression<State>(*program).holds({});

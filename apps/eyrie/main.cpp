@@ -19,7 +19,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 #include "locate.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "say.hpp"

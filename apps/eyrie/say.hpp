@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 namespace eyrie::app {
 

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "core/mutex.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 namespace eyrie {
 namespace {

@@ -5,11 +5,20 @@
 
 #include <algorithm>
 #include <cstdint>
-
-#include "core/printable.hpp"
+#include <iterator>
 
 namespace eyrie {
 namespace {
+
+struct Points {
+  char32_t first, last;
+};
+
+template <std::size_t N>
+bool is_in(const Points (&ranges)[N], char32_t point) {
+  return std::any_of(std::begin(ranges), std::end(ranges),
+                     [&](Points r) { return point >= r.first && point <= r.last; });
+}
 
 bool is_letter_or_digit(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -24,7 +33,100 @@ bool continues_identifier(char c) {
 bool breaks_line(char32_t c) {
   return c == '\n' || c == '\r' || c == 0x85 || c == 0x2028 || c == 0x2029;
 }
+
 }  // namespace
+
+Utf8 first_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) -> char32_t {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+  };
+  const auto within = [&](std::size_t i, unsigned low, unsigned high) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const auto tail = [&](std::size_t i) { return byte(i) & 0x3F; };
+  const char32_t first = byte(0);
+  if (first < 0x80)
+    return {1, first};
+  if (within(0, 0xC2, 0xDF) && within(1, 0x80, 0xBF))
+    return {2, (first & 0x1F) << 6 | tail(1)};
+  if (within(0, 0xE0, 0xEF)) {
+    const unsigned low = first == 0xE0 ? 0xA0 : 0x80;
+    const unsigned high = first == 0xED ? 0x9F : 0xBF;
+    if (within(1, low, high) && within(2, 0x80, 0xBF))
+      return {3, (first & 0x0F) << 12 | tail(1) << 6 | tail(2)};
+  }
+  if (within(0, 0xF0, 0xF4)) {
+    const unsigned low = first == 0xF0 ? 0x90 : 0x80;
+    const unsigned high = first == 0xF4 ? 0x8F : 0xBF;
+    if (within(1, low, high) && within(2, 0x80, 0xBF) && within(3, 0x80, 0xBF))
+      return {4, (first & 0x07) << 18 | tail(1) << 12 | tail(2) << 6 | tail(3)};
+  }
+  return {};
+}
+
+bool is_control(char32_t point) {
+  static constexpr Points kControls[] = {
+      {0x00, 0x1F},     {0x7F, 0x9F},       // C0, DEL, C1
+      {0x61C, 0x61C},   {0x200E, 0x200F},   // marks of direction (Unicode 15, UAX #9)
+      {0x2028, 0x2029},                     // ends of a line and of a paragraph
+      {0x202A, 0x202E}, {0x2066, 0x2069},   // embeddings, overrides and isolates
+      {0xFEFF, 0xFEFF},                     // byte order mark
+      {0xFFF9, 0xFFFB}, {0xE0000, 0xE007F}  // annotations and tags, which nobody sees
+  };
+  return is_in(kControls, point);
+}
+
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result;
+  for (std::size_t characters = 0; !text.empty(); ++characters) {
+    if (characters == longest)
+      return result + "...";
+    const Utf8 next = first_character(text);
+    const std::size_t length = std::max<std::size_t>(next.length, 1);
+    if (next.length == 0 || is_control(next.point)) {
+      for (const char byte : text.substr(0, length))
+        fmt::format_to(std::back_inserter(result), "\\x{:02x}", static_cast<unsigned char>(byte));
+    } else {
+      result += text.substr(0, length);
+    }
+    text.remove_prefix(length);
+  }
+  return result;
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    result += printable(text.substr(0, end)) + '\n';
+    text.remove_prefix(end + 1);
+  }
+  return result + printable(text);
+}
+
+std::string valid_utf8(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t length = first_character(text).length;
+    result += length ? text.substr(0, length) : "\xEF\xBF\xBD";
+    text.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return result;
+}
+
+std::size_t columns(std::string_view text) {
+  static constexpr Points kWide[] = {{0x1100, 0x115F},   {0x2329, 0x232A},   {0x2E80, 0x303E},
+                                     {0x3040, 0xA4CF},   {0xAC00, 0xD7A3},   {0xF900, 0xFAFF},
+                                     {0xFE10, 0xFE19},   {0xFE30, 0xFE6F},   {0xFF00, 0xFF60},
+                                     {0xFFE0, 0xFFE6},   {0x1F300, 0x1F64F}, {0x1F900, 0x1F9FF},
+                                     {0x20000, 0x2FFFD}, {0x30000, 0x3FFFD}};
+  std::size_t sum = 0;
+  while (!text.empty()) {
+    const Utf8 next = first_character(text);
+    sum += next.length && is_in(kWide, next.point) ? 2 : 1;
+    text.remove_prefix(std::max<std::size_t>(next.length, 1));
+  }
+  return sum;
+}
 
 bool is_identifier(std::string_view text) {
   return !text.empty() && text.size() <= kLongestIdentifier && begins_identifier(text.front()) &&

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/printable.hpp"
+#include "core/text.hpp"
 #include "record/csv.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"

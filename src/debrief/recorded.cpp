@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/assert.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 #include "scenario/mission.hpp"
 

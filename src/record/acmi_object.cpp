@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/angle.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 namespace eyrie::record {
 namespace {

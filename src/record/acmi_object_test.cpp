@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/angle.hpp"
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -48,7 +48,7 @@ TEST(AcmiText, HoldsNeitherControlCharactersNorBytesThatAreNoText) {
 /// Whatever a reader makes of backslashes: it looks at the character before, or takes two as one.
 RC_GTEST_PROP(AcmiText, EndsNeitherItsValueNorItsLine, (const std::string& text)) {
   for (const std::string& value : {acmi_name(text), acmi_event_text(text)}) {
-    RC_ASSERT(is_printable(value));
+    RC_ASSERT(printable(value) == value);
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (value[i] == ',')
         RC_ASSERT(i > 0 && value[i - 1] == '\\' && (i < 2 || value[i - 2] != '\\'));

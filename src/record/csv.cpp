@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/printable.hpp"
+#include "core/text.hpp"
 
 namespace eyrie::record {
 namespace {
