@@ -78,6 +78,12 @@ struct EnumNames<bound::Mode> {
 namespace bound {
 namespace {
 
+Value quoted(std::string text) {
+  Value value = Value::scalar(std::move(text));
+  value.quoted = true;
+  return value;
+}
+
 Value text(std::string t, int line = 1, int column = 1) {
   return Value::scalar(std::move(t), {"f.yaml", line, column});
 }
@@ -174,8 +180,7 @@ TEST(Bind, NumbersMustHaveTheRightUnitAndRange) {
   EXPECT_EQ(range_of("2 kg"),
             "danger_range: expected a length such as '6000 ft', got '2 kg' (a mass)");
   EXPECT_EQ(range_of(".inf"), "danger_range: expected a length such as '6000 ft', got '.inf'");
-  EXPECT_EQ(bind_one("danger_range", &BreakTurn::danger_range, Value::quoted_scalar("1 km")),
-            "1000");
+  EXPECT_EQ(bind_one("danger_range", &BreakTurn::danger_range, quoted("1 km")), "1000");
   EXPECT_EQ(bind_one("danger_range", &BreakTurn::danger_range, Value::list({})),
             "danger_range: expected a length such as '6000 ft', got a list");
   EXPECT_EQ(bind_one("danger_range", &BreakTurn::danger_range, Value::null()),
@@ -186,8 +191,7 @@ TEST(Bind, PlainNumbersMustNotBeQuoted) {
   const auto vote = [](Value v) { return bind_one("vote", &BreakTurn::vote, std::move(v)); };
   EXPECT_EQ(vote(Value::scalar("1e3")), "1000");
   EXPECT_EQ(vote(Value::scalar("-4")), "vote: -4 is outside [0, 1000]");
-  EXPECT_EQ(vote(Value::quoted_scalar("4")),
-            "vote: expected a plain number such as '0.5', got '4' in quotes");
+  EXPECT_EQ(vote(quoted("4")), "vote: expected a plain number such as '0.5', got '4' in quotes");
   EXPECT_EQ(vote(Value::scalar("NaN")), "vote: expected a plain number such as '0.5', got 'NaN'");
   EXPECT_EQ(vote(Value::map({})), "vote: expected a plain number such as '0.5', got a map");
 }
@@ -223,7 +227,7 @@ TEST(Bind, IntegersAreWholeAndFitTheirType) {
   for (const char* wrong : {"4.0", "4e0", "0x4", "four", "", "-", "+-4", "4 ft", "1_000"})
     EXPECT_EQ(steps(Value::scalar(wrong)),
               fmt::format("steps: expected a whole number, got '{}'", wrong));
-  EXPECT_EQ(steps(Value::quoted_scalar("4")), "steps: expected a whole number, got '4' in quotes");
+  EXPECT_EQ(steps(quoted("4")), "steps: expected a whole number, got '4' in quotes");
   EXPECT_EQ(steps(Value::list({})), "steps: expected a whole number, got a list");
   EXPECT_EQ(bind_one("seed", &BreakTurn::seed, Value::scalar("-1")),
             "seed: -1 is outside [0, 18446744073709551615]");
@@ -235,8 +239,7 @@ TEST(Bind, BooleansAreTrueOrFalse) {
   for (const char* wrong : {"yes", "True", "on", "1", "~"})
     EXPECT_EQ(armed(Value::scalar(wrong)),
               fmt::format("armed: expected true or false, got '{}'", wrong));
-  EXPECT_EQ(armed(Value::quoted_scalar("true")),
-            "armed: expected true or false, got 'true' in quotes");
+  EXPECT_EQ(armed(quoted("true")), "armed: expected true or false, got 'true' in quotes");
   EXPECT_EQ(armed(Value::null()), "armed: expected true or false, got nothing");
 }
 

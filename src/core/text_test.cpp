@@ -104,7 +104,6 @@ TEST(Printable, LeavesWhatPeopleWrite) {
   for (const char* text : {"", "eagle1", "30\xC2\xB0 \xC2\xB1 2", "\xE9\xB7\xB2 \xF0\x9F\x9B\xA9",
                            "C:\\x1b 'quoted' \"twice\""}) {
     EXPECT_EQ(printable(text), text);
-    EXPECT_TRUE(printable(text) == text) << text;
   }
 }
 
@@ -139,7 +138,6 @@ TEST(Printable, CountsColumnsAsPaddingDoes) {
 
 RC_GTEST_PROP(Printable, NeverHoldsWhatATerminalObeys, (const std::string& bytes)) {
   const std::string shown = printable(bytes);
-  RC_ASSERT(printable(shown) == shown);
   RC_ASSERT(printable(shown) == shown);
   RC_ASSERT(valid_utf8(valid_utf8(bytes)) == valid_utf8(bytes));
 }

@@ -210,13 +210,9 @@ struct Parsed {
 /// beyond a double, a unit of another dimension, and anything before or after. Any bytes are safe.
 [[nodiscard]] Parsed parse_quantity(std::string_view text, Dimension expected);
 
-enum class UnitStyle : std::uint8_t {
-  si,        ///< "1852 m", "240 m/s", "0.524 rad"
-  aviation,  ///< "6000 ft" below one mile and "1.0 nmi" from there, "467 kt", "30 deg"
-};
-
-/// For people, rounded to what they can use: do not parse it back.
-[[nodiscard]] std::string format_quantity(double si, Dimension dimension, UnitStyle style);
+/// For people, in the units of aviation and rounded to what they can use: "6000 ft" below one mile
+/// and "1.0 nmi" from there, "467 kt", "30 deg". Do not parse it back.
+[[nodiscard]] std::string format_quantity(double si, Dimension dimension);
 
 /// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
 [[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);

@@ -31,12 +31,6 @@ Value Value::scalar(std::string text, Location where) {
   return value;
 }
 
-Value Value::quoted_scalar(std::string text, Location where) {
-  Value value = scalar(std::move(text), where);
-  value.quoted = true;
-  return value;
-}
-
 Value Value::list(std::vector<Value> items, Location where) {
   Value value = null(where);
   value.kind = Kind::list;

@@ -26,7 +26,6 @@ struct Value {
 
   [[nodiscard]] static Value null(Location where = {});
   [[nodiscard]] static Value scalar(std::string text, Location where = {});
-  [[nodiscard]] static Value quoted_scalar(std::string text, Location where = {});
   [[nodiscard]] static Value list(std::vector<Value> items, Location where = {});
   [[nodiscard]] static Value map(std::vector<Entry> entries, Location where = {});
 

@@ -47,10 +47,5 @@ TEST(Value, SaysWhatStandsThere) {
   EXPECT_EQ(Value::map({}).shown(), "a map");
 }
 
-TEST(Value, RemembersQuotes) {
-  EXPECT_TRUE(Value::quoted_scalar("true").quoted);
-  EXPECT_FALSE(Value::scalar("true").quoted);
-}
-
 }  // namespace
 }  // namespace eyrie

@@ -132,12 +132,4 @@ void Run::fail(Fault fault) {
   fault_ = std::move(fault);
 }
 
-void Run::restore(const World& world) {
-  EYRIE_THROW_UNLESS(&world.schema() == &simulation_->schema(),
-                     "the world belongs to another simulation");
-  world_ = world;
-  copy_ = world;
-  fault_.reset();
-}
-
 }  // namespace eyrie::sim

@@ -84,9 +84,6 @@ class Run {
   /// The step that is being made ends here, with this fault: for whoever is called in the middle of
   /// it because the program is about to end. Needs steps_per_copy = 1.
   void fail(Fault fault);
-  /// Rolls back (or forward) to another world of this simulation. Orders for its step and later
-  /// will be applied (again).
-  void restore(const World& world);
 
   /// The first thing that a paranoid run found, if any.
   [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }

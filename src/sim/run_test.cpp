@@ -224,23 +224,6 @@ TEST(Run, IsDeterminedByItsStartAndItsOrders) {
   EXPECT_TRUE(second.world().same_bytes(first.world()));
 }
 
-TEST(Run, AppliesOrdersAgainAfterARollback) {
-  const Swarm swarm;
-  sim::Run run(swarm.simulation, swarm.world(50));
-  for (int i = 0; i < 10; ++i)
-    run.step();
-  const World kept = run.world();
-  EXPECT_EQ(run.submit(turn(15, 500)), "");
-  for (int i = 0; i < 10; ++i)
-    run.step();
-  const std::uint64_t hash = run.world().hash();
-  run.restore(kept);
-  EXPECT_EQ(run.world().step(), 10u);
-  for (int i = 0; i < 10; ++i)
-    run.step();
-  EXPECT_EQ(run.world().hash(), hash);
-}
-
 TEST(Run, ThatIsParanoidIsTheSameRun) {
   const Swarm swarm;
   sim::Run plain(swarm.simulation, swarm.world(300));
@@ -254,17 +237,6 @@ TEST(Run, ThatIsParanoidIsTheSameRun) {
   EXPECT_FALSE(paranoid.difference());
   EXPECT_EQ(diary.lines.size(), 41u) << "every step is seen once";
   EXPECT_TRUE(paranoid.world().same_bytes(plain.world()));
-}
-
-TEST(Run, ThatIsParanoidMayBeRolledBack) {
-  const Swarm swarm;
-  sim::Run run(swarm.simulation, swarm.world(100), {.workers = 1, .paranoid_workers = 3});
-  const World start = run.world();
-  for (int i = 0; i < 20; ++i)
-    run.step();
-  run.restore(start);
-  run.step();
-  EXPECT_FALSE(run.difference()) << run.difference()->text();
 }
 
 /// Counts its calls where no World can see it.
@@ -304,8 +276,6 @@ TEST(Run, RefusesAWorldOfAnotherSimulation) {
   const Swarm one(5, 5);
   const Swarm other(5, 5);
   EXPECT_THROW(sim::Run(one.simulation, other.world(3)), std::logic_error);
-  sim::Run run(one.simulation, one.world(3));
-  EXPECT_THROW(run.restore(other.world(3)), std::logic_error);
 }
 
 }  // namespace

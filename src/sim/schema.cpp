@@ -59,7 +59,7 @@ std::uint64_t hash_layout(const Schema& schema) {
 }
 
 std::uint64_t round_up(std::uint64_t bytes) {
-  return (bytes + Buffer::kAlignment - 1) / Buffer::kAlignment * Buffer::kAlignment;
+  return (bytes + Schema::kAlignment - 1) / Schema::kAlignment * Schema::kAlignment;
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ TableId SchemaBuilder::add_table(std::string_view name, std::uint32_t capacity) 
 
 ByteColumn SchemaBuilder::add_bytes(TableId table, std::string_view name, std::uint32_t stride,
                                     std::uint32_t alignment) {
-  if (!std::has_single_bit(alignment) || alignment > Buffer::kAlignment)
+  if (!std::has_single_bit(alignment) || alignment > Schema::kAlignment)
     misuse(fmt::format("'{}': {} is no alignment", name, alignment));
   if (stride == 0 || stride > kWidestSlab || stride % alignment != 0)
     misuse(fmt::format("'{}': a stride of {} bytes is not in [1, {}] or no multiple of {}", name,

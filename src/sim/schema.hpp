@@ -76,6 +76,8 @@ struct OrderInfo {
 /// The const description of a World. Immutable once built and shared by every World of a run.
 class Schema {
  public:
+  static constexpr std::size_t kAlignment = 64;  ///< of columns in a World, bytes: a cache line
+
   [[nodiscard]] std::span<const TableInfo> tables() const { return tables_; }
   [[nodiscard]] std::span<const ColumnInfo> columns() const { return columns_; }
   [[nodiscard]] const TableInfo& table(TableId t) const { return tables_[t.value - 1]; }

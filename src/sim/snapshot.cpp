@@ -105,7 +105,7 @@ class WorldReader {
   std::string read_header() {
     const Schema& schema = world_.schema();
     const std::size_t size = World::header_bytes(schema.tables().size());
-    if (!read(world_.buffer_.data(), size))
+    if (!read(world_.data(), size))
       return cut();
     std::uint64_t expected = size;
     for (std::uint32_t t = 1; t <= schema.tables().size(); ++t) {
@@ -125,8 +125,7 @@ class WorldReader {
 
   std::string read_columns() {
     for (std::uint32_t i = 0; i < world_.schema().columns().size(); ++i)
-      if (!read(world_.buffer_.data() + world_.schema().column(i).offset,
-                world_.column_bytes(i).size()))
+      if (!read(world_.data() + world_.schema().column(i).offset, world_.column_bytes(i).size()))
         return cut();
     const std::uint64_t expected = hasher_.value();
     std::uint64_t checksum = 0;

@@ -23,7 +23,7 @@ bool all_zero(const std::byte* bytes, std::size_t size) {
 World::World(std::shared_ptr<const Schema> schema, std::uint64_t seed)
     : schema_(std::move(schema)) {
   EYRIE_THROW_UNLESS(schema_ != nullptr, "a world needs a schema");
-  buffer_ = Buffer(schema_->bytes());
+  lines_.resize(schema_->bytes() / sizeof(Line));
   header() = {.step = 0,
               .seed = seed,
               .refused_births = 0,
@@ -33,22 +33,21 @@ World::World(std::shared_ptr<const Schema> schema, std::uint64_t seed)
 
 std::span<const PlayerId> World::ids(TableId table) const {
   const std::uint32_t index = schema_->table(table).columns[0];
-  return {reinterpret_cast<const PlayerId*>(buffer_.data() + schema_->column(index).offset),
-          rows(table)};
+  return {reinterpret_cast<const PlayerId*>(data() + schema_->column(index).offset), rows(table)};
 }
 
 std::byte* World::marks(TableId table) {
-  return buffer_.data() + schema_->column(schema_->table(table).columns[1]).offset;
+  return data() + schema_->column(schema_->table(table).columns[1]).offset;
 }
 
 const std::byte* World::marks(TableId table) const {
-  return buffer_.data() + schema_->column(schema_->table(table).columns[1]).offset;
+  return data() + schema_->column(schema_->table(table).columns[1]).offset;
 }
 
 std::span<const std::byte> World::column_bytes(std::uint32_t index) const {
   EYRIE_ASSERT(index < schema_->columns().size());
   const ColumnInfo& column = schema_->column(index);
-  return {buffer_.data() + column.offset, std::size_t{column.stride} * rows(column.table)};
+  return {data() + column.offset, std::size_t{column.stride} * rows(column.table)};
 }
 
 std::optional<std::uint32_t> World::row(TableId table, PlayerId who) const {
@@ -76,8 +75,7 @@ std::optional<Born> World::spawn(TableId table) {
   }
   const Born born{.id = PlayerId{header().next_id++}, .row = count++};
   const ColumnInfo& ids_column = schema_->column(schema_->table(table).columns[0]);
-  std::memcpy(buffer_.data() + ids_column.offset + born.row * sizeof(PlayerId), &born.id,
-              sizeof(PlayerId));
+  std::memcpy(data() + ids_column.offset + born.row * sizeof(PlayerId), &born.id, sizeof(PlayerId));
   return born;
 }
 
@@ -108,7 +106,7 @@ void World::compact(TableId table) {
   for (std::size_t c = info.columns.size(); c-- > 0;) {
     const std::size_t which = c == 0 ? 1 : (c == 1 ? 0 : c);
     const ColumnInfo& column = schema_->column(info.columns[which]);
-    std::byte* bytes = buffer_.data() + column.offset;
+    std::byte* bytes = data() + column.offset;
     const std::size_t stride = column.stride;
     std::uint32_t to = 0;
     for (std::uint32_t from = 0; from < count; ++from) {
@@ -135,9 +133,9 @@ std::uint64_t World::hash() const {
 }
 
 bool World::same_bytes(const World& other) const {
-  return buffer_.size() == other.buffer_.size() &&
+  return schema_->bytes() == other.schema_->bytes() &&
          schema_->layout_hash() == other.schema_->layout_hash() &&
-         std::memcmp(buffer_.data(), other.buffer_.data(), buffer_.size()) == 0;
+         std::memcmp(data(), other.data(), schema_->bytes()) == 0;
 }
 
 bool World::canonical() const {
@@ -162,7 +160,7 @@ bool World::canonical() const {
       const ColumnInfo& column = schema_->column(index);
       const std::size_t used = std::size_t{column.stride} * rows(table);
       const std::size_t room = std::size_t{column.stride} * schema_->table(table).capacity;
-      if (!all_zero(buffer_.data() + column.offset + used, room - used))
+      if (!all_zero(data() + column.offset + used, room - used))
         return false;
     }
   }

@@ -1,76 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Everything that changes, in one block of bytes: copy it, assign it, hash it.
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
-#include <new>
 #include <optional>
 #include <span>
-#include <utility>
+#include <vector>
 
 #include "core/assert.hpp"
 #include "core/id.hpp"
 #include "sim/schema.hpp"
 
 namespace eyrie::sim {
-
-/// Bytes on a 64-byte boundary. Assigning a block of the same size is one memcpy into the bytes
-/// that are already there: no allocation, and pointers into it stay good.
-class Buffer {
- public:
-  static constexpr std::size_t kAlignment = 64;
-
-  Buffer() = default;
-  explicit Buffer(std::size_t size) : size_(size), bytes_(allocate(size)) {
-    if (size_ != 0)
-      std::memset(bytes_.get(), 0, size_);
-  }
-  Buffer(const Buffer& other) : size_(other.size_), bytes_(allocate(other.size_)) { copy(other); }
-  Buffer& operator=(const Buffer& other) {
-    if (this == &other)
-      return *this;
-    if (size_ != other.size_)
-      *this = Buffer(other);
-    else
-      copy(other);
-    return *this;
-  }
-  Buffer(Buffer&& other) noexcept
-      : size_(std::exchange(other.size_, 0)), bytes_(std::move(other.bytes_)) {}
-  Buffer& operator=(Buffer&& other) noexcept {
-    size_ = std::exchange(other.size_, 0);
-    bytes_ = std::move(other.bytes_);
-    return *this;
-  }
-  ~Buffer() = default;
-
-  [[nodiscard]] std::byte* data() { return bytes_.get(); }
-  [[nodiscard]] const std::byte* data() const { return bytes_.get(); }
-  [[nodiscard]] std::size_t size() const { return size_; }
-
- private:
-  struct Free {
-    void operator()(std::byte* bytes) const {
-      ::operator delete (bytes, std::align_val_t{kAlignment});
-    }
-  };
-  using Bytes = std::unique_ptr<std::byte[], Free>;
-
-  static Bytes allocate(std::size_t size) {
-    if (size == 0)
-      return nullptr;
-    return Bytes(static_cast<std::byte*>(::operator new (size, std::align_val_t{kAlignment})));
-  }
-  void copy(const Buffer& other) {
-    if (size_ != 0)
-      std::memcpy(bytes_.get(), other.bytes_.get(), size_);
-  }
-
-  std::size_t size_ = 0;
-  Bytes bytes_;
-};
 
 /// Where a player is.
 struct RowRef {
@@ -130,30 +73,30 @@ class World {
   template <class Row>
   [[nodiscard]] std::span<Row> rows(Column<Row> column) {
     const ColumnInfo& c = checked(column.index, sizeof(Row));
-    return {reinterpret_cast<Row*>(buffer_.data() + c.offset), rows(c.table)};
+    return {reinterpret_cast<Row*>(data() + c.offset), rows(c.table)};
   }
   template <class Row>
   [[nodiscard]] std::span<const Row> rows(Column<Row> column) const {
     const ColumnInfo& c = checked(column.index, sizeof(Row));
-    return {reinterpret_cast<const Row*>(buffer_.data() + c.offset), rows(c.table)};
+    return {reinterpret_cast<const Row*>(data() + c.offset), rows(c.table)};
   }
   /// The bytes of one row of a byte column.
   [[nodiscard]] std::span<std::byte> bytes(ByteColumn column, std::size_t row) {
     const ColumnInfo& c = schema_->column(column.index);
     EYRIE_ASSERT(row < rows(c.table));
-    return {buffer_.data() + c.offset + row * c.stride, c.stride};
+    return {data() + c.offset + row * c.stride, c.stride};
   }
   [[nodiscard]] std::span<const std::byte> bytes(ByteColumn column, std::size_t row) const {
     const ColumnInfo& c = schema_->column(column.index);
     EYRIE_ASSERT(row < rows(c.table));
-    return {buffer_.data() + c.offset + row * c.stride, c.stride};
+    return {data() + c.offset + row * c.stride, c.stride};
   }
   /// The live rows of any column as bytes, by its index in the schema.
   [[nodiscard]] std::span<const std::byte> column_bytes(std::uint32_t index) const;
 
   /// Step, seed, next id, refused births and row counts as bytes.
   [[nodiscard]] std::span<const std::byte> header_bytes() const {
-    return {buffer_.data(), header_bytes(schema_->tables().size())};
+    return {data(), header_bytes(schema_->tables().size())};
   }
 
   /// The row of a player in a table, by binary search.
@@ -189,15 +132,23 @@ class World {
   friend class Simulation;
   friend class WorldReader;
 
-  [[nodiscard]] Header& header() { return *reinterpret_cast<Header*>(buffer_.data()); }
-  [[nodiscard]] const Header& header() const {
-    return *reinterpret_cast<const Header*>(buffer_.data());
+  /// A cache line. A world is made of these, so that assigning one of the same size is one copy
+  /// into the bytes that are already there: no allocation, and pointers into it stay good.
+  struct alignas(Schema::kAlignment) Line {
+    std::array<std::byte, Schema::kAlignment> bytes{};
+  };
+
+  [[nodiscard]] std::byte* data() { return reinterpret_cast<std::byte*>(lines_.data()); }
+  [[nodiscard]] const std::byte* data() const {
+    return reinterpret_cast<const std::byte*>(lines_.data());
   }
+  [[nodiscard]] Header& header() { return *reinterpret_cast<Header*>(data()); }
+  [[nodiscard]] const Header& header() const { return *reinterpret_cast<const Header*>(data()); }
   [[nodiscard]] std::uint32_t* counts() {
-    return reinterpret_cast<std::uint32_t*>(buffer_.data() + sizeof(Header));
+    return reinterpret_cast<std::uint32_t*>(data() + sizeof(Header));
   }
   [[nodiscard]] const std::uint32_t* counts() const {
-    return reinterpret_cast<const std::uint32_t*>(buffer_.data() + sizeof(Header));
+    return reinterpret_cast<const std::uint32_t*>(data() + sizeof(Header));
   }
   [[nodiscard]] const ColumnInfo& checked(std::uint32_t index, std::size_t row_size) const {
     EYRIE_ASSERT(index < schema_->columns().size());
@@ -211,7 +162,7 @@ class World {
   void compact(TableId table);
 
   std::shared_ptr<const Schema> schema_;
-  Buffer buffer_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace eyrie::sim

@@ -92,8 +92,7 @@ struct Changed {
   if (std::isnan(number))
     return "-";
   const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
-  return height ? format_in(number, "ft")
-                : format_quantity(number, unit.dimension, UnitStyle::aviation);
+  return height ? format_in(number, "ft") : format_quantity(number, unit.dimension);
 }
 
 [[nodiscard]] inline Value number_value(std::string_view name, const Unit& unit, double number) {

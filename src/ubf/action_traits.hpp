@@ -17,7 +17,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/hash.hpp"
 #include "core/units.hpp"
 #include "ubf/blend.hpp"
 #include "ubf/memory.hpp"
@@ -285,7 +284,6 @@ class PackedAction {
       at += sizeof(T);
     });
   }
-  void hash(Hasher& hasher) const { hasher.bytes(this, sizeof *this); }
 
  private:
   static consteval std::size_t value_bytes() {

@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "core/hash.hpp"
 #include "support/ubf/testing.hpp"
 
 namespace eyrie::ubf::testing {
@@ -115,9 +116,8 @@ TEST(ActionTraits, PacksEqualActionsIntoEqualBytesWhateverWasThereBefore) {
 
 TEST(ActionTraits, HashesWhatIsSetAndItsValue) {
   const auto hash = [](const Action& action) {
-    Hasher hasher;
-    PackedAction<Action>(action).hash(hasher);
-    return hasher.value();
+    const PackedAction<Action> packed(action);
+    return hash_bytes(std::as_bytes(std::span(&packed, 1)));
   };
   EXPECT_EQ(hash({.heading = 1}), hash({.heading = 1}));
   EXPECT_NE(hash({.heading = 1}), hash({.altitude = 1}));

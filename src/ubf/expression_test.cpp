@@ -17,7 +17,8 @@ std::string said_of(const std::string& text, bool quoted = false) {
   FieldNames names;
   Diagnostics diagnostics;
   const Location where{"t.yaml", 3, 7};
-  const Value value = quoted ? Value::quoted_scalar(text, where) : Value::scalar(text, where);
+  Value value = Value::scalar(text, where);
+  value.quoted = quoted;
   const auto program = parse_expression(value, infos, names, diagnostics);
   EXPECT_EQ(program.has_value(), diagnostics.ok());
   return diagnostics.text();

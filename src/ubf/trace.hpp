@@ -49,7 +49,6 @@ class Trace final : public AnyTrace {
   /// The rows in pre-order, those of the tree that was ticked last.
   [[nodiscard]] std::span<const Row> rows() const { return {rows_.data(), used_}; }
   [[nodiscard]] const Row& row(NodeIndex node) const { return rows_[node]; }
-  [[nodiscard]] std::size_t capacity() const { return rows_.size(); }
 
   // Below: called by trees and composites while they tick.
 
@@ -123,7 +122,7 @@ template <class T>
   else if constexpr (std::floating_point<T>)
     return unit.dimension == Dimension::none
                ? fmt::format("{:g}", value)
-               : format_quantity(static_cast<double>(value), unit.dimension, UnitStyle::aviation);
+               : format_quantity(static_cast<double>(value), unit.dimension);
   else if constexpr (std::integral<T>)
     return fmt::format("{}", +value);
   else if constexpr (NamedEnum<T>)
