@@ -14,9 +14,6 @@
 ///                             altitude: [0, 30000, 50000], value: [[...3 values...], [...]]}
 ///             with one row of values per breakpoint of the first axis. `units` gives a whole axis
 ///             its unit; without it each number carries its own.
-#include <span>
-#include <string_view>
-
 #include "core/describe.hpp"
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <array>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/bind.hpp"
 
 namespace eyrie::detail {

@@ -19,20 +19,10 @@
 /// Table1, Table2, another described struct, std::optional, std::vector or std::array of these, or
 /// a type with its own bind_value (see core/bind.hpp). The value of a default-constructed object is
 /// the default of the parameter.
-#include <array>
-#include <bit>
-#include <concepts>
-#include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <utility>
 #include <variant>
-#include <vector>
 
 #include "core/enum_names.hpp"
 #include "core/param.hpp"

@@ -7,12 +7,9 @@
 #include <array>
 #include <functional>
 #include <numeric>
-#include <optional>
 #include <set>
-#include <string>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 
 #include "core/mutex.hpp"
 #include "core/text.hpp"

@@ -3,8 +3,6 @@
 
 #include <Random123/philox.h>
 
-#include <cmath>
-
 #include "core/angle.hpp"
 #include "core/assert.hpp"
 #include "core/math.hpp"

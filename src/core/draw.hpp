@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
-#include <cstdint>
 
 #include "core/id.hpp"
 

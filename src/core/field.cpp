@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/field.hpp"
 
-#include <fmt/format.h>
-
 #include <cstring>
 
 namespace eyrie {

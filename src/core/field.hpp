@@ -17,16 +17,7 @@
 /// with names such as "position.x" or "tracks[3].range".
 #include <fmt/format.h>
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
 
 #include "core/enum_names.hpp"
 #include "core/id.hpp"

@@ -2,14 +2,7 @@
 #pragma once
 /// \file  One line of a description, and what references and binders need to know of it. Include
 /// core/describe.hpp, which says how to use it.
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "core/table.hpp"
 #include "core/units.hpp"

@@ -9,10 +9,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
-#include <string>
-#include <string_view>
 
 #include "core/assert.hpp"
 #include "core/diagnostics.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The neutral document tree: what every loader produces and every binder reads.
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 
 namespace eyrie {

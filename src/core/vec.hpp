@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cmath>
-
 #include "core/angle.hpp"
 #include "core/math.hpp"
 

@@ -8,10 +8,7 @@
 #include <map>
 #include <new>
 #include <optional>
-#include <string>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace eyrie {
 namespace {

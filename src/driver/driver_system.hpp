@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every driver's decision: perceive, ask the tree, act. The decide phase of vehicles.
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 #include "driver/state.hpp"
 #include "team/agent_system.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "driver/state.hpp"
 
-#include <array>
-
 #include "core/angle.hpp"
 #include "core/math.hpp"
 

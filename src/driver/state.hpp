@@ -2,13 +2,6 @@
 #pragma once
 /// \file  A driver: what he wants (Action), keeps from decision to decision (Agent) and perceives
 /// (State), and the UBF types for these under one name each.
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"

@@ -2,9 +2,6 @@
 #pragma once
 /// \file  The tables of the air war: which row of which topic stands in which column, and who
 /// writes it when.
-#include <string_view>
-#include <tuple>
-
 #include "model/command.hpp"
 #include "model/datalink/datalink.hpp"
 #include "model/emission.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the pilot asked of the aircraft: written in decide, read in act and move.
-#include <cstdint>
-
 #include "core/enum_names.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"

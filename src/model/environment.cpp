@@ -2,8 +2,6 @@
 #include "model/environment.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "core/assert.hpp"
 #include "core/math.hpp"

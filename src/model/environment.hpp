@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The air and the wind.
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "core/table.hpp"
 #include "core/vec.hpp"

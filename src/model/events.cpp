@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/events.hpp"
 
-#include <array>
-#include <initializer_list>
-
 namespace eyrie::model {
 
 namespace {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The events of the air war, in the field's words.
-#include <cstdint>
-#include <string_view>
-
 #include "sim/schema.hpp"
 
 namespace eyrie::model {

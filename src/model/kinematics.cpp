@@ -2,7 +2,6 @@
 #include "model/kinematics.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace eyrie::model {
 namespace {

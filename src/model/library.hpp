@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every const model of a run, shared by all players and threads.
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/assert.hpp"
 #include "core/id.hpp"
 #include "model/aircraft_type.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/motion_check.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-
 namespace eyrie::model {
 namespace {
 

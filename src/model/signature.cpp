@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/signature.hpp"
 
-#include <cmath>
-
 namespace eyrie::model {
 
 double silhouette(const Signature& s, const Axes& target, const Vec3& unit) {

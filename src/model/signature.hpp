@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  How big a target looks to a radar and to the eye. Belongs to the aircraft type.
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/vec.hpp"
 #include "model/kinematics.hpp"

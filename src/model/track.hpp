@@ -2,10 +2,6 @@
 #pragma once
 /// \file  What a player knows of others: a contact, which is one look of one sensor before any
 /// filter, and a track, a filtered estimate built from contacts.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"

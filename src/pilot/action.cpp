@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/action.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 namespace eyrie::pilot {
 
 std::optional<ubf::ImplausiblePart> implausible_part(const Follow& follow) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a pilot may ask about himself and about the situation.
-#include <algorithm>
-
 #include "model/weapon/stores.hpp"
 #include "pilot/sort.hpp"
 #include "pilot/state.hpp"

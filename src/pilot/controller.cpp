@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/controller.hpp"
 
-#include <algorithm>
-
 #include "model/weapon/stores.hpp"
 
 namespace eyrie::pilot {

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Directions and places as a pilot sees them, and where each rank of a formation flies.
-#include <cstdint>
-#include <optional>
-#include <string_view>
-#include <tuple>
-
 #include "core/angle.hpp"
 #include "core/describe.hpp"
 #include "core/units.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a pilot sees in his sight: where the bore must point, and who else is in the line.
-#include <optional>
-
 #include "model/weapon/gun.hpp"
 #include "pilot/state.hpp"
 

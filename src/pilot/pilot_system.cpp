@@ -3,7 +3,6 @@
 
 #include "core/angle.hpp"
 #include "pilot/action.hpp"
-#include "pilot/state.hpp"
 #include "team/decision.hpp"
 
 namespace eyrie::pilot {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every pilot's decision: perceive, ask the tree, act. The decide phase of aircraft.
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 #include "model/events.hpp"
 #include "pilot/agent.hpp"
 #include "pilot/controller.hpp"

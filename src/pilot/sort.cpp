@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/sort.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-
 namespace eyrie::pilot {
 namespace {
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What one pilot perceives at one decision: a view of his own rows, never of the truth.
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <tuple>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "pilot/agent.hpp"

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <bit>
 
 #include "model/weapon/stores.hpp"
 #include "pilot/state.hpp"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/check.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstring>
-#include <utility>
 
 #include "core/field.hpp"
 

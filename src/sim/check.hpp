@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a step must not do: leave numbers that are none, or write what only another may.
-#include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/difference.hpp"
 #include "sim/event.hpp"
 #include "sim/schema.hpp"

@@ -12,14 +12,7 @@
 ///                         sim::column("tank", &CarColumns::tank, ...)};
 ///     }
 ///   };
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 #include "sim/schema.hpp"
 #include "sim/world.hpp"

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/difference.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cstring>
-#include <span>
-#include <string>
 
 #include "core/assert.hpp"
 #include "core/field.hpp"

@@ -2,12 +2,6 @@
 #pragma once
 /// \file  Where two worlds part: the first difference, and digests of worlds that are compared
 /// later.
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/id.hpp"
 #include "sim/event.hpp"
 #include "sim/world.hpp"

@@ -1,19 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Small words of the kernel: the parts of a step, events, orders, and what ends a run.
-#include <array>
-#include <compare>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <memory>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
 #include <typeinfo>
-#include <utility>
 #include <vector>
 
 #include "core/field.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/run.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/assert.hpp"
 
 namespace eyrie::sim {

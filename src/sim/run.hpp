@@ -2,13 +2,6 @@
 #pragma once
 /// \file  A run: the simulation, its world, its orders and its observers; and the paranoid way to
 /// step.
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "sim/check.hpp"
 #include "sim/difference.hpp"
 #include "sim/event.hpp"

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/schema.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
 #include <set>
 #include <stdexcept>
 
 #include "core/hash.hpp"
-#include "sim/event.hpp"
 #include "sim/world.hpp"
 
 namespace eyrie::sim {

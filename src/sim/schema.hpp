@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a World is made of: tables of typed columns, described once, fixed at load.
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <initializer_list>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
 
 #include "core/field.hpp"
 #include "core/id.hpp"

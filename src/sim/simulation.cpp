@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulation.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/assert.hpp"
 
 namespace eyrie::sim {

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The step: const systems in order, six phases, one world at a time.
-#include <array>
-#include <concepts>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "core/executor.hpp"
 #include "sim/check.hpp"
 #include "sim/event.hpp"

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/snapshot.hpp"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cstring>
 #include <istream>
 #include <ostream>
-#include <span>
-#include <type_traits>
-#include <utility>
 
 #include "core/assert.hpp"
 #include "core/hash.hpp"

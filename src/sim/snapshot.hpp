@@ -2,11 +2,7 @@
 #pragma once
 /// \file  A world on disk. In memory no function is needed: a snapshot is `World kept = world;`,
 /// a rollback is `world = kept;`, a branch is a second World and a Workspace of its own.
-#include <cstdint>
 #include <iosfwd>
-#include <memory>
-#include <optional>
-#include <string>
 
 #include "sim/world.hpp"
 

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/system.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <limits>
-
 namespace eyrie::sim {
 
 namespace {

@@ -2,15 +2,6 @@
 #pragma once
 /// \file  What takes part in a step, what watches it, and how often things happen that are not done
 /// in every step.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-
 #include "core/assert.hpp"
 #include "core/id.hpp"
 #include "sim/event.hpp"

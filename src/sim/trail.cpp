@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/trail.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstring>
 #include <iterator>
-#include <limits>
-#include <utility>
 
 #include "core/assert.hpp"
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Hashes of a run along the way: recorded, packed, and compared by a replay.
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "sim/difference.hpp"
 #include "sim/system.hpp"
 #include "sim/world.hpp"

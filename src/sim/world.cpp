@@ -2,9 +2,6 @@
 #include "sim/world.hpp"
 
 #include <algorithm>
-#include <cstring>
-#include <limits>
-#include <utility>
 
 #include "core/hash.hpp"
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Everything that changes, in one block of bytes: copy it, assign it, hash it.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "core/assert.hpp"
 #include "core/id.hpp"
 #include "sim/schema.hpp"

@@ -1,17 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every agent's decision, whatever the platform: perceive, ask the tree, act.
-#include <array>
-#include <cstdint>
-#include <cstring>
-#include <functional>
-#include <memory>
-#include <span>
-#include <string_view>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "model/events.hpp"
 #include "model/library.hpp"
 #include "sim/columns.hpp"

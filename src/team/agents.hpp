@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The agents of a platform, for who does not know their states and actions.
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "sim/event.hpp"
 #include "sim/system.hpp"
 #include "team/decision.hpp"

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One decision of one agent inside a simulation, whatever the platform.
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstring>
-#include <memory>
-#include <span>
-#include <utility>
-#include <vector>
-
 #include "core/assert.hpp"
 #include "core/field.hpp"
 #include "model/events.hpp"

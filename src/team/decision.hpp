@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What an agent decided, and why, in words and numbers for people.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
-
 #include "core/enum_names.hpp"
 #include "core/id.hpp"
 #include "core/units.hpp"

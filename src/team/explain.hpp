@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From a traced tick to a Decision.
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/angle.hpp"
 #include "team/decision.hpp"
 #include "team/moment.hpp"

@@ -2,12 +2,6 @@
 #pragma once
 /// \file  What it takes to be a member of a flight or a convoy, whatever the platform, and what
 /// every member does.
-#include <concepts>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <tuple>
-
 #include "core/angle.hpp"
 #include "core/describe.hpp"
 #include "core/vec.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "team/moment.hpp"
 
-#include <fmt/format.h>
-
 namespace eyrie::team {
 
 const Underway*& underway() {

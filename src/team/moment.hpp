@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One moment of an agent: asked again, and who is to blame.
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <exception>
-#include <functional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <typeinfo>
-#include <vector>
 
 #include "sim/event.hpp"
 #include "sim/system.hpp"

@@ -3,18 +3,9 @@
 /// \file  An action described once: arbiters, traces, hashing and text all read this table.
 #include <fmt/format.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <limits>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include "core/units.hpp"

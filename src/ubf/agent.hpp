@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An agent's brain as a row: which tree it uses, and the slab that the tree works on.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/assert.hpp"
 #include "ubf/tree.hpp"
 

@@ -1,22 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The nouns of the Unified Behavior Framework: state, action, vote, proposal, behavior.
-#include <fmt/format.h>
-
-#include <bit>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <new>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-
 #include "core/assert.hpp"
 #include "core/draw.hpp"
 #include "core/id.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  How several opinions about one field of an action become one: the four kinds of fusion.
 #include <algorithm>
-#include <cmath>
 #include <concepts>
 #include <optional>
 

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A node with children: how it asks them, makes them forget, and hands on what they say.
-#include <fmt/format.h>
-
-#include <array>
-#include <concepts>
-#include <cstring>
 #include <iterator>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "core/describe.hpp"
 #include "ubf/behavior.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/expression.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <cctype>
 
 namespace eyrie::ubf {

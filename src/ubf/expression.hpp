@@ -10,14 +10,6 @@
 ///
 /// A comparison with a field that has no value is false, whichever it is, "!=" too. What is needed
 /// of the state is found when the file is read: a tick compares numbers and nothing else.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "ubf/action_traits.hpp"

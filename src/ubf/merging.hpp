@@ -2,9 +2,6 @@
 #pragma once
 /// \file  Making one action of several: what the arbiters per_field, fusion and paper_fusion and
 /// the control node parallel share.
-#include <array>
-#include <tuple>
-
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {

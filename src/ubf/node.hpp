@@ -1,16 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Nodes, their types and the trees they make, whatever states and actions they are for.
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "ubf/memory.hpp"
 #include "ubf/vote_curve.hpp"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/registry.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <exception>
-#include <new>
 
 #include "core/bind.hpp"
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a tree is made of, without the types of its states and actions.
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "ubf/agent.hpp"
 #include "ubf/node.hpp"
 

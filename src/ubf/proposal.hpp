@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An action with a vote, and the places that arbiters keep proposals in.
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <new>
-#include <type_traits>
-#include <utility>
 
 #include "ubf/action_traits.hpp"
 #include "ubf/memory.hpp"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/registry.hpp"
 
-#include <fmt/format.h>
-
 #include <exception>
-#include <new>
 
 #include "core/assert.hpp"
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Names in files -> nodes. Every type is registered once, in one line.
-#include <concepts>
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "ubf/expression.hpp"
 #include "ubf/spec.hpp"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/sequencer.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <tuple>
-
 #include "core/bind.hpp"
 
 namespace eyrie::ubf {

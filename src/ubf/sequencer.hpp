@@ -10,13 +10,6 @@
 ///     transitions:                           # asked in this order, at most one per tick
 ///       - {from: ingress, to: bvr, when: has_target}
 ///       - {from: any, to: egress, when: {bingo: {fuel: 900 kg}}}
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "ubf/composite.hpp"
 #include "ubf/registry.hpp"
 

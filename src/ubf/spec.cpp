@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/spec.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <map>
 
 #include "core/text.hpp"

@@ -25,12 +25,6 @@
 ///         - !tree home                         the same as {tree: home}
 ///
 /// `$name` stands for the argument: any value, a node too, or a piece of a longer text.
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"

@@ -2,7 +2,6 @@
 #include "ubf/state_fields.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace eyrie::ubf {
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What files may read of a state by name: the words of expressions and switches.
-#include <cstdint>
 #include <limits>
-#include <span>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -2,19 +2,6 @@
 #pragma once
 /// \file  What every node of one tick answered, and who supplied each field of each action; for
 /// people one line per node.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <string>
-#include <type_traits>
-#include <vector>
-
 #include "core/assert.hpp"
 #include "core/enum_names.hpp"
 #include "core/units.hpp"

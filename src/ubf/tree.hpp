@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An immutable tree, shared by every agent that uses it.
-#include <cstdint>
-#include <cstring>
-#include <memory>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <utility>
-
 #include "core/assert.hpp"
 #include "ubf/behavior.hpp"
 #include "ubf/trace.hpp"

@@ -8,13 +8,8 @@
 ///
 /// A product of considerations, each in [0, 1], is what utility AI decides by: Mark, "Architecture
 /// Tricks: Managing Behaviors in Time, Space, and Depth" (GDC 2013).
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "core/diagnostics.hpp"
 #include "core/enum_names.hpp"

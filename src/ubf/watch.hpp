@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What whoever watches a tick is told, without the types of states and actions.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
 #include <typeinfo>
-#include <vector>
 
 #include "ubf/memory.hpp"
 #include "ubf/vote_curve.hpp"

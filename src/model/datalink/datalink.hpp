@@ -2,13 +2,6 @@
 #pragma once
 /// \file  The datalink inside a flight: who is where, who is alive, who shoots at what.
 /// docs/models/datalink.md says what it is worth.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/draw.hpp"
 #include "core/field.hpp"

@@ -2,7 +2,6 @@
 #include "model/flight/airframe.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math.hpp"
 

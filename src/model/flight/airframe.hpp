@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An aircraft's lift, drag, engine and limits.
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/enum_names.hpp"
 #include "model/environment.hpp"

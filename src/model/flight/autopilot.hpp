@@ -2,10 +2,6 @@
 #pragma once
 /// \file  The autopilot: from a Command to what the inner loops hold. Const gains; the memory is in
 /// the Flying row.
-#include <span>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/units.hpp"
 #include "model/command.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/flight_system.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/angle.hpp"
 #include "core/math.hpp"
 #include "model/events.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Flies every aircraft: the move phase.
-#include <memory>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/environment.hpp"
 #include "model/flight/airframe.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What one aircraft's autopilot remembers, what its engines do and how much fuel is left.
-#include <cstdint>
-
 #include "core/field.hpp"
 
 namespace eyrie::model::flight {

@@ -2,10 +2,8 @@
 #include "model/flight/guidance.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/angle.hpp"
-#include "core/math.hpp"
 
 namespace eyrie::model::flight {
 namespace {

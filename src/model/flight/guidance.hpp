@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Where to fly: routes, circles, a place beside a lead.
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "core/enum_names.hpp"
 #include "core/math.hpp"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/point_mass.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <span>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"

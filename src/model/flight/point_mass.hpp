@@ -3,8 +3,6 @@
 /// \file  point_mass: an aircraft as a point with lift, drag, thrust, weight and fuel, in
 /// coordinated flight. Three degrees of freedom; docs/models/flight.md has the equations.
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "core/table.hpp"
 #include "model/environment.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/steering.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/angle.hpp"
 #include "core/math.hpp"
 

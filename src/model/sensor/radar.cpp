@@ -2,7 +2,6 @@
 #include "model/sensor/radar.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math.hpp"
 

@@ -3,11 +3,6 @@
 /// \file  A fighter's radar: range equation, scan volume, Doppler notch and measurement errors; and
 /// the interrogator that rides on its looks. docs/models/radar.md has the equations and what they
 /// are worth.
-#include <array>
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/draw.hpp"
 #include "core/field.hpp"

@@ -2,7 +2,6 @@
 #include "model/sensor/rwr.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math.hpp"
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Radar warning receiver.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/draw.hpp"
 #include "core/field.hpp"

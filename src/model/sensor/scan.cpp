@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The radar at work: where it points, what it finds in a frame, how it follows one target.
 #include <algorithm>
-#include <cmath>
 
 #include "core/math.hpp"
 #include "model/sensor/scene.hpp"

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What one step of sensing looks at.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "model/track/track_file.hpp"

@@ -2,11 +2,9 @@
 #include "model/sensor/sensor_system.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
-#include "sim/system.hpp"
 
 namespace eyrie::model::sensor {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every aircraft's sensors, tracks and datalink: perceive, and what it radiates: act.
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "model/sensor/scene.hpp"

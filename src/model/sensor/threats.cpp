@@ -2,7 +2,6 @@
 #include "model/sensor/threats.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace eyrie::model::sensor {
 

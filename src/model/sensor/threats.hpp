@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Missiles that one aircraft believes are coming for it.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-
 #include "core/angle.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Privileged players perceive the truth, in the same rows as everybody else.
 #include <algorithm>
-#include <array>
 
 #include "model/sensor/scene.hpp"
 #include "model/sensor/visual.hpp"

@@ -2,7 +2,6 @@
 #include "model/sensor/visual.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math.hpp"
 

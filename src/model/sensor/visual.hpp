@@ -2,10 +2,6 @@
 #pragma once
 /// \file  What a pilot sees out of the window: aircraft, and the plumes of missiles.
 /// docs/models/radar.md has the equations and what they are worth.
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/draw.hpp"
 #include "core/units.hpp"

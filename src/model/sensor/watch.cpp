@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The eyes at work: aircraft become tracks, missiles become threats.
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/math.hpp"
 #include "model/events.hpp"

@@ -2,14 +2,6 @@
 #pragma once
 /// \file  How contacts become tracks: which contact belongs to which track, and the filter.
 /// docs/models/tracks.md has the equations.
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/units.hpp"
 #include "core/vec.hpp"

@@ -2,10 +2,6 @@
 #include "model/track/track_file.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/assert.hpp"
-#include "model/track/filter.hpp"
 
 namespace eyrie::model::track {
 namespace {

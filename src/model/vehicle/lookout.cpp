@@ -2,7 +2,6 @@
 #include "model/vehicle/lookout.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace eyrie::model::vehicle {
 

@@ -2,7 +2,6 @@
 #include "model/vehicle/vehicle.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"

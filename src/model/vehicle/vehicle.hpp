@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of ground vehicle, its rows, and how it moves over the surface of the ellipsoid.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"

@@ -2,14 +2,12 @@
 #include "model/vehicle/vehicle_system.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
 #include "model/kinematics.hpp"
 #include "model/vehicle/lookout.hpp"
 #include "model/vehicle/vehicle.hpp"
-#include "sim/system.hpp"
 
 namespace eyrie::model::vehicle {
 namespace {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Ground vehicles in the world: radio and eyes in perceive and act, driving in move.
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "sim/system.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  How badly one aircraft has been hit.
-#include <cstdint>
-
 #include "core/field.hpp"
 #include "core/id.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
-#include <array>
-
 #include "model/events.hpp"
 
 namespace eyrie::model::weapon {

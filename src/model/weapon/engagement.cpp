@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/engagement.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "core/math.hpp"
 #include "model/weapon/flyout.hpp"
 

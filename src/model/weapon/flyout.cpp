@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/flyout.hpp"
 
-#include <algorithm>
-
-#include "core/math.hpp"
-#include "model/environment.hpp"
-
 namespace eyrie::model::weapon {
 
 namespace {

@@ -2,7 +2,6 @@
 #include "model/weapon/gun.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/angle.hpp"
 #include "core/math.hpp"

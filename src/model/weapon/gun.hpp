@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A gun: its type, what it remembers, how its rounds fly and how likely they are to hit.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"

@@ -3,7 +3,6 @@
 
 #include "core/math.hpp"
 #include "model/weapon/flyout.hpp"
-#include "model/weapon/seeker.hpp"
 
 namespace eyrie::model::weapon {
 

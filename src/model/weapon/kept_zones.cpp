@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/kept_zones.hpp"
 
-#include <array>
 #include <cstring>
-#include <utility>
 
 #include "core/angle.hpp"
 #include "core/describe.hpp"

@@ -2,15 +2,8 @@
 #pragma once
 /// \file  Launch zones that need not be flown again: those of this process, and those that were
 /// flown when the program was built.
-#include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 
 #include "core/mutex.hpp"
 #include "model/weapon/launch_zone.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/launch_zone.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-
 #include "core/angle.hpp"
 #include "core/describe.hpp"
 #include "core/math.hpp"

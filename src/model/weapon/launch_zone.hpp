@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From where a missile reaches a target: found by flying it, kept as a table.
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "core/vec.hpp"
 #include "model/weapon/seeker_type.hpp"
 

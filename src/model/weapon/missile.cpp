@@ -3,7 +3,6 @@
 
 #include "core/math.hpp"
 #include "model/environment.hpp"
-#include "model/kinematics.hpp"
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/kept_zones.hpp"
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of missile, and the rows of one that flies.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-
 #include "core/describe.hpp"
 #include "core/field.hpp"
 #include "core/id.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/draw.hpp"
 #include "core/math.hpp"
 #include "model/events.hpp"

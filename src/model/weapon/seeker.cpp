@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/seeker.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/math.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The sensor in the nose of a missile: what it can see and how well.
-#include <array>
-#include <cstdint>
-#include <string_view>
-#include <tuple>
-#include <utility>
-
 #include "core/describe.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What hangs under an aircraft, and when the next of it may leave.
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-
 #include "core/field.hpp"
 #include "core/id.hpp"
 #include "model/aircraft_type.hpp"

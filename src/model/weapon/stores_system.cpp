@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
-#include <utility>
-
 #include "model/events.hpp"
 #include "model/kinematics.hpp"
 #include "model/weapon/homing.hpp"

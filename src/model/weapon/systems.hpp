@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What weapons do in a step: stores leave, missiles and rounds fly, hits become damage.
-#include <memory>
-#include <utility>
-#include <vector>
-
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "sim/event.hpp"

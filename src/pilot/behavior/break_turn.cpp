@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/break_turn.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/pursue.hpp"
 
-#include <algorithm>
-
 #include "model/flight/guidance.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"

@@ -5,7 +5,6 @@
 
 #include "model/weapon/stores.hpp"
 #include "pilot/gunnery.hpp"
-#include "pilot/sort.hpp"
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {

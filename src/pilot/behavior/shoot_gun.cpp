@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/shoot_gun.hpp"
 
-#include <algorithm>
-
 #include "pilot/gunnery.hpp"
 #include "ubf/memory.hpp"
 

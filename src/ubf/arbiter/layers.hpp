@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Rank instead of votes: the first that is heard, and Brooks' suppression and inhibition.
-#include <vector>
-
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {

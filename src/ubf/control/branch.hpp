@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One of several children, as a condition or a field of the state says.
-#include <algorithm>
-#include <vector>
-
 #include "ubf/composite.hpp"
 #include "ubf/registry.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  All children at once: until enough of them have ended, or all.
-#include <bit>
-
 #include "ubf/merging.hpp"
 
 namespace eyrie::ubf {

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <optional>
-#include <vector>
-
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {

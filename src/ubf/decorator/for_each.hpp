@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <string>
-#include <vector>
-
 #include "core/enum_names.hpp"
 #include "ubf/composite.hpp"
 #include "ubf/registry.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <string>
-
 #include "ubf/behavior.hpp"
 #include "ubf/expression.hpp"
 #include "ubf/registry.hpp"
