@@ -53,7 +53,6 @@ struct Scene {
     sim::SchemaBuilder schema;
     const AircraftColumns aircraft = AircraftColumns::define(schema, 2);
     const MissileColumns columns = MissileColumns::define(schema, missiles);
-    describe_events(schema);
     sim::SimulationBuilder builder(schema.build());
     builder.add<weapon::MissileSystem>(aircraft, columns, library, sim::kDefaultDt);
     simulation = builder.build();

@@ -34,7 +34,6 @@ struct Driving : Platform {
     static constexpr auto columns() { return std::tuple{&Columns::command}; }
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
-  static constexpr std::string_view swap_tree_name = "swap_driver_tree";
 
   [[nodiscard]] static State perceive(const Cab& cab, const model::Library& library,
                                       const model::Fit& fit, const Spacing& spacing, double time) {

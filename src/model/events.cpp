@@ -1,53 +1,52 @@
 // SPDX-License-Identifier: MIT
 #include "model/events.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace eyrie::model {
 
 namespace {
 
-struct Value {
-  const char* name;
-  const char* unit;
-};
 struct Description {
   EventKind kind;
   std::string_view name;
-  std::array<Value, 3> values{};
+  std::array<std::string_view, 3> values{};  ///< their names
 };
 
-constexpr std::array kDescriptions{
-    Description{EventKind::contact, "contact", {{{"range", "m"}, {"sources", ""}}}},
-    Description{EventKind::track_lost, "track_lost", {{{"age", "s"}}}},
-    Description{EventKind::identified, "identified", {{{"identity", ""}, {"range", "m"}}}},
-    Description{EventKind::rwr_warning, "rwr_warning", {{{"kind", ""}, {"bearing", "rad"}}}},
-    Description{EventKind::missile_warning, "missile_warning", {{{"bearing", "rad"}}}},
-    Description{EventKind::release, "release", {{{"store", ""}, {"range", "m"}}}},
-    Description{EventKind::launch, "launch", {{{"range", "m"}, {"store", ""}}}},
-    Description{EventKind::seeker_active, "seeker_active", {{{"range", "m"}}}},
-    Description{EventKind::seeker_acquired, "seeker_acquired", {{{"range", "m"}}}},
-    Description{
-        EventKind::gun_burst, "gun_burst", {{{"rounds", ""}, {"range", "m"}, {"hits", ""}}}},
-    Description{EventKind::detonation,
-                "detonation",
-                {{{"miss", "m"}, {"kill_probability", ""}, {"draw", ""}}}},
-    Description{EventKind::timeout, "timeout", {{{"reason", ""}, {"flight_time", "s"}}}},
-    Description{EventKind::hit, "hit", {{{"damage", ""}, {"miss", "m"}}}},
-    Description{EventKind::kill, "kill"},
-    Description{EventKind::crash, "crash"},
-    Description{EventKind::fuel_out, "fuel_out"},
-    Description{EventKind::bingo, "bingo", {{{"fuel", "kg"}}}},
-    Description{EventKind::winchester, "winchester"},
-    Description{EventKind::home, "home"},
-    Description{EventKind::phase, "phase", {{{"from", ""}, {"to", ""}, {"node", ""}}}},
-    Description{EventKind::lead_change, "lead_change", {{{"flight", ""}}}},
-    Description{EventKind::commit, "commit", {{{"range", "m"}}}},
-    Description{EventKind::defend, "defend", {{{"phase", ""}}}},
-    Description{EventKind::in_charge, "in_charge", {{{"node", ""}, {"vote", ""}}}},
-    Description{EventKind::order, "order", {{{"kind", ""}}}},
-    Description{EventKind::eject, "eject", {{{"store", ""}, {"last", ""}}}},
-    Description{EventKind::scatter, "scatter", {{{"range", "m"}}}},
-    Description{EventKind::loss, "loss"},
-};
+constexpr std::array kDescriptions = [] {
+  using enum EventKind;
+  return std::to_array<Description>({
+      {contact, "contact", {"range", "sources"}},
+      {track_lost, "track_lost", {"age"}},
+      {identified, "identified", {"identity", "range"}},
+      {rwr_warning, "rwr_warning", {"kind", "bearing"}},
+      {missile_warning, "missile_warning", {"bearing"}},
+      {release, "release", {"store", "range"}},
+      {launch, "launch", {"range", "store"}},
+      {seeker_active, "seeker_active", {"range"}},
+      {seeker_acquired, "seeker_acquired", {"range"}},
+      {gun_burst, "gun_burst", {"rounds", "range", "hits"}},
+      {detonation, "detonation", {"miss", "kill_probability", "draw"}},
+      {timeout, "timeout", {"reason", "flight_time"}},
+      {hit, "hit", {"damage", "miss"}},
+      {kill, "kill"},
+      {crash, "crash"},
+      {fuel_out, "fuel_out"},
+      {bingo, "bingo", {"fuel"}},
+      {winchester, "winchester"},
+      {home, "home"},
+      {phase, "phase", {"from", "to", "node"}},
+      {lead_change, "lead_change", {"flight"}},
+      {commit, "commit", {"range"}},
+      {defend, "defend", {"phase"}},
+      {in_charge, "in_charge", {"node", "vote"}},
+      {order, "order", {"kind"}},
+      {eject, "eject", {"store", "last"}},
+      {scatter, "scatter", {"range"}},
+      {loss, "loss"},
+  });
+}();
 
 constexpr bool in_order() {
   for (std::size_t i = 0; i < kDescriptions.size(); ++i)
@@ -64,19 +63,12 @@ std::string_view event_name(EventKind kind) {
   return index >= 1 && index <= kDescriptions.size() ? kDescriptions[index - 1].name : "";
 }
 
-void describe_events(sim::SchemaBuilder& builder) {
-  for (const Description& d : kDescriptions) {
-    const auto& v = d.values;
-    const auto named = [](const Value& value) { return sim::NamedValue{value.name, value.unit}; };
-    if (v[0].name == nullptr)
-      builder.add_event(d.kind, d.name);
-    else if (v[1].name == nullptr)
-      builder.add_event(d.kind, d.name, {named(v[0])});
-    else if (v[2].name == nullptr)
-      builder.add_event(d.kind, d.name, {named(v[0]), named(v[1])});
-    else
-      builder.add_event(d.kind, d.name, {named(v[0]), named(v[1]), named(v[2])});
-  }
+std::span<const std::string_view> event_values(EventKind kind) {
+  if (event_name(kind).empty())
+    return {};
+  const auto& values = kDescriptions[static_cast<std::size_t>(kind) - 1].values;
+  return std::span(values).first(static_cast<std::size_t>(std::count_if(
+      values.begin(), values.end(), [](std::string_view name) { return !name.empty(); })));
 }
 
 }  // namespace eyrie::model

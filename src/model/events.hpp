@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The events of the air war, in the field's words.
-#include "sim/schema.hpp"
+#include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace eyrie::model {
 
-/// `who` does it, `whom` it is done to. What detail and values of each kind mean is said here, and
-/// once more for recorders in describe_events(). Ranges in m, times in s, angles in rad.
+/// `who` does it, `whom` it is done to. Ranges in m, times in s, angles in rad.
 enum class EventKind : std::uint16_t {
   none = 0,
   contact,          ///< who got a new track of whom (truth); values: range, source bits
@@ -47,7 +48,7 @@ enum class EventKind : std::uint16_t {
 /// "seeker_active"; "" for none and for numbers that are no kind.
 [[nodiscard]] std::string_view event_name(EventKind kind);
 
-/// Names every kind and its values in a schema.
-void describe_events(sim::SchemaBuilder& builder);
+/// The names of the values that an event of that kind carries, such as "range".
+[[nodiscard]] std::span<const std::string_view> event_values(EventKind kind);
 
 }  // namespace eyrie::model

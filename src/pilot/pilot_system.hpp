@@ -45,7 +45,6 @@ struct Piloting : Platform {
     static constexpr auto columns() { return std::tuple{&Columns::command, &Columns::request}; }
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
-  static constexpr std::string_view swap_tree_name = "swap_tree";
 
   [[nodiscard]] static State perceive(const Cockpit& cockpit, const model::Library& library,
                                       const model::Fit& fit, const Formation& formation,

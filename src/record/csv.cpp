@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/text.hpp"
+#include "model/events.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -44,19 +45,21 @@ EventsCsv::EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink)
   sink_.write("time_s,step,event,who,who_id,whom,whom_id,north_m,east_m,down_m,detail,values\n");
 }
 
-void EventsCsv::observe(const sim::World& world, const sim::StepInfo& info,
+void EventsCsv::observe(const sim::World&, const sim::StepInfo& info,
                         std::span<const sim::Event> events) {
   for (const sim::Event& e : events) {
-    const sim::EventInfo* known = world.schema().event(e.kind);
+    const auto kind = static_cast<model::EventKind>(e.kind.value);
+    const std::string_view name = model::event_name(kind);
     fmt::format_to(std::back_inserter(out_), "{:.2f},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{},",
-                   info.time() + info.dt, info.step, csv_text(known ? known->name : "?"),
+                   info.time() + info.dt, info.step, csv_text(name.empty() ? "?" : name),
                    csv_text(scenario_.roster.name(e.who)), e.who.value,
                    csv_text(scenario_.roster.name(e.whom)), e.whom.value, e.place.x, e.place.y,
                    e.place.z, e.detail);
     std::string values;
-    for (std::size_t i = 0; known && i < known->values.size(); ++i)
-      fmt::format_to(std::back_inserter(values), "{}{}={:g}", i ? " " : "", known->values[i].name,
-                     e.values[i]);
+    for (const float* value = e.values.data();
+         const std::string_view of : model::event_values(kind))
+      fmt::format_to(std::back_inserter(values), "{}{}={:g}", values.empty() ? "" : " ", of,
+                     *value++);
     fmt::format_to(std::back_inserter(out_), "{}\n", csv_text(values));
   }
   if (out_.size() > 1 << 16) {

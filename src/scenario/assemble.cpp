@@ -205,7 +205,6 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
     scenario.drivers = driver::DriverColumns::define(
         schema, scenario.vehicles->table,
         static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
-    driver::DriverSystem::add_orders(schema);
   }
   std::vector<model::weapon::MovingTable> others;
   if (scenario.vehicles)
@@ -213,9 +212,6 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   for (const auto& kind : kinds)
     if (!kind->is_empty())
       others.push_back(kind->define(schema));
-  model::describe_events(schema);
-  model::weapon::add_orders(schema);
-  pilot::PilotSystem::add_orders(schema);
 
   sim::SimulationBuilder builder(schema.build(), dt);
   builder.add<model::sensor::SensorSystem>(scenario.aircraft, scenario.missiles, scenario.library,

@@ -116,7 +116,6 @@ class AgentKind : public PlayerKind {
     columns_ = Platform::Columns::define(schema, players_);
     brains_ = team::AgentColumns<typename Platform::Agent>::define(
         schema, columns_.table, static_cast<std::uint32_t>(trees_->max_memory()));
-    Agents::add_orders(schema);
     return {columns_.table, columns_.kinematics};
   }
 

@@ -12,7 +12,7 @@
 
 namespace eyrie::sim {
 
-/// The kind of an event or an order. The kernel only counts and names kinds; a domain keeps its
+/// The kind of an event or an order. The kernel only passes kinds on; a domain keeps its
 /// own `enum class ... : std::uint16_t` and converts without a cast. KindCode 0 means none.
 template <class Tag>
 struct KindCode {
@@ -63,7 +63,7 @@ struct Fault {
 };
 
 /// Something that happened. Plain bytes without padding; what `aux`, `detail` and `values` mean is
-/// said once per kind, by the domain and in the schema. The units of `place` are the domain's
+/// said once per kind, by the domain. The units of `place` are the domain's
 /// (Eyrie: metres in the scenario's local frame).
 struct Event {
   static constexpr std::size_t kValues = 6;
@@ -129,7 +129,7 @@ struct Order {
   std::uint16_t reserved = 0;
   alignas(8) std::array<std::byte, kPayload> payload{};
 
-  /// The payload as the row that the kind was described with.
+  /// The payload as what order_for() was given.
   template <class Payload>
   [[nodiscard]] Payload as() const {
     static_assert(std::is_trivially_copyable_v<Payload> && sizeof(Payload) <= kPayload);

@@ -74,18 +74,6 @@ std::uint32_t Schema::find_column(TableId table, std::string_view name) const {
   return kNoColumn;
 }
 
-const EventInfo* Schema::event(EventKind kind) const {
-  const auto it = std::find_if(events_.begin(), events_.end(),
-                               [&](const EventInfo& info) { return info.kind == kind; });
-  return it == events_.end() ? nullptr : &*it;
-}
-
-const OrderInfo* Schema::order(OrderKind kind) const {
-  const auto it = std::find_if(orders_.begin(), orders_.end(),
-                               [&](const OrderInfo& info) { return info.kind == kind; });
-  return it == orders_.end() ? nullptr : &*it;
-}
-
 SchemaBuilder::SchemaBuilder() : schema_(std::make_unique<Schema>()) {}
 SchemaBuilder::~SchemaBuilder() = default;
 
@@ -152,34 +140,6 @@ void SchemaBuilder::set_writers(std::uint32_t column, std::span<const WrittenBy>
   if (schema_ == nullptr)
     misuse("it was built already");
   schema_->columns_.at(column).writers.emplace(writers.begin(), writers.end());
-}
-
-EventKind SchemaBuilder::add_event(EventKind kind, std::string_view name,
-                                   std::initializer_list<NamedValue> values) {
-  if (schema_ == nullptr)
-    misuse("it was built already");
-  demand_identifier(name);
-  const bool taken = std::any_of(schema_->events_.begin(), schema_->events_.end(),
-                                 [&](const EventInfo& e) { return e.name == name; });
-  if (!kind || taken || schema_->event(kind) != nullptr)
-    misuse(fmt::format("event '{}' is of kind 0, or its kind or name is taken", name));
-  if (values.size() > Event::kValues)
-    misuse(fmt::format("event '{}' has {} values, an event carries {}", name, values.size(),
-                       Event::kValues));
-  schema_->events_.push_back({kind, std::string(name), values});
-  return kind;
-}
-
-OrderKind SchemaBuilder::add_order(OrderKind kind, std::string_view name) {
-  if (schema_ == nullptr)
-    misuse("it was built already");
-  demand_identifier(name);
-  const bool taken = std::any_of(schema_->orders_.begin(), schema_->orders_.end(),
-                                 [&](const OrderInfo& o) { return o.name == name; });
-  if (!kind || taken || schema_->order(kind) != nullptr)
-    misuse(fmt::format("order '{}' is of kind 0, or its kind or name is taken", name));
-  schema_->orders_.push_back({kind, std::string(name)});
-  return kind;
 }
 
 std::shared_ptr<const Schema> SchemaBuilder::build() {

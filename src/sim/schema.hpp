@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a World is made of: tables of typed columns, described once, fixed at load.
-#include <initializer_list>
 
 #include "core/field.hpp"
 #include "core/id.hpp"
@@ -43,25 +42,6 @@ struct TableInfo {
   std::vector<std::uint32_t> columns;  ///< [0] the ids, [1] the leaving marks, then as added
 };
 
-/// A number an event or an order carries, and its unit ("" for none).
-struct NamedValue {
-  std::string name;
-  std::string unit;
-};
-
-/// What an event's members mean for one kind.
-struct EventInfo {
-  EventKind kind;
-  std::string name;
-  std::vector<NamedValue> values;  ///< of Event::values, first one first; the rest are unused
-};
-
-/// A kind of order that somebody accepts.
-struct OrderInfo {
-  OrderKind kind;
-  std::string name;
-};
-
 /// The const description of a World. Immutable once built and shared by every World of a run.
 class Schema {
  public:
@@ -77,12 +57,6 @@ class Schema {
   /// Index of the column of that name in a table, or kNoColumn.
   [[nodiscard]] std::uint32_t find_column(TableId table, std::string_view name) const;
 
-  [[nodiscard]] std::span<const EventInfo> events() const { return events_; }
-  [[nodiscard]] std::span<const OrderInfo> orders() const { return orders_; }
-  /// Null when that kind was never described.
-  [[nodiscard]] const EventInfo* event(EventKind kind) const;
-  [[nodiscard]] const OrderInfo* order(OrderKind kind) const;
-
   /// Size of a World's buffer in bytes, a multiple of 64.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
   /// Names, types, offsets and strides of everything in a row. Two builds whose hashes agree read
@@ -94,8 +68,6 @@ class Schema {
   friend class SchemaBuilder;
   std::vector<TableInfo> tables_;
   std::vector<ColumnInfo> columns_;
-  std::vector<EventInfo> events_;
-  std::vector<OrderInfo> orders_;
   std::uint64_t bytes_ = 0;
   std::uint64_t layout_hash_ = 0;
 };
@@ -131,13 +103,6 @@ class SchemaBuilder {
 
   /// Says who writes a column, so that sim::WriteCheck can tell who else does.
   void set_writers(std::uint32_t column, std::span<const WrittenBy> writers);
-
-  /// Names one kind of event and its values (at most Event::kValues). Kind 0 means "no event".
-  EventKind add_event(EventKind kind, std::string_view name,
-                      std::initializer_list<NamedValue> values = {});
-
-  /// Names one kind of order. Kind 0 means "no order".
-  OrderKind add_order(OrderKind kind, std::string_view name);
 
   /// The finished schema. The builder is empty afterwards.
   [[nodiscard]] std::shared_ptr<const Schema> build();

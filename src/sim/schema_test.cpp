@@ -70,19 +70,6 @@ TEST(Schema, FindsTablesAndColumnsByName) {
   EXPECT_EQ(schema->find_column(keys.pellets, "mood"), kNoColumn);
 }
 
-TEST(Schema, NamesEventsAndOrders) {
-  SchemaBuilder builder;
-  (void)swarm::Swarm::describe(builder, 7, 3);
-  const auto schema = builder.build();
-  ASSERT_NE(schema->event(swarm::Happening::hit), nullptr);
-  EXPECT_EQ(schema->event(swarm::Happening::hit)->name, "hit");
-  EXPECT_EQ(schema->event(swarm::Happening::hit)->values.at(0).name, "miss_distance");
-  EXPECT_EQ(schema->event(EventKind(77)), nullptr);
-  ASSERT_NE(schema->order(swarm::Wish::turn), nullptr);
-  EXPECT_EQ(schema->order(swarm::Wish::turn)->name, "turn");
-  EXPECT_EQ(schema->order(OrderKind(77)), nullptr);
-}
-
 TEST(Schema, HashesTheLayoutButNotTheCapacities) {
   const auto hash_of = [](std::uint32_t room, const char* table, const char* column, bool more) {
     SchemaBuilder builder;
@@ -151,20 +138,6 @@ TEST(SchemaBuilder, RefusesImpossibleSizes) {
             "schema: 'brain': 3 is no alignment");
   EXPECT_EQ(complaint([](SchemaBuilder& b) { b.add_column<Body>(TableId{3}, "body"); }),
             "schema: column 'body' is added to an unknown table");
-}
-
-TEST(SchemaBuilder, RefusesKindsThatAreZeroOrTaken) {
-  EXPECT_NE(complaint([](SchemaBuilder& b) { b.add_event(EventKind(0), "nothing"); }), "(nothing)");
-  EXPECT_NE(complaint([](SchemaBuilder& b) {
-              b.add_event(EventKind(1), "hit");
-              b.add_event(EventKind(1), "miss");
-            }),
-            "(nothing)");
-  EXPECT_NE(complaint([](SchemaBuilder& b) {
-              b.add_order(OrderKind(1), "go");
-              b.add_order(OrderKind(2), "go");
-            }),
-            "(nothing)");
 }
 
 TEST(SchemaBuilder, IsEmptyOnceItHasBuilt) {

@@ -132,10 +132,6 @@ SimulationBuilder::SimulationBuilder(std::shared_ptr<const Schema> schema, doubl
   EYRIE_THROW_UNLESS(schema != nullptr, "a simulation needs a schema");
   EYRIE_THROW_UNLESS(std::isfinite(dt) && dt > 0, "dt must be positive and finite");
   simulation_.reset(new Simulation(std::move(schema), dt));
-  std::size_t kinds = 0;
-  for (const OrderInfo& order : simulation_->schema_->orders())
-    kinds = std::max<std::size_t>(kinds, order.kind.value + 1u);
-  simulation_->by_order_.resize(kinds, nullptr);
 }
 
 void SimulationBuilder::add(std::unique_ptr<const System> system,
@@ -149,11 +145,11 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
     if (phases[i])
       simulation_->by_phase_[i].push_back(system.get());
   for (const OrderKind kind : system->accepts()) {
-    EYRIE_THROW_UNLESS(simulation_->schema_->order(kind) != nullptr,
-                       "a system accepts a kind of order that the schema does not describe");
     EYRIE_THROW_UNLESS(phases[index_of(Phase::orders)],
                        "a system that accepts orders must override apply_order");
-    const System*& slot = simulation_->by_order_[kind.value];
+    auto& by_order = simulation_->by_order_;
+    by_order.resize(std::max<std::size_t>(by_order.size(), kind.value + 1u), nullptr);
+    const System*& slot = by_order[kind.value];
     EYRIE_THROW_UNLESS(slot == nullptr, "two systems accept the same kind of order");
     slot = system.get();
   }
@@ -162,9 +158,6 @@ void SimulationBuilder::add(std::unique_ptr<const System> system,
 
 std::shared_ptr<const Simulation> SimulationBuilder::build() {
   EYRIE_THROW_UNLESS(simulation_ != nullptr, "the simulation was built already");
-  for (const OrderInfo& order : simulation_->schema_->orders())
-    EYRIE_THROW_UNLESS(simulation_->handler(order.kind) != nullptr,
-                       "nobody accepts a kind of order that the schema describes");
   return std::shared_ptr<const Simulation>(std::move(simulation_));
 }
 

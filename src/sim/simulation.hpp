@@ -108,7 +108,7 @@ template <class S>
 }
 
 /// Collects systems, then builds the Simulation. Misuse (dt not positive and finite, a system of an
-/// unknown table, an order kind that is unknown, taken twice or by nobody) throws std::logic_error.
+/// unknown table, an order kind taken twice) throws std::logic_error.
 class SimulationBuilder {
  public:
   explicit SimulationBuilder(std::shared_ptr<const Schema> schema, double dt = kDefaultDt);

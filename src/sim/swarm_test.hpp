@@ -227,12 +227,6 @@ struct Swarm {
     keys.brain = schema.add_bytes(keys.birds, "brain", 24);
     keys.pellet_body = schema.add_column<Body>(keys.pellets, "body");
     keys.aim = schema.add_column<Aim>(keys.pellets, "aim");
-    schema.add_event(Happening::shot, "shot");
-    schema.add_event(Happening::hit, "hit", {{"miss_distance", "m"}});
-    schema.add_event(Happening::kill, "kill");
-    schema.add_event(Happening::hatched, "hatched");
-    schema.add_event(Happening::turned, "turned");
-    schema.add_order(Wish::turn, "turn");
     return keys;
   }
 

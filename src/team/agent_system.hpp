@@ -33,7 +33,7 @@ struct AgentSetup {
 ///   * perceive(view, library, fit, plan, time): the state; account(state, agent): what an agent
 ///     takes note of before it decides; execute(action, state, controls, agent); rest(controls):
 ///     in every step, before the decision if one is due;
-///   * swap_tree and swap_tree_name: its kind of order.
+///   * swap_tree: its kind of order.
 template <class Platform>
 class AgentSystem final : public Agents {
  public:
@@ -50,10 +50,6 @@ class AgentSystem final : public Agents {
                        "every flight needs a plan");
   }
 
-  /// Names the order in a schema.
-  static void add_orders(sim::SchemaBuilder& builder) {
-    builder.add_order(Platform::swap_tree, Platform::swap_tree_name);
-  }
   /// From `step` on the player uses that tree, which begins with nothing remembered.
   [[nodiscard]] static sim::Order swap_tree_order(std::uint64_t step, PlayerId player,
                                                   std::uint16_t tree) {

@@ -155,7 +155,6 @@ struct Platform {
   static constexpr std::string_view speed_help = "on legs that give none";
   static constexpr std::uint16_t kOrder = 40;
   static constexpr sim::OrderKind swap_tree{kOrder};
-  static constexpr std::string_view swap_tree_name = "swap_captain_tree";
 
   static State perceive(const Bridge& bridge, const model::Library& library, const model::Fit& fit,
                         const Plan&, double time) {

@@ -15,10 +15,6 @@ sim::Order lose_order(std::uint64_t step, PlayerId player) {
   return {.step = step, .player = player, .kind = OrderKind::lose};
 }
 
-void add_orders(sim::SchemaBuilder& builder) {
-  builder.add_order(OrderKind::lose, "lose");
-}
-
 std::span<const sim::OrderKind> DamageSystem::accepts() const {
   return kOrders;
 }

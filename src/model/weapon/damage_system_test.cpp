@@ -30,8 +30,6 @@ struct DamageTest : ::testing::Test {
   DamageTest() {
     sim::SchemaBuilder schema;
     columns = AircraftColumns::define(schema, 4);
-    describe_events(schema);
-    add_orders(schema);
     sim::SimulationBuilder builder(schema.build());
     builder.add<Script>(columns.table, script);
     builder.add<DamageSystem>(columns);

@@ -85,8 +85,6 @@ enum class OrderKind : std::uint16_t { none = 0, lose = 3 };
 
 /// The player leaves the run at `step`, lost to something outside it: a mine, a failure.
 [[nodiscard]] sim::Order lose_order(std::uint64_t step, PlayerId player);
-/// Names them in a schema.
-void add_orders(sim::SchemaBuilder& builder);
 
 /// A table of players other than aircraft.
 struct MovingTable {

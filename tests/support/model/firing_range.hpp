@@ -58,8 +58,6 @@ class Range {
     sim::SchemaBuilder schema;
     aircraft_ = AircraftColumns::define(schema, 16);
     missiles_ = MissileColumns::define(schema, 32);
-    describe_events(schema);
-    weapon::add_orders(schema);
     sim::SimulationBuilder builder(schema.build());
     builder.add<Straight>(aircraft_, library_);
     builder.add<weapon::StoresSystem>(aircraft_, missiles_, library_);

@@ -46,9 +46,6 @@ class War {
     missiles = model::MissileColumns::define(schema, 64);
     pilots = PilotColumns::define(schema, aircraft.table,
                                   static_cast<std::uint32_t>(trees_->max_memory()));
-    model::describe_events(schema);
-    model::weapon::add_orders(schema);
-    PilotSystem::add_orders(schema);
     sim::SimulationBuilder builder(schema.build(), kDt);
     builder.add<model::sensor::SensorSystem>(aircraft, missiles, library_, kDt);
     system = &builder.add<PilotSystem>(PilotSetup{.columns = aircraft,
