@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 #include "core/yaml.hpp"
 #include "record/story.hpp"
-#include "sim/snapshot.hpp"
 
 namespace eyrie::debrief {
 namespace {
@@ -110,15 +108,14 @@ Branch::Branch(const Recorded& recorded, std::shared_ptr<const scenario::Scenari
 std::unique_ptr<Branch> branch(const Recorded& recorded,
                                std::shared_ptr<const scenario::Scenario> other, const Past& past,
                                std::optional<double> until, std::string& problem) {
-  std::stringstream bytes;
-  EYRIE_DEMAND(sim::save(past.world, bytes), "a stream in memory does not fail");
-  sim::Loaded loaded = sim::load(other->simulation->shared_schema(), bytes);
-  if (!loaded.world) {
-    problem = "the change gives another world than the one flown: " + loaded.error;
+  std::optional<sim::World> world = past.world.moved_to(other->simulation->shared_schema());
+  if (!world) {
+    problem =
+        "the change gives another world than the one flown: other columns, or too little room";
     return nullptr;
   }
-  return std::make_unique<Branch>(recorded, std::move(other),
-                                  Past{std::move(*loaded.world), past.events}, until);
+  return std::make_unique<Branch>(recorded, std::move(other), Past{std::move(*world), past.events},
+                                  until);
 }
 
 bool Branch::step() {

@@ -59,9 +59,8 @@ class Schema {
 
   /// Size of a World's buffer in bytes, a multiple of 64.
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  /// Names, types, offsets and strides of everything in a row. Two builds whose hashes agree read
-  /// each other's saved worlds. Capacities are left out on purpose: a saved world may be loaded
-  /// where there is more room, and it hashes the same there.
+  /// Names, types, offsets and strides of everything in a row. Capacities are left out on
+  /// purpose: a world may be moved to where there is more room, and it hashes the same there.
   [[nodiscard]] std::uint64_t layout_hash() const { return layout_hash_; }
 
  private:

@@ -118,6 +118,20 @@ void World::compact(TableId table) {
   counts()[table.value - 1] = kept;
 }
 
+std::optional<World> World::moved_to(std::shared_ptr<const Schema> schema) const {
+  if (schema->layout_hash() != schema_->layout_hash())
+    return std::nullopt;
+  World moved(std::move(schema), seed());
+  std::memcpy(moved.data(), data(), header_bytes().size());
+  for (std::uint32_t i = 0; i < schema_->columns().size(); ++i) {
+    const ColumnInfo& column = moved.schema().column(i);
+    if (rows(column.table) > moved.schema().table(column.table).capacity)
+      return std::nullopt;
+    std::memcpy(moved.data() + column.offset, column_bytes(i).data(), column_bytes(i).size());
+  }
+  return moved;
+}
+
 std::uint64_t World::hash() const {
   Hasher hasher;
   hasher.bytes(header_bytes().data(), header_bytes().size());

@@ -107,12 +107,16 @@ class World {
   /// calls it at the end of its commit.
   void compact();
 
+  /// The same world for another schema of this layout, which may have other capacities. Nothing if
+  /// the layout is another, or a table has too little room.
+  [[nodiscard]] std::optional<World> moved_to(std::shared_ptr<const Schema> schema) const;
+
   /// XXH3 over the header and the live rows of all columns. Independent of capacities.
   [[nodiscard]] std::uint64_t hash() const;
   /// Byte-wise equality of worlds of one schema object or of equal layout and capacities.
   [[nodiscard]] bool same_bytes(const World& other) const;
   /// Whether the invariants hold: counts within capacity, ids ascending, below next_id and in one
-  /// table only, no row marked for removal, unused rows zero. For tests, loading and paranoia.
+  /// table only, no row marked for removal, unused rows zero. For tests and paranoia.
   [[nodiscard]] bool canonical() const;
 
   /// Bytes that step, seed, next id and the row counts of so many tables take up in the buffer.
@@ -122,7 +126,6 @@ class World {
 
  private:
   friend class Simulation;
-  friend class WorldReader;
 
   /// A cache line. A world is made of these, so that assigning one of the same size is one copy
   /// into the bytes that are already there: no allocation, and pointers into it stay good.

@@ -170,6 +170,19 @@ TEST(World, HashesTheSameWhateverItsCapacity) {
   EXPECT_EQ(small.world(10).hash(), large.world(10).hash());
 }
 
+TEST(World, MovesToASchemaWithOtherCapacities) {
+  const Swarm tight(5, 5), roomy(50, 20), small(4, 20);
+  const World world = tight.world(5);
+  const auto moved = world.moved_to(roomy.simulation->shared_schema());
+  ASSERT_TRUE(moved);
+  EXPECT_EQ(moved->hash(), world.hash());
+  EXPECT_TRUE(moved->canonical());
+  EXPECT_FALSE(world.moved_to(small.simulation->shared_schema())) << "five birds, room for four";
+  SchemaBuilder other;
+  other.add_table("bird", 50);
+  EXPECT_FALSE(world.moved_to(other.build()));
+}
+
 TEST(World, HashesTheSeedTheStepAndEveryByteOfALiveRow) {
   const Swarm swarm(4, 4);
   World world = swarm.world(3);

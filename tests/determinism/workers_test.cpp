@@ -4,8 +4,6 @@
 /// thread sanitizer picks them by that name.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "core/hash.hpp"
 #include "disk/sink.hpp"
 #include "pilot/pilot_system.hpp"
@@ -13,7 +11,6 @@
 #include "record/csv.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"
-#include "sim/snapshot.hpp"
 #include "sim/trail.hpp"
 #include "support/flight.hpp"
 #include "support/no_allocation.hpp"
@@ -98,29 +95,24 @@ TEST(WorkersCrowd, GiveTheSameHashAndTheSameEventsOverSeveralChunks) {
 /// The middle of the engagement of the sweep, in s: everything is in use.
 constexpr double kMiddle = 590;
 
-TEST(WorkersSnapshot, ContinueASavedWorldToTheSameEnd) {
+TEST(WorkersSnapshot, ContinueACopiedWorldToTheSameEnd) {
   const auto scenario = load_scenario("sweep");
   Flight whole(scenario);
   whole.fly_until(kMiddle);
   ASSERT_EQ(whole.time(), kMiddle);
   const sim::World branch = whole.world();
-  std::stringstream disk;
-  ASSERT_TRUE(sim::save(whole.world(), disk));
   whole.mission.fly();
   const std::uint64_t end = whole.world().hash();
   const std::uint64_t steps = whole.world().step();
   ASSERT_GT(whole.tally.side(model::Side::blue).shots, 0U);
 
-  const sim::Loaded loaded = sim::load(scenario->simulation->shared_schema(), disk);
-  ASSERT_TRUE(loaded.world) << loaded.error;
-  EXPECT_EQ(loaded.world->hash(), branch.hash());
-  // from disk by the same binary, from disk by a scenario loaded again, and twice from memory
+  // in a scenario that was loaded again, and twice in the same one
   const auto again = load_scenario("sweep");
-  std::stringstream copy(disk.str());
-  const sim::Loaded elsewhere = sim::load(again->simulation->shared_schema(), copy);
-  ASSERT_TRUE(elsewhere.world) << elsewhere.error;
+  const auto elsewhere = branch.moved_to(again->simulation->shared_schema());
+  ASSERT_TRUE(elsewhere);
+  EXPECT_EQ(elsewhere->hash(), branch.hash());
   const std::pair<std::shared_ptr<const scenario::Scenario>, sim::World> ways[] = {
-      {scenario, *loaded.world}, {again, *elsewhere.world}, {scenario, branch}, {scenario, branch}};
+      {again, *elsewhere}, {scenario, branch}, {scenario, branch}};
   for (unsigned i = 0; i < std::size(ways); ++i) {
     sim::Run run(ways[i].first->simulation, ways[i].second, {.workers = i + 1});
     while (run.world().step() < steps)
