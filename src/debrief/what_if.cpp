@@ -32,8 +32,8 @@ class Twice {
     if (!same) {
       ++result_.different;
       if (!result_.first)
-        result_.first = {m.info.step, m.info.time(), flown_.trees[tree_].label(found.flown),
-                         other_.trees[tree_].label(found.other), std::move(found.fields)};
+        result_.first = {m.info.step, m.info.time(), flown_.trees[tree_]->label(found.flown),
+                         other_.trees[tree_]->label(found.other), std::move(found.fields)};
       if (in_a_row_)
         result_.spans.back().second = m.info.time();
       else
@@ -140,12 +140,13 @@ using Paths = std::vector<std::string>;
 /// Of the tree of that name, whoever uses it, or else nothing.
 std::optional<Paths> paths_of(const scenario::Scenario& scenario, const std::string& name) {
   for (const auto& fleet : scenario.fleets)
-    if (const ubf::TreeOutline* tree = ubf::find(fleet->trees, name)) {
-      Paths paths;
-      for (const ubf::NodeOutline& node : tree->nodes)
-        paths.push_back(node.path);
-      return paths;
-    }
+    for (const ubf::AnyTree* tree : fleet->trees)
+      if (tree->name() == name) {
+        Paths paths;
+        for (std::size_t i = 0; i < tree->size(); ++i)
+          paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
+        return paths;
+      }
   return std::nullopt;
 }
 
@@ -155,7 +156,7 @@ std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
   if (!found)
     return "";
   const auto tree = found->fleet.agents->last_decision(*scenario.start, found->row).tree;
-  return tree < found->fleet.trees.size() ? found->fleet.trees[tree].name : "";
+  return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
 }
 
 class Reader {

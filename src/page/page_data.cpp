@@ -43,7 +43,7 @@ struct Agent {
 template <class State, class Action>
 Json tree_json(const ubf::Tree<State, Action>& tree, std::string_view platform) {
   Json nodes = Json::array();
-  const std::vector<debrief::Answer> all = team::unanswered(ubf::outline(tree));
+  const std::vector<debrief::Answer> all = team::unanswered(tree);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
     const debrief::Answer& answer = all[i];
@@ -71,7 +71,7 @@ class Platform {
   Platform(const Trees& trees, std::size_t first)
       : trees_(trees), first_(first), trace_(trees.max_size()) {
     for (const auto& tree : trees)
-      blank_.push_back(team::unanswered(ubf::outline(tree)));
+      blank_.push_back(team::unanswered(tree));
   }
 
   /// Keeps a decision; `see` is called when what the agent saw is to be kept too.

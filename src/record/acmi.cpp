@@ -101,10 +101,10 @@ AcmiSample AcmiWriter::player(const scenario::Fleet& fleet, const sim::World& wo
   const team::LastDecision last = fleet.agents->last_decision(world, row);
   if (!last.ticks)
     return sample;
-  const ubf::TreeOutline& tree = fleet.trees[last.tree];
-  const auto [label, is_new] = labels_.try_emplace({&tree, last.node});
+  const ubf::AnyTree* tree = fleet.trees[last.tree];
+  const auto [label, is_new] = labels_.try_emplace({tree, last.node});
   if (is_new)
-    label->second = acmi_name(last.node < tree.nodes.size() ? tree.label(last.node) : "none");
+    label->second = acmi_name(last.node < tree->size() ? tree->node(last.node).label() : "none");
   sample.winner = label->second;
   sample.vote = last.vote;
   return sample;

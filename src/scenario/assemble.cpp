@@ -100,7 +100,7 @@ class AircraftFleet final : public Fleet {
                .acmi = "Air+FixedWing",
                .comes_home = true}),
         columns_(scenario.aircraft) {
-    trees = ubf::outlines(*scenario.trees);
+    trees = scenario.trees->all();
     agents = pilots;
     fit = columns_.fit;
     kinematics = columns_.kinematics;
@@ -130,7 +130,7 @@ class VehicleFleet final : public Fleet {
                .group = "convoy",
                .there = "on the ground",
                .acmi = "Ground+Vehicle"}) {
-    trees = ubf::outlines(*scenario.driver_trees);
+    trees = scenario.driver_trees->all();
     agents = drivers;
     if (!scenario.vehicles)
       return;

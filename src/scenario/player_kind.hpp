@@ -161,7 +161,7 @@ class AgentKind : public PlayerKind {
   template <class Mine, class... Arguments>
   [[nodiscard]] std::shared_ptr<const Fleet> fleet_of(Arguments&&... arguments) const {
     auto made = std::make_shared<Mine>(std::forward<Arguments>(arguments)...);
-    made->trees = ubf::outlines(*trees_);
+    made->trees = trees_->all();
     made->agents = agents_;
     made->fit = columns_.fit;
     made->kinematics = columns_.kinematics;

@@ -16,7 +16,7 @@
 #include "model/library.hpp"
 #include "sim/world.hpp"
 #include "team/agents.hpp"
-#include "ubf/outline.hpp"
+#include "ubf/node.hpp"
 
 namespace eyrie::scenario {
 
@@ -94,8 +94,8 @@ class Fleet {
   Fleet& operator=(const Fleet&) = delete;
 
   const Words words;
-  std::vector<ubf::TreeOutline> trees;   ///< as its agents number them
-  const team::Agents* agents = nullptr;  ///< null if there are no such players
+  std::vector<const ubf::AnyTree*> trees;  ///< as its agents number them
+  const team::Agents* agents = nullptr;    ///< null if there are no such players
   sim::Column<model::Fit> fit;
   sim::Column<model::Kinematics> kinematics;
 
@@ -115,7 +115,7 @@ class Fleet {
   /// The label of who led the last decision; "nobody".
   [[nodiscard]] std::string leader(const sim::World& world, std::size_t row) const {
     const team::LastDecision last = agents->last_decision(world, row);
-    return last.tree < trees.size() ? trees[last.tree].label(last.node) : "nobody";
+    return last.tree < trees.size() ? trees[last.tree]->label(last.node) : "nobody";
   }
   [[nodiscard]] virtual Gauges gauges(const sim::World&, std::size_t /*row*/) const { return {}; }
   /// Adds who is there to how the flights stand; by flight.

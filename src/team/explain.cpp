@@ -1,18 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "team/explain.hpp"
 
-namespace eyrie::team {
+#include "ubf/spec.hpp"
 
-std::vector<Answer> unanswered(const ubf::TreeOutline& tree) {
+namespace eyrie::team {
+namespace {
+
+/// What a node is in a sentence: a condition in its words, if it has no label.
+std::string spoken(const ubf::AnyNode& node) {
+  if (node.label() != node.type())
+    return std::string(node.label());
+  if (node.type() == ubf::kHolds)
+    return std::get<std::string>(node.values().front().value);
+  if (node.type() == "inverter" && node.children().size() == 1)
+    return "not " + spoken(*node.children()[0]);
+  return std::string(node.label());
+}
+
+}  // namespace
+
+std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
   std::vector<Answer> all;
-  for (const ubf::NodeOutline& node : tree.nodes) {
-    Answer answer{.label = node.spoken,
-                  .type = node.type,
-                  .path = node.path,
-                  .depth = node.depth,
-                  .parent = node.parent,
-                  .is_leaf = node.is_leaf};
-    if (node.is_condition)
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const auto index = static_cast<ubf::NodeIndex>(i);
+    const ubf::AnyNode& node = tree.node(index);
+    Answer answer{.label = spoken(node),
+                  .type = std::string(node.type()),
+                  .path = tree.path(index),
+                  .depth = static_cast<std::uint16_t>(tree.depth(index)),
+                  .parent = tree.parent(index),
+                  .is_leaf = node.children().empty()};
+    if (node.node_kind() == ubf::Kind::condition)
       answer.why = "does not hold";  // if it fails without a word of its own
     all.push_back(std::move(answer));
   }

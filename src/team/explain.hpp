@@ -4,12 +4,12 @@
 #include "core/angle.hpp"
 #include "team/decision.hpp"
 #include "team/moment.hpp"
-#include "ubf/outline.hpp"
+#include "ubf/tree.hpp"
 
 namespace eyrie::team {
 
 /// Every node of a tree as one that was not asked.
-[[nodiscard]] std::vector<Answer> unanswered(const ubf::TreeOutline& tree);
+[[nodiscard]] std::vector<Answer> unanswered(const ubf::AnyTree& tree);
 /// The branches in which two nodes are where their ways from the root part: children of the lowest
 /// node that has both below it. Of two of which one is above the other, the upper one is itself.
 [[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
@@ -131,7 +131,7 @@ Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tre
   d.tree = tree.name();
   d.vote = out.vote;
   d.leader = out.leader;
-  d.nodes = answers(unanswered(ubf::outline(tree)), tree, trace);
+  d.nodes = answers(unanswered(tree), tree, trace);
   d.action = contest(d.nodes, trace);
   d.state = state_values(m.state);
   d.perceived = perceived(m.state);

@@ -47,6 +47,13 @@ class Trees {
   [[nodiscard]] std::size_t size() const { return trees_.size(); }
   [[nodiscard]] auto begin() const { return trees_.begin(); }
   [[nodiscard]] auto end() const { return trees_.end(); }
+  /// The same, whatever their states and actions are.
+  [[nodiscard]] std::vector<const AnyTree*> all() const {
+    std::vector<const AnyTree*> trees;
+    for (const TreeType& tree : trees_)
+      trees.push_back(&tree);
+    return trees;
+  }
   [[nodiscard]] std::optional<std::uint16_t> find(std::string_view name) const {
     for (std::size_t i = 0; i < trees_.size(); ++i)
       if (trees_[i].name() == name)

@@ -149,6 +149,10 @@ class AnyTree {
   [[nodiscard]] const AnyNode& root() const { return *root_; }
   /// Nodes in pre-order: the root is 0.
   [[nodiscard]] const AnyNode& node(NodeIndex index) const { return *nodes_[index].node; }
+  /// The label of a node; "nobody" for none.
+  [[nodiscard]] std::string label(std::size_t node) const {
+    return node < size() ? std::string(nodes_[node].node->label()) : "nobody";
+  }
   /// kNone for the root.
   [[nodiscard]] NodeIndex parent(NodeIndex index) const { return nodes_[index].parent; }
   /// The root has depth 0.
