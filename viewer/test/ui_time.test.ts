@@ -7,8 +7,8 @@ import {
   jump, keep_in_sight, measure, pan_by, step_decision, step_leader, toggle_play, toggle_zoom, zoom_by, zoom_to,
 } from '../src/ui/actions.ts';
 import { link_pages } from '../src/ui/compare.tsx';
-import { clock_text, tick_text } from '../src/ui/format.ts';
 import { ticks_of } from '../src/ui/timeline.tsx';
+import { clock_text, tick_text } from '../src/words/text.ts';
 import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
 
 const kDecisions = Array.from({ length: 1000 }, (_, i) => (i >= 300 && i < 320 ? kBreaks : kPursues));

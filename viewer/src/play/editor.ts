@@ -28,7 +28,6 @@ export interface Editor {
   mark(problems: readonly Problem[]): void;
   /** Puts the cursor there, from 1. */
   go_to(line: number, column: number): void;
-  destroy(): void;
 }
 
 function completions({ grammar, names }: EditorOptions) {
@@ -158,6 +157,5 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
       view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
       view.focus();
     },
-    destroy: () => view.destroy(),
   };
 }

@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 /** The playground: the text of a scenario at the left, what became of it at the right. */
 import { useEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
-import { listen } from '../events.ts';
+import type { RunningEngine } from '../engine/engine.ts';
 import { EngineError, words_of } from '../engine/module.ts';
 import type { Problem } from '../engine/questions.ts';
+import { listen } from '../events.ts';
 import { started } from '../parts.ts';
-import type { RunningEngine } from '../engine/engine.ts';
 import { flown_again, put_theme, show_as_flown, type Opening } from '../show.tsx';
 import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
+import { mind_manners } from '../ui/keys.tsx';
 import { said_in } from '../ui/link.ts';
-import { mind_manners } from '../ui/manners.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
+import { use_asked } from '../ui/what_if_answer.ts';
 import { make_editor, type Editor } from './editor.ts';
 import { Flier, type Flight } from './flights.ts';
-import { edited, help_of, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files, type Project } from './project.ts';
+import {
+  edited, help_of, kFirst, name_of, scenarios, seed_of, texts_of, text_of, tree_names, with_includes, type Files,
+  type Project,
+} from './project.ts';
 import { Results } from './results.tsx';
 import { Grammar, type Schema } from './schema.ts';
 import { link_of, read_link } from './share.ts';
@@ -33,25 +37,12 @@ interface Said {
 
 /** What the loader says of a project, asked when the keyboard rests. */
 function use_loader(module: WebAssembly.Module, project: Project): Said {
-  const [said, put] = useState<Said>({ problems: [], is_now: false });
   const engine = useRef<ReturnType<typeof started> | null>(null);
   const { scenario, edits } = project;
-  useEffect(() => {
-    let is_wanted = true;
-    put((last) => ({ ...last, is_now: false }));
-    const timer = setTimeout(async () => {
-      const asked = await (engine.current ??= started(module));
-      const problems = await asked.validate({ files: texts_of(project), scenario }).then(
-        (answer) => answer.problems,
-        (error: unknown) => [{ file: scenario, line: 0, column: 0, message: words_of(error) }]);
-      if (is_wanted) put({ problems, is_now: true });
-    }, kRest);
-    return () => {
-      is_wanted = false;
-      clearTimeout(timer);
-    };
-  }, [scenario, edits]);
-  return said;
+  const texts = useMemo(() => ({ files: texts_of(project), scenario }), [scenario, edits]);
+  const asked = use_asked(texts, async () => (await (engine.current ??= started(module))).validate(texts), kRest);
+  const failed = asked?.problem !== undefined && [{ file: scenario, line: 0, column: 0, message: asked.problem }];
+  return { problems: failed || (asked?.value?.problems ?? []), is_now: asked?.key === texts };
 }
 
 /** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
@@ -214,13 +205,12 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   now.current = { project, fly: () => void fly(false) };
 
   useEffect(() => {
-    const made = make_editor(place.current!, {
+    editor.current = make_editor(place.current!, {
       grammar: new Grammar(schema),
       names: (path) => names_for(now.current.project, path),
       changed: (name, text) => put((last) => edited(last, name, text)),
       fly: () => now.current.fly(),
     });
-    editor.current = made;
     void restore();
     listen(window, {
       hashchange: () => void restore(),

@@ -2,7 +2,7 @@
 /** What became of the flights: the one that is flying or the last one with its story, and all of them in a table. */
 import { useEffect, useRef } from 'preact/hooks';
 import type { Outcome } from '../engine/questions.ts';
-import { clock_text, count_text } from '../ui/format.ts';
+import { clock_text, count_text } from '../words/text.ts';
 import type { Flight } from './flights.ts';
 
 const kSides = ['blue', 'red'] as const;

@@ -4,9 +4,8 @@
 import { useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { value_text } from '../words/text.ts';
+import { value_text, clock_text } from '../words/text.ts';
 import { jump, select } from './actions.ts';
-import { clock_text } from './format.ts';
 import { LeaderRow } from './leaders.tsx';
 import { use_page, type Page } from './page.ts';
 import { label_of, path_of } from './spans.ts';

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /** What was decided, field by field: who won, why, and what the others wanted. */
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { contest, type Rival, type Won } from '../words/contest.ts';
-import { value_text } from '../words/text.ts';
 import type { Player, Run, Tree } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
-import { number_text } from './format.ts';
+import { contest, type Rival, type Won } from '../words/contest.ts';
+import { value_text, number_text } from '../words/text.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** Which run this is, and what concerns the whole page. */
 import { useState } from 'preact/hooks';
-import { toggle_theme } from './actions.ts';
 import type { Cell } from '../store.ts';
-import { clock_text, count_text, number_text } from './format.ts';
+import { clock_text, count_text, number_text } from '../words/text.ts';
+import { toggle_theme } from './actions.ts';
 import { IconButton } from './icon.tsx';
 import type { Page } from './page.ts';
 import { use_view } from './use.ts';

@@ -2,11 +2,11 @@
 /** The decision of the selected player at the time of the page: tree, action, what it saw, and what if. */
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
-import { why_not } from '../words/contest.ts';
 import type { Player, Run } from '../run/run.ts';
+import { why_not } from '../words/contest.ts';
+import { clock_text, number_text } from '../words/text.ts';
 import { jump, step_decision, step_leader } from './actions.ts';
 import { Fields } from './fields.tsx';
-import { clock_text, number_text } from './format.ts';
 import { IconButton } from './icon.tsx';
 import { Chip } from './leaders.tsx';
 import { NodeDetails } from './node_details.tsx';

@@ -2,9 +2,9 @@
 /** Who was in charge in a player's tree over time, as flown and as it would have been. */
 import { useEffect, useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
+import { clock_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { fitted, use_canvas, type Sheet } from './canvas.ts';
-import { clock_text } from './format.ts';
 import { use_page, type Page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';

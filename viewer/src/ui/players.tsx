@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Everybody in the run: side, type, what became of them, and who leads in their tree now. */
 import { last_at, type Player, type Run, type Side } from '../run/run.ts';
+import { clock_text } from '../words/text.ts';
 import { measure, select } from './actions.ts';
-import { clock_text } from './format.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { label_of } from './spans.ts';

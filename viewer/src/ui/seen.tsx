@@ -3,9 +3,8 @@
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
 import { new_pose, place_at } from '../scene/motion.ts';
-import { height_text, quantity_text, value_text } from '../words/text.ts';
+import { height_text, quantity_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
-import { clock_text, number_text } from './format.ts';
 import { use_page } from './page.ts';
 
 function from_here(own: Place, { east, north, up }: Place): { range: number; bearing: number } {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Quantities over time for the strips, in the units people fly by. */
 import type { Player, Run } from '../run/run.ts';
-import { kFeet, kKnot, kNauticalMile, kPound } from './format.ts';
 
 export type QuantityKey = 'altitude' | 'mach' | 'g' | 'fuel' | 'energy' | 'range' | 'closure' | 'vote';
 
@@ -18,8 +17,9 @@ export interface Series {
   v: Float64Array;
 }
 
-/** m/s^2 */
+/** m/s^2; and what a foot, a nautical mile, a knot and a pound are in SI. */
 const kGravity = 9.80665;
+const [kFoot, kMile, kKnot, kPound] = [0.3048, 1852, 1852 / 3600, 0.45359237] as const;
 
 function seen(run: Run, player: Player, name: string, unit: number): Series | null {
   const field = run.platforms[player.kind].state.findIndex((f) => f.name === name);
@@ -31,15 +31,15 @@ function flown(player: Player, values: Float64Array, unit: number): Series | nul
 }
 
 export const kQuantities: Quantity[] = [
-  { key: 'altitude', label: 'altitude', unit: 'ft', digits: 0, steps: false, of: (_, p) => flown(p, p.motion.up, kFeet) },
+  { key: 'altitude', label: 'altitude', unit: 'ft', digits: 0, steps: false, of: (_, p) => flown(p, p.motion.up, kFoot) },
   { key: 'mach', label: 'Mach', unit: '', digits: 2, steps: false, of: (_, p) => flown(p, p.gauges.mach, 1) },
   { key: 'g', label: 'load factor', unit: 'g', digits: 1, steps: false, of: (_, p) => flown(p, p.gauges.load_factor, 1) },
   { key: 'fuel', label: 'fuel', unit: 'lb', digits: 0, steps: false, of: (_, p) => flown(p, p.gauges.fuel, kPound) },
   {
     key: 'energy', label: 'energy height', unit: 'ft', digits: 0, steps: false,
-    of: (_, p) => flown(p, p.motion.up.map((h, i) => h + p.gauges.speed[i]! ** 2 / (2 * kGravity)), kFeet),
+    of: (_, p) => flown(p, p.motion.up.map((h, i) => h + p.gauges.speed[i]! ** 2 / (2 * kGravity)), kFoot),
   },
-  { key: 'range', label: 'range to target', unit: 'nmi', digits: 1, steps: false, of: (run, p) => seen(run, p, 'range', kNauticalMile) },
+  { key: 'range', label: 'range to target', unit: 'nmi', digits: 1, steps: false, of: (run, p) => seen(run, p, 'range', kMile) },
   { key: 'closure', label: 'closure', unit: 'kt', digits: 0, steps: false, of: (run, p) => seen(run, p, 'closing', kKnot) },
   {
     key: 'vote', label: 'vote of who leads', unit: '', digits: 0, steps: true,

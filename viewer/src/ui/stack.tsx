@@ -4,8 +4,8 @@
 import type { ComponentChildren, RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
+import { clock_text } from '../words/text.ts';
 import { jump, select, pan_by, zoom_by, zoom_to } from './actions.ts';
-import { clock_text } from './format.ts';
 import { kMarks, pick_mark } from './marks.ts';
 import { range_of, use_page, type Page } from './page.ts';
 import { use_cell, use_range, use_size } from './use.ts';

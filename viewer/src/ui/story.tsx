@@ -2,11 +2,11 @@
 /** What happened, in words; the present is marked, a click goes there. */
 import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { Run, StoryLine } from '../run/run.ts';
+import { clock_text } from '../words/text.ts';
 import { jump, select } from './actions.ts';
-import { clock_text } from './format.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
-import { type Page, use_page } from './page.ts';
+import { use_page, type Page } from './page.ts';
 import { use_paced } from './use.ts';
 
 export interface Filter {

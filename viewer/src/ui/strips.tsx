@@ -3,8 +3,8 @@
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import uPlot from 'uplot';
 import type { Player } from '../run/run.ts';
+import { count_text } from '../words/text.ts';
 import { rem_size } from './canvas.ts';
-import { count_text } from './format.ts';
 import { use_page, type Page } from './page.ts';
 import { kQuantities, resample, series_of, type Quantity } from './series.ts';
 import { ticks_of } from './timeline.tsx';

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** The events of the run on its axis of time, and the whole run in small with what the strips show of it. */
 import { useMemo, useRef } from 'preact/hooks';
+import { tick_text } from '../words/text.ts';
 import { pan_by, zoom_to } from './actions.ts';
 import { use_canvas, type Sheet } from './canvas.ts';
-import { tick_text } from './format.ts';
 import { kMarkKinds, kMarks, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';

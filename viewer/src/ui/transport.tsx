@@ -2,14 +2,14 @@
 /** Play, pause, speed and steps, and the time. */
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { subscribe_paced } from '../clock.ts';
+import { clock_text } from '../words/text.ts';
 import { jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by } from './actions.ts';
-import { clock_text } from './format.ts';
 import { Glyph, Icon, IconButton } from './icon.tsx';
 import { kMarks, type MarkKind } from './marks.ts';
 import { use_page } from './page.ts';
 import { StripMenu } from './strips.tsx';
 import { use_view } from './use.ts';
-import { subscribe_paced } from '../clock.ts';
 
 /** Written at the pace of panels: nobody reads faster, and each time the line is laid out anew. */
 function Time() {

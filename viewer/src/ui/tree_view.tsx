@@ -5,7 +5,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { hierarchy, tree as tidy } from 'd3-hierarchy';
 import type { Shape, Tree } from '../run/run.ts';
 import { answer_words, path_of_leader } from '../words/contest.ts';
-import { number_text } from './format.ts';
+import { number_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
 import { change_of } from './what_if_answer.ts';

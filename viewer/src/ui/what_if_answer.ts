@@ -46,8 +46,8 @@ export function command_of(run: Run, player: number, changes: readonly Change[])
 }
 
 /** An answer, or why there is none; neither of them yet. */
-export interface Asked<T> {
-  key: string;  // Of the question that it answers; "" for none so far.
+export interface Asked<T, Key = string> {
+  key: Key | '';  // Of the question that it answers; "" for none so far.
   value?: T;
   problem?: string;
 }
@@ -57,9 +57,9 @@ const kRest = 150;
 /** As the engine says that nobody led. */
 const kNobody = 65535;
 
-/** Asks again when `key` changes; null: nothing. The last answer stays until there is another one. */
-function use_asked<T>(key: string | null, ask: () => Promise<T>, rest = 0): Asked<T> | null {
-  const [asked, put] = useState<Asked<T> | null>(null);
+/** Asks again when `key` changes and rests for so many ms; null: nothing. The last answer stays until there is another one. */
+export function use_asked<T, Key>(key: Key | null, ask: () => Promise<T>, rest = 0): Asked<T, Key> | null {
+  const [asked, put] = useState<Asked<T, Key> | null>(null);
   useEffect(() => {
     if (key === null) return put(null);
     let is_wanted = true;

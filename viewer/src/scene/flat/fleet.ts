@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. Faces
  * have the colours that a renderer which knows of light in linear shares makes. */
-import { type Matrix4, Vector3 } from 'three';
+import { Vector3, type Matrix4 } from 'three';
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
 import type { Poses } from '../motion.ts';
 import { kDiffuse, kGround, kSky, kSun, kSunlight, css, shares, type Palette } from '../palette.ts';
-import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
-import { matrix_of, size_of } from '../stature.ts';
+import { kShapes, shape_of, matrix_of, size_of, type ShapeName } from '../shapes.ts';
 
 interface Model {
   name: ShapeName;

@@ -5,8 +5,7 @@ import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import type { Poses } from '../motion.ts';
 import type { Palette } from '../palette.ts';
-import { kShapes, shape_of, type ShapeName } from '../shapes.ts';
-import { matrix_of, size_of } from '../stature.ts';
+import { kShapes, shape_of, matrix_of, size_of, type ShapeName } from '../shapes.ts';
 
 interface Squadron {
   mesh: InstancedMesh;
