@@ -6,7 +6,6 @@ import type { Engine } from './questions.ts';
 import type { Said } from './worker.ts';
 
 interface Waiting {
-  question: string;
   done(answer: unknown): void;
   failed(error: EngineError): void;
 }
@@ -39,7 +38,7 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
   const ask = (question: string) => (first?: object | Uint8Array) =>
     new Promise((done, failed) => {
       const id = ++last;
-      waiting.set(id, { question, done, failed });
+      waiting.set(id, { done, failed });
       const with_bytes = first instanceof Uint8Array;
       worker.postMessage({ id, question, request: with_bytes ? {} : (first ?? {}), bytes: with_bytes ? first : undefined });
     });

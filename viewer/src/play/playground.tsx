@@ -50,7 +50,8 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
 async function write_link(project: Project): Promise<void> {
   const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
   const link = is_first ? '' : await link_of(project);
-  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
+  if (said_in(link).get('s') === said_in(location.hash).get('s')) return;
+  history.replaceState(history.state, '', link || location.pathname + location.search);
 }
 
 /** The names that a key takes from the texts. */
@@ -172,7 +173,8 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         host.hidden = true;
         begun(part);
       }));
-      const closing = show_as_flown(flights, box, (percent) => put_busy(`Making the debrief: ${percent} %`), { theme, ...first }, back);
+      const told = (percent: number): void => put_busy(`Making the debrief: ${percent} %`);
+      const closing = show_as_flown(flights, box, told, { theme, ...first }, back);
       await closing.catch((error: unknown) => {
         if (!is_open) return;
         leave();

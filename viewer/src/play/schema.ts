@@ -25,95 +25,72 @@ export interface Place {
 }
 
 const kKey = /^("[^"]*"|'[^']*'|[^\s#{}[\],&*!|>'"%@`:-][^#{}[\],:]*|-[^\s#{}[\],:]+)\s*:(?=\s|$)/;
+const kDash = /^-(\s+|$)/;
 const bare = (key: string): string => key.trim().replace(/^(["'])(.*)\1$/, '$2');
 
-/** Follows a text line by line. */
-class Follower {
-  /** Of the block that is open: each key or item with its column. */
-  private readonly block: { column: number; key: string }[] = [];
-  /** Of the braces that are open in it: "" for a map without a key so far, "-" for a list. */
-  private readonly flow: string[] = [];
-  private at: Place['at'] = 'key';
-  private said = '';
-
-  line(text: string): void {
-    if (this.flow.length) return this.inside(text);
-    let column = text.search(/\S|$/);
-    let rest = text.slice(column);
-    this.said = rest;
-    if (rest.startsWith('#')) return;
-    this.at = 'key';
-    if (rest) this.close(({ column: other }) => other > column);
-    for (let dash = /^-(\s+|$)/.exec(rest); dash; dash = /^-(\s+|$)/.exec(rest)) {
-      // an item may stand in the column of the key that it belongs to
-      this.close(({ column: other, key }) => other > column || (other === column && key === '-'));
-      this.block.push({ column, key: '-' });
-      column += dash[0].length;
-      rest = rest.slice(dash[0].length);
+/** Follows a line through the braces that are open in it, each with the key that it is at: "" for a map without one so far, "-" for a
+ * list. Gives the word that is being written at its end. */
+function follow_braces(line: string, open: string[]): string {
+  let word = '';
+  for (const { 0: token, groups } of line.matchAll(/(?<comment>(?<!\S)#.*)|"[^"]*"?|'[^']*'?|(?<colon>:(?!\S))|[^]/g)) {
+    const last = open.length - 1;
+    const is_list = open[last] === '-';
+    if (groups!['comment'] !== undefined) break;
+    if (token === '{' || token === '[') open.push(token === '{' ? '' : '-');
+    else if (token === '}' || token === ']') open.pop();
+    else if (token === ',') open[last] = is_list ? '-' : '';
+    else if (groups!['colon'] && !is_list) open[last] = bare(word);
+    else {
+      word += token;
+      continue;
     }
-    const key = kKey.exec(rest);
-    this.said = rest;
-    if (key) {
-      this.close(({ column: other }) => other >= column);
-      this.block.push({ column, key: bare(key[1]!) });
-      this.at = 'value';
-      rest = rest.slice(key[0].length);
-      this.said = rest.trimStart();
-    }
-    if (/^\s*[{[]/.test(rest)) this.inside(rest);
+    word = '';
+    if (!open.length) break;
   }
-
-  private close(is_over: (open: { column: number; key: string }) => boolean): void {
-    while (this.block.length && is_over(this.block.at(-1)!)) this.block.pop();
-  }
-
-  private inside(text: string): void {
-    const { flow } = this;
-    let word = '';
-    for (let i = 0; i < text.length; ++i) {
-      const c = text[i]!;
-      if (c === '"' || c === "'") {
-        const end = text.indexOf(c, i + 1);
-        word += text.slice(i, end < 0 ? undefined : end + 1);
-        i = end < 0 ? text.length : end;
-      } else if (c === '#' && /\s/.test(text[i - 1] ?? ' ')) {
-        break;
-      } else if (c === '{' || c === '[') {
-        flow.push(c === '{' ? '' : '-');
-        word = '';
-      } else if (c === '}' || c === ']') {
-        flow.pop();
-        word = '';
-        if (!flow.length) break;
-      } else if (c === ',') {
-        if (flow.at(-1) !== '-') flow[flow.length - 1] = '';
-        word = '';
-      } else if (c === ':' && /^(\s|$)/.test(text[i + 1] ?? '') && flow.at(-1) !== '-') {
-        flow[flow.length - 1] = bare(word);
-        word = '';
-      } else {
-        word += c;
-      }
-    }
-    this.said = word.trimStart();
-    this.at = flow.length && flow.at(-1) !== '' && flow.at(-1) !== '-' ? 'value' : 'key';
-  }
-
-  /** The place behind the last line, of which `text` was all. */
-  place(text: string): Place {
-    const column = this.flow.length || this.at === 'value' ? Infinity : text.length - this.said.length;
-    const block = this.block.filter((one) => one.column < column);
-    const path = [...block.map(({ key }) => key), ...this.flow].filter((key) => key !== '');
-    return { path, at: this.at, said: this.said };
-  }
+  return word.trimStart();
 }
 
 /** Where the end of a text is. */
 export function place_of(text: string): Place {
-  const follower = new Follower();
+  const block: { column: number; key: string }[] = [];
+  const open: string[] = [];
+  let at: Place['at'] = 'key';
+  let said = '';
+  const close = (is_over: (one: (typeof block)[number]) => boolean): void => {
+    while (block.length && is_over(block.at(-1)!)) block.pop();
+  };
   const lines = text.split('\n');
-  for (const line of lines) follower.line(line);
-  return follower.place(lines.at(-1)!);
+  for (const line of lines) {
+    let column = line.search(/\S|$/);
+    let rest = open.length ? line : line.slice(column);
+    if (!open.length) {
+      said = rest;
+      if (rest.startsWith('#')) continue;
+      at = 'key';
+      if (rest) close((one) => one.column > column);
+      for (let dash = kDash.exec(rest); dash; dash = kDash.exec(rest)) {
+        // an item may stand in the column of the key that it belongs to
+        close(({ column: other, key }) => other > column || (other === column && key === '-'));
+        block.push({ column, key: '-' });
+        column += dash[0].length;
+        said = rest = rest.slice(dash[0].length);
+      }
+      const key = kKey.exec(rest);
+      if (key) {
+        close((one) => one.column >= column);
+        block.push({ column, key: bare(key[1]!) });
+        at = 'value';
+        rest = rest.slice(key[0].length);
+        said = rest.trimStart();
+      }
+      if (!/^\s*[{[]/.test(rest)) continue;
+    }
+    said = follow_braces(rest, open);
+    at = open.length && !['', '-'].includes(open.at(-1)!) ? 'value' : 'key';
+  }
+  const column = open.length || at === 'value' ? Infinity : lines.at(-1)!.length - said.length;
+  const path = [...block.filter((one) => one.column < column).map(({ key }) => key), ...open].filter((key) => key !== '');
+  return { path, at, said };
 }
 
 export class Grammar {

@@ -125,7 +125,8 @@ export class SceneCamera {
     const freed = this.free(view);
     const { rig } = this;
     const { y, height } = eye.stance;
-    if (view.camera !== 'follow' && eye.hit(px, py, y, height * (view.camera === 'top' ? 1000 : 4))) rig.zoom(factor, eye.ground_x, eye.ground_z);
+    const farthest = height * (view.camera === 'top' ? 1000 : 4);
+    if (view.camera !== 'follow' && eye.hit(px, py, y, farthest)) rig.zoom(factor, eye.ground_x, eye.ground_z);
     else rig.zoom(factor);
     return freed;
   }

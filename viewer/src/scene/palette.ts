@@ -27,10 +27,13 @@ const kBoth = {
 
 export type Palette = { [K in Exclude<keyof typeof kBoth, 'side'>]: number } & { side: Record<Side, number> };
 
-const [kDark, kLight] = [0, 1].map((i) => Object.fromEntries(Object.entries(kBoth).map(([name, both]) => [name, both[i]])) as Palette);
+function palette(i: 0 | 1): Palette {
+  return Object.fromEntries(Object.entries(kBoth).map(([name, both]) => [name, both[i]])) as Palette;
+}
+const [kDark, kLight] = [palette(0), palette(1)];
 
 export function palette_of(theme: View['theme']): Palette {
-  return theme === 'dark' ? kDark! : kLight!;
+  return theme === 'dark' ? kDark : kLight;
 }
 
 /** Red, green and blue of one, as the screen shows them: for shaders, which write without conversion. */

@@ -14,7 +14,8 @@ const at = { east: 0, north: 0, up: 0 };
 /** A way from `first` to `last` (s) in legs that end at whole multiples of `leg` s. `alpha_of` gives the opacity at a time, and
  * may choose the pen; a leg that ends at a time for which `gap` holds is left out. */
 export function draw_legs(
-  lines: Pens, motion: Motion, [first, last]: [number, number], leg: number, alpha_of: (t: number) => number, gap = (_: number): boolean => false,
+  lines: Pens, motion: Motion, [first, last]: [number, number], leg: number,
+  alpha_of: (t: number) => number, gap = (_: number): boolean => false,
 ): void {
   let [x, y, z, pale] = [NaN, 0, 0, 0];
   for (let t = first; last > first;) {

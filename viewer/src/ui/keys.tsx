@@ -123,6 +123,10 @@ export function mind_manners(): () => void {
     target.closest<HTMLElement>('button:not(.rival), summary, select, [type=checkbox]')?.blur();
   };
   // before the keys of the page, which heed what is dealt with already
-  const stops = [listen(window, { keydown: press }, { capture: true }), listen(window, { pointerdown: down, click: done, change: done })];
-  return () => stops.forEach((stop) => stop());
+  const first = listen(window, { keydown: press }, { capture: true });
+  const rest = listen(window, { pointerdown: down, click: done, change: done });
+  return () => {
+    first();
+    rest();
+  };
 }

@@ -7,7 +7,8 @@ import { use_page } from './page.ts';
 import { use_view } from './use.ts';
 
 const kCameraHelp: Record<Camera, string> = {
-  whole: 'Everybody in the picture', follow: 'Follow the selected player (f)', top: 'From above, north up', free: 'Stay where the camera is',
+  whole: 'Everybody in the picture', follow: 'Follow the selected player (f)', top: 'From above, north up',
+  free: 'Stay where the camera is',
 };
 const kLayerWords: Record<Layer, string> = {
   trails: 'trails', drop_lines: 'heights', radar: 'radar', tracks: 'tracks it has', zones: 'missile zones', routes: 'routes',

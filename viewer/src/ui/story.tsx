@@ -117,7 +117,8 @@ export function Story() {
   if (!still.current || stretch.current.last > lines.length) stretch.current = stretch_of(at, lines.length, stretch.current);
   const { first, last } = stretch.current;
   // drawn once; where the present is in them is written on them afterwards
-  const shown = useMemo(() => lines.slice(first, last).map((line) => <Told key={line} page={page} line={line} />), [page, lines, first, last]);
+  const shown = useMemo(() => lines.slice(first, last).map((line) => <Told key={line} page={page} line={line} />),
+    [page, lines, first, last]);
   const widen = (earlier: number, later: number): void => {
     stretch.current = { first: Math.max(0, first - earlier), last: Math.min(lines.length, last + later) };
     redraw(undefined);
