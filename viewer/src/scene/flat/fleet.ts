@@ -44,6 +44,7 @@ function model_of(name: ShapeName): Model {
 }
 
 const point = new Vector3();
+const [xs, ys] = [new Float64Array(3), new Float64Array(3)];
 
 function outline_of({ outline }: Model, matrix: Matrix4, eye: Eye): number[] {
   return outline.flatMap(([x, z]) => {
@@ -57,19 +58,19 @@ function outline_of({ outline }: Model, matrix: Matrix4, eye: Eye): number[] {
 function faces_of({ corners, normals }: Model, matrix: Matrix4, eye: Eye): Face[] {
   const faces: Face[] = [];
   for (let at = 0; at < corners.length; at += 9) {
-    const spots: number[] = [];
     let depth = 0;
-    for (let k = at; k < at + 9; k += 3) {
-      point.fromArray(corners, k).applyMatrix4(matrix);
+    for (let k = 0; k < 3; ++k) {
+      point.fromArray(corners, at + 3 * k).applyMatrix4(matrix);
       eye.project(point.x, point.y, point.z);
-      spots.push(eye.px, eye.py);
+      xs[k] = eye.px;
+      ys[k] = eye.py;
       depth += eye.depth;
     }
-    const [ax, ay, bx, by, cx, cy] = spots as [number, number, number, number, number, number];
+    const [ax, bx, cx, ay, by, cy] = [xs[0]!, xs[1]!, xs[2]!, ys[0]!, ys[1]!, ys[2]!];
     // the y axis of the screen points down
     if ((bx - ax) * (cy - ay) - (cx - ax) * (by - ay) >= 0) continue;
-    const level = level_of(...point.fromArray(normals, at).transformDirection(matrix).toArray());
-    faces.push({ spots, depth, level });
+    point.fromArray(normals, at).transformDirection(matrix);
+    faces.push({ spots: [ax, ay, bx, by, cx, cy], depth, level: level_of(point.x, point.y, point.z) });
   }
   return faces.sort((a, b) => b.depth - a.depth);
 }
