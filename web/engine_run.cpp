@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  The engine's answers about a run.
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include "debrief/what_if.hpp"
@@ -15,37 +14,6 @@ constexpr double kBetweenKept = 5;  // s
 
 Moment moment(const sim::World& world, double dt) {
   return {world.step(), static_cast<double>(world.step()) * dt, hex(world.hash())};
-}
-
-double number(const std::byte* at, Scalar type) {
-  const auto read = [at]<class T>(T value) {
-    std::memcpy(&value, at, sizeof value);
-    return static_cast<double>(value);
-  };
-  switch (type) {
-    case Scalar::f64:
-      return read(double{});
-    case Scalar::f32:
-      return read(float{});
-    case Scalar::u16:
-      return read(std::uint16_t{});
-    case Scalar::u32:
-      return read(std::uint32_t{});
-    case Scalar::u64:
-      return read(std::uint64_t{});
-    case Scalar::i8:
-      return read(std::int8_t{});
-    case Scalar::i16:
-      return read(std::int16_t{});
-    case Scalar::i32:
-      return read(std::int32_t{});
-    case Scalar::i64:
-      return read(std::int64_t{});
-    case Scalar::u8:
-    case Scalar::bytes:
-      break;
-  }
-  return read(std::uint8_t{});
 }
 
 }  // namespace
@@ -168,9 +136,7 @@ Rows Engine::rows(const Table& wanted) const {
           out.name += fmt::format("[{}]", i);
         out.unit = field.unit;
         for (std::size_t row = 0; row < rows.ids.size(); ++row)
-          out.values.push_back(
-              number(bytes + row * column.stride + field.offset + i * scalar_size(field.type),
-                     field.type));
+          out.values.push_back(scalar_number(field, bytes + row * column.stride, i));
       }
   }
   return rows;

@@ -11,6 +11,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "disk/sink.hpp"
@@ -45,7 +46,7 @@ void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json&
       files.push_back(entry.path());
   if (failed)
     throw disk::Failed(
-        fmt::format("cannot read {}: {}", disk::quoted(home / folder), failed.message()));
+        fmt::format("cannot read {}: {}", quote_path((home / folder).string()), failed.message()));
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) {
     disk::FileRead read = disk::read_file(file, kLargest);

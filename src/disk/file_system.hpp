@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The calls by which Eyrie reads, writes and moves files, in one table.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <unistd.h>
 
 #include <cstddef>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -19,47 +23,52 @@ class FileSystem {
  public:
   virtual ~FileSystem() = default;
 
-  virtual int open(int folder, const char* name, int flags, mode_t mode);
-  virtual ssize_t read(int file, void* to, std::size_t size);
-  virtual ssize_t write(int file, const void* from, std::size_t size);
+  virtual int open(int folder, const char* name, int flags, mode_t mode) {
+    return ::openat(folder, name, flags | O_CLOEXEC, mode);
+  }
+  virtual ssize_t read(int file, void* to, std::size_t size) { return ::read(file, to, size); }
+  virtual ssize_t write(int file, const void* from, std::size_t size) {
+    return ::write(file, from, size);
+  }
   /// Takes back what stands behind the first `size` bytes; the next write() goes there.
-  virtual int cut(int file, off_t size);
+  virtual int cut(int file, off_t size) {
+    return ::ftruncate(file, size) == 0 && ::lseek(file, size, SEEK_SET) == size ? 0 : -1;
+  }
   /// Until what was written is on the disk.
-  virtual int sync(int file);
-  virtual int close(int file);
+  virtual int sync(int file) { return ::fsync(file); }
+  virtual int close(int file) { return ::close(file); }
   /// Of an open file, or of a name: of the symbolic link itself with AT_SYMLINK_NOFOLLOW.
-  virtual int status(int file, struct stat& into);
-  virtual int status(int folder, const char* name, struct stat& into, int flags);
-  virtual int set_mode(int file, mode_t mode);
-  virtual int make_folder(int folder, const char* name, mode_t mode);
+  virtual int status(int file, struct stat& into) { return ::fstat(file, &into); }
+  virtual int status(int folder, const char* name, struct stat& into, int flags) {
+    return ::fstatat(folder, name, &into, flags);
+  }
+  virtual int set_mode(int file, mode_t mode) { return ::fchmod(file, mode); }
+  virtual int make_folder(int folder, const char* name, mode_t mode) {
+    return ::mkdirat(folder, name, mode);
+  }
   /// A file; with AT_REMOVEDIR an empty folder.
-  virtual int remove(int folder, const char* name, int flags);
+  virtual int remove(int folder, const char* name, int flags) {
+    return ::unlinkat(folder, name, flags);
+  }
   /// As renameat2: RENAME_NOREPLACE fails if `to` is there, RENAME_EXCHANGE swaps the two.
   virtual int rename(int from_folder, const char* from, int to_folder, const char* to,
-                     unsigned flags);
+                     unsigned flags) {
+    return ::renameat2(from_folder, from, to_folder, to, flags);
+  }
   /// The names in an open folder, without "." and "..".
   virtual int list(int folder, std::vector<std::string>& names);
   /// Whether another disk, or another part of one, begins at an open folder.
   virtual bool mount_point(int folder);
   /// Takes the lock of an open file or folder for as long as it is open; fails if another open
   /// file holds it.
-  virtual int lock(int file);
+  virtual int lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB); }
 };
 
 /// The table in use: the operating system's, unless a test has put in another one.
 [[nodiscard]] FileSystem& files();
 
-/// While this lives, `other` is the table in use.
-class Instead {
- public:
-  explicit Instead(FileSystem& other);
-  ~Instead();
-  Instead(const Instead&) = delete;
-  Instead& operator=(const Instead&) = delete;
-
- private:
-  FileSystem* before_;
-};
+/// Puts another table in its place, or with null the operating system's; gives what was there.
+FileSystem* use_files(FileSystem* other);
 
 /// "a file", "a folder", "a symbolic link", "a pipe" ...
 [[nodiscard]] const char* kind_text(mode_t mode);
@@ -67,8 +76,7 @@ class Instead {
 /// What errno means, in words: "No space left on device".
 [[nodiscard]] std::string words_of(int error);
 
-// An open file or folder that is closed when nobody needs it any more.
-
+/// An open file or folder that is closed when nobody needs it any more.
 class Handle {
  public:
   Handle() = default;
@@ -98,9 +106,6 @@ struct Failed : std::runtime_error {
 struct Refused : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-/// A path in a message: "'runs/sweep-13'".
-[[nodiscard]] std::string quoted(const std::string& path);
 
 /// Throws that `path` cannot be made because of `error` of errno: Refused if there cannot be
 /// anything of that name, Failed otherwise.

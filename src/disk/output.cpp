@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 #include "disk/temporary.hpp"
 
@@ -19,11 +20,11 @@ namespace {
 std::optional<struct stat> replaceable(const Destination& place, bool replace) {
   const auto found = place.look();
   if (found && !S_ISREG(found->st_mode))
-    throw Refused(fmt::format("{} is {}; only files are replaced", quoted(place.path()),
+    throw Refused(fmt::format("{} is {}; only files are replaced", quote_path(place.path()),
                               kind_text(found->st_mode)));
   if (found && !replace)
-    throw Refused(
-        fmt::format("{} exists already; name another file or add --force", quoted(place.path())));
+    throw Refused(fmt::format("{} exists already; name another file or add --force",
+                              quote_path(place.path())));
   remove_abandoned(place, {});
   return found;
 }
@@ -57,8 +58,8 @@ void OutputFile::commit() {
   if (put.how == Put::failed)
     cannot_make(place_.path(), put.error);
   if (put.how == Put::taken)
-    throw Failed(
-        fmt::format("{} has appeared in the meantime; nothing was written", quoted(place_.path())));
+    throw Failed(fmt::format("{} has appeared in the meantime; nothing was written",
+                             quote_path(place_.path())));
   if (files().sync(place_.folder()) != 0 && errno != EINVAL)
     cannot_make(place_.path(), errno);
 }
@@ -113,7 +114,7 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
   if (!found)
     return std::nullopt;
   if (!S_ISDIR(found->st_mode))
-    throw Refused(fmt::format("{} is {}; only a folder is made or replaced", quoted(path_),
+    throw Refused(fmt::format("{} is {}; only a folder is made or replaced", quote_path(path_),
                               kind_text(found->st_mode)));
   Old old{*found, Handle(files().open(place_.folder(), place_.name().c_str(),
                                       O_RDONLY | O_DIRECTORY | O_NOFOLLOW, 0))};
@@ -123,19 +124,20 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
   old.empty = inside.empty();
   if (!old.empty && !wish_.replace)
     throw Refused(
-        fmt::format("{} exists already; name another folder or add --force", quoted(path_)));
+        fmt::format("{} exists already; name another folder or add --force", quote_path(path_)));
   if (stand_in(*found))
-    throw Refused(fmt::format("{} is where you are, or above; it is not replaced", quoted(path_)));
+    throw Refused(
+        fmt::format("{} is where you are, or above; it is not replaced", quote_path(path_)));
   if (files().mount_point(old.folder.get()))
-    throw Refused(fmt::format("{} is the root of a disk; name a folder in it", quoted(path_)));
+    throw Refused(fmt::format("{} is the root of a disk; name a folder in it", quote_path(path_)));
   if (old.empty)
     return old;
   if (std::find(inside.begin(), inside.end(), wish_.sign) == inside.end())
-    throw Refused(fmt::format("{} has no {}: only the folder of {} is replaced", quoted(path_),
+    throw Refused(fmt::format("{} has no {}: only the folder of {} is replaced", quote_path(path_),
                               wish_.sign, wish_.kind));
   if (const std::string name = foreign(old.folder.get()); !name.empty())
     throw Refused(fmt::format("{} has {}, which Eyrie has not written: it is not replaced",
-                              quoted(path_), quoted(name)));
+                              quote_path(path_), quote_path(name)));
   return old;
 }
 
@@ -182,10 +184,10 @@ std::string OutputFolder::commit() {
     replaced = put.how == Put::done && old_ && !old_->empty;
     if (put.how != Put::done && !wish_.numbered)
       words = put.how == Put::failed
-                  ? fmt::format("cannot make {}: {}", quoted(path_), words_of(put.error))
+                  ? fmt::format("cannot make {}: {}", quote_path(path_), words_of(put.error))
               : spared_
-                  ? fmt::format("{} is as it was", quoted(path_))
-                  : fmt::format("{} has been taken or changed in the meantime", quoted(path_));
+                  ? fmt::format("{} is as it was", quote_path(path_))
+                  : fmt::format("{} has been taken or changed in the meantime", quote_path(path_));
     for (int i = 2; put.how != Put::done; ++i) {
       const std::string name = fmt::format("{}.{}", place_.name(), i);
       std::string there = place_.beside(name);
@@ -197,9 +199,10 @@ std::string OutputFolder::commit() {
     part_.moved();
   }
   if (!words.empty())
-    words += fmt::format("; the new one is {}", quoted(path_));
+    words += fmt::format("; the new one is {}", quote_path(path_));
   if (files().sync(place_.folder()) != 0 && errno != EINVAL && words.empty())
-    words = fmt::format("{} is lost if the power fails now: {}", quoted(path_), words_of(errno));
+    words =
+        fmt::format("{} is lost if the power fails now: {}", quote_path(path_), words_of(errno));
   const std::string left = replaced ? drop_old(part) : "";
   return words.empty() ? left : words;
 }
@@ -213,8 +216,8 @@ std::string OutputFolder::drop_old(const std::string& name) {
   std::string kept = place_.name() + ".old";
   for (int i = 2; put_new(folder, name, kept).how == Put::taken; ++i)
     kept = fmt::format("{}.old.{}", place_.name(), i);
-  return fmt::format("what {} was could not be removed; it is {}", quoted(path_),
-                     quoted(place_.beside(kept)));
+  return fmt::format("what {} was could not be removed; it is {}", quote_path(path_),
+                     quote_path(place_.beside(kept)));
 }
 
 }  // namespace eyrie::disk

@@ -12,6 +12,7 @@
 #include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "disk/temporary.hpp"
+#include "support/instead.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::disk {

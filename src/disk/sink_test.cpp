@@ -9,6 +9,7 @@
 
 #include "disk/file_system.hpp"
 #include "disk/sink.hpp"
+#include "support/instead.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::disk {

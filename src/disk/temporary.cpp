@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 
 namespace eyrie::disk {
@@ -27,7 +28,7 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
   name_ = path_.substr(before_.size());
   if (name_.empty() || name_ == "." || name_ == "..")
     throw Refused(
-        fmt::format("{} is no place to write to: name something of its own", quoted(path_)));
+        fmt::format("{} is no place to write to: name something of its own", quote_path(path_)));
   if (parents == Parents::are_made)
     make_parents();
   folder_ = Handle(
@@ -36,8 +37,8 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
     return;
   const int error = errno;
   if (error == ENOENT)
-    throw Refused(fmt::format("cannot make {}: there is no folder {}", quoted(path_),
-                              quoted(before_.substr(0, before_.size() - 1))));
+    throw Refused(fmt::format("cannot make {}: there is no folder {}", quote_path(path_),
+                              quote_path(before_.substr(0, before_.size() - 1))));
   cannot_make(path_, error);
 }
 

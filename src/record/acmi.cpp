@@ -67,7 +67,7 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
   }
   see_players(world);
   write_lines();
-  remember(world);
+  pass(world);
 }
 
 void AcmiWriter::see(PlayerId id, AcmiSample sample) {
@@ -128,10 +128,7 @@ void AcmiWriter::gone(PlayerId id) {
   const auto at = objects_.find(id.value);
   if (at == objects_.end() || at->second.gone())
     return;
-  for (const Seen& seen : seen_)
-    if (const auto i = std::lower_bound(seen.ids.begin(), seen.ids.end(), id);
-        i != seen.ids.end() && *i == id)
-      at->second.leave(step_ - 1, seen.poses[static_cast<std::size_t>(i - seen.ids.begin())]);
+  at->second.leave(step_ - 1);
   lines_.push_back({step_, AcmiLine::Kind::removal, fmt::format("-{:x}\n", id.value)});
 }
 
@@ -185,22 +182,20 @@ void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
     see_missiles(world);
   if (step_ % lines_every_ == 0)
     write_lines();
-  remember(world);
+  pass(world);
 }
 
-void AcmiWriter::remember(const sim::World& world) {
-  seen_.resize(scenario_.fleets.size() + 1);
-  const auto keep = [&](Seen& seen, TableId table, auto column) {
-    const auto ids = world.ids(table);
-    seen.ids.assign(ids.begin(), ids.end());
-    seen.poses.clear();
-    for (const model::Kinematics& k : world.rows(column))
-      seen.poses.push_back(pose_of(k, time_));
+/// Tells every object where it is now.
+void AcmiWriter::pass(const sim::World& world) {
+  const auto note = [&](PlayerId id, const model::Kinematics& k) {
+    if (const auto at = objects_.find(id.value); at != objects_.end())
+      at->second.pass(pose_of(k, time_));
   };
-  keep(seen_.back(), scenario_.missiles.table, scenario_.missiles.kinematics);
-  for (std::size_t i = 0; i < scenario_.fleets.size(); ++i)
-    if (const scenario::Fleet& fleet = *scenario_.fleets[i]; fleet.agents)
-      keep(seen_[i], fleet.agents->table(), fleet.kinematics);
+  scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+    note(id, fleet.motion(world, row));
+  });
+  for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
+    note(world.ids(scenario_.missiles.table)[i], world.rows(scenario_.missiles.kinematics)[i]);
 }
 
 void AcmiWriter::write_lines() {

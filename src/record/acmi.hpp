@@ -33,12 +33,6 @@ class AcmiWriter final : public sim::Observer {
   void finish(const sim::World& world) override;
 
  private:
-  /// Where the players of a table were after the last step.
-  struct Seen {
-    std::vector<PlayerId> ids;
-    std::vector<Pose> poses;
-  };
-
   void see_players(const sim::World& world);
   void see_missiles(const sim::World& world);
   void see(PlayerId id, AcmiSample sample);
@@ -55,7 +49,7 @@ class AcmiWriter final : public sim::Observer {
     lines_.push_back(
         {step_, AcmiLine::Kind::event, fmt::format(format, std::forward<T>(values)...)});
   }
-  void remember(const sim::World& world);
+  void pass(const sim::World& world);
   void write_lines();
 
   const scenario::Scenario& scenario_;
@@ -65,7 +59,6 @@ class AcmiWriter final : public sim::Observer {
   std::uint64_t players_every_ = 10, missiles_every_ = 5, lines_every_ = 250;  // steps
   std::map<std::uint32_t, AcmiObject> objects_;                                ///< by id
   std::map<std::pair<const void*, std::uint32_t>, std::string> labels_;        ///< by tree and node
-  std::vector<Seen> seen_;                                                     ///< by table
   std::vector<AcmiLine> lines_;
   std::string written_frame_;
 };

@@ -92,13 +92,13 @@ void AcmiObject::see(AcmiSample sample) {
   samples_.push_back(std::move(sample));
 }
 
-void AcmiObject::leave(std::uint64_t step, const Pose& pose) {
+void AcmiObject::leave(std::uint64_t step) {
   gone_ = true;
-  if (samples_.empty() || pose.time <= samples_.back().pose.time)
+  if (samples_.empty() || last_.time <= samples_.back().pose.time)
     return;
   AcmiSample last = samples_.back();
   last.step = step;
-  last.pose = pose;
+  last.pose = last_;
   samples_.push_back(std::move(last));
 }
 

@@ -70,8 +70,10 @@ class AcmiObject {
   /// Later than all before. The first one, a new lock, another behavior in charge and a vote that
   /// has changed by more than a twentieth are wanted anyway.
   void see(AcmiSample sample);
-  /// Where it was last, at most one step before it is gone.
-  void leave(std::uint64_t step, const Pose& pose);
+  /// Where it is after a step.
+  void pass(const Pose& pose) { last_ = pose; }
+  /// It is gone; `step` is the last one in which it was there.
+  void leave(std::uint64_t step);
   [[nodiscard]] bool gone() const { return gone_; }
 
   /// Everything since the last time, its last sample included.
@@ -83,6 +85,7 @@ class AcmiObject {
   PlayerId id_;
   std::string introduction_;
   std::vector<AcmiSample> samples_;  ///< the first one has been written, if any has
+  Pose last_;
   bool begun_ = false, gone_ = false;
   float noted_vote_ = -1;
   // as it stands in the file

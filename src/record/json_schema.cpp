@@ -31,6 +31,18 @@ Json one_or_nothing(Json schema) {
 Json list_of(Json item) {
   return {{"type", "array"}, {"minItems", 1}, {"items", std::move(item)}};
 }
+/// A map of these properties and nothing else.
+Json closed_map(Json properties, const std::vector<std::string_view>& required = {}) {
+  Json map{{"type", "object"}, {"properties", std::move(properties)}};
+  if (!required.empty())
+    map["required"] = required;
+  map["additionalProperties"] = false;
+  return map;
+}
+/// A map that has that key.
+Json needing(std::string_view key) {
+  return {{"required", Json::array({key})}};
+}
 /// A map with free names.
 Json map_of(Json value) {
   return {{"type", "object"}, {"additionalProperties", std::move(value)}};
@@ -49,18 +61,12 @@ Json vote_curve() {
                  {"from", end},
                  {"to", end},
                  {"curve", {{"enum", enum_names<ubf::Curve>()}}}};
-  const Json item{{"type", "object"},
-                  {"properties", one},
-                  {"required", Json::array({"of"})},
-                  {"additionalProperties", false}};
   Json all = one;
   all["most"] = all["least"] = {{"type", "number"}};
-  all["product"] = list_of(item);
-  return {{"type", "object"},
-          {"properties", std::move(all)},
-          {"oneOf", Json::array({{{"required", Json::array({"of"})}},
-                                 {{"required", Json::array({"product"})}}})},
-          {"additionalProperties", false}};
+  all["product"] = list_of(closed_map(one, {"of"}));
+  Json curve = closed_map(std::move(all));
+  curve["oneOf"] = {needing("of"), needing("product")};
+  return curve;
 }
 
 /// Parameters and label, not yet children.
@@ -91,13 +97,11 @@ Json sequencer(Json map) {
       {{"minProperties", 1},
        {"propertyNames", {{"pattern", kLabel}, {"not", {{"const", "any"}}}}},
        {"description", "the trees by name"}});
-  Json link{{"type", "object"},
-            {"properties",
-             {{"from", {{"type", "string"}, {"description", "the tree that is left, or any"}}},
-              {"to", {{"type", "string"}, {"description", "the tree that is entered"}}},
-              {"when", reference_to("node")}}},
-            {"required", {"from", "to", "when"}},
-            {"additionalProperties", false}};
+  const Json link =
+      closed_map({{"from", {{"type", "string"}, {"description", "the tree that is left, or any"}}},
+                  {"to", {{"type", "string"}, {"description", "the tree that is entered"}}},
+                  {"when", reference_to("node")}},
+                 {"from", "to", "when"});
   map["properties"]["transitions"] = one_or_nothing({{"type", "array"}, {"items", link}});
   map["properties"]["transitions"]["description"] =
       "asked in this order, at most one is taken per tick";
@@ -112,8 +116,7 @@ Json composite(Json map, bool takes_one_child) {
   Json parameters_left = map.value("required", Json::array());
   if (takes_one_child) {
     map["properties"]["child"] = reference_to("node");
-    map["oneOf"] = {{{"required", Json::array({"children"})}},
-                    {{"required", Json::array({"child"})}}};
+    map["oneOf"] = {needing("children"), needing("child")};
   } else {
     require(map, "children");
   }
@@ -195,12 +198,9 @@ Json node_definition(const Catalog& catalog) {
         types[node.name]["description"] = fmt::format("{} (of {})", node.help, kind.plural);
       }
   Json words{{"type", "string"}, {"pattern", "[<>=!()]|^not | and | or "}};
-  Json node =
-      any_of(any_of({{"enum", names}}, std::move(words)), {{"type", "object"},
-                                                           {"properties", types},
-                                                           {"minProperties", 1},
-                                                           {"maxProperties", 1},
-                                                           {"additionalProperties", false}});
+  Json one = closed_map(std::move(types));
+  one["minProperties"] = one["maxProperties"] = 1;
+  Json node = any_of(any_of({{"enum", names}}, std::move(words)), std::move(one));
   node["description"] = "a node of a tree: its name, or its name with parameters or children";
   return node;
 }
@@ -218,7 +218,7 @@ Json model_definition(const ModelKind& kind) {
       {"description", "another model of this kind, for everything that is not said here"}};
   map["properties"]["source"] = {{"description", "where the numbers come from"}};
   if (!needed.empty())
-    map["anyOf"] = {{{"required", Json::array({"base"})}}, {{"required", needed}}};
+    map["anyOf"] = {needing("base"), {{"required", needed}}};
   std::string description = kind.help;
   for (const auto& [name, origin] : kind.origins)
     description += "; " + name + " is of " + origin;
@@ -230,8 +230,7 @@ Json data_schema(const Catalog& catalog) {
   Json kinds = Json::object();
   for (const ModelKind& kind : catalog.models)
     kinds[kind.folder] = one_or_nothing(map_of(reference_to("model." + kind.folder)));
-  return one_or_nothing(
-      {{"type", "object"}, {"properties", kinds}, {"additionalProperties", false}});
+  return one_or_nothing(closed_map(std::move(kinds)));
 }
 
 // the file
@@ -251,15 +250,14 @@ class Root {
     Json map = map_schema(top.parameters);
     schema["description"] = top.help;
     schema.update(map);
-    schema["properties"].at("orders")["items"]["anyOf"] = {
-        {{"required", Json::array({"swap_tree"})}}, {{"required", Json::array({"lose"})}}};
+    schema["properties"].at("orders")["items"]["anyOf"] = {needing("swap_tree"), needing("lose")};
     put(schema, "include", include_schema());
     put(schema, "plugins", one_or_nothing(include_schema()));
     put(schema, "trees", trees());
     put(schema, "data", data_schema(catalog_));
     put(schema, "blue", reference_to("side"));
     put(schema, "red", reference_to("side"));
-    schema["anyOf"] = {{{"required", Json::array({"blue"})}}, {{"required", Json::array({"red"})}}};
+    schema["anyOf"] = {needing("blue"), needing("red")};
     schema["definitions"] = definitions();
     return schema;
   }
@@ -280,18 +278,15 @@ class Root {
   }
 
   static Json trees() {
-    Json with_parameters{
-        {"type", "object"},
-        {"properties",
-         {{std::string(ubf::kParametersKey),
-           {{"type", "object"},
-            {"additionalProperties", true},
-            {"propertyNames",
-             {{"pattern", "^[A-Za-z0-9_]+$"}, {"not", {{"const", ubf::kFieldsKey}}}}},
-            {"description", "names and defaults; one without a default must be given"}}},
-          {std::string(ubf::kRootKey), {{"description", "a node, with $name for parameters"}}}}},
-        {"required", {ubf::kParametersKey, ubf::kRootKey}},
-        {"additionalProperties", false}};
+    Json with_parameters = closed_map(
+        {{std::string(ubf::kParametersKey),
+          {{"type", "object"},
+           {"additionalProperties", true},
+           {"propertyNames",
+            {{"pattern", "^[A-Za-z0-9_]+$"}, {"not", {{"const", ubf::kFieldsKey}}}}},
+           {"description", "names and defaults; one without a default must be given"}}},
+         {std::string(ubf::kRootKey), {{"description", "a node, with $name for parameters"}}}},
+        {ubf::kParametersKey, ubf::kRootKey});
     return one_or_nothing(map_of(any_of(reference_to("node"), std::move(with_parameters))));
   }
 
@@ -313,22 +308,19 @@ class Root {
     Json convoys = flights;
     convoys["additionalProperties"] = map_of(reference_to("convoy"))["additionalProperties"];
     put(result["side"], "convoys", convoys);
-    result["side"]["anyOf"] = {{{"required", Json::array({"flights"})}}};
+    result["side"]["anyOf"] = Json::array({needing("flights")});
     for (const scenario::OtherKind& kind : catalog_.others) {
-      result["side"]["anyOf"].push_back({{"required", Json::array({kind.key})}});
+      result["side"]["anyOf"].push_back(needing(kind.key));
       if (result.contains(kind.group))
         continue;
       result[kind.group] = map_schema(part(kind.group).parameters);
       put(result["side"], kind.key, map_of(reference_to(kind.group)));
     }
-    result["package"] = {{"type", "object"},
-                         {"description", "a file that scenarios include"},
-                         {"properties",
-                          {{"include", include_schema()},
-                           {"plugins", one_or_nothing(include_schema())},
-                           {"trees", trees()},
-                           {"data", data_schema(catalog_)}}},
-                         {"additionalProperties", false}};
+    result["package"] = closed_map({{"include", include_schema()},
+                                    {"plugins", one_or_nothing(include_schema())},
+                                    {"trees", trees()},
+                                    {"data", data_schema(catalog_)}});
+    result["package"]["description"] = "a file that scenarios include";
     return result;
   }
 

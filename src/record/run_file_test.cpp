@@ -10,6 +10,7 @@
 #include "core/hash.hpp"
 #include "disk/file_system.hpp"
 #include "sim/swarm_test.hpp"
+#include "support/instead.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::record {

@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Everything that files may say, gathered from the descriptions that also read the files:
 /// the generated references cannot differ from the program.
+#include <array>
 #include <functional>
 #include <map>
 #include <span>
@@ -36,6 +37,21 @@ struct OtherKind {
   std::vector<ubf::NodeInfo> nodes;         ///< besides the standard ones
   std::vector<ubf::StateFieldInfo> fields;  ///< that expressions and switches may read
 };
+
+/// Nodes of one kind, as references put them together.
+struct NodeSection {
+  ubf::Kind kind;
+  std::string_view title, help;
+};
+inline constexpr std::array kNodeSections{
+    NodeSection{ubf::Kind::behavior, "Behaviors", "A behavior proposes an action with a vote."},
+    NodeSection{ubf::Kind::condition, "Conditions",
+                "A condition succeeds or fails and proposes nothing."},
+    NodeSection{ubf::Kind::arbiter, "Arbiters",
+                "An arbiter asks all its children and makes one proposal of theirs."},
+    NodeSection{ubf::Kind::control, "Control nodes",
+                "A control node chooses which children are asked."},
+    NodeSection{ubf::Kind::decorator, "Decorators", "A decorator changes what its child answers."}};
 
 struct Catalog {
   /// "scenario", "side", "flight", "player", "convoy", "vehicle", and groups of plug-ins.
@@ -72,7 +88,8 @@ struct Catalog {
 /// Calls `visit(path, info)` for every parameter and, behind it, for those inside it:
 /// "start.altitude"; "stations[].store" inside the items of a list.
 void each_parameter(std::span<const ParamInfo> parameters,
-                    const std::function<void(const std::string&, const ParamInfo&)>& visit);
+                    const std::function<void(const std::string&, const ParamInfo&)>& visit,
+                    const std::string& prefix = "");
 
 /// The noun of a dimension without its article: "length". For none: "plain number".
 [[nodiscard]] std::string_view dimension_word(Dimension dimension);

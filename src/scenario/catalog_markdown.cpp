@@ -89,20 +89,6 @@ constexpr std::string_view kSequencer =
     "    - {from: ingress, to: egress, when: bingo}         # `from: any` is every tree\n"
     "```\n";
 
-struct Section {
-  ubf::Kind kind;
-  std::string_view title, help;
-};
-constexpr std::array kSections{
-    Section{ubf::Kind::behavior, "Behaviors", "A behavior proposes an action with a vote."},
-    Section{ubf::Kind::condition, "Conditions",
-            "A condition succeeds or fails and proposes nothing."},
-    Section{ubf::Kind::arbiter, "Arbiters",
-            "An arbiter asks all its children and makes one proposal of theirs."},
-    Section{ubf::Kind::control, "Control nodes",
-            "A control node chooses which children are asked."},
-    Section{ubf::Kind::decorator, "Decorators", "A decorator changes what its child answers."}};
-
 /// Helps begin small; here each begins a sentence.
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
@@ -128,7 +114,7 @@ class Writer {
       file_part(part);
     text_ += "\n## Trees\n";
     text_ += kTrees;
-    for (const Section& section : kSections)
+    for (const NodeSection& section : kNodeSections)
       nodes(section);
     text_ += kFields;
     fields(catalog_.fields);
@@ -173,7 +159,7 @@ class Writer {
     table(part.parameters);
   }
 
-  void nodes(const Section& section) {
+  void nodes(const NodeSection& section) {
     add("\n### {}\n\n{}\n", section.title, section.help);
     for (const ubf::NodeInfo& node : catalog_.nodes) {
       if (node.kind == section.kind)

@@ -14,15 +14,6 @@
 #include "scenario/catalog.hpp"
 
 namespace eyrie::scenario {
-namespace {
-
-constexpr std::array kGroups{std::pair{ubf::Kind::behavior, "Behaviors: recommend an action"},
-                             std::pair{ubf::Kind::condition, "Conditions: answer a question"},
-                             std::pair{ubf::Kind::arbiter, "Arbiters: choose among proposals"},
-                             std::pair{ubf::Kind::control, "Control nodes: choose who is asked"},
-                             std::pair{ubf::Kind::decorator, "Decorators: change one child"}};
-
-}  // namespace
 
 std::string catalog_text(const Catalog& catalog) {
   std::size_t width = 0;
@@ -39,8 +30,8 @@ std::string catalog_text(const Catalog& catalog) {
     line(node.name,
          node.origin == "eyrie" ? node.help : fmt::format("{} (of {})", node.help, node.origin));
   };
-  for (const auto& [kind, title] : kGroups) {
-    text += std::string(title) + "\n";
+  for (const auto& [kind, title, help] : kNodeSections) {
+    text += fmt::format("{}: {}\n", title, help);
     for (const ubf::NodeInfo& node : catalog.nodes)
       if (node.kind == kind)
         node_line(node);
@@ -93,18 +84,6 @@ std::string table_text(const ParamInfo& table) {
   for (const TableAxis& axis : table.axes)
     text += (text.empty() ? "" : " and ") + std::string(axis.name);
   return fmt::format("table of {}s over {}", dimension_word(table.unit.dimension), text);
-}
-
-void visit_below(const std::string& prefix, std::span<const ParamInfo> parameters,
-                 const std::function<void(const std::string&, const ParamInfo&)>& visit) {
-  for (const ParamInfo& info : parameters) {
-    const std::string path = prefix + info.name;
-    visit(path, info);
-    if (info.kind == ParamKind::group)
-      visit_below(path + ".", info.children, visit);
-    else if (info.kind == ParamKind::list && info.children.front().kind == ParamKind::group)
-      visit_below(path + "[].", info.children.front().children, visit);
-  }
 }
 
 }  // namespace
@@ -168,8 +147,16 @@ std::string default_text(const ParamInfo& info) {
 }
 
 void each_parameter(std::span<const ParamInfo> parameters,
-                    const std::function<void(const std::string&, const ParamInfo&)>& visit) {
-  visit_below("", parameters, visit);
+                    const std::function<void(const std::string&, const ParamInfo&)>& visit,
+                    const std::string& prefix) {
+  for (const ParamInfo& info : parameters) {
+    const std::string path = prefix + info.name;
+    visit(path, info);
+    if (info.kind == ParamKind::group)
+      each_parameter(info.children, visit, path + ".");
+    else if (info.kind == ParamKind::list && info.children.front().kind == ParamKind::group)
+      each_parameter(info.children.front().children, visit, path + "[].");
+  }
 }
 
 }  // namespace eyrie::scenario

@@ -38,21 +38,18 @@ std::optional<std::string> until_problem(const ScenarioSpec& spec, double until)
 }
 
 Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until,
-                 bool any_home)
+                 bool any_home, const sim::RunOptions& options)
     : scenario_(std::move(scenario)),
-      run_(scenario_->simulation, std::move(start), with_copies({}, *scenario_)),
+      run_(scenario_->simulation, std::move(start), with_copies(options, *scenario_)),
       until_(until),
       last_step_(step_at(until_, *scenario_)),
       standings_(scenario_->library->flights.size()),
       any_home_(any_home) {}
 
-Mission::Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
+Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t seed,
                  std::optional<double> until, const sim::RunOptions& options)
-    : scenario_(std::move(scenario)),
-      run_(scenario_->simulation, scenario_->world(seed), with_copies(options, *scenario_)),
-      until_(until.value_or(scenario_->spec.until)),
-      last_step_(step_at(until_, *scenario_)),
-      standings_(scenario_->library->flights.size()) {
+    : Mission(scenario, scenario->world(seed), until.value_or(scenario->spec.until), false,
+              options) {
   for (const sim::Order& order : scenario_->orders)
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }

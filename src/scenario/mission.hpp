@@ -39,12 +39,13 @@ constexpr auto names_of(Outcome) {
 class Mission {
  public:
   /// `until` (s) replaces the scenario's own if given.
-  Mission(std::shared_ptr<const Scenario> scenario, std::uint64_t seed,
+  Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t seed,
           std::optional<double> until = {}, const sim::RunOptions& options = {});
 
   /// Goes on from a world of the scenario's simulation. The scenario's own orders are not given
   /// again; `any_home` says whether a blue aircraft has come home before.
-  Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until, bool any_home);
+  Mission(std::shared_ptr<const Scenario> scenario, sim::World start, double until, bool any_home,
+          const sim::RunOptions& options = {});
 
   [[nodiscard]] const Scenario& scenario() const { return *scenario_; }
   [[nodiscard]] sim::Run& run() { return run_; }

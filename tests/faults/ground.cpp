@@ -14,6 +14,7 @@
 #include "disk/temporary.hpp"
 #include "faults/allocation.hpp"
 #include "record/run_file.hpp"
+#include "support/instead.hpp"
 
 namespace eyrie::test {
 namespace {
