@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "disk/file_system.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -38,27 +38,17 @@ std::string list_file() {
   return {};
 }
 
-/// Two that change the list at once do so one after the other.
-class OneAtATime {
- public:
-  explicit OneAtATime(const std::string& file) {
-    const fs::path folder = fs::path(file).parent_path();
-    std::error_code failed;
-    fs::create_directories(folder, failed);
-    folder_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder_ >= 0)  // where it cannot be locked, write() says what is wrong
-      static_cast<void>(::flock(folder_, LOCK_EX));
-  }
-  ~OneAtATime() {
-    if (folder_ >= 0)
-      ::close(folder_);
-  }
-  OneAtATime(const OneAtATime&) = delete;
-  OneAtATime& operator=(const OneAtATime&) = delete;
-
- private:
-  int folder_ = -1;
-};
+/// Two that change the list at once do so one after the other, for as long as what this gives
+/// lives.
+disk::Handle one_at_a_time(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  disk::Handle lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (lock)  // where it cannot be locked, write() says what is wrong
+    static_cast<void>(::flock(lock.get(), LOCK_EX));
+  return lock;
+}
 
 std::string canonical(const std::string& path) {
   std::error_code failed;
@@ -126,7 +116,7 @@ int trust(const TrustOptions& options) {
     show(TrustList::read(file));
     return 0;
   }
-  const OneAtATime lock(file);
+  const disk::Handle lock = one_at_a_time(file);
   TrustList list = TrustList::read(file);
   remove(list, options.remove);
   add(list, options.add);

@@ -134,22 +134,6 @@ Outcome Branch::fly() {
 
 namespace {
 
-/// The nodes of one tree by their paths, in pre-order.
-using Paths = std::vector<std::string>;
-
-/// Of the tree of that name, whoever uses it, or else nothing.
-std::optional<Paths> paths_of(const scenario::Scenario& scenario, const std::string& name) {
-  for (const auto& fleet : scenario.fleets)
-    for (const ubf::AnyTree* tree : fleet->trees)
-      if (tree->name() == name) {
-        Paths paths;
-        for (std::size_t i = 0; i < tree->size(); ++i)
-          paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
-        return paths;
-      }
-  return std::nullopt;
-}
-
 /// The tree that a player begins with.
 std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
   const auto found = scenario.find(*scenario.start, who);
@@ -159,80 +143,61 @@ std::string tree_of(const scenario::Scenario& scenario, PlayerId who) {
   return tree < found->fleet.trees.size() ? std::string(found->fleet.trees[tree]->name()) : "";
 }
 
-class Reader {
- public:
-  Reader(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
-         Diagnostics& diagnostics)
-      : scenario_(scenario), who_(who), text_(text), diagnostics_(diagnostics) {}
+/// The paths of the nodes of the tree of that name, whoever uses it, in pre-order.
+std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std::string& name) {
+  std::vector<std::string> paths;
+  for (const auto& fleet : scenario.fleets)
+    for (const ubf::AnyTree* tree : fleet->trees)
+      for (std::size_t i = 0; tree->name() == name && paths.size() < tree->size(); ++i)
+        paths.push_back(tree->path(static_cast<ubf::NodeIndex>(i)));
+  return paths;
+}
 
-  /// False if this is no path of a node.
-  bool read(Overrides& out) {
-    const std::size_t equals = text_.find('=');
-    std::string path = text_.substr(0, equals);
-    std::string tree;
-    if (const std::size_t colon = path.find(':'); colon != std::string::npos) {
-      tree = path.substr(0, colon);
-      begin_ = colon + 1;
-      path = path.substr(begin_);
-    }
-    if (equals == std::string::npos || !is_path(path))
-      return false;
-    if (tree.empty())
-      tree = tree_of(scenario_, who_);
-    const auto paths = paths_of(scenario_, tree);
-    if (!paths) {
-      error(0, fmt::format("there is no tree {}", quote(tree)));
-      return true;
-    }
-    change(*paths, tree, path, equals, out);
+/// False if the text is no override of a node.
+bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
+                 std::vector<scenario::TreeChange>& changes, Diagnostics& diagnostics) {
+  const std::size_t equals = text.find('='), colon = text.substr(0, equals).find(':');
+  const std::size_t begin = colon == text.npos ? 0 : colon + 1;
+  std::string node = text.substr(begin, equals - begin), key;
+  if (equals == text.npos ||
+      !(node == "root" || node.starts_with("root/") || node.starts_with("root.")))
+    return false;
+  const auto at = [&](std::size_t offset) {
+    return Location{"--set " + text, 1, static_cast<int>(offset) + 1};
+  };
+  const auto wrong = [&](std::size_t offset, std::string message) {
+    diagnostics.error(at(offset), std::move(message));
     return true;
+  };
+  const std::string tree = begin > 1 ? text.substr(0, colon) : tree_of(scenario, who);
+  const auto paths = paths_of(scenario, tree);
+  if (paths.empty())
+    return wrong(0, fmt::format("there is no tree {}", quote(tree)));
+  auto found = std::find(paths.begin(), paths.end(), node);
+  const std::size_t point = node.rfind('.');
+  const bool names_key = found == paths.end() && point != node.npos;
+  if (names_key) {
+    key = node.substr(point + 1);
+    node.resize(point);
+    found = std::find(paths.begin(), paths.end(), node);
   }
-
- private:
-  [[nodiscard]] static bool is_path(std::string_view path) {
-    return path.substr(0, 4) == "root" && (path.size() == 4 || path[4] == '/' || path[4] == '.');
-  }
-  [[nodiscard]] Location at(std::size_t offset) const {
-    return {"--set " + text_, 1, static_cast<int>(offset) + 1};
-  }
-  void error(std::size_t offset, std::string message) {
-    diagnostics_.error(at(offset), std::move(message));
-  }
-
-  void change(const Paths& paths, const std::string& tree, const std::string& path,
-              std::size_t equals, Overrides& out) {
-    std::string node = path, key;
-    auto found = std::find(paths.begin(), paths.end(), node);
-    const std::size_t point = path.rfind('.');
-    if (found == paths.end() && point != std::string::npos) {
-      node = path.substr(0, point);
-      key = path.substr(point + 1);
-      found = std::find(paths.begin(), paths.end(), node);
-    }
-    if (found == paths.end())
-      return error(begin_, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
-                                       did_you_mean(node, paths)));
-    if (point != std::string::npos && node != path && key.empty())
-      return error(begin_ + path.size(), "a parameter is missing behind the point");
-    Diagnostics wrong;
-    eyrie::Value value = eyrie::parse_yaml(text_.substr(equals + 1), "--set", wrong);
-    if (!wrong.ok())
-      return error(equals + 1, wrong.sorted().front().message);
-    value.where = at(equals + 1);
-    const auto index = static_cast<ubf::NodeIndex>(found - paths.begin());
-    out.changes.push_back({tree,
-                           {.node = index,
-                            .key = key,
-                            .value = std::move(value),
-                            .where = at(begin_ + (key.empty() ? 0 : point + 1))}});
-  }
-
-  const scenario::Scenario& scenario_;
-  PlayerId who_;
-  const std::string& text_;
-  Diagnostics& diagnostics_;
-  std::size_t begin_ = 0;  ///< of the path
-};
+  if (found == paths.end())
+    return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
+                                    did_you_mean(node, paths)));
+  if (names_key && key.empty())
+    return wrong(equals, "a parameter is missing behind the point");
+  Diagnostics in_value;
+  eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
+  if (!in_value.ok())
+    return wrong(equals + 1, in_value.sorted().front().message);
+  value.where = at(equals + 1);
+  changes.push_back({tree,
+                     {.node = static_cast<ubf::NodeIndex>(found - paths.begin()),
+                      .key = key,
+                      .value = std::move(value),
+                      .where = at(begin + (names_key ? point + 1 : 0))}});
+  return true;
+}
 
 }  // namespace
 
@@ -240,7 +205,7 @@ Overrides read_overrides(const scenario::Scenario& scenario, PlayerId who,
                          const std::vector<std::string>& texts, Diagnostics& diagnostics) {
   Overrides out;
   for (const std::string& text : texts)
-    if (!Reader(scenario, who, text, diagnostics).read(out))
+    if (!read_change(scenario, who, text, out.changes, diagnostics))
       out.sets.push_back(text);
   return out;
 }

@@ -8,8 +8,7 @@
 
 #include "debrief/decision.hpp"
 #include "page/decisions.hpp"
-#include "page/motions.hpp"
-#include "page/sights.hpp"
+#include "page/seen.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
 
@@ -39,29 +38,6 @@ struct Agent {
   Sights sights;
 };
 
-/// A tree as the page draws it. `platform` is "aircraft" or "vehicle".
-template <class State, class Action>
-Json tree_json(const ubf::Tree<State, Action>& tree, std::string_view platform) {
-  Json nodes = Json::array();
-  const std::vector<debrief::Answer> all = team::unanswered(tree);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
-    const debrief::Answer& answer = all[i];
-    Json params = Json::object();  // in SI; a page may ask for others
-    for (const ParamValue& param : node.values())
-      std::visit([&](const auto& value) { params[param.name] = value; }, param.value);
-    nodes.push_back({{"label", answer.label},
-                     {"type", answer.type},
-                     {"path", answer.path},
-                     {"kind", to_text(node.node_kind())},
-                     {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
-                     {"depth", answer.depth},
-                     {"params", std::move(params)},
-                     {"remembers", node.remembers()}});
-  }
-  return {{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}};
-}
-
 /// What the decisions of all agents of one platform are put together with.
 template <class State, class Action>
 class Platform {
@@ -86,9 +62,29 @@ class Platform {
       see(m.state);
   }
 
+  /// As the page draws them; `platform` is "aircraft" or "vehicle".
   void put_trees(std::string_view platform, Json& all) const {
-    for (const auto& tree : trees_)
-      all.push_back(tree_json(tree, platform));
+    for (std::uint16_t t = 0; t < trees_.size(); ++t) {
+      const ubf::Tree<State, Action>& tree = trees_[t];
+      Json nodes = Json::array();
+      for (std::size_t i = 0; i < blank_[t].size(); ++i) {
+        const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
+        const debrief::Answer& answer = blank_[t][i];
+        Json params = Json::object();  // in SI; a page may ask for others
+        for (const ParamValue& param : node.values())
+          std::visit([&](const auto& value) { params[param.name] = value; }, param.value);
+        nodes.push_back(
+            {{"label", answer.label},
+             {"type", answer.type},
+             {"path", answer.path},
+             {"kind", to_text(node.node_kind())},
+             {"parent", answer.parent == ubf::kNone ? -1 : static_cast<int>(answer.parent)},
+             {"depth", answer.depth},
+             {"params", std::move(params)},
+             {"remembers", node.remembers()}});
+      }
+      all.push_back({{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}});
+    }
   }
   [[nodiscard]] static Json fields() {
     Json state = Json::array();

@@ -65,7 +65,8 @@ Json numbers(Unit unit, const ParamInfo& limits) {
 }
 
 Json table(const ParamInfo& info) {
-  Json properties, symbols = Json::object(), needed = Json::array({"value"});
+  Json properties, symbols = Json::object();
+  std::vector<std::string_view> needed{"value"};
   const auto unit_of = [&](std::string_view key, Unit unit) {
     if (unit.dimension == Dimension::none)
       return;
@@ -85,12 +86,8 @@ Json table(const ParamInfo& info) {
     values = {{"type", "array"}, {"minItems", 1}, {"items", values}};
   properties["value"] = values;
   unit_of("value", info.unit);
-  properties["units"] = {
-      {"type", "object"}, {"properties", symbols}, {"additionalProperties", false}};
-  return {{"type", "object"},
-          {"properties", properties},
-          {"required", needed},
-          {"additionalProperties", false}};
+  properties["units"] = closed_map(std::move(symbols));
+  return closed_map(std::move(properties), needed);
 }
 
 Json list(const ParamInfo& info) {
@@ -156,6 +153,14 @@ void add_default(Json& schema, const ParamInfo& info) {
 
 }  // namespace
 
+Json closed_map(Json properties, const std::vector<std::string_view>& required) {
+  Json map{{"type", "object"}, {"properties", std::move(properties)}};
+  if (!required.empty())
+    map["required"] = required;
+  map["additionalProperties"] = false;
+  return map;
+}
+
 Json reference_to(const std::string& definition) {
   return {{"$ref", "#/definitions/" + definition}};
 }
@@ -174,7 +179,8 @@ Json parameter_schema(const ParamInfo& info, Required required) {
 }
 
 Json map_schema(std::span<const ParamInfo> parameters, Required required) {
-  Json properties = Json::object(), needed = Json::array();
+  Json properties = Json::object();
+  std::vector<std::string_view> needed;
   bool north = false, latitude = false;
   for (const ParamInfo& info : parameters) {
     properties[info.name] = parameter_schema(info, required);
@@ -183,9 +189,7 @@ Json map_schema(std::span<const ParamInfo> parameters, Required required) {
     north = north || info.name == "north";
     latitude = latitude || info.name == "latitude";
   }
-  Json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
-  if (!needed.empty())
-    schema["required"] = needed;
+  Json schema = closed_map(std::move(properties), needed);
   if (north && latitude)  // a place: half of one is none, and nor are two
     schema["dependencies"] = {{"north", Json::array({"east"})},
                               {"east", Json::array({"north"})},

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/param.hpp"
 
@@ -18,7 +20,9 @@ enum class Required { checked, left_to_base };
 /// Quantities refer to `#/definitions/<dimension>`.
 [[nodiscard]] Json parameter_schema(const ParamInfo& info, Required required = Required::checked);
 
-/// A map of these parameters and nothing else.
+/// A map of these properties and nothing else.
+[[nodiscard]] Json closed_map(Json properties, const std::vector<std::string_view>& required = {});
+/// The same of parameters.
 [[nodiscard]] Json map_schema(std::span<const ParamInfo> parameters,
                               Required required = Required::checked);
 

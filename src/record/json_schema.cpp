@@ -31,14 +31,6 @@ Json one_or_nothing(Json schema) {
 Json list_of(Json item) {
   return {{"type", "array"}, {"minItems", 1}, {"items", std::move(item)}};
 }
-/// A map of these properties and nothing else.
-Json closed_map(Json properties, const std::vector<std::string_view>& required = {}) {
-  Json map{{"type", "object"}, {"properties", std::move(properties)}};
-  if (!required.empty())
-    map["required"] = required;
-  map["additionalProperties"] = false;
-  return map;
-}
 /// A map that has that key.
 Json needing(std::string_view key) {
   return {{"required", Json::array({key})}};

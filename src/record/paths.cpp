@@ -127,13 +127,19 @@ ordered_json color(model::Side side) {  // told apart by the colour-blind: Okabe
                                               : ordered_json{200, 200, 200, 255}}};
 }
 
+/// Degrees to 1 cm, and m.
+ordered_json coordinates(const Geodetic& place, double longitude) {
+  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  return {rounded(degrees(longitude), 1e7), rounded(degrees(place.latitude), 1e7),
+          rounded(place.altitude, 10)};
+}
+
 ordered_json position(const Path& path) {
   ordered_json samples = ordered_json::array();
   for (const Path::Point& p : path.points) {
     samples.push_back(std::round(p.time * 100) / 100);
-    samples.push_back(std::round(degrees(p.place.longitude) * 1e7) / 1e7);  // 1 cm
-    samples.push_back(std::round(degrees(p.place.latitude) * 1e7) / 1e7);
-    samples.push_back(std::round(p.place.altitude * 10) / 10);
+    for (const auto& number : coordinates(p.place, p.place.longitude))
+      samples.push_back(number);
   }
   return {{"epoch", date(0)},
           {"interpolationAlgorithm", "LAGRANGE"},
@@ -202,11 +208,8 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json coordinates(const Geodetic& place) {
-  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
-  return {rounded(degrees(wrap_pi(place.longitude)), 1e7), rounded(degrees(place.latitude), 1e7),
-          rounded(place.altitude, 10)};
+  return coordinates(place, wrap_pi(place.longitude));
 }
-
 ordered_json feature(ordered_json geometry, ordered_json properties) {
   return {{"type", "Feature"},
           {"geometry", std::move(geometry)},
