@@ -10,7 +10,6 @@
 
 #include "scenario/data.hpp"
 #include "support/small_scenario.hpp"
-#include "web/questions.hpp"
 
 namespace eyrie::web {
 namespace {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "web/engine.hpp"
-#include "web/questions.hpp"
 
 #ifdef __wasm__
 #define EYRIE_EXPORT(name) __attribute__((export_name(name)))

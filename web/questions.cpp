@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "web/questions.hpp"
+#include "web/engine.hpp"
 
 #include <array>
 #include <new>

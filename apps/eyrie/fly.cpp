@@ -83,37 +83,30 @@ disk::FolderWish folder_of(const FlyOptions& options, const scenario::Scenario& 
 }
 
 /// What stands beside the run file. A run is kept without what could not be written.
-class Beside {
- public:
-  explicit Beside(const disk::OutputFolder& folder) : folder_(folder) {}
+struct Beside {
+  const disk::OutputFolder& folder;
+  std::string written = record::kRunFileName;
+  bool failed = false;
 
   void close(disk::Sink& sink, const char* name) {
     if (sink.close()) {
-      written_ += fmt::format(", {}", name);
-      return;
+      written += fmt::format(", {}", name);
+    } else {
+      folder.drop(name);
+      lost(sink.error() + "; the run is kept without it");
     }
-    folder_.drop(name);
-    lost(sink.error() + "; the run is kept without it");
   }
   void page(const PageWritten& page) {
     if (page.written)
-      written_ += fmt::format(", {}", record::kPageName);
-    failed_ = failed_ || page.failed;
+      written += fmt::format(", {}", record::kPageName);
     if (!page.problem.empty())
       complain("eyrie: {}\n", page.problem);
+    failed |= page.failed;
   }
   void lost(const std::string& words) {
     complain("eyrie: {}\n", words);
-    failed_ = true;
+    failed = true;
   }
-
-  [[nodiscard]] const std::string& written() const { return written_; }
-  [[nodiscard]] bool failed() const { return failed_; }
-
- private:
-  const disk::OutputFolder& folder_;
-  std::string written_ = record::kRunFileName;
-  bool failed_ = false;
 };
 
 }  // namespace
@@ -162,7 +155,7 @@ int fly(const FlyOptions& options) {
     const std::string lost = recorder.close(mission.run().orders(), outcome_text(mission, tally));
     if (!run.close())
       throw disk::Failed(run.error());
-    Beside beside(folder);
+    Beside beside{folder};
     if (!lost.empty()) {
       beside.lost(lost);
       folder.spare_old();
@@ -185,12 +178,12 @@ int fly(const FlyOptions& options) {
     if (options.json)
       say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
     else
-      report.closing(mission, tally, timing, folder.path(), beside.written());
+      report.closing(mission, tally, timing, folder.path(), beside.written);
     const sim::Fault* fault = mission.run().fault();
     if (fault)
       beside.lost(scenario::fault_text(*fault, scenario->roster, mission.run().simulation().dt()) +
                   "; the run is kept up to there");
-    return beside.failed() ? 1 : 0;
+    return beside.failed ? 1 : 0;
   };
 
   {

@@ -7,7 +7,6 @@
 
 #include "commands.hpp"
 #include "core/assert.hpp"
-#include "debrief/difference.hpp"
 #include "debrief/recorded.hpp"
 #include "locate.hpp"
 #include "record/json_text.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "debrief/decision.hpp"
-#include "debrief/difference.hpp"
+#include "debrief/recorded.hpp"
 #include "debrief/what_if.hpp"
 #include "support/recorded.hpp"
 
