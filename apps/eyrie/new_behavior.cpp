@@ -122,7 +122,8 @@ std::map<std::string, std::string> renamed(const fs::path& from, const std::stri
     files[replaced(entry.path().filename(), "dodge", name)] = std::move(text);
   }
   if (failed)
-    throw disk::Failed(fmt::format("cannot read {}: {}", quote_path(from.string()), failed.message()));
+    throw disk::Failed(
+        fmt::format("cannot read {}: {}", quote_path(from.string()), failed.message()));
   return files;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/catalog.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -49,6 +51,16 @@ std::vector<ParamInfo> with(std::vector<ParamInfo> all, std::vector<ParamInfo> m
   return all;
 }
 
+/// The list of who is in a flight or a convoy.
+ParamInfo members(std::string_view group) {
+  return custom("players", "list",
+                fmt::format("a list of names, each the {0}'s name and a rank from 1 (the lead) to "
+                            "8; or of maps with one such name and what it says differently from "
+                            "its {0}",
+                            group),
+                true);
+}
+
 std::vector<FilePart> file_parts() {
   const std::string side_help = "its flights and convoys; at least one side has some";
   return {
@@ -69,19 +81,11 @@ std::vector<FilePart> file_parts() {
         custom("flights", "map", "flights by name: small letters, digits and '_', no digit last"),
         custom("convoys", "map", "convoys by name, in the same way")}},
       {"flight", "blue.flights.<name>", std::string(FlightSpec::help),
-       with(parameters<FlightSpec>(),
-            {custom("players", "list",
-                    "a list of names, each the flight's name and a rank from 1 (the lead) to 8; or "
-                    "of maps with one such name and what it says differently from its flight",
-                    true)})},
+       with(parameters<FlightSpec>(), {members("flight")})},
       {"player", "blue.flights.<name>.players.<player>", std::string(PlayerSpec::help),
        parameters<PlayerSpec>()},
       {"convoy", "blue.convoys.<name>", std::string(ConvoySpec::help),
-       with(parameters<ConvoySpec>(),
-            {custom("players", "list",
-                    "a list of names, each the convoy's name and a rank from 1 (the lead) to 8; or "
-                    "of maps with one such name and what it says differently from its convoy",
-                    true)})},
+       with(parameters<ConvoySpec>(), {members("convoy")})},
       {"vehicle", "blue.convoys.<name>.players.<player>", std::string(VehicleSpec::help),
        parameters<VehicleSpec>()}};
 }

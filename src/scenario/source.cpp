@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/source.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -9,14 +11,9 @@ namespace eyrie::scenario {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kYaml = ".yaml";
-
-std::string model_key(std::string_view kind, std::string_view name) {
-  return std::string(kind) + "/" + std::string(name) + std::string(kYaml);
-}
 /// The name that mistakes in the model of a plug-in carry.
-std::string plugin_name(std::string_view origin, std::string_view key) {
-  return "plugin:" + std::string(origin) + "/" + std::string(key);
+std::string plugin_name(std::string_view origin, std::string_view kind, std::string_view name) {
+  return fmt::format("plugin:{}/{}/{}.yaml", origin, kind, name);
 }
 
 }  // namespace
@@ -40,7 +37,7 @@ std::optional<std::string> Source::read(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
     return known->second;
   for (const auto& [key, model] : models_)
-    if (name == plugin_name(model.origin, key))
+    if (name == plugin_name(model.origin, key.first, key.second))
       return files_[name] = model.text;
   auto text = folders_ ? folders_->read(name) : std::nullopt;
   if (text)
@@ -49,37 +46,33 @@ std::optional<std::string> Source::read(const std::string& name) {
 }
 
 std::string Source::data_name(std::string_view kind, std::string_view name) const {
-  const std::string key = model_key(kind, name);
-  const auto added = models_.find(key);
-  return added == models_.end() ? "data/" + key : plugin_name(added->second.origin, key);
+  const auto from = origin(kind, name);
+  return from ? plugin_name(*from, kind, name) : fmt::format("data/{}/{}.yaml", kind, name);
 }
 
 void Source::add_model(std::string_view kind, std::string_view name, std::string origin,
                        std::string text) {
-  models_[model_key(kind, name)] = {std::move(origin), std::move(text)};
+  models_[{std::string(kind), std::string(name)}] = {std::move(origin), std::move(text)};
 }
 
 std::vector<std::pair<std::string, std::string>> Source::added_models() const {
   std::vector<std::pair<std::string, std::string>> models;
-  for (const auto& [key, model] : models_) {
-    const std::size_t slash = key.find('/');
-    models.emplace_back(key.substr(0, slash),
-                        key.substr(slash + 1, key.size() - slash - 1 - kYaml.size()));
-  }
+  for (const auto& [key, model] : models_)
+    models.push_back(key);
   return models;
 }
 
 std::optional<std::string> Source::origin(std::string_view kind, std::string_view name) const {
-  const auto added = models_.find(model_key(kind, name));
+  const auto added = models_.find({std::string(kind), std::string(name)});
   return added == models_.end() ? std::nullopt : std::optional(added->second.origin);
 }
 
 std::vector<std::string> Source::data_names(std::string_view kind) const {
   std::vector<std::string> names;
-  const std::string below = std::string(kind) + "/", folder = "data/" + below;
+  const std::string folder = fmt::format("data/{}/", kind);
   for (const auto& [key, model] : models_)
-    if (key.starts_with(below))
-      names.push_back(key.substr(below.size(), key.size() - below.size() - kYaml.size()));
+    if (key.first == kind)
+      names.push_back(key.second);
   if (folders_) {
     for (std::string& name : folders_->names_in(folder))
       names.push_back(std::move(name));

@@ -76,7 +76,7 @@ class Source {
   struct Model {
     std::string origin, text;
   };
-  std::map<std::string, Model> models_;  ///< of plug-ins, by "<kind>/<name>.yaml"
+  std::map<std::pair<std::string, std::string>, Model> models_;  ///< of plug-ins, by kind and name
 };
 
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
