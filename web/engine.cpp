@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "web/engine.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <cstring>
-#include <utility>
 
 #include "core/version.hpp"
 #include "debrief/what_if.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "page/page_data.hpp"
 #include "record/run_file.hpp"
-#include "record/story.hpp"
 #include "scenario/plugins.hpp"
 #include "sim/trail.hpp"
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Eyrie in a page: what can be asked of it there. The same natively, where it is tested.
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "record/story.hpp"

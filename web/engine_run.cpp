@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  The engine's answers about a run.
-#include <algorithm>
-#include <utility>
-
 #include "debrief/what_if.hpp"
 #include "page/page_data.hpp"
 #include "web/engine.hpp"

@@ -2,13 +2,6 @@
 #pragma once
 /// \file  The questions that the engine answers in a page, and its answers. engine.hpp says what
 /// each does; numbers are SI, times are s of simulated time.
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "debrief/decision.hpp"
 #include "debrief/what_if.hpp"
 #include "web/message.hpp"

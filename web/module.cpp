@@ -2,11 +2,6 @@
 /// \file  The module's door: a request and its answer are JSON, large things come as bytes beside
 /// them. `{"ask": "seek", "step": 100}` is answered by `{"step": 100, ...}` or `{"error": "...",
 /// "problems": [...]}`.
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <string>
-
 #include "web/engine.hpp"
 
 #ifdef __wasm__

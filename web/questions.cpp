@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "web/engine.hpp"
 
-#include <array>
-#include <new>
-
 namespace eyrie::web {
 namespace {
 

@@ -9,8 +9,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
-#include <string_view>
 #include <system_error>
 
 #include "core/diagnostics.hpp"

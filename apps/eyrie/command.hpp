@@ -3,9 +3,7 @@
 /// \file  How every command begins and ends: its streams, its exit code, words for whatever stopped
 /// it, and its files.
 #include <exception>
-#include <functional>
 #include <map>
-#include <string>
 
 #include "disk/output.hpp"
 

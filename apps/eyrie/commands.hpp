@@ -2,11 +2,6 @@
 #pragma once
 /// \file  The subcommands of the program. Each gives the exit code: 0 done, 1 failed, 2 the user's
 /// mistake.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "core/enum_names.hpp"
 #include "debrief/recorded.hpp"
 

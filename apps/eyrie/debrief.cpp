@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file  debrief: a recorded run as a page that explains every decision.
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <utility>
-#include <vector>
 
 #include "command.hpp"
 #include "commands.hpp"

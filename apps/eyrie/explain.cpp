@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  explain: a recorded run flown again, with every node's answer.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <optional>
-#include <set>
 
 #include "commands.hpp"
 #include "core/units.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  export: a recorded run for other tools.
-#include <fmt/format.h>
-
 #include <filesystem>
 
 #include "command.hpp"

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "locate.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From what the user typed to a loaded scenario, a recorded run, a player, a time.
-#include <memory>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "debrief/recorded.hpp"
 #include "disk/sink.hpp"
 #include "scenario/scenario.hpp"

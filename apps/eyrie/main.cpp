@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <memory>
-#include <span>
 #include <sstream>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "command.hpp"
 #include "commands.hpp"

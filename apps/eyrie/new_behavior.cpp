@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  new behavior NAME: a copy of examples/plugin under another name.
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <filesystem>
-#include <map>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "command.hpp"
 #include "commands.hpp"

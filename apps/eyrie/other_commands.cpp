@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  validate, catalog and --version.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string_view>
-
 #include "command.hpp"
 #include "commands.hpp"
 #include "locate.hpp"

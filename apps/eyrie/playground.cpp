@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  playground: a folder of files in which a browser edits, flies and debriefs scenarios.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "command.hpp"
 #include "commands.hpp"

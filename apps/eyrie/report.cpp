@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
 #include "record/json_text.hpp"
-#include "scenario/mission.hpp"
 
 namespace eyrie::app {
 using model::Side;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
-#include <string>
-
 #include "record/story.hpp"
 #include "say.hpp"
 #include "scenario/mission.hpp"

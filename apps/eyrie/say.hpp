@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 

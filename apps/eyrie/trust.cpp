@@ -3,13 +3,10 @@
 #include "scenario/trust.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/file.h>
 
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
 #include <system_error>
 
 #include "command.hpp"

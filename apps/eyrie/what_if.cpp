@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  whatif: another tree or parameter for a recorded run.
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

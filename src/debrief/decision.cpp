@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "debrief/decision.hpp"
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <iterator>
 
 #include "core/text.hpp"

@@ -2,10 +2,6 @@
 #pragma once
 /// \file  What a decision (team/decision.hpp) says in words.
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "driver/driver_system.hpp"
 #include "pilot/pilot_system.hpp"

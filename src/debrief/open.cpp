@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  A run is opened from the disk, with the plug-ins that it needs.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 

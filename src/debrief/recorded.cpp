@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "debrief/recorded.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstring>
-#include <stdexcept>
-
 #include "core/assert.hpp"
 #include "core/text.hpp"
 #include "debrief/decision.hpp"

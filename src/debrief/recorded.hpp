@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Recorded runs, opened to be flown again, and where two of them part.
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "record/run_file.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/run.hpp"

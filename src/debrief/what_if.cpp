@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "debrief/what_if.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <optional>
-#include <string_view>
-
 #include "core/yaml.hpp"
-#include "record/story.hpp"
 
 namespace eyrie::debrief {
 namespace {

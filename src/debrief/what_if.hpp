@@ -2,14 +2,6 @@
 #pragma once
 /// \file  What an agent would have decided with another tree or other parameters: its recorded
 /// states are arbitrated again, without flying.
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cerrno>
 #include <new>
-#include <string_view>
 #include <system_error>
 
 #include "core/diagnostics.hpp"

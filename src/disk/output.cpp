@@ -6,12 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <utility>
-#include <vector>
 
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
-#include "disk/temporary.hpp"
 
 namespace eyrie::disk {
 namespace {

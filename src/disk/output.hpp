@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A file that is not there, or is as it was, until it is complete.
-#include <optional>
-#include <string>
-
 #include "disk/sink.hpp"
 #include "disk/temporary.hpp"
 

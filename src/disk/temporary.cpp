@@ -10,13 +10,9 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <utility>
-#include <vector>
 
 #include "core/diagnostics.hpp"
-#include "disk/file_system.hpp"
 
 namespace eyrie::disk {
 

@@ -4,9 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "disk/file_system.hpp"
 

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One agent's decisions in columns.
-#include <cstdint>
-#include <cstring>
-#include <map>
-#include <string>
-#include <string_view>
-#include <type_traits>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 #include "core/enum_names.hpp"
 #include "debrief/decision.hpp"

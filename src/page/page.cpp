@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/page.hpp"
 
-#include <fmt/format.h>
 #include <zlib.h>
-
-#include <cstdint>
 
 #include "core/assert.hpp"
 #include "page/page_data.hpp"

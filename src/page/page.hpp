@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The pages that viewer/build.mjs makes, with what they are to show.
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "record/run_file.hpp"
 
 namespace eyrie::page {

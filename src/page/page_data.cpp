@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "page/page_data.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <variant>
-
 #include "debrief/decision.hpp"
 #include "page/decisions.hpp"
 #include "page/seen.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A flight as the debrief page reads it (viewer/src/run/decode.ts).
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <span>
-#include <string>
-
 #include "debrief/recorded.hpp"
 
 namespace eyrie::page {

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/seen.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "core/angle.hpp"
 #include "model/weapon/stores.hpp"
-#include "record/names.hpp"
 #include "ubf/state_fields.hpp"
 
 namespace eyrie::page {

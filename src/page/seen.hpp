@@ -2,13 +2,6 @@
 #pragma once
 /// \file  How players and missiles moved, what became of them, and what agents perceived, in
 /// columns.
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "driver/state.hpp"
 #include "model/frames.hpp"
 #include "page/decisions.hpp"

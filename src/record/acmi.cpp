@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "record/acmi.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <tuple>
 
 #include "core/angle.hpp"
-#include "record/acmi_object.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {

@@ -2,15 +2,6 @@
 #pragma once
 /// \file  Tacview ACMI 2.2 text: aircraft, missiles, kills, locks, fuel and who is in charge.
 /// Format: https://www.tacview.net/documentation/acmi/ (as of 2024-06-20).
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "disk/sink.hpp"
 #include "record/acmi_object.hpp"
 #include "scenario/scenario.hpp"

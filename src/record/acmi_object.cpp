@@ -4,12 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <utility>
 
-#include "core/angle.hpp"
 #include "core/text.hpp"
 
 namespace eyrie::record {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One object of a Tacview ACMI file: which of its samples are written, and how.
-#include <array>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/csv.hpp"
 
-#include <algorithm>
 #include <iterator>
 
 #include "core/text.hpp"

@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <fmt/format.h>
-
-#include <string>
-#include <string_view>
-
 #include "disk/sink.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_parameter.hpp"
 
-#include <cmath>
-#include <limits>
-#include <string_view>
-
 #include "core/bind.hpp"
 #include "core/units.hpp"
 #include "scenario/catalog.hpp"

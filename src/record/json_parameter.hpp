@@ -2,10 +2,6 @@
 #pragma once
 /// \file  A described parameter as a JSON schema.
 #include <nlohmann/json.hpp>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/param.hpp"
 

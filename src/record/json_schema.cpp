@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_schema.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string_view>
-#include <utility>
-
 #include "record/json_parameter.hpp"
 #include "record/json_text.hpp"
 #include "ubf/spec.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The JSON schema of scenario files, for editors and validators.
-#include <string>
-
 #include "scenario/catalog.hpp"
 
 namespace eyrie::record {

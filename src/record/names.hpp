@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What events mean in names: phases, stores, behaviors.
-#include <algorithm>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "model/events.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/event.hpp"

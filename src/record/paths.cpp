@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/paths.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "core/angle.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"

@@ -2,12 +2,6 @@
 #pragma once
 /// \file  Where everybody was and what led them, kept whole: for formats that are written by player
 /// and not by time.
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "model/frames.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/run_file.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstring>
-#include <span>
-#include <type_traits>
-
 #include "core/assert.hpp"
-#include "disk/sink.hpp"
 
 namespace eyrie::record {
 namespace {

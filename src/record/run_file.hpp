@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The run file: everything that a run was made from, and the hashes that it went through.
-#include <array>
-#include <cstdint>
 #include <deque>
-#include <map>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/hash.hpp"
 #include "disk/sink.hpp"

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "record/story.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "core/units.hpp"
-#include "model/events.hpp"
 #include "model/track.hpp"
 #include "model/weapon/missile.hpp"
-#include "model/events.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::record {

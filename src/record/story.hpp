@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The run in the field's words, one line per thing worth telling, and in numbers.
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <optional>
 #include <set>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "model/events.hpp"
 #include "scenario/scenario.hpp"

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/assemble.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-
 #include "core/angle.hpp"
 #include "core/math.hpp"
 #include "driver/driver_system.hpp"

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From a library, trees and starts to a simulation and its first world.
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "model/frames.hpp"

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/catalog.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <optional>
-#include <string_view>
-#include <tuple>
-#include <utility>
-
 #include "core/describe.hpp"
 #include "driver/state.hpp"
 #include "model/library.hpp"

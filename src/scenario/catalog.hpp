@@ -2,14 +2,6 @@
 #pragma once
 /// \file  Everything that files may say, gathered from the descriptions that also read the files:
 /// the generated references cannot differ from the program.
-#include <array>
-#include <functional>
-#include <map>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/param.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"

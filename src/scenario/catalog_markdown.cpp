@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <iterator>
-#include <span>
-#include <utility>
 
 #include "core/units.hpp"
 #include "scenario/catalog.hpp"

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <limits>
-#include <utility>
 
 #include "core/bind.hpp"
 #include "core/units.hpp"

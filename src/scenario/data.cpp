@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/data.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <unordered_map>
-#include <utility>
 
 #include "core/text.hpp"
 #include "core/yaml.hpp"

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Models by name: data/<kind>/<name>.yaml, or the `data:` map of a scenario.
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <vector>
-
 #include "core/bind.hpp"
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"

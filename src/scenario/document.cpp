@@ -8,12 +8,8 @@
 #include <charconv>
 #include <filesystem>
 #include <iterator>
-#include <map>
-#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
-#include <vector>
 
 #include "core/yaml.hpp"
 

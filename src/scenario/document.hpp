@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One scenario document: the file, what it includes, and the overrides from outside.
-#include <span>
-#include <string>
-
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "scenario/source.hpp"

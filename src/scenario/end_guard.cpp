@@ -3,18 +3,12 @@
 
 #include <dlfcn.h>
 #include <execinfo.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <utility>
-#include <vector>
 
 #include "scenario/plugin_file.hpp"
 #include "team/moment.hpp"

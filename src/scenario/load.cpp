@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdio>
-#include <optional>
-#include <utility>
 
 #include "core/bind.hpp"
 #include "driver/driver_system.hpp"

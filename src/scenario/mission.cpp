@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/mission.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "model/events.hpp"

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One flight of a scenario, from its first world to its end.
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "core/enum_names.hpp"
 #include "scenario/roster.hpp"
 #include "scenario/scenario.hpp"

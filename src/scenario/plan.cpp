@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
-#include <span>
-#include <string_view>
-#include <utility>
 
 #include "core/bind.hpp"
 #include "model/datalink/datalink.hpp"

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The flights, convoys and players of a scenario document, read and checked, not yet built.
-#include <cstdint>
 #include <deque>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"

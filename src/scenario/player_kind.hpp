@@ -2,16 +2,7 @@
 #pragma once
 /// \file  What a kind of player besides aircraft and vehicles brings along: a ship, an air defense.
 /// A plug-in adds it (Registrar::add_kind); the loader, recordings and debriefs ask it.
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
 #include <set>
-#include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "core/describe.hpp"
 #include "core/diagnostics.hpp"

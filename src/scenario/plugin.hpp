@@ -5,16 +5,6 @@
 ///
 ///   class Dodge final : public eyrie::pilot::Behavior { ... };
 ///   EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) { registrar.add<Dodge>(); })
-#include <fmt/format.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "core/version.hpp"
 #include "driver/state.hpp"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A plug-in as a recording names it, and the bytes of its file.
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
-
 #include "disk/sink.hpp"
 
 namespace eyrie::scenario {

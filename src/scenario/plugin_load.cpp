@@ -3,23 +3,12 @@
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <elf.h>
-#include <fmt/format.h>
 #include <link.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <filesystem>
-#include <map>
-#include <memory>
-#include <new>
 #include <set>
-#include <string_view>
-#include <utility>
 
 #include "core/text.hpp"
 #include "scenario/data.hpp"

@@ -1,18 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/plugins.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-#include <span>
-#include <utility>
-
 #include "core/hash.hpp"
 #include "disk/sink.hpp"
 #include "driver/behaviors.hpp"
 #include "pilot/catalog.hpp"
-#include "scenario/plugin_file.hpp"
 
 namespace eyrie::scenario {
 

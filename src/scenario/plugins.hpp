@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The plug-ins of a scenario, and the nodes that there are with them.
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "scenario/plugin.hpp"

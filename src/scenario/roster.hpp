@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Who is who in a scenario: names for reports, tables and recordings.
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "core/id.hpp"
 #include "model/fit.hpp"

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A scenario that is ready to fly: const models, trees and systems, and the first world.
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "driver/state.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"

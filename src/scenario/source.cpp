@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <utility>
 
 namespace eyrie::scenario {
 namespace fs = std::filesystem;

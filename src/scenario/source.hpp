@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Where the files of a scenario come from: the disk, or the bundle inside a run file.
-#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "core/yaml.hpp"
 

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a scenario file says, as typed values before anything is built from them.
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "core/describe.hpp"
 #include "core/units.hpp"
 #include "pilot/geometry.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/trees.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
 #include <unordered_map>
 
 #include "core/text.hpp"

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The trees of a scenario document, each read for whom it serves.
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "driver/state.hpp"

@@ -8,12 +8,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <sha2.h>  // libmd
-#include <stdexcept>
 #include <system_error>
 
 #include "core/diagnostics.hpp"
