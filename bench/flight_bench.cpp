@@ -11,6 +11,7 @@
 
 #include "model/flight/flight_system.hpp"
 #include "sim/simulation.hpp"
+#include "support/model/lapse.hpp"
 #include "support/no_allocation.hpp"
 
 namespace {

@@ -38,7 +38,7 @@ set_target_properties(eyrie_testing PROPERTIES EXPORT_NAME testing UNITY_BUILD O
 install(TARGETS eyrie_testing EXPORT EyrieTargets-testing DESTINATION lib COMPONENT library)
 install(EXPORT EyrieTargets-testing NAMESPACE Eyrie:: DESTINATION ${package} COMPONENT library)
 install(FILES tests/support/pilot/testing.hpp DESTINATION include/eyrie/pilot COMPONENT library)
-install(FILES tests/support/model/flying.hpp DESTINATION include/eyrie/support/model COMPONENT library)
+install(FILES tests/support/model/flying.hpp tests/support/model/stores.hpp DESTINATION include/eyrie/support/model COMPONENT library)
 install(FILES cmake/EyriePlugin.cmake DESTINATION ${package} COMPONENT library)
 install(FILES cmake/plugin_test_main.cpp DESTINATION share/eyrie COMPONENT library)
 

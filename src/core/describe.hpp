@@ -276,12 +276,15 @@ template <class T>
 constexpr Description DescriptionOf<T>::value{T::type_name, kParameters<T>, fresh_of<T>()};
 
 [[nodiscard]] std::vector<ParamInfo> parameters(const Description& type, const void* defaults);
+/// Adds what is wrong with the parameters of an object, in words, which may have been set by code;
+/// `path` stands before their names.
 void check_values(const Description& type, const void* object, std::string_view path,
                   std::vector<std::string>& problems);
+/// Adds the parameters of an object that have a value; `path` stands before their names. A type of
+/// its own binding brings `list_parts(value, name, values)`, found next to it, or is left out.
 void list_values(const Description& type, const void* object, std::string_view path,
                  std::vector<ParamValue>& values);
 void append_bits(const ValueType& type, const void* value, std::string& out);
-[[nodiscard]] std::string description_mistakes(const Description& type);
 
 /// What binding needs to know; the rest of ParamInfo is for references. `path` is where the
 /// parameter's group stands.
@@ -309,20 +312,6 @@ requires std::default_initializable<T>
   return parameters(T{});
 }
 
-/// Adds what is wrong with the parameters of an object, in words, which may have been set by code;
-/// `path` stands before their names.
-template <Described T>
-void check_values(const T& object, std::string_view path, std::vector<std::string>& problems) {
-  detail::check_values(description_of<T>(), &object, path, problems);
-}
-
-/// Adds the parameters of an object that have a value; `path` stands before their names. A type of
-/// its own binding brings `list_parts(value, name, values)`, found next to it, or is left out.
-template <Described T>
-void list_values(const T& object, std::string_view path, std::vector<ParamValue>& values) {
-  detail::list_values(description_of<T>(), &object, path, values);
-}
-
 /// Appends a value that a parameter may have, bit by bit.
 template <class T>
 void append_bits(std::string& out, const T& value) {
@@ -336,16 +325,6 @@ template <Described T>
   std::string out;
   append_bits(out, object);
   return out;
-}
-
-/// Mistakes of the person who wrote a description, one per line, for the tests of described types:
-/// `EXPECT_EQ(description_mistakes<Radar>(), "");`. Names that are not snake_case or stand twice,
-/// missing help, ranges without a value, and defaults that a file could not give because the
-/// parameter's own range, unit or choices refuse them.
-template <Described T>
-requires std::default_initializable<T>
-[[nodiscard]] std::string description_mistakes() {
-  return detail::description_mistakes(description_of<T>());
 }
 
 }  // namespace eyrie

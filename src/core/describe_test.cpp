@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bind.hpp"
+#include "support/description_mistakes.hpp"
 
 namespace eyrie {
 namespace described {

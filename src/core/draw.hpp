@@ -12,7 +12,6 @@ enum class Stream : std::uint8_t {
   radar = 0,          ///< is the target detected in this look?
   radar_noise = 1,    ///< error of a measurement
   seeker = 2,         ///< a missile's own sensor
-  fuze = 3,           ///< does the fuze work?
   lethality = 4,      ///< does the warhead kill?
   iff = 5,            ///< is the interrogation answered?
   visual = 6,         ///< is it seen by eye?

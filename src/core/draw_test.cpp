@@ -19,7 +19,7 @@ namespace {
 
 // The numbers are part of recorded runs.
 static_assert(static_cast<int>(Stream::radar) == 0 && static_cast<int>(Stream::radar_noise) == 1);
-static_assert(static_cast<int>(Stream::seeker) == 2 && static_cast<int>(Stream::fuze) == 3);
+static_assert(static_cast<int>(Stream::seeker) == 2);
 static_assert(static_cast<int>(Stream::lethality) == 4 && static_cast<int>(Stream::iff) == 5);
 static_assert(static_cast<int>(Stream::visual) == 6 && static_cast<int>(Stream::gun) == 7);
 static_assert(static_cast<int>(Stream::behavior) == 8 && static_cast<int>(Stream::rwr) == 9);
@@ -79,7 +79,7 @@ TEST(Draw, IsPhiloxOfItsArguments) {
   EXPECT_EQ(zero.bits(), 0xe169c58d6627e8d5u);
   EXPECT_EQ(zero.bits(), 0x9b00dbd8bc57ac4cu);
 
-  Draw draw(0x1122334455667788, PlayerId{77}, Stream::fuze, 0x9abc'13198a2e, 0xabcdef);
+  Draw draw(0x1122334455667788, PlayerId{77}, Stream{3}, 0x9abc'13198a2e, 0xabcdef);
   philox4x32_ctr_t counter{{77, 0x03abcdef, 0x13198a2e, 0x9abc}};
   const philox4x32_key_t key{{0x55667788, 0x11223344}};
   for (int block = 0; block < 3; ++block, counter.v[3] += 0x10000) {

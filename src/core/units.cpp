@@ -287,31 +287,24 @@ std::string format_in(double si, UnitName unit, int decimals) {
 }
 
 std::string format_quantity(double si, Dimension dimension) {
-  switch (dimension) {
-    case Dimension::length:
-      return std::fabs(si) < 1852 ? format_in(si, "ft") : format_in(si, "nmi", 1);
-    case Dimension::speed:
-      return format_in(si, "kt");
-    case Dimension::acceleration:
-      return format_in(si, "g", 1);
-    case Dimension::mass:
-      return format_in(si, "lb");
-    case Dimension::mass_flow:
-      return format_in(si, "lb/h");
-    case Dimension::force:
-      return format_in(si, "lbf");
-    case Dimension::pressure:
-      return format_in(si, "hPa", 1);
-    case Dimension::temperature:
-      return format_in(si, "degC");
-    case Dimension::angle:
-      return format_in(si, "deg");
-    case Dimension::angular_rate:
-      return format_in(si, "deg/s", 1);
-    default:
-      const std::string_view symbol = detail::si_symbol(dimension);
-      return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
-  }
+  struct Usual {
+    Dimension dimension;
+    UnitName unit;
+    int decimals = 0;
+  };
+  static constexpr Usual kUsual[] = {
+      {Dimension::length, "nmi", 1},     {Dimension::speed, "kt"},
+      {Dimension::acceleration, "g", 1}, {Dimension::mass, "lb"},
+      {Dimension::mass_flow, "lb/h"},    {Dimension::force, "lbf"},
+      {Dimension::pressure, "hPa", 1},   {Dimension::temperature, "degC"},
+      {Dimension::angle, "deg"},         {Dimension::angular_rate, "deg/s", 1}};
+  if (dimension == Dimension::length && std::fabs(si) < 1852)
+    return format_in(si, "ft");
+  for (const Usual& usual : kUsual)
+    if (usual.dimension == dimension)
+      return format_in(si, usual.unit, usual.decimals);
+  const std::string_view symbol = detail::si_symbol(dimension);
+  return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
 }
 
 template <std::floating_point Real>

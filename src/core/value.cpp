@@ -19,31 +19,20 @@ namespace {
 }  // namespace
 
 Value Value::null(Location where) {
-  Value value;
-  value.where = where;
-  return value;
+  return {.where = where};
 }
 
 Value Value::scalar(std::string text, Location where) {
-  Value value = null(where);
-  value.kind = Kind::scalar;
-  value.text = std::move(text);
-  return value;
+  return {.kind = Kind::scalar, .where = where, .text = std::move(text)};
 }
 
 Value Value::list(std::vector<Value> items, Location where) {
-  Value value = null(where);
-  value.kind = Kind::list;
-  value.items = std::move(items);
-  return value;
+  return {.kind = Kind::list, .where = where, .items = std::move(items)};
 }
 
 Value Value::map(std::vector<Entry> entries, Location where) {
   EYRIE_ASSERT(differ(entries));
-  Value value = null(where);
-  value.kind = Kind::map;
-  value.entries = std::move(entries);
-  return value;
+  return {.kind = Kind::map, .where = where, .entries = std::move(entries)};
 }
 
 const Value::Entry* Value::find_entry(std::string_view key) const {

@@ -91,7 +91,6 @@ class Wind {
   /// std::logic_error if there is a problem.
   explicit Wind(std::span<const WindLayer> layers);
 
-  [[nodiscard]] bool calm() const { return velocity_.empty(); }
   /// Velocity of the air at an altitude (m): north, east, 0; m/s.
   [[nodiscard]] Vec3 at(double altitude) const;
 

@@ -6,25 +6,6 @@
 #include "core/math.hpp"
 
 namespace eyrie::model::flight {
-namespace {
-
-struct Stagnation {
-  double theta, delta;
-};
-
-/// Total temperature and pressure over sea-level standard: Mattingly, eq. 2.52a, b.
-Stagnation stagnation(double mach, const Air& air) {
-  const double rise = 1 + 0.2 * mach * mach;
-  return {air.temperature / kSeaLevelTemperature * rise,
-          air.pressure / kSeaLevelPressure * math::pow(rise, 3.5)};
-}
-
-double lapse(double mach, const Air& air, double throttle_ratio, double slope) {
-  const auto [theta, delta] = stagnation(mach, air);
-  return delta * (1 - slope * std::max(theta - throttle_ratio, 0.0) / theta);
-}
-
-}  // namespace
 
 Thrust Engine::thrust_at(double mach, double altitude) const {
   const double dry = military(mach, altitude);
@@ -62,14 +43,6 @@ double Engine::spool(double throttle, double wanted, double dt) const {
   const double step =
       dt / (throttle > 1 || (throttle == 1 && wanted > 1) ? light_time : spool_time);
   return throttle + std::clamp(wanted - throttle, -step, step);
-}
-
-double afterburner_lapse(double mach, const Air& air, double throttle_ratio) {
-  return lapse(mach, air, throttle_ratio, 3.5);
-}
-
-double military_lapse(double mach, const Air& air, double throttle_ratio) {
-  return 0.6 * lapse(mach, air, throttle_ratio, 3.8);
 }
 
 }  // namespace eyrie::model::flight

@@ -72,13 +72,6 @@ struct Engine {
   [[nodiscard]] double spool(double throttle, double wanted, double dt) const;
 };
 
-/// Installed thrust over its static sea-level value for a low-bypass mixed-flow turbofan of
-/// throttle ratio `throttle_ratio`: Mattingly, Heiser & Pratt, eq. 2.54a (maximum power) and 2.54b
-/// (military power, 0.6 at sea level and at rest). Used to make the tables in data/, and to check
-/// them.
-[[nodiscard]] double afterburner_lapse(double mach, const Air& air, double throttle_ratio);
-[[nodiscard]] double military_lapse(double mach, const Air& air, double throttle_ratio);
-
 /// Which equations of motion an aircraft flies by.
 enum class Dynamics : std::uint8_t {
   laero,       ///< rate limits only, as the paper's aircraft

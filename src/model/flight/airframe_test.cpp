@@ -12,6 +12,7 @@
 #include <string>
 
 #include "support/data_file.hpp"
+#include "support/model/lapse.hpp"
 #include "support/model/lone_flight.hpp"
 
 namespace eyrie::model::flight {

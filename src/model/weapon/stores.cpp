@@ -21,26 +21,6 @@ std::optional<std::uint8_t> station_with(const Stores& stores, std::uint16_t typ
 
 }  // namespace
 
-Stores load_stores(std::span<const StationFit> stations, const Shelf<MissileType>& missiles) {
-  EYRIE_THROW_UNLESS(stations.size() <= kMaxStations, "an aircraft has at most 12 stations");
-  Stores stores;
-  for (std::size_t i = 0; i < stations.size(); ++i) {
-    const auto type = missiles.find(stations[i].store);
-    EYRIE_THROW_UNLESS(type && *type < 255, "a station holds a store that is not in the library");
-    stores.stations[i] = {.store = static_cast<std::uint8_t>(*type + 1),
-                          .count = stations[i].count};
-  }
-  return stores;
-}
-
-std::uint32_t count_of(const Stores& stores, std::uint16_t type) {
-  std::uint32_t count = 0;
-  for (const Station& station : stores.stations)
-    if (station.store == type + 1)
-      count += station.count;
-  return count;
-}
-
 std::uint32_t missiles_left(const Stores& stores) {
   std::uint32_t count = 0;
   for (const Station& station : stores.stations)

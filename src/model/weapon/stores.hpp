@@ -3,8 +3,7 @@
 /// \file  What hangs under an aircraft, and when the next of it may leave.
 #include "core/field.hpp"
 #include "core/id.hpp"
-#include "model/aircraft_type.hpp"
-#include "model/library.hpp"
+#include "model/weapon/missile.hpp"
 
 namespace eyrie::model::weapon {
 
@@ -41,14 +40,7 @@ struct Stores {
   }
 };
 
-/// The stores of an aircraft at birth. std::logic_error for a store that is not in the library, for
-/// more stations than kMaxStations and for more than 255 missile types.
-[[nodiscard]] Stores load_stores(std::span<const StationFit> stations,
-                                 const Shelf<MissileType>& missiles);
-
-/// How many of a store type (an index into the library) hang on all stations.
-[[nodiscard]] std::uint32_t count_of(const Stores& stores, std::uint16_t type);
-/// How many missiles of any type.
+/// How many missiles hang on all stations.
 [[nodiscard]] std::uint32_t missiles_left(const Stores& stores);
 
 /// Whether a store of that type may be released at `time` (s): one hangs there, none is on its way

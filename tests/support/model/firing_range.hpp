@@ -13,10 +13,10 @@
 #include "model/flight/flight_system.hpp"
 #include "model/library.hpp"
 #include "model/weapon/gun.hpp"
-#include "model/weapon/stores.hpp"
 #include "model/weapon/systems.hpp"
 #include "sim/simulation.hpp"
 #include "support/data_file.hpp"
+#include "support/model/stores.hpp"
 
 namespace eyrie::model::test {
 

@@ -8,6 +8,7 @@
 
 #include "core/angle.hpp"
 #include "model/flight/flight_system.hpp"
+#include "support/model/lapse.hpp"
 
 namespace eyrie::model::test {
 

@@ -9,11 +9,11 @@
 
 #include "core/units.hpp"
 #include "model/weapon/gun.hpp"
-#include "model/weapon/stores.hpp"
 #include "pilot/controller.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
 #include "support/model/flying.hpp"
+#include "support/model/stores.hpp"
 
 namespace eyrie::pilot::testing {
 

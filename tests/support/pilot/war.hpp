@@ -11,11 +11,11 @@
 #include "model/events.hpp"
 #include "model/flight/flight_system.hpp"
 #include "model/sensor/sensor_system.hpp"
-#include "model/weapon/stores.hpp"
 #include "model/weapon/systems.hpp"
 #include "pilot/catalog.hpp"
 #include "pilot/pilot_system.hpp"
 #include "sim/simulation.hpp"
+#include "support/model/stores.hpp"
 #include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot::testing {
