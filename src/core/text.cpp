@@ -103,16 +103,6 @@ std::string printable_lines(std::string_view text) {
   return result + printable(text);
 }
 
-std::string valid_utf8(std::string_view text) {
-  std::string result;
-  while (!text.empty()) {
-    const std::size_t length = first_character(text).length;
-    result += length ? text.substr(0, length) : "\xEF\xBF\xBD";
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return result;
-}
-
 std::size_t columns(std::string_view text) {
   static constexpr Points kWide[] = {{0x1100, 0x115F},   {0x2329, 0x232A},   {0x2E80, 0x303E},
                                      {0x3040, 0xA4CF},   {0xAC00, 0xD7A3},   {0xF900, 0xFAFF},

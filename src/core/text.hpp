@@ -17,9 +17,6 @@ namespace eyrie {
 /// The same of every line of a text: line feeds stay.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
-/// With U+FFFD in the place of each byte that is not UTF-8.
-[[nodiscard]] std::string valid_utf8(std::string_view text);
-
 /// Columns of a terminal: two for wide characters (Chinese, Japanese, Korean, emoji), one for the
 /// others, as fmt counts when it pads.
 [[nodiscard]] std::size_t columns(std::string_view text);

@@ -41,7 +41,12 @@ struct Signature {
 /// Silhouette (m^2) from `unit`, a direction from the target in the local frame, of the ellipsoid
 /// that has the three given silhouettes: the root of the sum of (area * direction cosine)^2, which
 /// is exact for an ellipsoid (Vickers, Powder Technology 86 (1996) 195).
-[[nodiscard]] double silhouette(const Signature& s, const Axes& target, const Vec3& unit);
+[[nodiscard]] inline double silhouette(const Signature& s, const Axes& target, const Vec3& unit) {
+  const double front = s.area_front * dot(unit, target.forward);
+  const double side = s.area_side * dot(unit, target.right);
+  const double top = s.area_top * dot(unit, target.down);
+  return std::sqrt(front * front + side * side + top * top);
+}
 
 /// Radiant intensity in the seeker's band, W/sr, at military power; the afterburner multiplies what
 /// is seen of the plume. The same from the left and from the right.

@@ -70,7 +70,10 @@ struct Underway {
   double time;  ///< s
   std::string_view tree;
 };
-[[nodiscard]] const Underway*& underway();
+[[nodiscard]] inline const Underway*& underway() {
+  static thread_local const Underway* now = nullptr;
+  return now;
+}
 
 class UnderwayGuard {
  public:
@@ -102,7 +105,15 @@ class KeptMemory {
 };
 
 /// The exception that is being handled: "threw: no fuel".
-[[nodiscard]] std::string exception_text();
+[[nodiscard]] inline std::string exception_text() {
+  try {
+    throw;
+  } catch (const std::exception& e) {
+    return fmt::format("threw: {}", e.what());
+  } catch (...) {
+    return "threw something that is no std::exception";
+  }
+}
 
 /// The node that threw: the tree is asked again, with a trace. Of one that does otherwise the
 /// second time nothing is known.
