@@ -35,10 +35,6 @@ struct Driving : Platform {
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
 
-  [[nodiscard]] static State perceive(const Cab& cab, const model::Library& library,
-                                      const model::Fit& fit, const Spacing& spacing, double time) {
-    return {cab, library, fit, spacing, time};
-  }
   static void account(const State&, Agent&) {}
   static void rest(const Controls&) {}
   static void execute(const Action& action, const State&, const Controls& controls, Agent& agent) {

@@ -46,11 +46,6 @@ struct Piloting : Platform {
   };
   static constexpr auto swap_tree = OrderKind::swap_tree;
 
-  [[nodiscard]] static State perceive(const Cockpit& cockpit, const model::Library& library,
-                                      const model::Fit& fit, const Formation& formation,
-                                      double time) {
-    return pilot::perceive(cockpit, library, fit, formation, time);
-  }
   static void account(const State& state, Agent& agent) { account_for_shots(state, agent); }
   /// A release is asked for once, not until the next decision.
   static void rest(const Controls& controls) {

@@ -34,22 +34,25 @@ void count_flight(State& s, const model::Fit& fit) {
 
 }  // namespace
 
-State perceive(const Cockpit& cockpit, const model::Library& library, const model::Fit& fit,
-               const Formation& formation, double time) {
-  State s(cockpit, library, fit, formation, time);
-  s.velocity_ned = to_ned(s.own, s.own.velocity);
-  s.seen_count = s.tracks.count;
-  for (std::uint32_t i = 0; i < s.seen_count; ++i) {
-    const model::Track& track = s.tracks.tracks[i];
-    const Vec3 offset = position_at(track, time) - s.own.position;
-    Seen& seen = s.seen[i];
-    seen.track = &track;
-    seen.ned = to_ned(s.own, offset);
-    seen.range = norm(offset);
+State::State(const Cockpit& cockpit, const model::Library& models, const model::Fit& fit,
+             const Formation& flown_in, double now)
+    : Cockpit(cockpit),
+      library(models),
+      type(models.aircraft[fit.type]),
+      flight(models.flights[fit.flight]),
+      formation(flown_in),
+      time(now),
+      seen_count(tracks.count),
+      velocity_ned(to_ned(own, own.velocity)) {
+  for (std::uint32_t i = 0; i < seen_count; ++i) {
+    const model::Track& track = tracks.tracks[i];
+    const Vec3 offset = position_at(track, time) - own.position;
+    seen[i].track = &track;
+    seen[i].ned = to_ned(own, offset);
+    seen[i].range = norm(offset);
   }
-  count_flight(s, fit);
-  s.target_index = choose_target(s);
-  return s;
+  count_flight(*this, fit);
+  target_index = choose_target(*this);
 }
 
 const Seen* State::find(TrackId id) const {

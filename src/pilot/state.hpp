@@ -51,14 +51,9 @@ struct Cockpit {
 /// in it is a belief: with a privileged player the beliefs happen to be true, and nothing here
 /// knows the difference.
 struct State : Cockpit {
+  /// Carries every track on to `now`, counts the flight and chooses the target.
   State(const Cockpit& cockpit, const model::Library& models, const model::Fit& fit,
-        const Formation& flown_in, double now)
-      : Cockpit(cockpit),
-        library(models),
-        type(models.aircraft[fit.type]),
-        flight(models.flights[fit.flight]),
-        formation(flown_in),
-        time(now) {}
+        const Formation& flown_in, double now);
 
   const model::Library& library;
   const model::AircraftType& type;
@@ -126,9 +121,5 @@ struct State : Cockpit {
 
 /// What is in a state, for debriefs.
 [[nodiscard]] std::vector<team::Perceived> perceived(const State& state);
-
-/// Builds the state: carries every track on to `time`, counts the flight and chooses the target.
-[[nodiscard]] State perceive(const Cockpit& cockpit, const model::Library& library,
-                             const model::Fit& fit, const Formation& formation, double time);
 
 }  // namespace eyrie::pilot

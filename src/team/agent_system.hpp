@@ -26,13 +26,13 @@ struct AgentSetup {
 /// player who is gone, is ignored.
 ///
 /// `Platform` says what that is on one platform (see pilot/pilot_system.hpp):
-///   * State, Action, Agent, Columns, and Plan: what does not change about one flight;
+///   * State, made of (view, library, fit, plan, time); Action, Agent, Columns, and Plan: what does
+///     not change about one flight;
 ///   * View and Controls: the columns that an agent reads and that it writes (sim/columns.hpp);
 ///   * Teller: constructed from who, a state and an outbox; notice() before the tree is asked,
 ///     changes() after it;
-///   * perceive(view, library, fit, plan, time): the state; account(state, agent): what an agent
-///     takes note of before it decides; execute(action, state, controls, agent); rest(controls):
-///     in every step, before the decision if one is due;
+///   * account(state, agent): what an agent takes note of before it decides; execute(action, state,
+///     controls, agent); rest(controls): in every step, before the decision if one is due;
 ///   * swap_tree: its kind of order.
 template <class Platform>
 class AgentSystem final : public Agents {
@@ -86,8 +86,8 @@ class AgentSystem final : public Agents {
 
       // perceive
       const model::Fit& fit = fits[row];
-      const State state = Platform::perceive(rows.at(row, agent), *setup_.library, fit,
-                                             setup_.plans[fit.flight], info.time());
+      const State state(rows.at(row, agent), *setup_.library, fit, setup_.plans[fit.flight],
+                        info.time());
       const typename Platform::Teller teller(ids[row], state, out);
       Platform::account(state, agent);
       teller.notice(agent, fit);
@@ -152,9 +152,8 @@ class AgentSystem final : public Agents {
       return false;
     const Rows rows(before, setup_.columns), sensed(after, setup_.columns);
     const model::Fit& fit = before.rows(setup_.columns.fit)[*row];
-    const State state =
-        Platform::perceive(rows.at_both(*row, sensed, *sensed_row, agent), *setup_.library, fit,
-                           setup_.plans[fit.flight], info.time());
+    const State state(rows.at_both(*row, sensed, *sensed_row, agent), *setup_.library, fit,
+                      setup_.plans[fit.flight], info.time());
     Platform::account(state, agent);
     use(deciding_.moment(state, info, who, memory));
     return true;

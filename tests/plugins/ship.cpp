@@ -92,7 +92,12 @@ const model::VehicleType& hull() {
   }();
   return type;
 }
+struct Plan {};
 struct State : Bridge {
+  State(const Bridge& bridge, const model::Library& library, const model::Fit& fit, const Plan&,
+        double now)
+      : Bridge(bridge), group(library.flights[fit.flight]), time(now) {}
+
   const model::Flight& group;
   double time;
 
@@ -136,7 +141,7 @@ struct Platform {
   using Action = ship::Action;
   using Agent = ship::Agent;
   using Columns = ship::Columns;
-  struct Plan {};
+  using Plan = ship::Plan;
   using View = Bridge;
   struct Controls {
     model::DriveCommand& command;
@@ -156,10 +161,6 @@ struct Platform {
   static constexpr std::uint16_t kOrder = 40;
   static constexpr sim::OrderKind swap_tree{kOrder};
 
-  static State perceive(const Bridge& bridge, const model::Library& library, const model::Fit& fit,
-                        const Plan&, double time) {
-    return {bridge, library.flights[fit.flight], time};
-  }
   static void account(const State&, Agent&) {}
   static void rest(const Controls&) {}
   static void execute(const Action& action, const State&, const Controls& controls, Agent&) {

@@ -105,7 +105,7 @@ struct Desk {
   void lose(std::uint32_t rank) { datalink.members[rank - 1].alive = 0; }
 
   [[nodiscard]] State state() const {
-    return perceive(
+    return State(
         {own, propulsion, flying, stores, gun, tracks, rwr, threats, datalink, command, agent},
         library(), fit, formation, time);
   }
