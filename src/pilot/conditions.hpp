@@ -10,105 +10,94 @@
 
 namespace eyrie::pilot {
 
-class Bingo final : public Condition {
- public:
+struct Bingo final : Condition {
   static constexpr std::string_view type_name = "bingo";
   static constexpr std::string_view help = "fuel is down to what the way home needs";
   [[nodiscard]] bool holds(const Tick& t) const override { return t.state.bingo(); }
 };
 
-class Winchester final : public Condition {
- public:
+struct Winchester final : Condition {
   static constexpr std::string_view type_name = "winchester";
   static constexpr std::string_view help = "no missile is left, and no round if the gun counts";
   static constexpr auto params() {
-    return std::tuple{param("gun", &Winchester::gun_, "true: with rounds left it does not hold")};
+    return std::tuple{param("gun", &Winchester::gun, "true: with rounds left it does not hold")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
-    return model::weapon::missiles_left(t.state.stores) == 0 && (!gun_ || t.state.gun.rounds == 0);
+    return model::weapon::missiles_left(t.state.stores) == 0 && (!gun || t.state.gun.rounds == 0);
   }
 
- private:
-  bool gun_ = false;
+  bool gun = false;
 };
 
 /// As the datalink tells: a mate that is not heard any more counts as lost.
-class Losses final : public Condition {
- public:
+struct Losses final : Condition {
   static constexpr std::string_view type_name = "losses";
   static constexpr std::string_view help = "so many of the flight are believed lost";
   static constexpr auto params() {
     return std::tuple{
-        param("at_least", &Losses::at_least_, range(1, 8), "members of the own flight")};
+        param("at_least", &Losses::at_least, range(1, 8), "members of the own flight")};
   }
-  [[nodiscard]] bool holds(const Tick& t) const override { return t.state.lost >= at_least_; }
+  [[nodiscard]] bool holds(const Tick& t) const override { return t.state.lost >= at_least; }
 
- private:
-  std::uint32_t at_least_ = 2;
+  std::uint32_t at_least = 2;
 };
 
-class NearHome final : public Condition {
- public:
+struct NearHome final : Condition {
   static constexpr std::string_view type_name = "near_home";
   static constexpr std::string_view help = "home is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &NearHome::within_, "m", range(0, 1e6), "along the ground")};
+    return std::tuple{param("within", &NearHome::within, "m", range(0, 1e6), "along the ground")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const auto distance = t.state.home_distance();
-    return distance && *distance <= within_;
+    return distance && *distance <= within;
   }
 
- private:
-  double within_ = si(10, "nmi");
+  double within = si(10, "nmi");
 };
 
 using IsLead = team::IsLead<Platform>;
 using RouteDone = team::RouteDone<Platform>;
 
 /// A confirmed track that is hostile, or might be, is near enough.
-class HostileTrack final : public Condition {
- public:
+struct HostileTrack final : Condition {
   static constexpr std::string_view type_name = "hostile_track";
   static constexpr std::string_view help = "a hostile track is within a range";
   static constexpr auto params() {
-    return std::tuple{param("within", &HostileTrack::within_, "m", range(0, 1e6), "from here"),
-                      param("identified", &HostileTrack::identified_,
+    return std::tuple{param("within", &HostileTrack::within, "m", range(0, 1e6), "from here"),
+                      param("identified", &HostileTrack::identified,
                             "false: a track that nobody has identified counts as hostile here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     for (const Seen& seen : t.state.tracks_seen())
-      if ((identified_ ? seen.hostile() : seen.suspect()) && seen.range <= within_)
+      if ((identified ? seen.hostile() : seen.suspect()) && seen.range <= within)
         return true;
     return false;
   }
 
- private:
-  double within_ = si(60, "nmi");
-  bool identified_ = true;
+  double within = si(60, "nmi");
+  bool identified = true;
 };
 
 /// A hostile is seen by eye, or so near that it might as well be.
-class InSight final : public Condition {
- public:
+struct InSight final : Condition {
   static constexpr std::string_view type_name = "in_sight";
   static constexpr std::string_view help = "a hostile is seen by eye or within a range";
   static constexpr auto params() {
     return std::tuple{
-        param("within", &InSight::within_, "m", range(0, 100e3), "counts as seen in any case"),
-        param("memory", &InSight::memory_, "s", range(0, 60), "a glance is good for so long")};
+        param("within", &InSight::within, "m", range(0, 100e3), "counts as seen in any case"),
+        param("memory", &InSight::memory, "s", range(0, 60), "a glance is good for so long")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     for (const Seen& seen : t.state.tracks_seen())
       if (seen.hostile() &&
-          (seen.range <= within_ || t.state.time - seen.track->seen_time <= memory_))
+          (seen.range <= within || t.state.time - seen.track->seen_time <= memory))
         return true;
     return false;
   }
 
- private:
-  double within_ = si(5, "nmi");
-  double memory_ = 5;
+  double within = si(5, "nmi");
+  double memory = 5;
 };
 
 struct ClearSince {
@@ -118,69 +107,63 @@ struct ClearSince {
 };
 
 /// No hostile and no unknown track inside a radius for some time.
-class AreaClear final : public ubf::WithMemory<Condition, ClearSince> {
- public:
+struct AreaClear final : ubf::WithMemory<Condition, ClearSince> {
   static constexpr std::string_view type_name = "area_clear";
   static constexpr std::string_view help = "nobody but friends within a range for some time";
   static constexpr auto params() {
-    return std::tuple{
-        param("within", &AreaClear::within_, "m", range(0, 1e6), "from here"),
-        param("for", &AreaClear::for_, "s", range(0, 3600), "how long it must have been clear")};
+    return std::tuple{param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
+                      param("for", &AreaClear::duration, "s", range(0, 3600),
+                            "how long it must have been clear")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     ClearSince& m = memory(t);
     for (const Seen& seen : t.state.tracks_seen())
-      if (seen.suspect() && seen.range <= within_) {
+      if (seen.suspect() && seen.range <= within) {
         m = {};
         return false;
       }
     if (!m.clear)
       m = {t.state.time, 1, 0};
-    return ubf::passed(t.state.time, m.time, for_);
+    return ubf::passed(t.state.time, m.time, duration);
   }
 
- private:
-  double within_ = si(60, "nmi");
-  double for_ = 20;
+  double within = si(60, "nmi");
+  double duration = 20;
 };
 
 /// A missile is believed to come for this aircraft.
-class Threatened final : public Condition {
- public:
+struct Threatened final : Condition {
   static constexpr std::string_view type_name = "threatened";
   static constexpr std::string_view help = "a missile is believed to come for this aircraft";
   [[nodiscard]] bool holds(const Tick& t) const override { return t.state.threats.count > 0; }
 };
 
 /// A target is chosen.
-class HasTarget final : public Condition {
- public:
+struct HasTarget final : Condition {
   static constexpr std::string_view type_name = "has_target";
   static constexpr std::string_view help = "a target is chosen";
   static constexpr auto params() {
-    return std::tuple{param("within", &HasTarget::within_, "m", range(0, 1e6), "from here")};
+    return std::tuple{param("within", &HasTarget::within, "m", range(0, 1e6), "from here")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const Seen* target = t.state.target();
-    return target && target->range <= within_;
+    return target && target->range <= within;
   }
 
- private:
-  double within_ = 1e6;
+  double within = 1e6;
 };
 
 /// An own missile is believed on its way to the chosen target, or to anybody.
-class ShotInFlight final : public Condition {
- public:
+struct ShotInFlight final : Condition {
   static constexpr std::string_view type_name = "shot_in_flight";
   static constexpr std::string_view help = "an own missile is believed on its way";
   static constexpr auto params() {
     return std::tuple{
-        param("any", &ShotInFlight::any_, "true: to whomever; false: to the chosen target")};
+        param("any", &ShotInFlight::any, "true: to whomever; false: to the chosen target")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const State& s = t.state;
-    if (any_)
+    if (any)
       return std::any_of(s.agent.shots.begin(), s.agent.shots.end(), [&](const Shot& shot) {
         return shot.flies(s.time) && s.find(shot.track);
       });
@@ -188,8 +171,7 @@ class ShotInFlight final : public Condition {
     return target && claims_on(s, *target).own_shots > 0;
   }
 
- private:
-  bool any_ = false;
+  bool any = false;
 };
 
 }  // namespace eyrie::pilot
