@@ -31,11 +31,7 @@ Status Scatter::tick(const Tick& t, Proposal& out) const {
 Registry make_registry() {
   Registry registry;
   ubf::add_standard_nodes(registry);
-  registry.add<Navigate>();
-  registry.add<FollowLead>();
-  registry.add<Scatter>();
-  registry.add<IsLead>();
-  registry.add<RouteDone>();
+  registry.add<Navigate, FollowLead, Scatter, IsLead, RouteDone>();
   return registry;
 }
 

@@ -15,27 +15,10 @@ Registry make_registry() {
   Registry registry;
   ubf::add_standard_nodes(registry);
 
-  registry.add<Navigate>();
-  registry.add<FollowLead>();
-  registry.add<Pursue>();
-  registry.add<ReleaseWeapon>();
-  registry.add<ShootGun>();
-  registry.add<BreakTurn>();
-  registry.add<Egress>();
-  registry.add<AvoidGround>();
-
-  registry.add<HostileTrack>();
-  registry.add<HasTarget>();
-  registry.add<InSight>();
-  registry.add<AreaClear>();
-  registry.add<Threatened>();
-  registry.add<ShotInFlight>();
-  registry.add<Bingo>();
-  registry.add<Winchester>();
-  registry.add<Losses>();
-  registry.add<IsLead>();
-  registry.add<NearHome>();
-  registry.add<RouteDone>();
+  registry
+      .add<Navigate, FollowLead, Pursue, ReleaseWeapon, ShootGun, BreakTurn, Egress, AvoidGround>();
+  registry.add<HostileTrack, HasTarget, InSight, AreaClear, Threatened, ShotInFlight, Bingo,
+               Winchester, Losses, IsLead, NearHome, RouteDone>();
   return registry;
 }
 

@@ -38,9 +38,6 @@ struct Formation {
   return {-out * formation.behind, place * formation.abreast, out * formation.below};
 }
 
-/// m; mean radius of the Earth (R1 of WGS-84), for the drop of the horizon only.
-inline constexpr double kEarthRadius = 6371008.8;
-
 /// A vector of the scenario's local frame in the north-east-down axes at the ownship.
 [[nodiscard]] constexpr Vec3 to_ned(const model::Kinematics& own, const Vec3& local) {
   return {dot(own.north, local), dot(own.east, local), dot(own.down, local)};
@@ -62,7 +59,7 @@ inline constexpr double kEarthRadius = 6371008.8;
 /// m above the ellipsoid of a place `ned` metres away from the ownship. The Earth curves away below
 /// the tangent plane by d2 / 2R: 0.5 m at 2.5 km, 970 m at 60 nmi.
 [[nodiscard]] inline double altitude_of(const model::Kinematics& own, const Vec3& ned) {
-  return own.altitude - ned.z + (ned.x * ned.x + ned.y * ned.y) / (2 * kEarthRadius);
+  return own.altitude - ned.z + (ned.x * ned.x + ned.y * ned.y) / (2 * model::kEarthRadius);
 }
 
 /// Unit vector of the nose in NED axes; the velocity through the air points there too.

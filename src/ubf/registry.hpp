@@ -53,9 +53,9 @@ class Registry : public AnyRegistry {
   Registry() : AnyRegistry(state_field_infos<State>()) {}
 
   /// Refuses (std::logic_error) a name that is taken.
-  template <std::derived_from<Node> B>
-  void add(std::string origin = "eyrie") {
-    AnyRegistry::add(kNodeType<B>, std::move(origin));
+  template <std::derived_from<Node>... B>
+  void add(const std::string& origin = "eyrie") {
+    (AnyRegistry::add(kNodeType<B>, origin), ...);
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.

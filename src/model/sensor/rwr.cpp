@@ -10,11 +10,7 @@ namespace {
 
 /// Order on the display: the more urgent kind, then who was heard first, then by fingerprint.
 bool goes_before(const RwrWarning& a, const RwrWarning& b) {
-  if (a.kind != b.kind)
-    return a.kind > b.kind;
-  if (a.first_time != b.first_time)
-    return a.first_time < b.first_time;
-  return a.emitter < b.emitter;
+  return std::tie(b.kind, a.first_time, a.emitter) < std::tie(a.kind, b.first_time, b.emitter);
 }
 
 void sort(RwrState& state) {

@@ -128,16 +128,12 @@ void refresh_sigmas(Track& track, const Tracker& tracker, double time) {
 
 namespace {
 
+/// The closest first, of equal ones the older track and then the earlier contact.
 struct Pair {
   double deviations2;
   std::uint8_t track, contact;
+  friend auto operator<=>(const Pair&, const Pair&) = default;
 };
-
-bool closer(const Pair& a, const Pair& b) {
-  if (a.deviations2 != b.deviations2)
-    return a.deviations2 < b.deviations2;
-  return a.track != b.track ? a.track < b.track : a.contact < b.contact;
-}
 
 }  // namespace
 
@@ -160,7 +156,7 @@ std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
     }
 
   // the closest first
-  std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count), closer);
+  std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count));
   std::array<std::uint8_t, kMaxContacts> track_of;
   track_of.fill(kNoTrack);
   std::uint32_t used = 0;
