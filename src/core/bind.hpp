@@ -15,7 +15,6 @@
 ///             with one row of values per breakpoint of the first axis. `units` gives a whole axis
 ///             its unit; without it each number carries its own.
 #include "core/describe.hpp"
-#include "core/diagnostics.hpp"
 #include "core/value.hpp"
 
 namespace eyrie {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
 #include "core/bind.hpp"
 
 namespace eyrie {

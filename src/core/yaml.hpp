@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  YAML text -> the neutral document tree. The only place that knows libyaml.
-#include "core/diagnostics.hpp"
 #include "core/value.hpp"
 
 namespace eyrie {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "driver/behaviors.hpp"
 
-#include "core/angle.hpp"
 #include "ubf/standard_nodes.hpp"
 
 namespace eyrie::driver {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "driver/driver_system.hpp"
 
-#include "core/angle.hpp"
 #include "team/decision.hpp"
 
 namespace eyrie::driver {

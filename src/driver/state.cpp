@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "driver/state.hpp"
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
-
 namespace eyrie::driver {
 namespace {
 

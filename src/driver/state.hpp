@@ -2,7 +2,6 @@
 #pragma once
 /// \file  A driver: what he wants (Action), keeps from decision to decision (Agent) and perceives
 /// (State), and the UBF types for these under one name each.
-#include "core/describe.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
 #include "team/deciding.hpp"

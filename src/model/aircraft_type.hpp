@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of aircraft: which models it is put together from.
-#include "core/describe.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/signature.hpp"
 

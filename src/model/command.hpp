@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the pilot asked of the aircraft: written in decide, read in act and move.
-#include "core/enum_names.hpp"
 #include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie::model {
 

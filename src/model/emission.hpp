@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a player radiates: written in act, heard by the warning receivers of the next step.
-#include "core/angle.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 #include "model/fit.hpp"
 
 namespace eyrie::model {

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
-#include "core/math.hpp"
-
 namespace eyrie::model {
 namespace {
 

@@ -2,8 +2,6 @@
 #pragma once
 /// \file  The air and the wind.
 #include "core/describe.hpp"
-#include "core/table.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie::model {
 

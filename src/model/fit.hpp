@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a player is made of: indices into the const Library, set at birth.
-#include "core/enum_names.hpp"
 #include "core/field.hpp"
 
 namespace eyrie::model {

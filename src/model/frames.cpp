@@ -4,9 +4,7 @@
 #include <GeographicLib/AzimuthalEquidistant.hpp>
 #include <GeographicLib/Geocentric.hpp>
 
-#include "core/angle.hpp"
 #include "core/assert.hpp"
-#include "core/math.hpp"
 
 namespace eyrie {
 namespace {

@@ -2,8 +2,6 @@
 #pragma once
 /// \file  Where a player is and how it moves: the truth that the move phase writes.
 #include "core/field.hpp"
-#include "core/math.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie::model {
 

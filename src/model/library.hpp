@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Every const model of a run, shared by all players and threads.
-#include "core/assert.hpp"
-#include "core/id.hpp"
 #include "model/aircraft_type.hpp"
 #include "model/datalink/datalink.hpp"
 #include "model/environment.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  How big a target looks to a radar and to the eye. Belongs to the aircraft type.
 #include "core/describe.hpp"
-#include "core/vec.hpp"
 #include "model/kinematics.hpp"
 
 namespace eyrie::model {

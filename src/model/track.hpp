@@ -3,8 +3,6 @@
 /// \file  What a player knows of others: a contact, which is one look of one sensor before any
 /// filter, and a track, a filtered estimate built from contacts.
 #include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie::model {
 

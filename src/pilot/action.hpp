@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a pilot wants: numbers to fly, and orders. An empty field is "no opinion".
-#include "core/enum_names.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 #include "model/command.hpp"
 #include "ubf/action_traits.hpp"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What one pilot keeps from decision to decision besides the memory of his tree.
-#include "core/field.hpp"
-#include "core/id.hpp"
 #include "pilot/action.hpp"
 #include "team/deciding.hpp"
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Directions and places as a pilot sees them, and where each rank of a formation flies.
-#include "core/angle.hpp"
 #include "core/describe.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/kinematics.hpp"
 
 namespace eyrie::pilot {

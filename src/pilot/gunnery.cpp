@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/gunnery.hpp"
 
-#include "core/math.hpp"
-
 namespace eyrie::pilot {
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/pilot_system.hpp"
 
-#include "core/angle.hpp"
 #include "pilot/action.hpp"
 #include "team/decision.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The sort: who of a flight takes whom.
-#include "core/units.hpp"
 #include "pilot/state.hpp"
 
 namespace eyrie::pilot {

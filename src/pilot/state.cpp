@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/state.hpp"
 
-#include "core/math.hpp"
-#include "core/units.hpp"
 #include "pilot/sort.hpp"
 
 namespace eyrie::pilot {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The UBF types for pilots, under one name each.
-#include "core/describe.hpp"
-#include "core/units.hpp"
 #include "pilot/action.hpp"
 #include "ubf/agent.hpp"
 #include "ubf/registry.hpp"

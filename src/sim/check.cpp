@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/field.hpp"
-
 namespace eyrie::sim {
 namespace {
 

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
-#include "core/field.hpp"
-
 namespace eyrie::sim {
 
 namespace {

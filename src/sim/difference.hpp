@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Where two worlds part: the first difference, and digests of worlds that are compared
 /// later.
-#include "core/id.hpp"
 #include "sim/event.hpp"
 #include "sim/world.hpp"
 

@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 
 namespace eyrie::sim {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/run.hpp"
 
-#include "core/assert.hpp"
-
 namespace eyrie::sim {
 
 Paranoid::Paranoid(const Simulation& simulation, const World& like, unsigned workers)

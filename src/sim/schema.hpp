@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a World is made of: tables of typed columns, described once, fixed at load.
-
-#include "core/field.hpp"
-#include "core/id.hpp"
 #include "sim/event.hpp"
 
 namespace eyrie::sim {

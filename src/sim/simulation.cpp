@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulation.hpp"
 
-#include "core/assert.hpp"
-
 namespace eyrie::sim {
 
 namespace {

@@ -2,8 +2,6 @@
 #pragma once
 /// \file  What takes part in a step, what watches it, and how often things happen that are not done
 /// in every step.
-#include "core/assert.hpp"
-#include "core/id.hpp"
 #include "sim/event.hpp"
 #include "sim/world.hpp"
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/assert.hpp"
-
 namespace eyrie::sim {
 namespace {
 

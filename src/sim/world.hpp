@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Everything that changes, in one block of bytes: copy it, assign it, hash it.
 #include "core/assert.hpp"
-#include "core/id.hpp"
 #include "sim/schema.hpp"
 
 namespace eyrie::sim {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One decision of one agent inside a simulation, whatever the platform.
-#include "core/assert.hpp"
-#include "core/field.hpp"
 #include "model/events.hpp"
 #include "model/fit.hpp"
 #include "sim/event.hpp"

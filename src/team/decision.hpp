@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What an agent decided, and why, in words and numbers for people.
-#include "core/enum_names.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
 #include "ubf/behavior.hpp"
 #include "ubf/state_fields.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From a traced tick to a Decision.
-#include "core/angle.hpp"
 #include "team/decision.hpp"
 #include "team/moment.hpp"
 #include "ubf/tree.hpp"

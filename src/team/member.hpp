@@ -2,9 +2,6 @@
 #pragma once
 /// \file  What it takes to be a member of a flight or a convoy, whatever the platform, and what
 /// every member does.
-#include "core/angle.hpp"
-#include "core/describe.hpp"
-#include "core/vec.hpp"
 #include "model/columns.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/kinematics.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An agent's brain as a row: which tree it uses, and the slab that the tree works on.
-#include "core/assert.hpp"
 #include "ubf/tree.hpp"
 
 namespace eyrie::ubf {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The nouns of the Unified Behavior Framework: state, action, vote, proposal, behavior.
-#include "core/assert.hpp"
 #include "core/draw.hpp"
-#include "core/id.hpp"
 #include "ubf/action_traits.hpp"
 #include "ubf/node.hpp"
 #include "ubf/proposal.hpp"

@@ -3,7 +3,6 @@
 /// \file  A node with children: how it asks them, makes them forget, and hands on what they say.
 #include <iterator>
 
-#include "core/describe.hpp"
 #include "ubf/behavior.hpp"
 #include "ubf/trace.hpp"
 

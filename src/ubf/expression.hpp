@@ -10,7 +10,6 @@
 ///
 /// A comparison with a field that has no value is false, whichever it is, "!=" too. What is needed
 /// of the state is found when the file is read: a tick compares numbers and nothing else.
-#include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "ubf/action_traits.hpp"
 #include "ubf/state_fields.hpp"

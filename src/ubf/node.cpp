@@ -5,9 +5,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
-#include "core/diagnostics.hpp"
-
 namespace eyrie::ubf {
 namespace {
 

@@ -3,8 +3,6 @@
 
 #include <exception>
 
-#include "core/assert.hpp"
-
 namespace eyrie::ubf {
 namespace {
 

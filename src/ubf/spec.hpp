@@ -25,9 +25,6 @@
 ///         - !tree home                         the same as {tree: home}
 ///
 /// `$name` stands for the argument: any value, a node too, or a piece of a longer text.
-#include "core/describe.hpp"
-#include "core/diagnostics.hpp"
-#include "core/value.hpp"
 #include "ubf/node.hpp"
 #include "ubf/state_fields.hpp"
 

@@ -2,9 +2,6 @@
 #pragma once
 /// \file  What every node of one tick answered, and who supplied each field of each action; for
 /// people one line per node.
-#include "core/assert.hpp"
-#include "core/enum_names.hpp"
-#include "core/units.hpp"
 #include "ubf/behavior.hpp"
 
 namespace eyrie::ubf {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An immutable tree, shared by every agent that uses it.
-#include "core/assert.hpp"
 #include "ubf/behavior.hpp"
 #include "ubf/trace.hpp"
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/bind.hpp"
-#include "core/math.hpp"
 
 namespace eyrie::ubf {
 namespace {

@@ -11,7 +11,6 @@
 #include <functional>
 #include <optional>
 
-#include "core/diagnostics.hpp"
 #include "core/enum_names.hpp"
 #include "core/value.hpp"
 #include "ubf/state_fields.hpp"

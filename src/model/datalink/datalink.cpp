@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
 #include "model/track/filter.hpp"
 
 namespace eyrie::model::datalink {

@@ -2,12 +2,7 @@
 #pragma once
 /// \file  The datalink inside a flight: who is where, who is alive, who shoots at what.
 /// docs/models/datalink.md says what it is worth.
-#include "core/describe.hpp"
 #include "core/draw.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/track.hpp"

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/math.hpp"
-
 namespace eyrie::model::flight {
 
 Thrust Engine::thrust_at(double mach, double altitude) const {

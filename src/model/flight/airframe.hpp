@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  An aircraft's lift, drag, engine and limits.
-#include "core/describe.hpp"
-#include "core/enum_names.hpp"
 #include "model/environment.hpp"
 #include "model/flight/autopilot.hpp"
 #include "model/flight/laero.hpp"

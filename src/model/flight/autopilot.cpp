@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/math.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 

@@ -2,8 +2,6 @@
 #pragma once
 /// \file  The autopilot: from a Command to what the inner loops hold. Const gains; the memory is in
 /// the Flying row.
-#include "core/describe.hpp"
-#include "core/units.hpp"
 #include "model/command.hpp"
 #include "model/flight/guidance.hpp"
 

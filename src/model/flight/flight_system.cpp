@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/flight_system.hpp"
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
 #include "model/events.hpp"
 
 namespace eyrie::model::flight {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/angle.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 

@@ -2,10 +2,6 @@
 #pragma once
 /// \file  Where to fly: routes, circles, a place beside a lead.
 #include "core/describe.hpp"
-#include "core/enum_names.hpp"
-#include "core/math.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/flight/flying.hpp"
 #include "model/kinematics.hpp"
 

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 

@@ -2,8 +2,6 @@
 #pragma once
 /// \file  laero: the simple model that the paper's aircraft flew. Heading, altitude and speed
 /// follow what is asked within rate limits; no forces, no stall, no ceiling. docs/models/flight.md.
-#include "core/describe.hpp"
-#include "core/units.hpp"
 #include "model/environment.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/guidance.hpp"

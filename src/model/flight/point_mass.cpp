@@ -3,9 +3,6 @@
 
 #include <initializer_list>
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 

@@ -4,7 +4,6 @@
 /// coordinated flight. Three degrees of freedom; docs/models/flight.md has the equations.
 #include <algorithm>
 
-#include "core/table.hpp"
 #include "model/environment.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/flight/flying.hpp"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/flight/steering.hpp"
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
-
 namespace eyrie::model::flight {
 namespace {
 

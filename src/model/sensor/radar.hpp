@@ -3,11 +3,7 @@
 /// \file  A fighter's radar: range equation, scan volume, Doppler notch and measurement errors; and
 /// the interrogator that rides on its looks. docs/models/radar.md has the equations and what they
 /// are worth.
-#include "core/describe.hpp"
 #include "core/draw.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/signature.hpp"

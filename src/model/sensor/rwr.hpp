@@ -3,9 +3,6 @@
 /// \file  Radar warning receiver.
 #include "core/describe.hpp"
 #include "core/draw.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
 #include "model/emission.hpp"
 #include "model/kinematics.hpp"
 

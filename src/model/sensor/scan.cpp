@@ -2,7 +2,6 @@
 // The radar at work: where it points, what it finds in a frame, how it follows one target.
 #include <algorithm>
 
-#include "core/math.hpp"
 #include "model/sensor/scene.hpp"
 #include "model/track/filter.hpp"
 

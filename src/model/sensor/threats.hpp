@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Missiles that one aircraft believes are coming for it.
-#include "core/angle.hpp"
 #include "core/field.hpp"
-#include "core/id.hpp"
 
 namespace eyrie::model::sensor {
 

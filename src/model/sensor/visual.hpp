@@ -2,9 +2,7 @@
 #pragma once
 /// \file  What a pilot sees out of the window: aircraft, and the plumes of missiles.
 /// docs/models/radar.md has the equations and what they are worth.
-#include "core/describe.hpp"
 #include "core/draw.hpp"
-#include "core/units.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/sensor/threats.hpp"

@@ -2,7 +2,6 @@
 // The eyes at work: aircraft become tracks, missiles become threats.
 #include <algorithm>
 
-#include "core/math.hpp"
 #include "model/events.hpp"
 #include "model/sensor/scene.hpp"
 

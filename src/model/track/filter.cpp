@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/assert.hpp"
-
 namespace eyrie::model::track {
 namespace {
 

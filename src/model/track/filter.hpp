@@ -3,8 +3,6 @@
 /// \file  How contacts become tracks: which contact belongs to which track, and the filter.
 /// docs/models/tracks.md has the equations.
 #include "core/describe.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/track.hpp"
 
 namespace eyrie::model::track {

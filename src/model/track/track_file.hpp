@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The life of tracks: born from contacts, confirmed, merged, coasting, dropped.
-#include "core/assert.hpp"
 #include "model/track.hpp"
 #include "model/track/filter.hpp"
 

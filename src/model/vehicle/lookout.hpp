@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What drivers see in the sky.
-#include "core/draw.hpp"
 #include "model/datalink/datalink.hpp"
 #include "model/fit.hpp"
 #include "model/sensor/visual.hpp"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of ground vehicle, its rows, and how it moves over the surface of the ellipsoid.
-#include "core/describe.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/frames.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  How badly one aircraft has been hit.
 #include "core/field.hpp"
-#include "core/id.hpp"
 
 namespace eyrie::model::weapon {
 

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  One missile against one target over a flat Earth, with perfect knowledge: how the launch
 /// zone is found, and a laboratory for tests.
-#include "core/vec.hpp"
 #include "model/environment.hpp"
 #include "model/weapon/launch_zone.hpp"
 #include "model/weapon/missile.hpp"

@@ -3,8 +3,6 @@
 /// \file  How a missile flies: lines of sight, guidance, forces, and the fuze at the end.
 #include <algorithm>
 
-#include "core/math.hpp"
-#include "core/vec.hpp"
 #include "model/environment.hpp"
 #include "model/weapon/missile.hpp"
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "core/angle.hpp"
-#include "core/math.hpp"
 #include "model/environment.hpp"
 
 namespace eyrie::model::weapon {

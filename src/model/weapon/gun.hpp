@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A gun: its type, what it remembers, how its rounds fly and how likely they are to hit.
-#include "core/describe.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/units.hpp"
-#include "core/vec.hpp"
 #include "model/kinematics.hpp"
 #include "model/signature.hpp"
 

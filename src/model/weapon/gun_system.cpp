@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
-#include "core/draw.hpp"
 #include "model/events.hpp"
 #include "model/weapon/gun.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/homing.hpp"
 
-#include "core/math.hpp"
 #include "model/weapon/flyout.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What a missile's seeker finds among the aircraft, and how the missile homes on it.
-#include "core/draw.hpp"
-#include "core/id.hpp"
 #include "model/columns.hpp"
 #include "model/kinematics.hpp"
 #include "model/library.hpp"

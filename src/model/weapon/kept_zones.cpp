@@ -3,8 +3,6 @@
 
 #include <cstring>
 
-#include "core/angle.hpp"
-#include "core/describe.hpp"
 #include "core/hash.hpp"
 #include "model/weapon/engagement.hpp"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/launch_zone.hpp"
 
-#include "core/angle.hpp"
-#include "core/describe.hpp"
-#include "core/math.hpp"
 #include "model/signature.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/missile.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From where a missile reaches a target: found by flying it, kept as a table.
-#include "core/vec.hpp"
 #include "model/weapon/seeker_type.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/missile.hpp"
 
-#include "core/math.hpp"
 #include "model/environment.hpp"
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/kept_zones.hpp"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of missile, and the rows of one that flies.
-#include "core/describe.hpp"
-#include "core/field.hpp"
-#include "core/id.hpp"
-#include "core/vec.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/track.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/systems.hpp"
 
-#include "core/draw.hpp"
-#include "core/math.hpp"
 #include "model/events.hpp"
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/homing.hpp"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/seeker.hpp"
 
-#include "core/math.hpp"
-
 namespace eyrie::model::weapon {
 
 namespace {

@@ -2,7 +2,6 @@
 #pragma once
 /// \file  What a missile's seeker sees and how it follows it.
 #include "core/draw.hpp"
-#include "core/vec.hpp"
 #include "model/weapon/flyout.hpp"
 #include "model/weapon/missile.hpp"
 #include "model/weapon/seeker_type.hpp"

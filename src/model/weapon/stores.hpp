@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What hangs under an aircraft, and when the next of it may leave.
-#include "core/field.hpp"
-#include "core/id.hpp"
 #include "model/weapon/missile.hpp"
 
 namespace eyrie::model::weapon {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/ways.hpp"
 
-#include "core/math.hpp"
 #include "model/environment.hpp"
 #include "model/flight/guidance.hpp"
 

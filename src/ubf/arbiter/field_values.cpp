@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/arbiter/field_values.hpp"
 
-#include "core/math.hpp"
-
 namespace eyrie::ubf {
 namespace {
 

@@ -5,7 +5,6 @@
 ///   bounds: {altitude: {min: 1000 ft}, heading: {min: 350 deg, max: 20 deg}}
 ///   grid: {heading: {from: 0 deg, to: 360 deg, steps: 36, reach: 60 deg}}
 ///   direction: heading
-#include "core/angle.hpp"
 #include "core/bind.hpp"
 #include "ubf/action_traits.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  One action of several: each field from the strongest, or blended, or as in the paper.
-#include "core/enum_names.hpp"
 #include "ubf/merging.hpp"
 
 namespace eyrie::ubf {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Commands that several behaviors make together: the best of a grid, or a sum of vectors.
-#include "core/angle.hpp"
-#include "core/math.hpp"
 #include "ubf/arbiter/field_values.hpp"
 #include "ubf/merging.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "core/enum_names.hpp"
 #include "ubf/composite.hpp"
 #include "ubf/registry.hpp"
 

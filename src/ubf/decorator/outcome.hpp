@@ -2,7 +2,6 @@
 #pragma once
 /// \file  A child's answer made another: turned over, repeated, kept; and a child behind a
 /// condition.
-#include "core/enum_names.hpp"
 #include "ubf/composite.hpp"
 
 namespace eyrie::ubf {
