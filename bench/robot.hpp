@@ -192,7 +192,8 @@ class Swarm {
   [[nodiscard]] std::string hash() const {
     Hasher hasher;
     for (const Proposal& proposal : proposals_) {
-      ubf::PackedAction<Action>(proposal.action).hash(hasher);
+      const ubf::PackedAction<Action> packed(proposal.action);
+      hasher.bytes(&packed, sizeof packed);
       hasher.bytes(&proposal.vote, sizeof proposal.vote);
       hasher.word(proposal.leader);
     }
