@@ -13,7 +13,7 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "core/yaml.hpp"
-#include "scenario/document.hpp"
+#include "scenario/source.hpp"
 
 namespace {
 

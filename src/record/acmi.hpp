@@ -2,12 +2,114 @@
 #pragma once
 /// \file  Tacview ACMI 2.2 text: aircraft, missiles, kills, locks, fuel and who is in charge.
 /// Format: https://www.tacview.net/documentation/acmi/ (as of 2024-06-20).
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/angle.hpp"
+#include "core/id.hpp"
+#include "core/vec.hpp"
 #include "disk/sink.hpp"
-#include "record/acmi_object.hpp"
+#include "model/frames.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::record {
+
+/// Where somebody was, and how it lay in the air.
+struct Pose {
+  double time = 0;                          ///< s
+  Vec3 position = {};                       ///< m, local frame
+  double roll = 0, pitch = 0, heading = 0;  ///< rad
+};
+
+/// How far what is left out may be from the line between what is kept.
+struct Tolerance {
+  double position = 0;  ///< m
+  double attitude = 0;  ///< rad, of each angle
+};
+
+/// Marks what has to be kept besides what is marked already (the first and the last pose must be):
+/// each line reaches as far as all poses that it leaves out are within the tolerance. Angles turn
+/// the shorter way.
+void thin(std::span<const Pose> poses, std::vector<bool>& kept, const Tolerance& tolerance);
+
+/// A line of the file. Lines of one step stand in the order of their kind, then as they came.
+struct AcmiLine {
+  enum class Kind : std::uint8_t { object, event, removal };
+  std::uint64_t step = 0;
+  Kind kind = Kind::object;
+  std::string text;  ///< with its end
+};
+
+/// An object at a time.
+struct AcmiSample {
+  std::uint64_t step = 0;
+  Pose pose;
+  double speed = -1;        ///< m/s; below 0: not told
+  double mach = 0;          ///< 0: not told, nor the load factor
+  double load_factor = 0;   ///< g
+  double fuel = -1;         ///< kg; below 0: not told
+  std::uint32_t lock = 0;   ///< id of the target, 0: none
+  std::string_view winner;  ///< the behavior in charge, as acmi_name(); it outlives the sample
+  float vote = 0;
+  bool wanted = false;  ///< it is written, whatever its neighbors are
+};
+
+/// Collects samples and writes those that a reader needs who draws straight lines between them,
+/// and of these what has changed.
+class AcmiObject {
+ public:
+  /// What no reader draws by itself: what is left out is no farther than this from the line.
+  static constexpr Tolerance kTolerance{.position = 3, .attitude = radians(1.5)};
+
+  /// `introduction` ends its first line: ",Type=...".
+  AcmiObject(PlayerId id, std::string introduction)
+      : id_(id), introduction_(std::move(introduction)) {}
+
+  /// Later than all before. The first one, a new lock, another behavior in charge and a vote that
+  /// has changed by more than a twentieth are wanted anyway.
+  void see(AcmiSample sample);
+  /// Where it is after a step.
+  void pass(const Pose& pose) { last_ = pose; }
+  /// It is gone; `step` is the last one in which it was there.
+  void leave(std::uint64_t step);
+  [[nodiscard]] bool gone() const { return gone_; }
+
+  /// Everything since the last time, its last sample included.
+  void write(const Reference& reference, std::vector<AcmiLine>& lines);
+
+ private:
+  void line(const AcmiSample& sample, const Reference& reference, std::string& text);
+
+  PlayerId id_;
+  std::string introduction_;
+  std::vector<AcmiSample> samples_;  ///< the first one has been written, if any has
+  Pose last_;
+  bool begun_ = false, gone_ = false;
+  float noted_vote_ = -1;
+  // as it stands in the file
+  std::array<std::string, 6> place_;
+  double speed_ = -1, mach_ = -1, load_factor_ = -1e9, fuel_ = -1e9;
+  std::uint32_t lock_ = 0;
+  std::string winner_;
+  float vote_ = -1;
+};
+
+// Texts as values of a Tacview ACMI 2.2 file. The published rules escape the comma and, in
+// free text, the line end, both by a backslash; they have no escape for the backslash itself, nor
+// for the bar between the parts of an event, and readers that do not know the rule for line ends
+// are common. So whatever could be taken for more than text is written as its look-alike:
+// a backslash as U+FF3C, a bar of an event as U+FF5C, any other control character as U+FFFD.
+
+/// Free text of several lines, such as Comments: their ends are escaped.
+[[nodiscard]] std::string acmi_text(std::string_view text);
+/// A name, of one line: line ends are blanks.
+[[nodiscard]] std::string acmi_name(std::string_view text);
+/// A part of an event, of one line.
+[[nodiscard]] std::string acmi_event_text(std::string_view text);
 
 /// Writes a flight recording while a run is flown. Players are sampled at 5 Hz and
 /// missiles at 10 Hz; of these samples the file has those that a reader needs who draws straight

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/acmi_object.hpp"
+#include "record/acmi.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "record/json_parameter.hpp"
+#include "record/json_schema.hpp"
 
 #include "core/bind.hpp"
 #include "core/units.hpp"

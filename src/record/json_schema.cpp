@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/json_schema.hpp"
 
-#include "record/json_parameter.hpp"
 #include "record/json_text.hpp"
 #include "ubf/spec.hpp"
 

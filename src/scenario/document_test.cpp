@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/document.hpp"
+#include "scenario/source.hpp"
 
 #include <gtest/gtest.h>
 

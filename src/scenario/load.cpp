@@ -10,13 +10,13 @@
 #include "pilot/pilot_system.hpp"
 #include "scenario/assemble.hpp"
 #include "scenario/data.hpp"
-#include "scenario/document.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/mission.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"
 #include "scenario/scenario.hpp"
+#include "scenario/source.hpp"
 #include "scenario/trees.hpp"
 
 namespace eyrie::scenario {
