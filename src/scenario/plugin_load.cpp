@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// \file  How a plug-in is looked at and opened: what needs a system with shared libraries.
+/// \file  How a plug-in is opened: the part of Plugins that needs a system with shared libraries.
 #include <cxxabi.h>
 #include <dlfcn.h>
-#include <elf.h>
-#include <link.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,112 +17,6 @@
 namespace eyrie::scenario {
 namespace {
 namespace fs = std::filesystem;
-
-using ElfHeader = ElfW(Ehdr);
-using ElfSegment = ElfW(Phdr);
-using ElfSection = ElfW(Shdr);
-
-#if defined(__x86_64__)
-constexpr unsigned kMachine = EM_X86_64;
-#elif defined(__aarch64__)
-constexpr unsigned kMachine = EM_AARCH64;
-#else
-constexpr unsigned kMachine = EM_NONE;  // whatever it is, the dynamic linker looks at it first
-#endif
-
-/// What a shared library needs in memory is bounded, so that sums of it do not overflow.
-constexpr std::uint64_t kLargestAddress = std::uint64_t{1} << 40;
-
-class ElfChecker {
- public:
-  explicit ElfChecker(std::string_view file) : file_(file) {}
-
-  std::string problem() {
-    static_cast<void>(header() && segments() && sections());
-    return why_;
-  }
-
- private:
-  bool refuse(std::string why) {
-    why_ = std::move(why);
-    return false;
-  }
-  bool damaged(const char* what) { return refuse(fmt::format("it is damaged: {}", what)); }
-
-  template <class T>
-  [[nodiscard]] T read(std::uint64_t at) const {
-    T value;
-    std::memcpy(&value, file_.data() + at, sizeof value);
-    return value;
-  }
-  /// Whether [offset, offset + size) is in the file; if not, it was cut.
-  bool inside(std::uint64_t offset, std::uint64_t size) {
-    if (offset <= file_.size() && size <= file_.size() - offset)
-      return true;
-    if (offset > kLargestAddress || size > kLargestAddress)
-      return damaged("it says that it is larger than any library");
-    return refuse(fmt::format("it is cut short: it has {} bytes of at least {}", file_.size(),
-                              offset + size));
-  }
-  bool header() {
-    if (!file_.starts_with(std::string_view(ELFMAG, SELFMAG)))
-      return refuse("it is not a shared library");
-    if (!inside(0, sizeof(ElfHeader)))
-      return false;
-    header_ = read<ElfHeader>(0);
-    const bool ours = header_.e_ident[EI_CLASS] == (sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32) &&
-                      header_.e_ident[EI_DATA] ==
-                          (std::endian::native == std::endian::little ? ELFDATA2LSB : ELFDATA2MSB);
-    if (!ours || (kMachine != EM_NONE && header_.e_machine != kMachine))
-      return refuse("it was built for another kind of machine");
-    if (header_.e_ident[EI_VERSION] != EV_CURRENT || header_.e_version != EV_CURRENT)
-      return damaged("no such version of its format exists");
-    if (header_.e_type != ET_DYN)
-      return refuse("it is not a shared library");
-    return true;
-  }
-
-  bool segments() {
-    if (header_.e_phentsize != sizeof(ElfSegment) || header_.e_phnum == 0 ||
-        header_.e_phnum == PN_XNUM)
-      return damaged("its list of segments makes no sense");
-    if (!inside(header_.e_phoff, std::uint64_t{header_.e_phnum} * sizeof(ElfSegment)))
-      return false;
-    bool loaded = false, dynamic = false;
-    for (unsigned i = 0; i < header_.e_phnum; ++i) {
-      const auto s = read<ElfSegment>(header_.e_phoff + i * sizeof(ElfSegment));
-      if (s.p_type != PT_NULL && !inside(s.p_offset, s.p_filesz))
-        return false;
-      loaded |= s.p_type == PT_LOAD;
-      dynamic |= s.p_type == PT_DYNAMIC;
-    }
-    return loaded && dynamic ? true : refuse("it is not a shared library");
-  }
-
-  bool sections() {
-    if (header_.e_shoff == 0)
-      return true;
-    if (header_.e_shentsize != sizeof(ElfSection))
-      return damaged("its list of sections makes no sense");
-    if (!inside(header_.e_shoff, sizeof(ElfSection)))
-      return false;
-    // more of them than fit into the header are counted in the first
-    const std::uint64_t count =
-        header_.e_shnum ? header_.e_shnum : read<ElfSection>(header_.e_shoff).sh_size;
-    if (count > file_.size() || !inside(header_.e_shoff, count * sizeof(ElfSection)))
-      return why_.empty() ? damaged("its list of sections makes no sense") : false;
-    for (std::uint64_t i = 1; i < count; ++i) {
-      const auto s = read<ElfSection>(header_.e_shoff + i * sizeof(ElfSection));
-      if (s.sh_type != SHT_NOBITS && s.sh_type != SHT_NULL && !inside(s.sh_offset, s.sh_size))
-        return false;
-    }
-    return true;
-  }
-
-  std::string_view file_;
-  std::string why_;
-  ElfHeader header_{};
-};
 
 /// Every reason why a model of a plug-in cannot be taken.
 std::vector<std::string> model_problems(const Registrar& added, const Source& source) {
@@ -220,10 +112,6 @@ OpenedPlugin open_plugin(const std::string& path) {
 }
 
 }  // namespace
-
-std::string shared_object_problem(std::string_view file) {
-  return ElfChecker(file).problem();
-}
 
 std::vector<std::string> Plugins::load(const std::string& path, Source& source,
                                        const PluginPermission* permission) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  Half of a shared library never reaches the dynamic linker, which it would kill.
 #include <gtest/gtest.h>
+#include <link.h>
 
 #include "scenario/plugin_file.hpp"
 #include "scenario/plugins.hpp"
@@ -46,6 +47,34 @@ TEST(SharedObject, IsReadCarefully) {
       bytes[at] = was;
     }
   EXPECT_GT(refused, 200u);
+}
+
+/// A table of the dynamic segment that lies elsewhere kills the linker as a file that was cut does.
+TEST(SharedObject, SaysWhichPartOfItsDynamicSegmentIsDamaged) {
+  std::string bytes = read_text(plugin("foreign"));
+  ElfW(Ehdr) header;
+  std::memcpy(&header, bytes.data(), sizeof header);
+  std::size_t tables = 0;
+  for (unsigned i = 0; i < header.e_phnum; ++i) {
+    ElfW(Phdr) segment;
+    std::memcpy(&segment, &bytes[header.e_phoff + i * sizeof segment], sizeof segment);
+    if (segment.p_type != PT_DYNAMIC)
+      continue;
+    for (std::size_t at = 0; at < segment.p_filesz; at += sizeof(ElfW(Dyn))) {
+      ElfW(Dyn) entry;
+      std::memcpy(&entry, &bytes[segment.p_offset + at], sizeof entry);
+      const auto tag = entry.d_tag;
+      if (tag != DT_STRTAB && tag != DT_SYMTAB && tag != DT_RELA && tag != DT_INIT_ARRAY)
+        continue;
+      ++tables;
+      std::string other = bytes;
+      entry.d_un.d_ptr = std::size_t{1} << 36;
+      std::memcpy(&other[segment.p_offset + at], &entry, sizeof entry);
+      EXPECT_EQ(shared_object_problem(other),
+                "it is damaged: a table of its dynamic segment lies outside");
+    }
+  }
+  EXPECT_EQ(tables, 4u);
 }
 
 TEST(SharedObject, IsForThisMachine) {
