@@ -15,6 +15,8 @@ struct KindOfModel {
   std::string_view folder, singular;
   model::Shelf<Model> model::Library::*shelf;
 };
+template <class Model>  // clang 16 finds it for no aggregate by itself
+KindOfModel(const char*, const char*, model::Shelf<Model> model::Library::*)->KindOfModel<Model>;
 /// Every kind that has a folder in data/.
 inline constexpr std::tuple kKindsOfModels{
     KindOfModel{"aircraft", "aircraft", &model::Library::aircraft},
