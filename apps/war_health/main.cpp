@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+/// \file  Flies missions with many seeds, on all cores, and prints how believable the war was.
+/// usage: war_health HOME SEEDS SCENARIO...
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "debrief/health.hpp"
+
+namespace {
+using namespace eyrie;
+using debrief::Health;
+
+Health over_seeds(const std::string& file, const std::string& home, std::uint64_t seeds) {
+  const auto scenario = scenario::load({file, {}}, scenario::Source::disk(home));
+  std::vector<Health> of(seeds);
+  std::atomic<std::uint64_t> next = 0;
+  std::vector<std::thread> workers;
+  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
+    workers.emplace_back([&] {
+      for (std::uint64_t k; (k = next++) < seeds;)
+        of[k] = debrief::measure(scenario, k + 1);
+    });
+  for (std::thread& worker : workers)
+    worker.join();
+  Health all;
+  for (const Health& one : of)
+    all.add(one);
+  return all;
+}
+
+double quantile(std::vector<float> values, double q) {
+  if (values.empty())
+    return 0;
+  std::sort(values.begin(), values.end());
+  return static_cast<double>(
+      values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))]);
+}
+double share_below(const std::vector<float>& values, float limit) {
+  const auto below =
+      std::count_if(values.begin(), values.end(), [=](float v) { return v < limit; });
+  return values.empty() ? 0 : static_cast<double>(below) / static_cast<double>(values.size());
+}
+double ratio(double a, double b) {
+  return b > 0 ? a / b : 0;
+}
+/// "12 % (9 to 16)": with its 95 % interval; "-" of nothing.
+std::string share(std::uint64_t count, std::uint64_t n) {
+  if (n == 0)
+    return "-";
+  const auto [low, high] = debrief::interval_of(count, n);
+  return fmt::format("{:.0f} % ({:.0f} to {:.0f})",
+                     100 * ratio(static_cast<double>(count), static_cast<double>(n)), 100 * low,
+                     100 * high);
+}
+
+/// A line of the table: what is measured, and how it reads.
+struct Measure {
+  std::string what;
+  std::function<std::string(const Health&)> value;
+};
+
+std::vector<Measure> measures() {
+  const auto d = [](auto v) { return static_cast<double>(v); };
+  std::vector<Measure> all{
+      {"roll reversals a minute in pursuit beyond 10 nmi",
+       [=](const Health& h) {
+         return h.pursued > 0 ? fmt::format("{:.1f}", 60 * d(h.reversals) / h.pursued) : "-";
+       }},
+      {"heading turned per heading gained there",
+       [](const Health& h) {
+         return h.gained > 0 ? fmt::format("{:.1f}", h.turned / h.gained) : "-";
+       }},
+      {"Mach in pursuit, median",
+       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.pursuit_mach, 0.5)); }},
+      {"below Mach 0.6 in pursuit",
+       [](const Health& h) {
+         return fmt::format("{:.0f} %", 100 * share_below(h.pursuit_mach, 0.6F));
+       }},
+      {"Mach at launch, median",
+       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.launch_mach, 0.5)); }},
+      {"shots at the dead", [](const Health& h) { return share(h.at_the_dead, h.missiles); }},
+      {"fratricides", [](const Health& h) { return fmt::format("{}", h.fratricides); }},
+      {"target changes per pilot who had a target",
+       [=](const Health& h) {
+         return fmt::format("{:.1f}", ratio(d(h.target_changes), d(h.engagements)));
+       }},
+      {"pilots' entries into wvr with a living enemy in sight",
+       [](const Health& h) { return share(h.wvr_seen, h.wvr); }},
+      {"Mach within 5 nmi of an enemy, median",
+       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.merged_mach, 0.5)); }},
+      {"undecided when time was over", [](const Health& h) { return share(h.undecided, h.runs); }},
+      {"runs in which somebody goes home from living enemies",
+       [](const Health& h) { return share(h.left_fighting, h.runs); }},
+      {"defenses against a missile for somebody else",
+       [](const Health& h) { return share(h.for_others, h.defenses); }},
+      {"lost per run, blue and red",
+       [=](const Health& h) {
+         return fmt::format("{:.2f} of {}, {:.2f} of {}", ratio(d(h.lost[0]), d(h.runs)),
+                            h.players[0] / h.runs, ratio(d(h.lost[1]), d(h.runs)),
+                            h.players[1] / h.runs);
+       }},
+      {"runs in which blue loses fewer", [](const Health& h) { return share(h.won[0], h.runs); }},
+      {"runs in which red loses fewer", [](const Health& h) { return share(h.won[1], h.runs); }}};
+  for (std::size_t i = 0; i < Health::kBins; ++i)
+    all.push_back({fmt::format("kills per shot at {:.1f} to {:.1f} of the zone",
+                               static_cast<double>(i) / Health::kBins,
+                               static_cast<double>(i + 1) / Health::kBins),
+                   [i](const Health& h) { return share(h.by_zone[i].kills, h.by_zone[i].shots); }});
+  return all;
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::uint64_t seeds = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
+  if (argc < 4 || seeds == 0) {
+    fmt::print(stderr, "usage: war_health HOME SEEDS SCENARIO...\n");
+    return 2;
+  }
+  std::string head = fmt::format("| {} seeds each |", seeds), line = "| --- |";
+  std::vector<Health> flown;
+  try {
+    for (int i = 3; i < argc; ++i) {
+      flown.push_back(over_seeds(argv[i], argv[1], seeds));
+      head += fmt::format(" {} |", argv[i]);
+      line += " ---: |";
+    }
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return 2;
+  }
+  fmt::print("{}\n{}\n", head, line);
+  for (const Measure& measure : measures()) {
+    fmt::print("| {} |", measure.what);
+    for (const Health& health : flown)
+      fmt::print(" {} |", measure.value(health));
+    fmt::print("\n");
+  }
+}

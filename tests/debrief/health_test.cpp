@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/health.hpp"
+
+#include <gtest/gtest.h>
+
+#include "record/names.hpp"
+#include "scenario/mission.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using debrief::Health, model::EventKind;
+
+/// The same run, its events alone.
+class Counts final : public sim::Observer {
+ public:
+  void observe(const sim::World&, const sim::StepInfo&,
+               std::span<const sim::Event> events) override {
+    for (const sim::Event& e : events)
+      ++of[record::kind_of(e)];
+  }
+  std::map<EventKind, std::uint64_t> of;
+};
+
+TEST(Health, CountsWhatTheEventsOfTheRunSay) {
+  const auto sweep = scenario::load({"scenarios/sweep.yaml", {}}, scenario::Source::disk("."));
+  Health all;
+  std::uint64_t launches = 0, defenses = 0, shots = 0;
+  for (const std::uint64_t seed : {13, 14}) {
+    const Health one = debrief::measure(sweep, seed);
+    EXPECT_EQ(one.runs, 1U);
+    all.add(one);
+    Counts counts;
+    scenario::Mission mission(sweep, seed);
+    mission.run().attach(counts);
+    mission.fly();
+    launches += counts.of[EventKind::launch];
+    defenses += counts.of[EventKind::defend];
+  }
+  EXPECT_EQ(all.runs, 2U);
+  EXPECT_EQ(all.missiles, launches);
+  EXPECT_EQ(all.launch_mach.size(), launches);
+  EXPECT_EQ(all.defenses, defenses);
+  for (const Health::Bin& bin : all.by_zone) {
+    EXPECT_LE(bin.kills, bin.shots);
+    shots += bin.shots;
+  }
+  EXPECT_GT(shots, 0U);
+  EXPECT_LE(shots + all.at_the_dead, launches);
+  EXPECT_GT(all.pursued, 60);
+  EXPECT_GE(all.turned, all.gained);
+  EXPECT_EQ(all.players[0], 8U);
+}
+
+TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {
+  const auto steadiness = [](std::vector<std::string> sets) {
+    const auto scenario =
+        scenario::load({"scenarios/sweep.yaml", std::move(sets)}, scenario::Source::disk("."));
+    Health all;
+    for (const std::uint64_t seed : {1, 2, 3})
+      all.add(debrief::measure(scenario, seed));
+    return static_cast<double>(all.reversals) / all.pursued;
+  };
+  EXPECT_LT(
+      2 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
+      steadiness({}));
+}
+
+}  // namespace
+}  // namespace eyrie::test
