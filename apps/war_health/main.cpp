@@ -22,11 +22,14 @@ Health over_seeds(const std::string& file, const std::string& home, std::uint64_
   std::vector<std::thread> workers;
   for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
     workers.emplace_back([&] {
-      for (std::uint64_t k; (k = next++) < seeds;)
+      for (std::uint64_t k; (k = next++) < seeds;) {
         of[k] = debrief::measure(scenario, k + 1);
+        fmt::print(stderr, "\r{}: {} of {} seeds ", file, k + 1, seeds);
+      }
     });
   for (std::thread& worker : workers)
     worker.join();
+  fmt::print(stderr, "\n");
   Health all;
   for (const Health& one : of)
     all.add(one);

@@ -120,7 +120,7 @@ class Meter final : public sim::Observer {
         launched(world, e);
         break;
       case EventKind::kill: {
-        dead_.emplace(e.whom, time_);
+        dead_.insert(e.whom);
         if (side(e.who) == side(e.whom))
           ++health_.fratricides;
         if (const auto shot = shots_.find(PlayerId{e.detail}); shot != shots_.end())
@@ -130,7 +130,7 @@ class Meter final : public sim::Observer {
       case EventKind::crash:
       case EventKind::fuel_out:
       case EventKind::loss:
-        dead_.emplace(e.who, time_);
+        dead_.insert(e.who);
         break;
       case EventKind::defend:
         ++health_.defenses;
@@ -198,7 +198,7 @@ class Meter final : public sim::Observer {
   Health health_;
   std::vector<Pilot> pilots_;
   std::map<PlayerId, Shot> shots_;  ///< by missile
-  std::map<PlayerId, double> dead_;
+  std::set<PlayerId> dead_;
   double time_ = 0, dt_ = 0;
 };
 

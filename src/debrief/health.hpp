@@ -48,10 +48,10 @@ struct Health {
   std::array<Bin, kBins> by_zone{};  ///< by range from r_min (0) to r_max (1) at launch
   std::uint64_t missiles = 0, at_the_dead = 0, fratricides = 0;
   // pilots
-  std::uint64_t engagements = 0;               ///< pilots who took a target at all
-  std::uint64_t target_changes = 0;            ///< from one living enemy to another
-  std::uint64_t wvr = 0;                       ///< flights that entered a phase "wvr"
-  std::uint64_t wvr_seen = 0;                  ///< of them with a living enemy in somebody's sight
+  std::uint64_t engagements = 0;     ///< pilots who took a target at all
+  std::uint64_t target_changes = 0;  ///< from one living enemy to another
+  std::uint64_t wvr = 0;             ///< pilots' entries into a phase "wvr"
+  std::uint64_t wvr_seen = 0;        ///< of them with a living enemy in the flight's sight
   std::uint64_t defenses = 0, for_others = 0;  ///< against missiles, and against those of mates
   std::vector<float> merged_mach;              ///< within 5 nmi of a living enemy, once a second
   // ends
