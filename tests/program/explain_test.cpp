@@ -49,7 +49,7 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
 }
 
 TEST(ExplainProgram, ShowsWarningsAsTheyWerePerceived) {
-  const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--at", "10:06"});
+  const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
   EXPECT_TRUE(says(ran.out, R"(radar #\d+ \(eagle\d\): kind search, bearing)")) << ran.out;
   EXPECT_TRUE(says(ran.out, R"(missile #\d+ \(missile \d+\): bearing)")) << ran.out;
 }

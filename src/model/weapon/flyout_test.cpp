@@ -178,8 +178,11 @@ TEST(Flyout, FallsLikeAStoneWhereThereIsNoAir) {
 
 TEST(Flyout, GainsWhatTheMotorGivesLessDrag) {
   const MissileType type = short_range();
-  const Flyout high = flown(type, {.position = {0, 0, -20e3}, .velocity = {300, 0, 0}}, 0, 3, 0.02);
-  const Flyout low = flown(type, {.position = {0, 0, -100}, .velocity = {300, 0, 0}}, 0, 3, 0.02);
+  const double burn = type.motor.burn_time();
+  const Flyout high =
+      flown(type, {.position = {0, 0, -20e3}, .velocity = {300, 0, 0}}, 0, burn, 0.02);
+  const Flyout low =
+      flown(type, {.position = {0, 0, -100}, .velocity = {300, 0, 0}}, 0, burn, 0.02);
   const double ideal = type.motor.ideal_speed_gain();
   // the nozzle gives more in thin air than at sea level, where the ideal gain is counted
   EXPECT_GT(norm(high.velocity) - 300, 0.97 * ideal);
@@ -211,7 +214,7 @@ TEST(Flyout, HasLessLiftInThinnerAirAndAtLessSpeed) {
   const Air air = kAtmosphere.at(15e3);
   const double mach = 600 / air.speed_of_sound;
   EXPECT_NEAR(limit(15e3, 600),
-              0.5 * air.density * 600 * 600 * 0.01767 * type.aero.greatest_lift(mach) / 38.6, 1e-9);
+              0.5 * air.density * 600 * 600 * 0.01267 * type.aero.greatest_lift(mach) / 63.5, 1e-9);
 }
 
 TEST(Flyout, BleedsEnergyInATurn) {
