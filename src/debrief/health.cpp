@@ -135,7 +135,7 @@ class Meter final : public sim::Observer {
       case EventKind::defend:
         ++health_.defenses;
         if (const auto shot = shots_.find(e.whom); shot != shots_.end())
-          health_.for_others += shot->second.target != e.who;
+          health_.for_others += shot->second.target != e.who && !seeks(world, e.whom, e.who);
         break;
       case EventKind::phase:
         entered(world, e.who, record::phase_name(s_, e));
@@ -176,6 +176,12 @@ class Meter final : public sim::Observer {
   [[nodiscard]] bool any_enemy(const sim::World& world, PlayerId of) const {
     const auto ids = world.ids(s_.aircraft.table);
     return std::any_of(ids.begin(), ids.end(), [&](PlayerId id) { return enemies(of, id); });
+  }
+  /// Whether the seeker of a missile rests on somebody now, whomever it was shot at.
+  [[nodiscard]] bool seeks(const sim::World& world, PlayerId missile, PlayerId whom) const {
+    const auto row = world.row(s_.missiles.table, missile);
+    return row && world.rows(s_.missiles.state)[*row].locked != 0 &&
+           world.rows(s_.missiles.state)[*row].seen == whom;
   }
   /// Whether an eye of his flight saw a living enemy in the last 5 s.
   [[nodiscard]] bool sees_enemy(const sim::World& world, PlayerId who) const {

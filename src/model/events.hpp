@@ -35,7 +35,9 @@ enum class EventKind : std::uint16_t {
   phase,            ///< who's sequencer changed; values: from, to, sequencer node
   lead_change,      ///< who now leads its flight, whom led before; values: flight
   commit,           ///< who commits on whom; values: range
-  defend,           ///< who breaks against missile whom or an unseen one; values: phase 1 or 2
+  defend,           ///< who defends against missile whom or an unseen one; values: phase 1 turns
+                    ///< into it, 2 breaks, 3 notches, 4 drags, 5 breaks at the last moment, 6 goes
+                    ///< out from a fighter, no missile being known
   in_charge,        ///< who's winning behavior changed; values: node index, vote
   order,            ///< an order from outside was carried out on who; values: order kind
   eject,            ///< a store leaves who's station aux towards whom; detail = its track; values:

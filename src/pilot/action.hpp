@@ -28,10 +28,20 @@ struct Release {
 [[nodiscard]] std::string to_text(const Release& release);
 
 /// What the pilot calls out while doing it: told as an event when it changes. `land` also ends the
-/// flight.
-enum class Call : std::uint32_t { none, defend_far, defend_near, land };
+/// flight. `notch`, `drag` and `last_ditch` answer a missile, `out` a fighter that may shoot one.
+enum class Call : std::uint32_t {
+  none,
+  defend_far,
+  defend_near,
+  land,
+  notch,
+  drag,
+  last_ditch,
+  out,
+};
 constexpr auto names_of(Call) {
-  return names_from_zero<Call>("none", "defend_far", "defend_near", "land");
+  return names_from_zero<Call>("none", "defend_far", "defend_near", "land", "notch", "drag",
+                               "last_ditch", "out");
 }
 
 /// The recommendation of one behavior, or of a whole tree. What a field that stays empty up to the

@@ -2,11 +2,14 @@
 #include "pilot/catalog.hpp"
 
 #include "pilot/behavior/break_turn.hpp"
+#include "pilot/behavior/crank.hpp"
+#include "pilot/behavior/evade.hpp"
 #include "pilot/behavior/pursue.hpp"
 #include "pilot/behavior/release_weapon.hpp"
 #include "pilot/behavior/shoot_gun.hpp"
 #include "pilot/behavior/ways.hpp"
 #include "pilot/conditions.hpp"
+#include "pilot/danger_conditions.hpp"
 #include "ubf/standard_nodes.hpp"
 
 namespace eyrie::pilot {
@@ -19,6 +22,8 @@ Registry make_registry() {
       .add<Navigate, FollowLead, Pursue, ReleaseWeapon, ShootGun, BreakTurn, Egress, AvoidGround>();
   registry.add<HostileTrack, HasTarget, InSight, AreaClear, Threatened, ShotInFlight, Bingo,
                Winchester, Losses, IsLead, NearHome, RouteDone>();
+  registry.add<Crank, Notch, Drag, LastDitch>();
+  registry.add<Spiked, MissileInbound, AbortRange, Outnumbered, SupportNeeded, ShotActive>();
   return registry;
 }
 

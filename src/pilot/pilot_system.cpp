@@ -2,6 +2,7 @@
 #include "pilot/pilot_system.hpp"
 
 #include "pilot/action.hpp"
+#include "pilot/danger.hpp"
 #include "team/decision.hpp"
 
 namespace eyrie::pilot {
@@ -36,6 +37,15 @@ void Teller::changes(const Agent& before, const Proposal& decided, Agent& agent)
   if (call == Call::defend_far || call == Call::defend_near)
     tell(EventKind::defend, threat ? threat->truth : PlayerId{}, 0,
          call == Call::defend_far ? 1 : 2);
+  if (call == Call::notch || call == Call::drag || call == Call::last_ditch) {
+    const model::InboundMissile* missile = inbound(state_, math::kInfinity);
+    tell(EventKind::defend, missile ? missile->truth : PlayerId{}, 0,
+         call == Call::notch  ? 3
+         : call == Call::drag ? 4
+                              : 5);
+  }
+  if (call == Call::out)
+    tell(EventKind::defend, {}, 0, 6);
   if (call == Call::land)
     tell(EventKind::home, {}, 0);
 }

@@ -21,6 +21,18 @@ Tone tone_of(model::Side side) {
                                     : Tone::plain;
 }
 
+/// What one says of a defend event, by its phase.
+std::string defense(float phase) {
+  constexpr std::array kWords{"defending: turns into the missile and climbs",
+                              "defending: breaks, nose low",
+                              "defending: notches",
+                              "defending: runs",
+                              "defending: last-ditch break",
+                              "out"};
+  const auto i = static_cast<std::size_t>(std::max(phase, 1.0F)) - 1;
+  return kWords[std::min(i, kWords.size() - 1)];
+}
+
 }  // namespace
 
 std::string clock_text(double time) {
@@ -118,8 +130,7 @@ void Story::tell(const sim::Event& e) {
       say(e.who, e.whom ? fmt::format("guns on {}, {:.0f} m", name(e.whom), e.values[1]) : "guns");
       break;
     case EventKind::defend:
-      say(e.who, e.values[0] < 1.5F ? "defending: turns into the missile and climbs"
-                                    : "defending: breaks, nose low");
+      say(e.who, defense(e.values[0]));
       break;
     case EventKind::detonation:
     case EventKind::timeout:

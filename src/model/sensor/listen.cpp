@@ -45,8 +45,9 @@ void listen_for_radars(const Scene& scene, Self& self) {
 
   for (const Candidate& c : heard.items()) {
     const PlayerId emitter = scene.ids[c.row];
-    const RwrWarning warning = warn(rwr, antenna, self.kinematics, scene.emission[c.row], emitter,
-                                    scene.time, scene.draw(self.id, Stream::rwr, emitter));
+    const double strength = hear(rwr, antenna, scene.emission[c.row]).value_or(1);
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, scene.emission[c.row], strength,
+                                    emitter, scene.time, scene.draw(self.id, Stream::rwr, emitter));
     if (show(self.rwr, warning))
       tell(self, warning);
   }
@@ -60,16 +61,24 @@ void listen_for_seekers(const Scene& scene, Self& self) {
   ThreatUpdate threats(self.threats, kThreatRules, scene.time);
   for (std::size_t m = 0; m < scene.missile_emission.size(); ++m) {
     const Emission& emission = scene.missile_emission[m];
-    if (!hear(rwr, antenna, emission) ||
+    const auto strength = hear(rwr, antenna, emission);
+    if (!strength ||
         beyond_horizon(self.kinematics, emission, scene.missile_kinematics[m].altitude))
       continue;
     const PlayerId emitter = scene.missile_ids[m];
-    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, emitter, scene.time,
-                                    scene.draw(self.id, Stream::rwr, emitter));
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, *strength, emitter,
+                                    scene.time, scene.draw(self.id, Stream::rwr, emitter));
     show(self.rwr, warning);
     if (self.fit.privileged != 0)
       continue;  // knows better
-    const Sighting sighting{.bearing = warning.bearing, .truth = emitter, .source = kThreatFromRwr};
+    // a display that is full of others has no filter for it
+    const RwrWarning* known = find(self.rwr, emitter);
+    Sighting sighting{.bearing = known != nullptr ? known->bearing : warning.bearing,
+                      .truth = emitter,
+                      .emitter = emitter,
+                      .source = kThreatFromRwr};
+    if (const auto left = known != nullptr ? time_to_go(*known, rwr) : std::nullopt)
+      sighting.arrival = scene.time + *left;
     if (threats.note(sighting))
       tell_missile(self, sighting);
   }

@@ -45,24 +45,78 @@ std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna, const Emis
   const double off_plane = dot(path, antenna.body.down);
   if (off_plane * off_plane > antenna.sin_coverage * antenna.sin_coverage * range2)
     return std::nullopt;
-  return reach2 / range2;
+
+  // down by 3 dB at the edge of a beam that rests
+  double strength = reach2 / range2;
+  if (emission.kind != EmissionKind::search && edge < 1)
+    strength *= math::exp2(-(1 - std::min(along / std::sqrt(range2), 1.0)) / (1 - edge));
+  if (strength < 1)
+    return std::nullopt;
+  return strength;
+}
+
+namespace {
+
+/// From here on the weights stay: the filter forgets what was before, 3 s at 5 looks a second.
+constexpr int kRememberedLooks = 15;
+
+/// One look more: a straight line by least squares through all looks so far, which is an alpha-beta
+/// filter with these weights (Brookner, Tracking and Kalman Filtering Made Easy, sec. 1.2.10).
+void filter_level(RwrWarning& known, const RwrWarning& look) {
+  const double dt = look.time - known.time;
+  if (known.looks == 0 || dt <= 0) {
+    known.faintness = look.faintness;
+    known.looks = look.looks;
+    return;
+  }
+  const double n = std::min<int>(known.looks, kRememberedLooks);
+  const double g = 2 * (2 * n + 1) / ((n + 1) * (n + 2)), h = 6 / ((n + 1) * (n + 2));
+  const double expected = known.faintness + dt * known.faintness_rate;
+  const double residual = look.faintness - expected;
+  known.faintness = expected + g * residual;
+  known.faintness_rate += h / dt * residual;
+  known.looks = static_cast<std::uint8_t>(std::min<int>(known.looks + 1, 255));
+}
+
+}  // namespace
+
+std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
+  constexpr double kTolerated = 0.15;
+  constexpr double kNepersPerDecibel = 0.1151292546497023;  // ln(10) / 20
+  const double n = std::min<int>(warning.looks, kRememberedLooks);
+  if (warning.kind != EmissionKind::missile_seeker || n < 3 || warning.faintness_rate >= 0)
+    return std::nullopt;
+  const double left = std::max(warning.faintness, 0.0) / -warning.faintness_rate;
+  // the slope of a straight line through n points with equal errors, one look apart
+  const double sigma_slope =
+      kNepersPerDecibel * rwr.sigma_level * rwr.seeker_rate * std::sqrt(12 / (n * (n * n - 1)));
+  if (sigma_slope * left > kTolerated)
+    return std::nullopt;
+  return left;
 }
 
 RwrWarning warn(const Rwr& rwr, const RwrAntenna& antenna, const Kinematics& own,
-                const Emission& emission, PlayerId emitter, double time, Draw draw) {
+                const Emission& emission, double strength, PlayerId emitter, double time,
+                Draw draw) {
   const Vec3 sight = emission.position - antenna.position;
   const double bearing = math::atan2(dot(sight, own.east), dot(sight, own.north));
   const double relative = angle_between(own.heading, bearing);
   const double error = rwr.sigma_bearing * draw.normal();
   const double measured = relative + std::copysign(1.0, relative) * error;
   const double shown = rwr.bearing_step * std::nearbyint(measured / rwr.bearing_step);
+  const double decibels = rwr.sigma_level * draw.normal();
   return {.bearing = wrap_pi(own.heading + shown),
           .time = time,
           .first_time = time,
+          .faintness = math::pow(10, -decibels / 20) / std::sqrt(strength),
           .emitter = emitter,
           .type = emission.type,
-          .kind = emission.kind};
+          .kind = emission.kind,
+          .looks = 1};
 }
+
+/// s, over which the receiver averages bearings, once it has heard so long.
+constexpr double kBearingTime = 1;
 
 bool show(RwrState& state, const RwrWarning& warning) {
   for (std::uint32_t i = 0; i < state.count; ++i) {
@@ -70,9 +124,13 @@ bool show(RwrState& state, const RwrWarning& warning) {
     if (known.emitter != warning.emitter)
       continue;
     const bool more_urgent = warning.kind > known.kind;
-    const double first_time = known.first_time;
-    known = warning;
-    known.first_time = first_time;
+    const double weight = std::max(1 / (known.looks + 1.0),
+                                   1 - math::exp((known.time - warning.time) / kBearingTime));
+    known.bearing = wrap_pi(known.bearing + weight * angle_between(known.bearing, warning.bearing));
+    filter_level(known, warning);
+    known.time = warning.time;
+    known.type = warning.type;
+    known.kind = warning.kind;
     sort(state);
     return more_urgent;
   }
@@ -92,6 +150,14 @@ bool show(RwrState& state, const RwrWarning& warning) {
   }
   sort(state);
   return true;
+}
+
+const RwrWarning* find(const RwrState& state, PlayerId emitter) {
+  const auto end = state.warnings.begin() + state.count;
+  const auto found = std::find_if(state.warnings.begin(), end, [&](const RwrWarning& warning) {
+    return warning.emitter == emitter;
+  });
+  return found == end ? nullptr : &*found;
 }
 
 void forget(RwrState& state, const Rwr& rwr, double time) {

@@ -10,20 +10,25 @@ namespace eyrie::model::sensor {
 
 /// One emitter on the display: where from and what kind, never how far.
 struct RwrWarning {
-  double bearing = 0;      ///< rad, true, clockwise from north, in (-pi, pi]
-  double time = 0;         ///< s, last heard
-  double first_time = 0;   ///< s, first heard without a gap
-  PlayerId emitter{};      ///< fingerprint of the pulse train: tells emitters apart, and debrief
-  std::uint16_t type = 0;  ///< as Emission::type
+  double bearing = 0;         ///< rad, true, clockwise from north, in (-pi, pi]
+  double time = 0;            ///< s, last heard
+  double first_time = 0;      ///< s, first heard without a gap
+  double faintness = 0;       ///< amplitude that is just heard over the signal's, filtered; grows
+                              ///< with range, by a factor that nobody knows
+  double faintness_rate = 0;  ///< 1/s
+  PlayerId emitter{};         ///< fingerprint of the pulse train: tells emitters apart, and debrief
+  std::uint16_t type = 0;     ///< as Emission::type: the class of emitter
   EmissionKind kind = EmissionKind::none;
-  std::uint8_t reserved = 0;
+  std::uint8_t looks = 0;  ///< that the faintness was filtered from, saturating
 
   static constexpr auto fields() {
     return field_list(field("bearing", &RwrWarning::bearing, "rad"),
                       field("time", &RwrWarning::time, "s"),
                       field("first_time", &RwrWarning::first_time, "s"),
+                      field("faintness", &RwrWarning::faintness),
+                      field("faintness_rate", &RwrWarning::faintness_rate, "Hz"),
                       field("emitter", &RwrWarning::emitter), field("type", &RwrWarning::type),
-                      field("kind", &RwrWarning::kind), field("reserved", &RwrWarning::reserved));
+                      field("kind", &RwrWarning::kind), field("looks", &RwrWarning::looks));
   }
 };
 
@@ -47,6 +52,7 @@ struct Rwr {
   double insensitivity = 85;                  ///< dB
   double sigma_bearing = si(10, "deg");       ///< rad
   double bearing_step = si(5, "deg");         ///< rad
+  double sigma_level = 0.3;                   ///< dB
   double elevation_coverage = si(45, "deg");  ///< rad
   double search_rate = 1;                     ///< Hz
   double seeker_rate = 5;                     ///< Hz
@@ -62,6 +68,8 @@ struct Rwr {
         param("sigma_bearing", &Rwr::sigma_bearing, "rad", range(0, 1.5), "bearing error, 1-sigma"),
         param("bearing_step", &Rwr::bearing_step, "rad", range(1e-3, 1.6),
               "bearings come in steps of this, counted from the nose"),
+        param("sigma_level", &Rwr::sigma_level, "dB", range(0, 20),
+              "error of a signal's level in one look, 1-sigma"),
         param("elevation_coverage", &Rwr::elevation_coverage, "rad", range(0.1, 1.5707),
               "deaf above and below this angle from the plane of the wings"),
         param("search_rate", &Rwr::search_rate, "Hz", range(0.05, 50),
@@ -87,20 +95,36 @@ struct RwrAntenna {
 [[nodiscard]] RwrAntenna aim(const Rwr& rwr, const Kinematics& own, Side side);
 
 /// Power of an emission at the receiver over the least it hears, or nothing if it is not heard:
-/// too far, not in the beam, outside the antenna coverage, a friend, or radio silence. The horizon
-/// is left to the caller, who asks only for what is worth showing.
+/// too far, not in the beam, outside the antenna coverage, a friend, or radio silence. A beam that
+/// rests falls off from its middle to its edge, where it has half its power, like a Gaussian one:
+/// 12 dB times the square of the angle over the beam width (Skolnik, Introduction to Radar Systems,
+/// 3rd ed., sec. 9.2); one that sweeps passes with its middle. The horizon is left to the caller,
+/// who asks only for what is worth showing.
 [[nodiscard]] std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna,
                                          const Emission& emission);
 
-/// The warning that an emission gives: a bearing with error, in the steps of the display. The error
-/// is counted outwards from the nose, so that a mirrored scene gives the mirrored warning.
+/// The warning that an emission heard with `strength` gives: a bearing with error, in the steps of
+/// the display, and a level with error. The error of the bearing is counted outwards from the nose,
+/// so that a mirrored scene gives the mirrored warning.
 [[nodiscard]] RwrWarning warn(const Rwr& rwr, const RwrAntenna& antenna, const Kinematics& own,
-                              const Emission& emission, PlayerId emitter, double time, Draw draw);
+                              const Emission& emission, double strength, PlayerId emitter,
+                              double time, Draw draw);
 
-/// Puts a warning on the display. True if the emitter is new there or has become more urgent. When
-/// the display is full the least urgent and then the longest unheard makes room, if the new one is
-/// more urgent.
+/// s from the last look until a missile's seeker is here, if it comes straight here with the speed
+/// that it has: the faintness, which is in proportion to its range, is gone then. Nothing while the
+/// error of the estimate is beyond 15 %, and for one that goes away. Who is
+/// aside of a beam that rests on a mate, d metres from the line between him and the emitter that
+/// comes at speed V, sees a value that does not fall far below 4.32 d / (beam width V): he leaves
+/// the beam as it comes near.
+[[nodiscard]] std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr);
+
+/// Puts a warning on the display; bearing and level go into the filters of what it has there. True
+/// if the emitter is new there or has become more urgent. When the display is full the least urgent
+/// and then the longest unheard makes room, if the new one is more urgent.
 bool show(RwrState& state, const RwrWarning& warning);
+
+/// The warning of that emitter, or null.
+[[nodiscard]] const RwrWarning* find(const RwrState& state, PlayerId emitter);
 
 /// Takes off the display what has not been heard for longer than the memory.
 void forget(RwrState& state, const Rwr& rwr, double time);

@@ -108,7 +108,7 @@ TEST(Warn, GivesBearingsInStepsFromTheNoseWithTheErrorItSays) {
   double mean = 0, square = 0;
   constexpr int kLooks = 20000;
   for (int i = 0; i < kLooks; ++i) {
-    const RwrWarning w = warn(rwr, aim(rwr, own, Side::blue), own, e, PlayerId{9}, 1,
+    const RwrWarning w = warn(rwr, aim(rwr, own, Side::blue), own, e, 1, PlayerId{9}, 1,
                               Draw(1, PlayerId{1}, Stream::rwr, static_cast<std::uint64_t>(i)));
     const double steps = angle_between(own.heading, w.bearing) / radians(5);
     ASSERT_NEAR(steps, std::nearbyint(steps), 1e-9);
@@ -128,11 +128,12 @@ RC_GTEST_PROP(Warn, OfAMirroredSceneIsTheMirroredWarning, ()) {
   const Vec3 from{in(-9000, 9000), in(1, 9000), in(-500, 500)};
   const Draw draw(1, PlayerId{1}, Stream::rwr, static_cast<std::uint64_t>(in(0, 1000)));
   const RwrWarning w =
-      warn(rwr, aim(rwr, own, Side::blue), own, beam(from, {}, 1), PlayerId{2}, 0, draw);
+      warn(rwr, aim(rwr, own, Side::blue), own, beam(from, {}, 1), 4, PlayerId{2}, 0, draw);
   const Kinematics image = mirrored(own);
-  const RwrWarning m = warn(rwr, aim(rwr, image, Side::blue), image, beam(mirrored(from), {}, 1),
+  const RwrWarning m = warn(rwr, aim(rwr, image, Side::blue), image, beam(mirrored(from), {}, 1), 4,
                             PlayerId{2}, 0, draw);
   RC_ASSERT(std::fabs(wrap_pi(w.bearing + m.bearing)) < 1e-9);
+  RC_ASSERT(w.faintness == m.faintness);
 }
 
 RwrWarning warning(std::uint32_t emitter, EmissionKind kind, double time) {
@@ -148,6 +149,29 @@ TEST(Show, TellsOncePerEmitterAndAgainWhenItGetsWorse) {
   ASSERT_EQ(state.count, 1u);
   EXPECT_EQ(state.warnings[0].time, 4);
   EXPECT_EQ(state.warnings[0].first_time, 1);
+}
+
+TEST(Show, SmoothsTheBearing) {
+  const auto error_after = [](int looks) {
+    double square = 0;
+    for (int run = 0; run < 400; ++run) {
+      RwrState state;
+      for (int i = 0; i < looks; ++i) {
+        RwrWarning w = warning(5, EmissionKind::missile_seeker, 0.2 * i);
+        w.bearing = wrap_pi(kPi + radians(10) * Draw(1, PlayerId{static_cast<std::uint32_t>(run)},
+                                                     Stream::test, std::uint64_t(i))
+                                                    .normal());
+        w.looks = 1;
+        show(state, w);
+      }
+      const double error = degrees(angle_between(kPi, state.warnings[0].bearing));
+      square += error * error / 400;
+    }
+    return std::sqrt(square);
+  };
+  EXPECT_NEAR(error_after(1), 10, 1);
+  EXPECT_NEAR(error_after(4), 5, 0.5) << "the mean of four";
+  EXPECT_NEAR(error_after(30), 10 * std::sqrt(0.18127 / (2 - 0.18127)), 0.4);
 }
 
 TEST(Show, PutsTheMostUrgentFirst) {
@@ -172,6 +196,102 @@ TEST(Show, MakesRoomOnAFullDisplayOnlyForWhatIsMoreUrgent) {
   EXPECT_EQ(state.warnings[0].emitter, PlayerId{21});
   for (const RwrWarning& w : state.warnings)
     EXPECT_NE(w.emitter, PlayerId{3}) << "the one unheard longest makes room";
+}
+
+TEST(Hear, HasTheBeamOfASeekerAtHalfItsPowerAtTheEdge) {
+  const Rwr rwr;
+  const Kinematics own = flying({9e3, 0, -9000}, kPi, 250);
+  const auto strength = [&](double degrees, EmissionKind kind) {
+    Emission e = beam({0, 0, -9000}, own.position, radians(6), kind);
+    e.boresight = {std::cos(radians(degrees)), std::sin(radians(degrees)), 0};
+    return *hear(rwr, aim(rwr, own, Side::blue), e);
+  };
+  const double middle = strength(0, EmissionKind::missile_seeker);
+  EXPECT_NEAR(strength(5.999, EmissionKind::missile_seeker) / middle, 0.5, 1e-3);
+  EXPECT_NEAR(10 * std::log10(middle / strength(3, EmissionKind::missile_seeker)), 0.75, 5e-3);
+  EXPECT_EQ(strength(5.9, EmissionKind::search), middle)
+      << "one that sweeps passes with its middle";
+}
+
+/// A missile that comes from the north at 950 m/s, its seeker on who flies towards it at 250 m/s.
+struct Approach {
+  static constexpr double kClosing = 1200;
+  Rwr rwr;
+  double from = 14e3;  ///< m, when the seeker is switched on
+  double aside = 0;    ///< m, of who listens from its target, to the east
+  double behind = 0;   ///< m
+  std::uint64_t seed = 1;
+
+  /// The least time to go (s) that who listens ever reckons with, and when (s to go) he first
+  /// reckons with no more than `limit`; 0 for what never was.
+  struct Reckoned {
+    double least = 0, first = 0, worst = 0;
+  };
+  [[nodiscard]] Reckoned listen(double limit) const {
+    Reckoned reckoned;
+    RwrState state;
+    for (int look = 0; look * 0.2 * kClosing < from; ++look) {
+      const double time = 0.2 * look, left = from / kClosing - time;
+      const Vec3 target{-250 * time, 0, -9000};
+      const Kinematics own = flying(target + Vec3{-behind, aside, 0}, 0, 250);
+      const Emission e = beam(target + Vec3{left * kClosing, 0, 0}, target, radians(6),
+                              EmissionKind::missile_seeker);
+      const RwrAntenna antenna = aim(rwr, own, Side::blue);
+      Emission seeker = e;
+      seeker.figure = emission_figure(14e3, 5);
+      const auto strength = hear(rwr, antenna, seeker);
+      if (!strength)
+        continue;
+      show(state, warn(rwr, antenna, own, seeker, *strength, PlayerId{9}, time,
+                       Draw(seed, PlayerId{1}, Stream::rwr, static_cast<std::uint64_t>(look))));
+      if (const auto to_go = time_to_go(state.warnings[0], rwr)) {
+        if (reckoned.least == 0 || *to_go < reckoned.least)
+          reckoned.least = *to_go;
+        if (reckoned.first == 0 && *to_go <= limit)
+          reckoned.first = left;
+        reckoned.worst = std::max(reckoned.worst, std::fabs(*to_go / left - 1));
+      }
+    }
+    return reckoned;
+  }
+};
+
+TEST(TimeToGo, IsRightWithoutErrorsForWhomTheSeekerRestsOn) {
+  const Approach approach{.rwr = {.sigma_level = 0}};
+  EXPECT_LT(approach.listen(8).worst, 1e-6);
+}
+
+TEST(TimeToGo, OfAMatesMissileNeverFallsBelowItsLaw) {
+  for (const double aside : {500.0, 800.0, 1100.0}) {
+    const Approach approach{.rwr = {.sigma_level = 0}, .aside = aside};
+    const double law = 4.32 * aside / (radians(12) * Approach::kClosing);
+    // the straight line through 3 s of looks lags behind a curve
+    EXPECT_GT(approach.listen(8).least, 0.8 * law) << aside;
+  }
+}
+
+TEST(TimeToGo, IsKnownInTimeAndTellsOnesOwnMissileFromAMates) {
+  constexpr std::uint64_t kDraws = 2000;
+  int own = 0, mates = 0, trailing = 0;
+  double alarm = 0;
+  for (std::uint64_t seed = 1; seed <= kDraws; ++seed) {
+    const auto mine = Approach{.seed = seed}.listen(8);
+    own += mine.first >= 5;
+    alarm += mine.first / kDraws;
+    // mates fly 2500 ft to 6000 ft aside of him, or 1.5 nmi behind
+    const double aside = si(2500, "ft") + static_cast<double>(seed) / kDraws * si(3500, "ft");
+    mates += Approach{.aside = aside, .seed = seed}.listen(8).first > 0;
+    trailing += Approach{.aside = si(2500, "ft"), .behind = 1.5 * si(1, "nmi"), .seed = seed}
+                    .listen(8)
+                    .first > 0;
+  }
+  EXPECT_GE(own, 0.99 * kDraws) << "alarms with 5 s to go or more";
+  EXPECT_NEAR(alarm, 8, 0.5) << "s to go, in the mean";
+  EXPECT_LE(mates, 0.01 * kDraws);
+  EXPECT_LE(trailing, 0.02 * kDraws);
+  RecordProperty("missed", static_cast<int>(kDraws) - own);
+  RecordProperty("false", mates);
+  RecordProperty("false_behind", trailing);
 }
 
 TEST(Forget, TakesOldWarningsOffTheDisplayAndLeavesNoTrace) {

@@ -6,11 +6,19 @@
 namespace eyrie::model::sensor {
 
 bool ThreatUpdate::note(const Sighting& sighting) {
-  // the nearest bearing that is free; the one known longest wins a tie
+  // the same seeker, or the nearest bearing that is free; the one known longest wins a tie
   std::uint32_t best = kMaxThreats;
   double best_turn = rules_.gate;
   for (std::uint32_t i = 0; i < threats_.count; ++i) {
-    const double turn = std::fabs(angle_between(threats_.missiles[i].bearing, sighting.bearing));
+    const InboundMissile& known = threats_.missiles[i];
+    if (sighting.emitter && known.emitter) {
+      if (known.emitter == sighting.emitter && (used_ >> i & 1) == 0) {
+        best = i;
+        break;
+      }
+      continue;
+    }
+    const double turn = std::fabs(angle_between(known.bearing, sighting.bearing));
     if ((used_ >> i & 1) == 0 && turn <= best_turn && (best == kMaxThreats || turn < best_turn)) {
       best = i;
       best_turn = turn;
@@ -31,6 +39,10 @@ bool ThreatUpdate::note(const Sighting& sighting) {
   missile.time = time_;
   missile.truth = sighting.truth;
   missile.sources = static_cast<std::uint8_t>(missile.sources | sighting.source);
+  if (sighting.emitter) {
+    missile.emitter = sighting.emitter;
+    missile.arrival = sighting.arrival;
+  }
 
   // the eye's bearing is the better one for as long as it is fresh
   if (sighting.has_position) {

@@ -20,20 +20,24 @@ struct InboundMissile {
   double time = 0;                ///< s, last perceived
   double first_time = 0;          ///< s, first perceived
   double position_time = 0;       ///< s, when elevation and range were taken; needs has_position
+  double arrival = 0;             ///< s, when it will be here as its signal grows; 0: not known
   PlayerId truth{};               ///< for scoring and debrief only
+  PlayerId emitter{};             ///< fingerprint of its seeker; none if it was not heard yet
   std::uint8_t has_position = 0;  ///< 1: elevation and range are known
   std::uint8_t closing = 0;       ///< 1: seen to come closer
   std::uint8_t sources = 0;       ///< bits of ThreatSource, ever
-  std::uint8_t reserved = 0;
+  std::uint8_t reserved[5] = {};
 
   static constexpr auto fields() {
     using I = InboundMissile;
     return field_list(field("bearing", &I::bearing, "rad"),
                       field("elevation", &I::elevation, "rad"), field("range", &I::range, "m"),
                       field("time", &I::time, "s"), field("first_time", &I::first_time, "s"),
-                      field("position_time", &I::position_time, "s"), field("truth", &I::truth),
-                      field("has_position", &I::has_position), field("closing", &I::closing),
-                      field("sources", &I::sources), field("reserved", &I::reserved));
+                      field("position_time", &I::position_time, "s"),
+                      field("arrival", &I::arrival, "s"), field("truth", &I::truth),
+                      field("emitter", &I::emitter), field("has_position", &I::has_position),
+                      field("closing", &I::closing), field("sources", &I::sources),
+                      field("reserved", &I::reserved));
   }
 };
 
@@ -56,7 +60,9 @@ struct Sighting {
   double bearing = 0;    ///< rad, true
   double elevation = 0;  ///< rad; with has_position
   double range = 0;      ///< m; with has_position
+  double arrival = 0;    ///< s, when it will be here; 0: not known
   PlayerId truth{};      ///< written down, never compared
+  PlayerId emitter{};    ///< fingerprint of its seeker, if it was heard
   ThreatSource source = kThreatFromRwr;
   bool has_position = false;
   bool closing = false;
@@ -69,7 +75,8 @@ struct ThreatRules {
 };
 
 /// The threats of one look of one sensor: each threat takes at most one sighting of it, so two
-/// missiles on one bearing stay two. Missiles are told apart by direction alone.
+/// missiles on one bearing stay two. Missiles are told apart by the fingerprints of their seekers,
+/// and else by direction alone.
 class ThreatUpdate {
  public:
   ThreatUpdate(Threats& threats, const ThreatRules& rules, double time)

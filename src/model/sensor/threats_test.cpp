@@ -80,6 +80,23 @@ TEST(ThreatUpdate, DoesNotReadTheTruth) {
   EXPECT_EQ(threats.missiles[0].truth, PlayerId{8});
 }
 
+TEST(ThreatUpdate, TellsSeekersApartByTheirFingerprints) {
+  Threats threats;
+  Sighting one = heard(40), two = heard(42), eye = seen(41, 5000);
+  one.emitter = PlayerId{7};
+  two.emitter = PlayerId{8};
+  two.arrival = 12;
+  EXPECT_TRUE(ThreatUpdate(threats, kRules, 1).note(one));
+  EXPECT_TRUE(ThreatUpdate(threats, kRules, 1.2).note(two));
+  EXPECT_FALSE(ThreatUpdate(threats, kRules, 1.4).note(eye));
+  one.bearing = radians(170);
+  EXPECT_FALSE(ThreatUpdate(threats, kRules, 1.6).note(one)) << "the same, wherever it is now";
+  ASSERT_EQ(threats.count, 2u);
+  EXPECT_EQ(threats.missiles[0].emitter, one.emitter);
+  EXPECT_EQ(threats.missiles[0].arrival, 0);
+  EXPECT_EQ(threats.missiles[1].arrival, 12);
+}
+
 TEST(ForgetThreats, DropsTheOldAndTheOldRange) {
   Threats threats;
   ThreatUpdate(threats, kRules, 0).note(seen(10, 3000));

@@ -105,7 +105,10 @@ void know_missiles(const Scene& scene, Self& self) {
                            .truth = scene.missile_ids[c.row],
                            .has_position = 1,
                            .sources = kThreatFromTruth};
-    inbound.closing = dot(sight, missile.velocity - self.kinematics.velocity) < 0;
+    const double opening = dot(sight, missile.velocity - self.kinematics.velocity);
+    inbound.closing = opening < 0;
+    if (opening < 0)
+      inbound.arrival = scene.time - c.distance2 / opening;
 
     const auto end = before.missiles.begin() + before.count;
     const auto known = std::find_if(before.missiles.begin(), end, [&](const InboundMissile& old) {

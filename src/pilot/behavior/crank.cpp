@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/crank.hpp"
+
+#include "pilot/danger.hpp"
+#include "pilot/sort.hpp"
+
+namespace eyrie::pilot {
+
+Status Crank::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target)
+    return fails(t, "no target");
+  if (claims_on(s, *target).own_shots == 0)
+    return fails(t, "no own missile flies to the target");
+  if (support_) {
+    bool needed = false;
+    for (const Shot& shot : s.agent.shots)
+      if (shot.flies(s.time))
+        if (const auto left = support_left(s, shot))
+          needed = needed || *left > 0;
+    if (!needed)
+      return fails(t, "the missile's own seeker is on");
+  }
+  double angle = angle_;
+  if (s.type.index.radar)
+    angle = std::min(angle, s.library.radars[*s.type.index.radar].gimbal - margin_);
+  const double bearing = bearing_of(target->ned);
+  const double side = angle_between(bearing, s.own.heading) >= 0 ? 1 : -1;
+  out.vote = vote_;
+  out.action.target = target->id();
+  out.action.heading = wrap_tau(bearing + side * std::max(angle, 0.0));
+  out.action.altitude = std::max(s.own.altitude - descend_, std::min(floor_, s.own.altitude));
+  out.action.speed = speed_;
+  out.action.load_factor = affordable(s, load_factor_, least_mach_);
+  out.action.mode = model::AutopilotMode::hold;
+  return Status::running;
+}
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/crank.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pilot/danger.hpp"
+#include "support/pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+Desk with_shot(double seconds) {
+  Desk desk;
+  const model::Track& track = desk.track({60e3, 5e3, 0});
+  desk.agent.target = track.id;
+  desk.agent.shots[0] = {.until = desk.time + seconds, .track = track.id, .store = kMedium};
+  return desk;
+}
+
+TEST(Crank, KeepsTheTargetOffTheNoseOnTheSideWhereTheNoseIs) {
+  const Desk desk = with_shot(50);
+  const double bearing = std::atan2(5e3, 60e3);
+  const Decided d = decide("{crank: {angle: 50 deg, descend: 500 m}}", desk);
+  EXPECT_EQ(d.status, kRunning);
+  EXPECT_NEAR(*d.action().heading, wrap_tau(bearing - 50 * kDegree), 1e-9);
+  EXPECT_NEAR(*d.action().altitude, 7500, 1e-9);
+  EXPECT_EQ(d.action().target, desk.agent.target);
+}
+
+TEST(Crank, IsSilentWithoutAMissileOnItsWay) {
+  Desk desk = with_shot(50);
+  desk.agent.shots[0] = {};
+  EXPECT_EQ(decide("crank", desk).status, kFailure);
+  EXPECT_EQ(decide("crank", Desk()).status, kFailure);
+}
+
+TEST(Crank, EndsWhenTheMissileHasSwitchedOnItsSeeker) {
+  // with so much time to go it is one activation range away at the closing speed of the moment
+  Desk desk = with_shot(50);
+  const double off = *support_left(desk.state(), desk.agent.shots[0]);
+  ASSERT_GT(off, 0);
+  ASSERT_LT(off, 50);
+  desk = with_shot(50 - off + 0.1);
+  EXPECT_EQ(decide("crank", desk).status, kRunning);
+  desk = with_shot(50 - off - 0.1);
+  EXPECT_EQ(decide("crank", desk).status, kFailure);
+  EXPECT_EQ(decide("{crank: {support: false}}", desk).status, kRunning);
+}
+
+TEST(Crank, TurnsNoHarderThanItsSpeedAllows) {
+  Desk desk = with_shot(50);
+  desk.own.mach = 0.7;
+  EXPECT_EQ(decide("{crank: {least_mach: 0.75, load_factor: 5}}", desk).action().load_factor, 2);
+  EXPECT_EQ(decide("{crank: {least_mach: 0.6, load_factor: 5}}", desk).action().load_factor, 5);
+}
+
+}  // namespace
+}  // namespace eyrie::pilot

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/evade.hpp"
+
+namespace eyrie::pilot {
+
+template <const Evasion& kDefault>
+Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  EvadeMemory& m = memory(t);
+  if (const auto from = danger(s, against_, within_)) {
+    m.until = s.time + recovery_;
+    m.bearing = from->bearing;
+    m.call = from->call == Call::none ? kDefault.call : from->call;
+  } else if (m.side == 0 || ubf::passed(s.time, m.until, 0)) {
+    m = {};
+    return fails(t, against_ == Against::missile ? "no missile is almost here"
+                    : against_ == Against::radar ? "no missile comes and no radar tracks"
+                                                 : "nobody to turn from is known");
+  }
+  if (m.side == 0) {
+    m.side = angle_between(m.bearing, s.own.heading) >= 0 ? 1 : -1;
+    if (kDefault.across)
+      m.side = -m.side;
+  }
+  out.vote = vote_;
+  out.action.heading = wrap_tau(m.bearing + m.side * angle_);
+  out.action.altitude = std::max(s.own.altitude - dive_, std::min(floor_, s.own.altitude));
+  out.action.speed = speed_;
+  out.action.load_factor = affordable(s, load_factor_, least_mach_);
+  out.action.mode = model::AutopilotMode::hold;
+  out.action.call = m.call;
+  return Status::running;
+}
+
+template class Evade<kNotch>;
+template class Evade<kDrag>;
+template class Evade<kLastDitch>;
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The three defenses against a radar missile and who shoots it: notch, drag, last ditch.
+#include "pilot/danger.hpp"
+#include "pilot/trees.hpp"
+#include "ubf/memory.hpp"
+
+namespace eyrie::pilot {
+
+struct EvadeMemory {
+  double until = 0;    ///< s, goes on until then if nothing is heard of the danger again
+  double bearing = 0;  ///< rad, of the danger when it was last known
+  Call call = Call::none;
+  std::int32_t side =
+      0;  ///< 1: the danger is kept to the left, -1: to the right; 0: not yet chosen
+};
+
+/// How one of the three is flown when a file says nothing else.
+struct Evasion {
+  std::string_view name, help;
+  Call call = Call::none;  ///< when it answers a missile
+  Against against = Against::missile;
+  float vote = 75;
+  double within = 8;       ///< s
+  double angle = kPi / 2;  ///< rad
+  double load_factor = 6;  ///< g
+  double recovery = 2;     ///< s
+  bool across = false;     ///< turns through the danger's bearing instead of away from it
+};
+
+/// Turns until the danger is `angle` off the nose, on the nearer side, which it keeps until the
+/// danger is gone, and goes down: a radar below its hunter is harder to see, and thicker air costs
+/// a missile speed. Never slower than `least_mach` allows, never below `floor`. `running` as long
+/// as it defends; fails without a danger. Answers a missile that comes for this aircraft, and is
+/// here `within` s; with `against: radar` or `fighter` also who may shoot one.
+template <const Evasion& kDefault>
+class Evade final : public ubf::WithMemory<Behavior, EvadeMemory> {
+ public:
+  static constexpr std::string_view type_name = kDefault.name;
+  static constexpr std::string_view help = kDefault.help;
+  static constexpr auto params() {
+    using E = Evade;
+    return std::tuple{
+        param("vote", &E::vote_, range(0, 1000), "how strongly"),
+        param("against", &E::against_, "missile, radar or fighter; each includes those before"),
+        param("within", &E::within_, "s", range(0, 120), "answers a missile that is here so soon"),
+        param("angle", &E::angle_, "rad", range(0.2, 3.1416),
+              "off the nose at the end of the turn"),
+        param("speed", &E::speed_, "m/s", range(50, 1000), "true airspeed"),
+        param("load_factor", &E::load_factor_, range(1, 12), "g of the turn"),
+        param("least_mach", &E::least_mach_, range(0, 2), "turns easier when it gets slower"),
+        param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
+        param("floor", &E::floor_, "m", range(0, 25e3), "goes no lower"),
+        param("recovery", &E::recovery_, "s", range(0, 300),
+              "goes on for so long after the last of the danger")};
+  }
+
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  float vote_ = kDefault.vote;
+  Against against_ = kDefault.against;
+  double within_ = kDefault.within;
+  double angle_ = kDefault.angle;
+  double speed_ = si(600, "kt");
+  double load_factor_ = kDefault.load_factor;
+  double least_mach_ = 0.7;
+  double dive_ = si(6000, "ft");
+  double floor_ = si(3000, "ft");
+  double recovery_ = kDefault.recovery;
+};
+
+/// The danger on the beam: the closing speed to its radar is that of the ground then, and a radar
+/// that looks down filters it out with the clutter (docs/models/radar.md, Doppler notch).
+inline constexpr Evasion kNotch{.name = "notch",
+                                .help = "puts a missile or a radar on the beam, nose low",
+                                .call = Call::notch};
+/// The danger on the tail: a missile has to catch up, and one shot from far runs out of speed.
+inline constexpr Evasion kDrag{.name = "drag",
+                               .help = "puts a missile or a fighter on the tail and runs, nose low",
+                               .call = Call::drag,
+                               .vote = 72,
+                               .within = 20,
+                               .angle = kPi,
+                               .load_factor = 5,
+                               .recovery = 4};
+/// The hardest turn through the missile's bearing, when it is almost here: it has to turn with
+/// several times the load factor and has no time (Shaw, Fighter Combat, ch. 1, missile defense).
+inline constexpr Evasion kLastDitch{.name = "last_ditch",
+                                    .help = "breaks across a missile that is almost here",
+                                    .call = Call::last_ditch,
+                                    .vote = 85,
+                                    .within = 4,
+                                    .load_factor = 9,
+                                    .recovery = 1,
+                                    .across = true};
+
+using Notch = Evade<kNotch>;
+using Drag = Evade<kDrag>;
+using LastDitch = Evade<kLastDitch>;
+extern template class Evade<kNotch>;
+extern template class Evade<kDrag>;
+extern template class Evade<kLastDitch>;
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/danger.hpp"
+
+#include "pilot/controller.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+/// rad: a track that stands so near to a bearing of the warning receiver is the emitter.
+constexpr double kSameBearing = si(20, "deg");
+
+const Seen* nearest_hostile(const State& s) {
+  const Seen* nearest = nullptr;
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.hostile() && (nearest == nullptr || seen.range < nearest->range))
+      nearest = &seen;
+  return nearest;
+}
+
+Danger from(const State& s, const Seen& seen) {
+  return {.bearing = bearing_of(seen.ned), .altitude = altitude_of(s.own, seen.ned)};
+}
+
+/// A receiver's bearing is good to 10 degrees; the track of who is there is better.
+Danger from(const State& s, const model::RwrWarning& warning) {
+  const Seen* best = nullptr;
+  double least = kSameBearing;
+  for (const Seen& seen : s.tracks_seen()) {
+    const double off = std::fabs(angle_between(bearing_of(seen.ned), warning.bearing));
+    if (seen.suspect() && off <= least) {
+      best = &seen;
+      least = off;
+    }
+  }
+  return best != nullptr ? from(s, *best) : Danger{.bearing = warning.bearing};
+}
+
+}  // namespace
+
+std::optional<double> time_to_go(const State& s, const model::InboundMissile& missile) {
+  if (missile.arrival > 0)
+    return std::max(missile.arrival - s.time, 0.0);
+  if (missile.has_position)
+    return std::max(missile.range / kMissileClosing - (s.time - missile.position_time), 0.0);
+  return std::nullopt;
+}
+
+const model::InboundMissile* inbound(const State& s, double within) {
+  const model::InboundMissile* first = nullptr;
+  double least = within;
+  for (std::uint32_t i = 0; i < s.threats.count; ++i) {
+    const auto left = time_to_go(s, s.threats.missiles[i]);
+    if (left && *left <= least && (first == nullptr || *left < least)) {
+      first = &s.threats.missiles[i];
+      least = *left;
+    }
+  }
+  return first;
+}
+
+const model::RwrWarning* spike(const State& s) {
+  for (std::uint32_t i = 0; i < s.rwr.count; ++i)
+    if (s.rwr.warnings[i].kind == model::EmissionKind::track)
+      return &s.rwr.warnings[i];
+  return nullptr;
+}
+
+model::weapon::EmploymentZone zone_of(const State& s, const Seen& hostile) {
+  const auto situation =
+      model::weapon::launch_situation({position_at(*hostile.track, s.time), hostile.track->velocity,
+                                       altitude_of(s.own, hostile.ned)},
+                                      {s.own.position, s.own.velocity, s.own.altitude});
+  model::weapon::EmploymentZone worst;
+  for (std::size_t i = 0; i < s.library.missiles.size(); ++i) {
+    const model::MissileType& type = s.library.missiles[i];
+    if (type.locks_before_launch())
+      continue;
+    const auto zone = type.zone.at(situation);
+    if (zone.r_max > worst.r_max)
+      worst = zone;
+  }
+  return worst;
+}
+
+std::optional<Exposure> exposure(const State& s) {
+  std::optional<Exposure> worst;
+  for (const Seen& seen : s.tracks_seen()) {
+    if (!seen.hostile())
+      continue;
+    const auto zone = zone_of(s, seen);
+    if (zone.r_ne <= 0)
+      continue;
+    const double ratio = seen.range / zone.r_ne;
+    if (!worst || ratio < worst->ratio)
+      worst = Exposure{&seen, ratio};
+  }
+  return worst;
+}
+
+std::optional<double> support_left(const State& s, const Shot& shot) {
+  const model::MissileType& type = s.library.missiles[shot.store];
+  if (type.locks_before_launch())
+    return 0;
+  const Seen* target = s.find(shot.track);
+  if (target == nullptr)
+    return std::nullopt;
+  const double closing = target->range / std::max(time_of_flight(s, *target, type), 1e-3);
+  return shot.until - s.time - type.seeker.activation_range / std::max(closing, 1.0);
+}
+
+std::optional<Danger> danger(const State& s, Against against, double within) {
+  if (const model::InboundMissile* missile = inbound(s, within)) {
+    Danger d{.bearing = missile->bearing, .call = Call::none};
+    if (missile->has_position)
+      d.altitude = s.own.altitude + missile->range * math::sin(missile->elevation);
+    return d;
+  }
+  if (against == Against::missile)
+    return std::nullopt;
+  if (const model::RwrWarning* warning = spike(s))
+    return from(s, *warning);
+  if (against == Against::radar)
+    return std::nullopt;
+  if (const auto worst = exposure(s))
+    return from(s, *worst->hostile);
+  if (const Seen* nearest = nearest_hostile(s))
+    return from(s, *nearest);
+  return std::nullopt;
+}
+
+double affordable(const State& s, double wanted, double least) {
+  constexpr double kEasy = 2, kMargin = 0.1;
+  if (wanted <= kEasy || least <= 0)
+    return wanted;
+  const double spare = (s.own.mach - least) / (kMargin * least);
+  return kEasy + (wanted - kEasy) * std::clamp(spare, 0.0, 1.0);
+}
+
+}  // namespace eyrie::pilot

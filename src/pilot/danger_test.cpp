@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/danger.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+TEST(TimeToGo, IsWhatTheReceiverSaysOrElseTheRangeThatIsSeen) {
+  Desk desk;
+  model::InboundMissile& missile = desk.threat(0.5);
+  EXPECT_FALSE(time_to_go(desk.state(), missile));
+  missile.has_position = 1;
+  missile.range = 6000;
+  missile.position_time = desk.time - 1;
+  EXPECT_NEAR(*time_to_go(desk.state(), missile), 5, 1e-12);
+  missile.arrival = desk.time + 11;
+  EXPECT_NEAR(*time_to_go(desk.state(), missile), 11, 1e-12);
+  desk.time += 20;
+  EXPECT_EQ(*time_to_go(desk.state(), missile), 0);
+}
+
+TEST(MissileInbound, IsTrueOfOneThatIsHereSoonOnly) {
+  Desk desk;
+  desk.threat(0.5);
+  EXPECT_FALSE(holds("missile_inbound", desk)) << "it may be for a mate";
+  desk.threats.missiles[0].arrival = desk.time + 9;
+  EXPECT_FALSE(holds("{missile_inbound: {within: 8 s}}", desk));
+  EXPECT_TRUE(holds("{missile_inbound: {within: 10 s}}", desk));
+}
+
+TEST(Spiked, NeedsARadarThatTracks) {
+  Desk desk;
+  desk.rwr.count = 2;
+  desk.rwr.warnings[0] = {.first_time = desk.time - 3, .kind = model::EmissionKind::missile_seeker};
+  desk.rwr.warnings[1] = {.first_time = desk.time - 3, .kind = model::EmissionKind::search};
+  EXPECT_FALSE(holds("spiked", desk));
+  desk.rwr.warnings[1].kind = model::EmissionKind::track;
+  EXPECT_TRUE(holds("{spiked: {for: 3 s}}", desk));
+  EXPECT_FALSE(holds("{spiked: {for: 4 s}}", desk));
+}
+
+TEST(AbortRange, IsMeasuredInTheEnemysNoEscapeRange) {
+  Desk desk;
+  EXPECT_FALSE(holds("abort_range", desk)) << "nobody is there";
+  const model::Track& track = desk.track({40e3, 0, 0});
+  const State s = desk.state();
+  const auto zone = zone_of(s, s.tracks_seen()[0]);
+  ASSERT_GT(zone.r_ne, 0);
+  // the mirror image of the own zone against him: same type, same speed, same height
+  const auto own = s.zone(kMedium, s.tracks_seen()[0]);
+  EXPECT_NEAR(zone.r_ne, own.r_ne, 0.01 * own.r_ne);
+  EXPECT_NEAR(exposure(s)->ratio, 40e3 / zone.r_ne, 1e-9);
+  EXPECT_TRUE(
+      holds("{abort_range: {factor: " + std::to_string(1.01 * 40e3 / zone.r_ne) + "}}", desk));
+  EXPECT_FALSE(
+      holds("{abort_range: {factor: " + std::to_string(0.99 * 40e3 / zone.r_ne) + "}}", desk));
+  // who flies away is no danger at that range
+  desk.tracks.tracks[0].velocity = -1 * track.velocity;
+  EXPECT_GT(exposure(desk.state())->ratio, 40e3 / zone.r_ne);
+}
+
+TEST(Outnumbered, CountsHostilesAgainstTheLiving) {
+  Desk desk;
+  desk.in_flight(2, 1);
+  desk.track({30 * kNmi, 0, 0});
+  desk.track({30 * kNmi, 5000, 0});
+  EXPECT_FALSE(holds("outnumbered", desk));
+  desk.lose(2);
+  EXPECT_TRUE(holds("outnumbered", desk));
+  EXPECT_FALSE(holds("{outnumbered: {by: 2}}", desk));
+  EXPECT_FALSE(holds("{outnumbered: {within: 20 nmi}}", desk));
+}
+
+TEST(SupportNeeded, TurnsIntoShotActiveWhenTheSeekerIsOn) {
+  Desk desk;
+  EXPECT_FALSE(holds("support_needed", desk));
+  EXPECT_FALSE(holds("shot_active", desk)) << "no missile flies at all";
+  const model::Track& track = desk.track({60e3, 0, 0});
+  desk.agent.shots[0] = {.until = desk.time + 60, .track = track.id, .store = kMedium};
+  EXPECT_TRUE(holds("support_needed", desk));
+  EXPECT_FALSE(holds("shot_active", desk));
+  desk.agent.shots[0].until = desk.time + 3;
+  EXPECT_FALSE(holds("support_needed", desk));
+  EXPECT_TRUE(holds("shot_active", desk));
+  desk.agent.shots[1] = {.until = desk.time + 60, .track = track.id, .store = kMedium};
+  EXPECT_FALSE(holds("shot_active", desk)) << "the second one still needs it";
+}
+
+TEST(SupportLeft, IsNoneForAnInfraredMissileAndInVainWithoutATrack) {
+  Desk desk;
+  desk.track({60e3, 0, 0});
+  EXPECT_EQ(support_left(desk.state(), {desk.time + 60, desk.tracks.tracks[0].id, kShort}), 0);
+  EXPECT_FALSE(support_left(desk.state(), {desk.time + 60, TrackId{77}, kMedium}));
+}
+
+}  // namespace
+}  // namespace eyrie::pilot
