@@ -28,6 +28,7 @@ struct AircraftType {
   Signature signature;
   InfraredSignature infrared;
   std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun;
+  std::optional<std::uint16_t> rounds;  ///< in the drum of the gun, if not as many as its type has
   std::vector<StationFit> stations;
 
   /// Indices into the shelves of the Library: the names above, looked up.
@@ -55,6 +56,8 @@ struct AircraftType {
         param("datalink", &A::datalink, "its datalink"),
         param("tracker", &A::tracker, "its tracker"),
         param("gun", &A::gun, "its gun"),
+        param("rounds", &A::rounds, range(1, 10e3),
+              "in the drum of its gun, where that is not what the gun's type says"),
         param("stations", &A::stations, "what hangs under it, station by station")};
   }
 };

@@ -210,6 +210,8 @@ void DataLoader::complete(Model& model, const Value& document) {
     part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
     part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
     part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
+    if (model.rounds && !model.gun)
+      diagnostics_.error(document.where_of("rounds"), "rounds: there is no gun for them");
     for (const model::StationFit& station : model.stations)
       load<model::MissileType>(station.store, document.where_of("stations"));
   }

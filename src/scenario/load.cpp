@@ -261,8 +261,9 @@ class Loader {
       error(player.place("bingo"),
             fmt::format("bingo {:.0f} kg is not less than the fuel at the start ({:.0f} kg)",
                         begin.bingo, begin.fuel));
-    begin.rounds = player.spec.rounds;
-    const int drum = type.index.gun ? library_->guns[*type.index.gun].rounds : 0;
+    const int drum =
+        type.index.gun ? type.rounds.value_or(library_->guns[*type.index.gun].rounds) : 0;
+    begin.rounds = player.spec.rounds ? player.spec.rounds : type.rounds;
     if (begin.rounds && *begin.rounds > drum)
       error(player.place("rounds"),
             type.index.gun ? fmt::format("{} rounds are more than the gun of a {} holds ({})",

@@ -35,8 +35,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
 
   // header
   EXPECT_TRUE(ran.out.starts_with("sweep: four F-15s")) << ran.out.substr(0, 80);
-  EXPECT_NE(ran.out.find("seed 13, blue eagle 4 x F-15C, red bogey 2 x MiG-29\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(ran.out, R"(\bseed \d+, blue eagle 4 x F-15C, red bogey 2 x MiG-29S\n)"));
   // story: time, who, what, range, in the field's words
   for (const char* line :
        {R"(\n \d\d:\d\d\.\d  eagle\d     contact, \d+\.\d nmi\n)",
@@ -46,8 +45,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
         R"(\n \d\d:\d\d\.\d  bogey\d     defending: )",
         R"(\n \d\d:\d\d\.\d  eagle\d     splash bogey\d \()",
         R"(\n \d\d:\d\d\.\d  eagle1     eagle flight: ingress\n)", R"(eagle flight: bvr\n)",
-        R"(eagle flight: wvr\n)", R"(eagle flight: egress\n)",
-        R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
+        R"(eagle flight: egress\n)", R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
     EXPECT_TRUE(has(ran.out, line)) << line;
   // closing table
   EXPECT_TRUE(has(ran.out, R"(\nplayer +side +shots +kills +end +fuel kg +phase\n)"));

@@ -30,10 +30,14 @@ double Engine::flow_of(const Thrust& available, double throttle, double mach,
                        double temperature) const {
   const double root_theta = std::sqrt(temperature * (1 / kSeaLevelTemperature));
   const double dry = military_tsfc * (1 + military_tsfc_mach * mach) * root_theta;
-  if (throttle <= 1)
-    return std::max(dry * thrust_of(available, throttle), idle_flow);
+  const double at_military = dry * available.military;
+  if (throttle <= 1) {
+    const double share =
+        available.military > 0 ? thrust_of(available, throttle) / available.military : 0;
+    return std::max(at_military * part_power(share), idle_flow);
+  }
   const double wet = afterburner_tsfc * (1 + afterburner_tsfc_mach * mach) * root_theta;
-  const double at_military = dry * available.military, at_full = wet * available.afterburner;
+  const double at_full = wet * available.afterburner;
   return std::max(at_military + (throttle - 1) * (at_full - at_military), idle_flow);
 }
 

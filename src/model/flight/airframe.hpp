@@ -21,6 +21,9 @@ struct Engine {
   double afterburner_tsfc = si(1.6, "lb/lbf/h");  ///< kg/N/s
   double military_tsfc_mach = 1.0 / 3;
   double afterburner_tsfc_mach = 0.16875;
+  Table1 part_power{
+      {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1},
+      {0.1, 0.2619, 0.3104, 0.3642, 0.4267, 0.4985, 0.5798, 0.6708, 0.7712, 0.8810, 1}};
   double idle_flow = 0;   ///< kg/s
   double spool_time = 4;  ///< s
   double light_time = 2;  ///< s
@@ -45,6 +48,8 @@ struct Engine {
               "part by which the military one grows per Mach number"),
         param("afterburner_tsfc_mach", &E::afterburner_tsfc_mach, range(0, 5),
               "part by which the afterburner one grows per Mach number"),
+        param("part_power", &E::part_power, axis("thrust", {}), {}, range(0, 2),
+              "fuel flow over that at military power, over thrust over military thrust"),
         param("idle_flow", &E::idle_flow, "kg/s", range(0, 10), "least fuel flow while it runs"),
         param("spool_time", &E::spool_time, "s", range(0.1, 60), "from idle to military power"),
         param("light_time", &E::light_time, "s", range(0.1, 60),
@@ -59,10 +64,13 @@ struct Engine {
   [[nodiscard]] static double throttle_for(const Thrust& available, double thrust,
                                            bool with_afterburner);
 
-  /// Fuel flow (kg/s) at a throttle. TSFC = (C1 + C2 M) sqrt(theta), Mattingly, Heiser & Pratt,
-  /// Aircraft Engine Design, 2nd ed. (2002), eq. 3.12, with C1 given at sea level and C2 / C1 as
-  /// *_tsfc_mach (0.3 / 0.9 and 0.27 / 1.6 in eq. 3.55a, b). Between military power and full
-  /// afterburner the flow is linear in the throttle. theta: temperature over sea-level temperature.
+  /// Fuel flow (kg/s) at a throttle. At military power and at full afterburner thrust times
+  /// TSFC = (C1 + C2 M) sqrt(theta), Mattingly, Heiser & Pratt, Aircraft Engine Design, 2nd ed.
+  /// (2002), eq. 3.12, with C1 given at sea level and C2 / C1 as *_tsfc_mach (0.3 / 0.9 and
+  /// 0.27 / 1.6 in eq. 3.55a, b). Below military power it falls as `part_power` says; by default
+  /// 0.1 + 0.24 x^0.2 + 0.66 x^1.8 of the share x of thrust: Raymer, Aircraft Design, ch. 13
+  /// (docs/models/flight.md). Between military power and full afterburner it is linear in the
+  /// throttle. theta: temperature over sea-level temperature.
   [[nodiscard]] double flow_of(const Thrust& available, double throttle, double mach,
                                double temperature) const;
 

@@ -187,14 +187,17 @@ TEST(Steering, BurnsTheFuelThatItsThrustCosts) {
   TestFlight f(simple_airframe());
   f.run(60);
   const double before = f.propulsion.fuel;
+  const Table1& part_power = f.model.airframe().engine.part_power;
   double burned = 0;
   for (int i = 0; i < 50 * 300; ++i) {
     const FlightCondition c = f.condition();
     f.step();
-    // TSFC (C1 + C2 M) sqrt(theta) times thrust, eq. 3.12 of Mattingly
+    // at military power TSFC (C1 + C2 M) sqrt(theta) times thrust, eq. 3.12 of Mattingly; a share
+    // of that at part power
     const double tsfc =
         si(0.9, "lb/lbf/h") * (1 + c.mach / 3) * std::sqrt(c.temperature / kSeaLevelTemperature);
-    burned += tsfc * f.propulsion.thrust * test::kDt;
+    const double share = f.propulsion.thrust / c.thrust.military;
+    burned += tsfc * c.thrust.military * part_power(share) * test::kDt;
   }
   EXPECT_NEAR(before - f.propulsion.fuel, burned, 1e-3 * burned);
   EXPECT_GT(burned, 50);

@@ -8,7 +8,6 @@
 
 #include "core/angle.hpp"
 #include "model/flight/flight_system.hpp"
-#include "support/model/lapse.hpp"
 
 namespace eyrie::model::test {
 
@@ -37,11 +36,6 @@ inline flight::Airframe ideal_airframe() {
   a.aerodynamics.max_lift = Table1::constant(100);
   a.engine.idle_share = 0;
   return a;
-}
-
-/// The lapse that data/airframes uses: less than the book's at speed, as NASA TP-1538 shows.
-inline double installed_military(double mach, const Air& air, double throttle_ratio) {
-  return flight::military_lapse(mach, air, throttle_ratio) * (1 - 0.3 * std::max(mach - 0.6, 0.0));
 }
 
 struct TestFlight {
