@@ -65,6 +65,20 @@ const model::RwrWarning* spike(const State& s) {
   return nullptr;
 }
 
+const model::RwrWarning* scanned(const State& s) {
+  for (std::uint32_t i = 0; i < s.rwr.count; ++i) {
+    const model::RwrWarning& warning = s.rwr.warnings[i];
+    if (warning.kind != model::EmissionKind::search)
+      continue;
+    for (const Seen& seen : s.tracks_seen())
+      if (seen.hostile() &&
+          std::fabs(angle_between(bearing_of(seen.ned), warning.bearing)) <= kSameBearing &&
+          seen.range <= zone_of(s, seen).r_max)
+        return &warning;
+  }
+  return nullptr;
+}
+
 model::weapon::EmploymentZone zone_of(const State& s, const Seen& hostile) {
   const auto situation =
       model::weapon::launch_situation({position_at(*hostile.track, s.time), hostile.track->velocity,

@@ -6,19 +6,26 @@
 
 namespace eyrie::pilot {
 
-/// The warning receiver hears a radar that rests on this aircraft.
+/// The warning receiver hears a radar that rests on this aircraft. With `search` also one that
+/// searches, from where a hostile stands who could hit from there: one that tracks while it scans
+/// shoots without ever resting.
 struct Spiked final : Condition {
   static constexpr std::string_view type_name = "spiked";
   static constexpr std::string_view help = "a radar tracks this aircraft";
   static constexpr auto params() {
-    return std::tuple{param("for", &Spiked::duration, "s", range(0, 60), "for so long at least")};
+    return std::tuple{
+        param("for", &Spiked::duration, "s", range(0, 60), "for so long at least"),
+        param("search", &Spiked::search, "true: or one searches, of a hostile who could hit now")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const model::RwrWarning* warning = spike(t.state);
+    if (!warning && search)
+      warning = scanned(t.state);
     return warning && t.state.time - warning->first_time >= duration;
   }
 
   double duration = 0;
+  bool search = false;
 };
 
 /// A missile comes for this aircraft, not for a mate (pilot/danger.hpp), and is here soon.

@@ -44,6 +44,21 @@ TEST(Spiked, NeedsARadarThatTracks) {
   EXPECT_FALSE(holds("{spiked: {for: 4 s}}", desk));
 }
 
+TEST(Spiked, CountsTheSearchOfWhoCouldHitIfAskedTo) {
+  Desk desk;
+  desk.rwr.count = 1;
+  desk.rwr.warnings[0] = {.bearing = 5 * kDegree, .kind = model::EmissionKind::search};
+  EXPECT_FALSE(holds("{spiked: {search: true}}", desk)) << "nobody is known there";
+  desk.track({30e3, 0, 0});
+  EXPECT_FALSE(holds("spiked", desk));
+  EXPECT_TRUE(holds("{spiked: {search: true}}", desk));
+  desk.rwr.warnings[0].bearing = 60 * kDegree;
+  EXPECT_FALSE(holds("{spiked: {search: true}}", desk)) << "another radar";
+  desk.rwr.warnings[0].bearing = 0;
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{200e3, 0, 0};
+  EXPECT_FALSE(holds("{spiked: {search: true}}", desk)) << "out of reach";
+}
+
 TEST(AbortRange, IsMeasuredInTheEnemysNoEscapeRange) {
   Desk desk;
   EXPECT_FALSE(holds("abort_range", desk)) << "nobody is there";
