@@ -25,8 +25,8 @@ inline constexpr double kMissileClosing = 1000;
 /// The radar that tracks this aircraft, the one heard first; null if none does.
 [[nodiscard]] const model::RwrWarning* spike(const State& state);
 
-/// A searching radar on the bearing of a hostile inside the reach of whose missile, if this aircraft
-/// keeps its course, it is; null if there is none.
+/// A searching radar on the bearing of a hostile inside the reach of whose missile, if this
+/// aircraft keeps its course, it is; null if there is none.
 [[nodiscard]] const model::RwrWarning* scanned(const State& state);
 
 /// From where a hostile, as he flies now, could hit this aircraft. Nobody knows what he carries: it
