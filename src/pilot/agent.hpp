@@ -11,6 +11,7 @@ using team::kNoTree;
 
 /// A missile that left the own aircraft and may still be on its way, as far as its pilot can tell.
 struct Shot {
+  double since = 0;         ///< s, when it left
   double until = 0;         ///< s, when it will have arrived
   TrackId track{};          ///< at whom; none: an empty place
   std::uint32_t store = 0;  ///< index of the missile type in the Library
@@ -18,8 +19,8 @@ struct Shot {
   [[nodiscard]] constexpr bool flies(double time) const { return track && time < until; }
 
   static constexpr auto fields() {
-    return field_list(field("until", &Shot::until, "s"), field("track", &Shot::track),
-                      field("store", &Shot::store));
+    return field_list(field("since", &Shot::since, "s"), field("until", &Shot::until, "s"),
+                      field("track", &Shot::track), field("store", &Shot::store));
   }
 };
 

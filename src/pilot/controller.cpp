@@ -2,6 +2,7 @@
 #include "pilot/controller.hpp"
 
 #include "model/weapon/stores.hpp"
+#include "pilot/shots.hpp"
 
 namespace eyrie::pilot {
 namespace {
@@ -44,13 +45,6 @@ bool is_hostile(const State& state, TrackId track) {
 
 }  // namespace
 
-double time_of_flight(const State& state, const Seen& target, const model::MissileType& missile) {
-  const double own = target.range > 0 ? dot(target.ned, state.velocity_ned) / target.range : 0;
-  const double mean_speed = state.own.speed + missile.motor.ideal_speed_gain() / 2;
-  const double closing = std::max(mean_speed + state.closing_on(target) - own, 50.0);
-  return std::min(target.range / closing, missile.greatest_time);
-}
-
 void account_for_shots(const State& state, Agent& agent) {
   const auto left =
       static_cast<std::uint8_t>(std::min(model::weapon::missiles_left(state.stores), 255U));
@@ -61,7 +55,8 @@ void account_for_shots(const State& state, Agent& agent) {
         oldest = &shot;
     const Seen* target = state.find(agent.asked_track);
     const model::MissileType& missile = state.library.missiles[agent.asked_store];
-    *oldest = {.until = state.time + (target ? time_of_flight(state, *target, missile) : 0.0),
+    *oldest = {.since = state.time,
+               .until = state.time + (target ? time_of_flight(state, *target, missile) : 0.0),
                .track = agent.asked_track,
                .store = agent.asked_store};
   }

@@ -20,11 +20,4 @@ void execute(const Action& action, const State& state, model::Command& command,
 /// Notices which missiles have left since the last decision. To be called before the tree is asked.
 void account_for_shots(const State& state, Agent& agent);
 
-/// s, until a missile that leaves now will have arrived, as a pilot reckons: the range over the
-/// speed at which they close, where the missile adds half of its ideal speed gain to the speed of
-/// the aircraft on average (drag takes the other half, [judgement]: docs/models/missile.md has the
-/// flights), and no longer than its battery lasts.
-[[nodiscard]] double time_of_flight(const State& state, const Seen& target,
-                                    const model::MissileType& missile);
-
 }  // namespace eyrie::pilot

@@ -207,21 +207,5 @@ TEST(Shots, RememberAsManyAsFit) {
   EXPECT_EQ(desk.agent.flying_at(TrackId{6}, desk.time), 1u) << "the earliest arrival makes room";
 }
 
-TEST(TimeOfFlight, IsLongerForATargetThatRuns) {
-  Desk desk;
-  desk.track({20e3, 0, 0}, kPi, 250);
-  desk.track({20e3, 0, 0}, 0, 250);
-  const State s = desk.state();
-  const model::MissileType& missile = library().missiles[kMedium];
-  const double head_on = time_of_flight(s, s.seen[0], missile);
-  const double tail = time_of_flight(s, s.seen[1], missile);
-  EXPECT_GT(tail, 1.5 * head_on);
-  // 20 km at 250 m/s, half the speed gain and 250 m/s of the target
-  EXPECT_NEAR(head_on, 20e3 / (500 + missile.motor.ideal_speed_gain() / 2), 1e-9);
-  EXPECT_GT(head_on, 15);
-  EXPECT_LT(head_on, 30);
-  EXPECT_LE(tail, missile.greatest_time);
-}
-
 }  // namespace
 }  // namespace eyrie::pilot

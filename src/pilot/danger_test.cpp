@@ -109,8 +109,8 @@ TEST(SupportNeeded, TurnsIntoShotActiveWhenTheSeekerIsOn) {
 TEST(SupportLeft, IsNoneForAnInfraredMissileAndInVainWithoutATrack) {
   Desk desk;
   desk.track({60e3, 0, 0});
-  EXPECT_EQ(support_left(desk.state(), {desk.time + 60, desk.tracks.tracks[0].id, kShort}), 0);
-  EXPECT_FALSE(support_left(desk.state(), {desk.time + 60, TrackId{77}, kMedium}));
+  EXPECT_EQ(support_left(desk.state(), {0, desk.time + 60, desk.tracks.tracks[0].id, kShort}), 0);
+  EXPECT_FALSE(support_left(desk.state(), {0, desk.time + 60, TrackId{77}, kMedium}));
 }
 
 }  // namespace

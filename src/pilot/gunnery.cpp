@@ -2,25 +2,6 @@
 #include "pilot/gunnery.hpp"
 
 namespace eyrie::pilot {
-namespace {
-
-/// Whether `holds` of the place (NED at the ownship) of any friend that the pilot knows of.
-template <class Holds>
-bool any_friend(const State& s, const Holds& holds) {
-  for (const Seen& seen : s.tracks_seen())
-    if (seen.track->identity == model::Identity::friendly && holds(seen.ned))
-      return true;
-  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
-    const model::Mate& mate = s.datalink.members[i];
-    if (i != s.datalink.self && mate.alive && mate.reported &&
-        holds(to_ned(s.own, position_at(mate, s.time) - s.own.position)))
-      return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 std::optional<Sight> gun_sight(const State& s, const Seen& target) {
   if (!s.type.index.gun)
     return std::nullopt;
@@ -38,14 +19,15 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
 bool friend_in_line(const State& s, const LineOfFire& line) {
   const Vec3 direction = normalized(line.direction, {1, 0, 0});
   const double cosine = math::cos(line.half_angle);
-  return any_friend(s, [&](const Vec3& ned) {
-    const double distance = norm(ned);
-    return distance >= line.from && distance < line.to && dot(ned, direction) >= cosine * distance;
+  return any_friend(s, [&](const Friend& one) {
+    const double distance = norm(one.ned);
+    return distance >= line.from && distance < line.to &&
+           dot(one.ned, direction) >= cosine * distance;
   });
 }
 
 bool friend_near(const State& s, const Vec3& place, double radius) {
-  return any_friend(s, [&](const Vec3& ned) { return norm2(ned - place) < radius * radius; });
+  return any_friend(s, [&](const Friend& one) { return norm2(one.ned - place) < radius * radius; });
 }
 
 }  // namespace eyrie::pilot

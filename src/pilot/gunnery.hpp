@@ -23,6 +23,30 @@ struct LineOfFire {
   double to = 0;          ///< m
   double half_angle = 0;  ///< rad
 };
+/// Somebody whom the pilot believes a friend: a mate by datalink, or a track identified as
+/// friendly.
+struct Friend {
+  Vec3 ned;           ///< m, at the ownship
+  Vec3 velocity;      ///< m/s, north-east-down at the ownship
+  double unsure = 0;  ///< m, two standard deviations of a track
+};
+/// Whether `holds` of any friend.
+template <class Holds>
+bool any_friend(const State& s, const Holds& holds) {
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.track->identity == model::Identity::friendly &&
+        holds(Friend{seen.ned, s.velocity_of(seen), 2.0 * seen.track->position_sigma}))
+      return true;
+  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (i != s.datalink.self && mate.alive && mate.reported &&
+        holds(Friend{to_ned(s.own, position_at(mate, s.time) - s.own.position),
+                     to_ned(s.own, {mate.velocity[0], mate.velocity[1], mate.velocity[2]})}))
+      return true;
+  }
+  return false;
+}
+
 /// Whether a friend is believed to be in it: a mate by datalink or a track identified as friendly.
 [[nodiscard]] bool friend_in_line(const State& state, const LineOfFire& line);
 

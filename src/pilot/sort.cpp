@@ -40,7 +40,15 @@ Claims claims_on(const State& s, const Seen& hostile) {
       continue;
     claims.targeted |= seen.track->targeted_by;
     claims.shot |= seen.track->shot_by;
-    claims.own_shots += s.agent.flying_at(seen.id(), s.time);
+    for (const Shot& shot : s.agent.shots) {
+      if (shot.track != seen.id())
+        continue;
+      claims.last_left = std::max(claims.last_left, shot.since);
+      if (shot.flies(s.time))
+        ++claims.own_shots;
+      else
+        claims.last_arrived = std::max(claims.last_arrived, shot.until);
+    }
   }
   return claims;
 }

@@ -23,6 +23,8 @@ struct Claims {
   std::uint32_t targeted = 0;   ///< bit i: it is the target of member i
   std::uint32_t shot = 0;       ///< bit i: member i says that he has a missile on its way to it
   std::uint32_t own_shots = 0;  ///< own missiles believed on their way to it
+  double last_left = model::kNever;     ///< s, when the own missile that left last left
+  double last_arrived = model::kNever;  ///< s, when the own missile of before will have arrived
 };
 [[nodiscard]] Claims claims_on(const State& state, const Seen& hostile);
 

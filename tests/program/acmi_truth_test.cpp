@@ -39,7 +39,7 @@ struct Recording {
 };
 
 /// The tolerances of the writer and half of the last decimal that is written.
-constexpr double kMeters = 3 + 0.02, kDegrees = 1.5 + 0.05 + 1e-6;
+constexpr double kMeters = 3 + 0.03, kDegrees = 1.5 + 0.05 + 1e-6;
 
 /// Longitude and latitude in the file are relative to its reference.
 Place place_of(const AcmiSample& sample, const Place& reference) {

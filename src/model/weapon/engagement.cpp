@@ -10,33 +10,40 @@ namespace {
 constexpr Vec3 kDown{0, 0, 1};
 constexpr double kNear = 0.5;  // s to go, within which the closest approach is looked for
 
-/// A target in level flight that may turn until it flies along `away`.
+constexpr double kDiveAngle = radians(30);
+constexpr double kDiveFloor = 1000;  // m
+
+/// A target in flight that may turn until it flies along `course`, and dive.
 struct Target {
   Vec3 position, velocity;
-  Vec3 away;             ///< unit vector, level
-  double turn_rate = 0;  ///< rad/s
+  Vec3 ahead;   ///< unit vector, level: where it flies to on the map
+  Vec3 course;  ///< unit vector, level: where it wants to fly to
+  double speed = 0;
+  double turn_rate = 0;  ///< rad/s; 0: it keeps its course
+  double dive = 0;       ///< rad, wanted
+  double angle = 0;      ///< rad, flown downwards
 
   void move(double dt) {
     const Vec3 before = velocity;
-    if (turn_rate > 0)
-      turn(dt);
+    if (turn_rate > 0) {
+      turn(turn_rate * dt);
+      const double wanted = -position.z > kDiveFloor ? dive : 0;
+      angle += std::clamp(wanted - angle, -turn_rate * dt, turn_rate * dt);
+      const auto [sine, cosine] = math::sin_cos(angle);
+      velocity = speed * (cosine * ahead + sine * kDown);
+    }
     position += (dt / 2) * (before + velocity);
   }
-  void turn(double dt) {
-    const double speed = norm(velocity);
-    const Vec3 ahead = velocity / speed;
-    const double angle = turn_rate * dt;
-    const double left = angle_between(ahead, away);
-    if (left <= angle) {
-      velocity = speed * away;
-      turn_rate = 0;
+  void turn(double by) {
+    if (angle_between(ahead, course) <= by) {
+      ahead = course;
       return;
     }
-    // the level direction across the path on the side of `away`; starboard if that is behind
+    // the level direction across the path on the side of the course; starboard if that is behind
     const Vec3 starboard = cross(kDown, ahead);
-    const double side = dot(starboard, away) < 0 ? -1 : 1;
-    const auto [sine, cosine] = math::sin_cos(angle);
-    velocity = speed * (cosine * ahead + (side * sine) * starboard);
+    const double side = dot(starboard, course) < 0 ? -1 : 1;
+    const auto [sine, cosine] = math::sin_cos(by);
+    ahead = cosine * ahead + (side * sine) * starboard;
   }
 };
 
@@ -45,12 +52,16 @@ Target make_target(const Engagement& e) {
   const double up = s.target_altitude - s.shooter_altitude;
   const double level = std::sqrt(std::max(e.range * e.range - up * up, 0.0));
   const auto [sine, cosine] = math::sin_cos(s.aspect);
+  const Vec3 ahead{-cosine, sine, 0};
   Target target{.position = {level, 0, -s.target_altitude},
-                .velocity = s.target_speed * Vec3{-cosine, sine, 0},
-                .away = {1, 0, 0}};
-  const double n = e.escape_load_factor;
-  if (n > 1 && s.target_speed > 0)
-    target.turn_rate = kGravity * std::sqrt(n * n - 1) / s.target_speed;
+                .velocity = s.target_speed * ahead,
+                .ahead = ahead,
+                .course = e.escape == Escape::beam ? Vec3{0, 1, 0} : Vec3{1, 0, 0},
+                .speed = s.target_speed,
+                .dive = e.escape == Escape::dive ? kDiveAngle : 0};
+  if (e.escape != Escape::none && s.target_speed > 0)
+    target.turn_rate =
+        kGravity * std::sqrt(kEscapeLoadFactor * kEscapeLoadFactor - 1) / s.target_speed;
   return target;
 }
 

@@ -8,13 +8,23 @@
 
 namespace eyrie::model::weapon {
 
+/// A target that escapes turns with this load factor.
+inline constexpr double kEscapeLoadFactor = 5;
+
+/// What the target does from launch on. Every turn is level with 5 g until the new course is
+/// reached, at constant speed.
+enum class Escape : std::uint8_t {
+  none,  ///< keeps its course
+  run,   ///< flies straight away from where the shooter was
+  beam,  ///< flies across the line of sight at launch, to the side that is nearer
+  dive,  ///< as run, and 30 degrees down to 1000 m, where the missile has more air to go through
+};
+
 /// A launch at the origin, target `range` m away. x lies along the line of sight on the ground.
 struct Engagement {
   LaunchSituation situation;
   double range = 10e3;  ///< m, slant
-  /// g, level turn of the target from launch on until it flies straight away from the shooter;
-  /// 1 or less: it keeps its course.
-  double escape_load_factor = 1;
+  Escape escape = Escape::none;
   double shortest_step = 0.02;  ///< s
   double longest_step = 0.5;    ///< s; steps are a tenth of the time to go, between the two
 };

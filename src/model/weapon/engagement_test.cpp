@@ -33,7 +33,7 @@ TEST(Engagement, HitsATargetThatKeepsItsCourse) {
 TEST(Engagement, HitsATargetThatTurnsAwayFromCloseBy) {
   const EngagementResult r =
       engage(medium_range(), kAtmosphere,
-             {.situation = shooting_level(8000, 0.3), .range = 12e3, .escape_load_factor = 6});
+             {.situation = shooting_level(8000, 0.3), .range = 12e3, .escape = Escape::run});
   EXPECT_TRUE(r.success(medium_range()));
 }
 
@@ -54,7 +54,7 @@ TEST(Engagement, StaysWithinTheLoadFactor) {
   LaunchSituation s = shooting_level(2000, 1.2);
   s.off_boresight = 1;
   const EngagementResult r =
-      engage(medium_range(), kAtmosphere, {.situation = s, .range = 6e3, .escape_load_factor = 9});
+      engage(medium_range(), kAtmosphere, {.situation = s, .range = 6e3, .escape = Escape::run});
   const double limit = medium_range().aero.greatest_load_factor * kGravity;
   EXPECT_GT(r.greatest_lift, 0.2 * limit);
   EXPECT_LE(r.greatest_lift, limit * (1 + 1e-12));

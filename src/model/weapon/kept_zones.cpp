@@ -28,15 +28,16 @@ std::uint64_t trial_flights(const MissileType& type) {
   for (const double altitude : {300.0, 5000.0, 11500.0, 15000.0})
     for (const double aspect : {0.0, radians(70), kPi})
       for (const double range : {3e3, 20e3}) {
-        const Engagement launch{
-            .situation = {.shooter_altitude = altitude,
-                          .target_altitude = 500 + 0.8 * altitude,
-                          .shooter_speed = 250,
-                          .target_speed = 280,
-                          .aspect = aspect,
-                          .off_boresight = altitude < 10e3 ? 0 : radians(50)},
-            .range = range,
-            .escape_load_factor = aspect > 0 && range > 10e3 ? LaunchZone::kEscapeLoadFactor : 1};
+        const Engagement launch{.situation = {.shooter_altitude = altitude,
+                                              .target_altitude = 500 + 0.8 * altitude,
+                                              .shooter_speed = 250,
+                                              .target_speed = 280,
+                                              .aspect = aspect,
+                                              .off_boresight = altitude < 10e3 ? 0 : radians(50)},
+                                .range = range,
+                                .escape = aspect == 0    ? Escape::none
+                                          : range > 10e3 ? Escape::dive
+                                                         : Escape::beam};
         const EngagementResult end = engage(type, atmosphere, launch);
         append_bits(ends, std::array{end.miss, end.time, end.speed, end.greatest_speed,
                                      end.greatest_lift, end.greatest_altitude});

@@ -26,8 +26,8 @@ constexpr double kNearest = 100;     // m, nothing is launched nearer
 constexpr double kFarthest = 250e3;  // m, nothing reaches farther
 constexpr double kStep = 1.25;       // factor between two ranges of a search
 constexpr double kFarTolerance = 1.04, kNearTolerance = 1.1;  // factors, of a range that is found
-constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_ne = 15e3, .r_min = 1e3};
-constexpr double kVersion = 1;  // of what Search does: raise it when that changes
+constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_tr = 20e3, .r_ne = 15e3, .r_min = 1e3};
+constexpr double kVersion = 2;  // of what Search does: raise it when that changes
 
 /// Where a value lies on an axis, clamped to it.
 struct GridCell {
@@ -44,6 +44,11 @@ GridCell place(const std::array<double, N>& axis, double x) {
   return {i, static_cast<float>(std::clamp(share, 0.0, 1.0))};
 }
 
+// what a target may do, beyond what it may do within the range before
+constexpr std::array kKeepsCourse{Escape::none};
+constexpr std::array kRuns{Escape::run};
+constexpr std::array kEscapes{Escape::beam, Escape::dive};
+
 /// Searches the ranges of one situation by flying.
 class Search {
  public:
@@ -54,14 +59,18 @@ class Search {
     least_ = std::max(kNearest, 1.001 * std::fabs(climb));
   }
 
-  /// The longest range that succeeds, searched from `guess` (m); 0 if there is none.
-  double farthest(double escape_load_factor, double guess) {
-    engagement_.escape_load_factor = escape_load_factor;
-    double good = std::clamp(guess, least_, kFarthest);
+  /// The longest range up to `longest` (m) at which the missile reaches the target whichever of
+  /// these it does, searched from `guess` (m); 0 if there is none.
+  double farthest(std::span<const Escape> escapes, double longest, double guess) {
+    escapes_ = escapes;
+    double good = std::clamp(guess, least_, longest);
     double bad = good * kStep;
     if (succeeds(good)) {
-      for (; bad < kFarthest && succeeds(bad); bad *= kStep)
+      if (good == longest)
+        return longest;
+      for (; bad < longest && succeeds(bad); bad *= kStep)
         good = bad;
+      bad = std::min(bad, longest);
     } else {
       do {
         bad = good;
@@ -76,7 +85,7 @@ class Search {
   /// The shortest range up to `longest` (m, which succeeds) from which on every range succeeds,
   /// searched from `guess` (m).
   double nearest(double longest, double guess) {
-    engagement_.escape_load_factor = 1;
+    escapes_ = kKeepsCourse;
     if (succeeds(least_))
       return least_;
     double good = std::clamp(guess, least_, longest);
@@ -97,7 +106,10 @@ class Search {
  private:
   bool succeeds(double range) {
     engagement_.range = range;
-    return engage(type_, atmosphere_, engagement_).success(type_);
+    return std::all_of(escapes_.begin(), escapes_.end(), [&](Escape escape) {
+      engagement_.escape = escape;
+      return engage(type_, atmosphere_, engagement_).success(type_);
+    });
   }
   /// The last range that succeeded when the next that failed is within a factor.
   double bisected(double good, double bad, double tolerance) {
@@ -111,17 +123,21 @@ class Search {
   const MissileType& type_;
   const Atmosphere& atmosphere_;
   Engagement engagement_;
+  std::span<const Escape> escapes_;
   double least_ = kNearest;
 };
 
 /// The zone of one situation; `guess` is that of a neighbor.
 EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
   EmploymentZone zone;
-  zone.r_max = search.farthest(1, guess.r_max);
+  zone.r_max = search.farthest(kKeepsCourse, kFarthest, guess.r_max);
   if (zone.r_max == 0)
     return {};
-  const double near = guess.r_ne > 0 ? guess.r_ne : 0.4 * zone.r_max;
-  zone.r_ne = std::min(search.farthest(LaunchZone::kEscapeLoadFactor, near), zone.r_max);
+  const auto near = [&](double known, double share) {
+    return known > 0 ? known : share * zone.r_max;
+  };
+  zone.r_tr = search.farthest(kRuns, zone.r_max, near(guess.r_tr, 0.5));
+  zone.r_ne = zone.r_tr > 0 ? search.farthest(kEscapes, zone.r_tr, near(guess.r_ne, 0.4)) : 0;
   zone.r_min = search.nearest(zone.r_max, guess.r_min);
   return zone;
 }
@@ -144,8 +160,8 @@ void fill_column(const MissileType& type, const Atmosphere& atmosphere, std::siz
         const EmploymentZone z = search_zone({type, atmosphere, situation}, found);
         if (z.r_max > 0)
           found = z;
-        table.cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_ne),
-                             static_cast<float>(z.r_min)};
+        table.cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_tr),
+                             static_cast<float>(z.r_ne), static_cast<float>(z.r_min)};
         cell += kInner;
       }
 }
@@ -160,6 +176,21 @@ LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& 
           .target_speed = norm(target.velocity),
           .aspect = angle_between(target.velocity, -sight),
           .off_boresight = angle_between(shooter.velocity, sight)};
+}
+
+double EmploymentZone::depth(double range) const {
+  if (range <= r_ne)
+    return r_ne > 0 ? range / r_ne - 1 : 0;
+  if (range <= r_tr)
+    return 0.5 * (range - r_ne) / (r_tr - r_ne);
+  return r_max > r_tr && range <= r_max ? 0.5 + 0.5 * (range - r_tr) / (r_max - r_tr)
+                                        : range / std::max(r_max, 1.0);
+}
+
+double EmploymentZone::range_at(double depth) const {
+  if (depth <= 0)
+    return (1 + depth) * r_ne;
+  return depth <= 0.5 ? r_ne + 2 * depth * (r_tr - r_ne) : r_tr + (2 * depth - 1) * (r_max - r_tr);
 }
 
 ZoneTable fly_zone(const MissileType& type) {
@@ -179,8 +210,8 @@ std::string zone_search_bits() {
   append_bits(bits, kTargetSpeed);
   append_bits(bits, kOffBoresight);
   append_bits(bits, std::array{kLowest, kNearest, kFarthest, kStep, kFarTolerance, kNearTolerance,
-                               kFirstGuess.r_max, kFirstGuess.r_ne, kFirstGuess.r_min,
-                               LaunchZone::kEscapeLoadFactor, kVersion});
+                               kFirstGuess.r_max, kFirstGuess.r_tr, kFirstGuess.r_ne,
+                               kFirstGuess.r_min, kEscapeLoadFactor, kVersion});
   return bits;
 }
 
@@ -213,9 +244,9 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
     for (std::size_t i = 0; i < kInner; ++i, ++cell) {
       const float w = weight * inner[i];
       sum.r_max += w * cell->r_max;
+      sum.r_tr += w * cell->r_tr;
       sum.r_ne += w * cell->r_ne;
       sum.r_min += w * cell->r_min;
-      sum.spare += w * cell->spare;
     }
   }
   double seen = kFarthest;
@@ -224,6 +255,7 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
     seen = acquisition_range(*seeker_, radiant_intensity(typical, math::cos(s.aspect), 1));
   }
   return {.r_max = std::min<double>(sum.r_max, seen),
+          .r_tr = std::min<double>(sum.r_tr, seen),
           .r_ne = std::min<double>(sum.r_ne, seen),
           .r_min = sum.r_min};
 }

@@ -17,13 +17,20 @@ struct LaunchSituation {
   double off_boresight = 0;  ///< rad in [0, pi]: shooter's velocity to line of sight
 };
 
-/// Ranges in m from the shooter to the target at launch. All 0 where no launch succeeds.
+/// Ranges in m from the shooter to the target at launch; r_ne <= r_tr <= r_max, for each set of
+/// maneuvers contains the one before. All 0 where no launch succeeds.
 struct EmploymentZone {
   double r_max = 0;  ///< reaches a target that keeps its course
-  double r_ne = 0;   ///< no escape: reaches a target that turns away at launch and runs
+  double r_tr = 0;   ///< reaches it even if it turns away at launch and runs
+  double r_ne = 0;  ///< no escape: reaches it whatever it does of these, a beam and a dive (Escape)
   double r_min = 0;  ///< nearer, it can not arm, turn or stay clear in time
 
   [[nodiscard]] bool possible() const { return r_max > r_min; }
+  /// How far out a range (m) is: 0 at r_ne, 0.5 at r_tr, 1 at r_max, linear between them and below
+  /// r_ne (-1 at no range); beyond r_max it grows with the range.
+  [[nodiscard]] double depth(double range) const;
+  /// m, the range at a depth in [-1, 1]: the inverse of depth().
+  [[nodiscard]] double range_at(double depth) const;
 };
 
 /// One player at launch: local frame, m and m/s; altitude in m.
@@ -37,7 +44,7 @@ struct LaunchParty {
 /// The ranges that were found, at every situation of a grid.
 struct ZoneTable {
   struct Cell {
-    float r_max = 0, r_ne = 0, r_min = 0, spare = 0;  ///< m
+    float r_max = 0, r_tr = 0, r_ne = 0, r_min = 0;  ///< m
     bool operator==(const Cell&) const = default;
   };
   static constexpr std::size_t kCells = 864;
@@ -46,9 +53,9 @@ struct ZoneTable {
   bool operator==(const ZoneTable&) const = default;
 };
 
-/// Flies the missile against targets that keep their course and that turn away, and bisects the
-/// ranges on the grid: about 0.1 s. The same bits on every CPU. docs/models/missile.md has the grid
-/// and what it is worth.
+/// Flies the missile against targets that keep their course and that escape, and bisects the ranges
+/// on the grid: about 0.1 s. The same bits on every CPU. docs/models/missile.md has the grid and
+/// what it is worth.
 [[nodiscard]] ZoneTable fly_zone(const MissileType& type);
 /// The grid and the rules of the search as bytes: a table that was found by others is another one.
 [[nodiscard]] std::string zone_search_bits();
@@ -56,9 +63,6 @@ struct ZoneTable {
 /// The employment zone of one missile type, const.
 class LaunchZone {
  public:
-  /// A no-escape target turns away from the shooter with this load factor.
-  static constexpr double kEscapeLoadFactor = 5;
-
   /// Everywhere impossible.
   LaunchZone() = default;
   /// `table`: what fly_zone(type) gives.

@@ -9,9 +9,28 @@
 
 namespace eyrie::pilot {
 
-std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const Seen& target) const {
+const char* ReleaseWeapon::why_not(const State& s, const Seen& target,
+                                   const model::MissileType& missile,
+                                   const model::weapon::EmploymentZone& zone) const {
+  if (!zone.possible() || target.range > zone.range_at(zone_))
+    return "the target is in no missile's zone";
+  if (target.range < zone.r_min)
+    return "the target is too near";
+  if (target.range > zone.r_ne) {
+    if (s.own.mach < least_mach_)
+      return "too slow for a shot that the target can escape";
+    if (least_f_pole_ > 0 && f_pole(s, target, missile) < least_f_pole_)
+      return "the target would be too near when the missile arrives";
+  }
+  return friend_in_basket(s, target, missile,
+                          {.half_angle = clear_cone_, .beyond = clear_radius_, .turn = clear_turn_})
+             ? "a friend may be where the seeker will look"
+             : nullptr;
+}
+
+ReleaseWeapon::Choice ReleaseWeapon::choose_store(const State& s, const Seen& target) const {
   const model::weapon::LaunchSituation situation = s.launch_situation(target);
-  std::optional<std::uint16_t> best;
+  Choice best;
   double best_reach = 0;
   std::bitset<256> tried;
   for (const model::Station& station : s.stores.stations) {
@@ -27,19 +46,14 @@ std::optional<std::uint16_t> ReleaseWeapon::choose_store(const State& s, const S
     if (!sees || !knows || !model::weapon::can_release(s.stores, store, s.time))
       continue;
     const model::weapon::EmploymentZone zone = missile.zone.at(situation);
-    const double reach = zone.r_ne + zone_ * (zone.r_max - zone.r_ne);
-    if (!zone.possible() || target.range < zone.r_min || target.range > reach ||
-        (best && reach >= best_reach))
+    const double reach = zone.range_at(zone_);
+    if (best.store && reach >= best_reach)
       continue;
-    // whoever stands where the seeker looks on its way may be taken for the target
-    const double looks_from =
-        missile.locks_before_launch() ? 0 : target.range - missile.seeker.activation_range;
-    if (friend_in_line(s, {.direction = target.ned,
-                           .from = looks_from,
-                           .to = target.range + clear_radius_,
-                           .half_angle = clear_cone_}))
+    if (const char* why = why_not(s, target, missile, zone)) {
+      best.why_none = why;
       continue;
-    best = store;
+    }
+    best.store = store;
     best_reach = reach;
   }
   return best;
@@ -60,19 +74,37 @@ const char* ReleaseWeapon::why_not(const State& s, const Seen& target) const {
                                                             : nullptr;
 }
 
-bool ReleaseWeapon::is_covered(const State& s, const Claims& claims) const {
+const char* ReleaseWeapon::why_wait(const State& s, const Seen& target, const Claims& claims,
+                                    HoldMemory& m) const {
   const std::uint32_t mates = s.alive & ~(1U << s.datalink.self);
-  return claims.own_shots >= salvo_ || (one_shooter_ && (claims.shot & mates) != 0);
+  const auto theirs =
+      one_shooter_ ? static_cast<std::uint32_t>(std::popcount(claims.shot & mates)) : 0;
+  // a missile is no longer on its way: has it hit? A ripple goes on without asking
+  const bool flies = claims.own_shots + theirs > 0;
+  if (flies) {
+    m.busy = target.id();
+    m.arrived = s.time;
+  }
+  if (claims.own_shots >= ripple_ || (theirs > 0 && claims.own_shots + theirs >= flight_ripple_))
+    return "enough missiles are on their way to the target";
+  if (claims.own_shots > 0)
+    return s.time - claims.last_left < ripple_interval_ ? "the ripple goes on later" : nullptr;
+  const double arrived =
+      std::max(claims.last_arrived, m.busy == target.id() ? m.arrived : model::kNever);
+  return !flies && target.track->time < arrived + assess_ ? "looks whether the missile has hit"
+                                                          : nullptr;
 }
 
 bool ReleaseWeapon::leaves_it(const State& s, const Seen& target, const Claims& claims,
                               HoldMemory& m) const {
   if (!one_shooter_ || claims.own_shots > 0 || shoots_first(s, target)) {
-    m = {};
+    m.track = {};
     return false;
   }
-  if (m.track != target.id())
-    m = {.since = s.time, .track = target.id()};
+  if (m.track != target.id()) {
+    m.track = target.id();
+    m.since = s.time;
+  }
   return !ubf::passed(s.time, m.since, patience_);
 }
 
@@ -80,24 +112,25 @@ Status ReleaseWeapon::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   HoldMemory& m = memory(t);
   const auto holds_fire = [&](const char* why) {
-    m = {};
+    m.track = {};
     return fails(t, why);
   };
   const Seen* target = s.target();
   if (!target)
     return holds_fire("no target");
+  const Claims claims = claims_on(s, *target);
+  const char* const wait = why_wait(s, *target, claims, m);
   if (const char* why = why_not(s, *target))
     return holds_fire(why);
-  const Claims claims = claims_on(s, *target);
-  if (is_covered(s, claims))
-    return holds_fire("enough missiles are on their way to the target");
-  const auto store = choose_store(s, *target);
-  if (!store)
-    return holds_fire("the target is in no missile's zone, or a friend is near the line");
+  if (wait)
+    return holds_fire(wait);
+  const Choice choice = choose_store(s, *target);
+  if (!choice.store)
+    return holds_fire(choice.why_none);
   if (leaves_it(s, *target, claims, m))
     return fails(t, "a mate shoots first");
   out.action.target = target->id();
-  out.action.release = Release{target->id(), *store};
+  out.action.release = Release{target->id(), *choice.store};
   out.vote = vote_;
   return Status::running;
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/shots.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+TEST(TimeOfFlight, IsLongerForATargetThatRuns) {
+  Desk desk;
+  desk.track({20e3, 0, 0}, kPi, 250);
+  desk.track({20e3, 0, 0}, 0, 250);
+  const State s = desk.state();
+  const model::MissileType& missile = library().missiles[kMedium];
+  const double head_on = time_of_flight(s, s.seen[0], missile);
+  const double tail = time_of_flight(s, s.seen[1], missile);
+  EXPECT_GT(tail, 1.5 * head_on);
+  // 20 km at 250 m/s, half the speed gain and 250 m/s of the target
+  EXPECT_NEAR(head_on, 20e3 / (500 + missile.motor.ideal_speed_gain() / 2), 1e-9);
+  EXPECT_GT(head_on, 15);
+  EXPECT_LT(head_on, 30);
+  EXPECT_LE(tail, missile.greatest_time);
+}
+
+TEST(FPole, IsTheRangeLessWhatBothFly) {
+  Desk desk;
+  desk.track({30e3, 0, 0}, kPi, 200);
+  const State s = desk.state();
+  const model::MissileType& missile = library().missiles[kMedium];
+  const double time = time_of_flight(s, s.seen[0], missile);
+  EXPECT_NEAR(f_pole(s, s.seen[0], missile), 30e3 - 450 * time, 1e-6);
+}
+
+TEST(KillChance, FallsFromTheNoEscapeRangeToTheGreatestRange) {
+  const model::MissileType& missile = library().missiles[kMedium];
+  EXPECT_EQ(kill_chance(missile, -0.5), missile.warhead.best_kill);
+  EXPECT_EQ(kill_chance(missile, 0), missile.warhead.best_kill);
+  EXPECT_NEAR(kill_chance(missile, 0.5), missile.warhead.best_kill / 2, 1e-12);
+  EXPECT_EQ(kill_chance(missile, 1), 0);
+  EXPECT_EQ(kill_chance(missile, 3), 0);
+}
+
+}  // namespace
+}  // namespace eyrie::pilot
