@@ -6,16 +6,23 @@
 namespace eyrie::model {
 
 /// What the autopilot does with a Command.
-enum class AutopilotMode : std::uint8_t { hold, route, follow, loiter };
+enum class AutopilotMode : std::uint8_t {
+  hold,    ///< heading, altitude and speed
+  route,   ///< a route of the flight
+  follow,  ///< a place beside somebody
+  loiter,  ///< a circle
+  aim,     ///< a direction of flight, whichever way up: the lift vector goes to it
+};
 constexpr auto names_of(AutopilotMode) {
-  return names_from_zero<AutopilotMode>("hold", "route", "follow", "loiter");
+  return names_from_zero<AutopilotMode>("hold", "route", "follow", "loiter", "aim");
 }
 
 /// The flight command of one aircraft, executed by the autopilot at the rate of the kinematics.
 struct Command {
-  double heading = 0;      ///< rad, true: hold
-  double altitude = 0;     ///< m: hold, loiter, follow (the reference's altitude + offset)
-  double speed = 0;        ///< m/s true airspeed: hold, loiter; route where a waypoint says none
+  double heading = 0;   ///< rad, true: hold, aim
+  double altitude = 0;  ///< m: hold, loiter, follow (the reference's altitude + offset)
+  double speed = 0;     ///< m/s true airspeed: hold, loiter, aim; route where a waypoint says none
+  double climb = 0;     ///< rad above the horizontal: aim
   double load_factor = 5;  ///< g, the most that turning may use
   /// follow: last known position of who is followed (local frame, m), valid at reference_time.
   /// loiter: the center.
@@ -31,7 +38,8 @@ struct Command {
   static constexpr auto fields() {
     return field_list(
         field("heading", &Command::heading, "rad"), field("altitude", &Command::altitude, "m"),
-        field("speed", &Command::speed, "m/s"), field("load_factor", &Command::load_factor),
+        field("speed", &Command::speed, "m/s"), field("climb", &Command::climb, "rad"),
+        field("load_factor", &Command::load_factor),
         field("reference_position", &Command::reference_position, "m"),
         field("reference_velocity", &Command::reference_velocity, "m/s"),
         field("reference_time", &Command::reference_time, "s"),

@@ -27,7 +27,7 @@ enum class EventKind : std::uint16_t {
   hit,              ///< who (shooter) hit whom; values: damage, miss distance; detail = missile,
                     ///< or 0 for the gun
   kill,             ///< who (shooter) killed whom; detail = missile, or 0 for the gun
-  crash,            ///< who hit the ground
+  crash,            ///< who hit the ground, or whom in the air
   fuel_out,         ///< who's tanks are empty
   bingo,            ///< who reached bingo fuel; values: fuel (kg)
   winchester,       ///< who has no missile left

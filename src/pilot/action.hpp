@@ -54,6 +54,7 @@ struct Action {
   std::optional<double> heading;      ///< rad, true; stays
   std::optional<double> altitude;     ///< m above the ellipsoid; stays
   std::optional<double> speed;        ///< m/s true airspeed; stays
+  std::optional<double> climb;        ///< rad above the horizontal, for the mode aim; stays
   std::optional<double> load_factor;  ///< g, the most that turning may use; stays
   /// Flown instead of the numbers unless it is hold. Empty: hold if there is a heading or an
   /// altitude to fly, otherwise it stays.
@@ -76,6 +77,7 @@ struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
       field<blend::Angle>("heading", &A::heading, "rad", {-1e4, 1e4}),
       field<blend::Mean>("altitude", &A::altitude, "m", {-100e3, 100e3}),
       field<blend::Mean>("speed", &A::speed, "m/s", {-10e3, 10e3}),
+      field<blend::Mean>("climb", &A::climb, "rad", {-1.6, 1.6}),
       field<blend::Mean>("load_factor", &A::load_factor, "", {-100, 100}),
       field<blend::Agreed>("mode", &A::mode),
       field<blend::Agreed>("follow", &A::follow),

@@ -4,6 +4,7 @@
 #include "pilot/behavior/break_turn.hpp"
 #include "pilot/behavior/crank.hpp"
 #include "pilot/behavior/evade.hpp"
+#include "pilot/behavior/maneuvers.hpp"
 #include "pilot/behavior/pursue.hpp"
 #include "pilot/behavior/release_weapon.hpp"
 #include "pilot/behavior/shoot_gun.hpp"
@@ -20,6 +21,8 @@ Registry make_registry() {
 
   registry
       .add<Navigate, FollowLead, Pursue, ReleaseWeapon, ShootGun, BreakTurn, Egress, AvoidGround>();
+  registry.add<LeadPursuit, PurePursuit, LagPursuit, HighYoYo, LowYoYo, MergeTurn, Reacquire, Jink,
+               Extend, AvoidCollision>();
   registry.add<HostileTrack, HasTarget, InSight, AreaClear, Threatened, ShotInFlight, Bingo,
                Winchester, Losses, IsLead, NearHome, RouteDone>();
   registry.add<Crank, Notch, Drag, LastDitch>();

@@ -20,6 +20,8 @@ void fly(const Action& action, model::Command& command) {
     command.altitude = *action.altitude;
   if (action.speed)
     command.speed = *action.speed;
+  if (action.climb)
+    command.climb = *action.climb;
   if (action.load_factor)
     command.load_factor = *action.load_factor;
 

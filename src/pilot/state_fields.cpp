@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "model/weapon/stores.hpp"
-#include "pilot/state.hpp"
+#include "pilot/fight.hpp"
 #include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
@@ -20,6 +20,15 @@ double of_target(const State& s) {
 constexpr auto kTargetRange = [](const State&, const Seen& t) { return t.range; };
 constexpr auto kTargetClosing = [](const State& s, const Seen& t) { return s.closing_on(t); };
 constexpr auto kTargetOffNose = [](const State& s, const Seen& t) { return s.off_nose(t.ned); };
+constexpr auto kTargetOffTail = [](const State& s, const Seen& t) {
+  return angles_of(s, t).off_tail;
+};
+constexpr auto kTargetCrossing = [](const State& s, const Seen& t) {
+  return angles_of(s, t).crossing;
+};
+constexpr auto kTargetUnseen = [](const State& s, const Seen& t) {
+  return s.time - t.track->seen_time;
+};
 constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
 
 template <bool (Seen::*is)() const>
@@ -39,6 +48,14 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            [](const State& s) { return s.own.heading; }),
     number("pitch", "rad", "own, positive up", [](const State& s) { return s.own.pitch; }),
     number("load_factor", "", "own, in g", [](const State& s) { return s.own.load_factor; }),
+    number("available", "", "g that wing and structure give now",
+           [](const State& s) { return double(s.flying.energy.available); }),
+    number("sustained", "", "g that full power holds without losing speed",
+           [](const State& s) { return double(s.flying.energy.sustained); }),
+    number("corner_speed", "m/s", "slowest airspeed at which the structure's limit is had",
+           [](const State& s) { return double(s.flying.energy.corner_speed); }),
+    number("excess_power", "m/s", "of climb at full power in straight flight",
+           [](const State& s) { return double(s.flying.energy.excess_power); }),
     number("fuel", "kg", "own", [](const State& s) { return s.propulsion.fuel; }),
     flag("bingo", "fuel is down to what the way home needs",
          [](const State& s) -> double { return s.bingo(); }),
@@ -69,6 +86,11 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("closing", "m/s", "of the chosen target, positive if the range shrinks",
            of_target<kTargetClosing>),
     number("off_nose", "rad", "of the chosen target, in [0, 180 deg]", of_target<kTargetOffNose>),
+    number("off_tail", "rad", "of the chosen target, in [0, 180 deg]: 0 right behind him",
+           of_target<kTargetOffTail>),
+    number("crossing", "rad", "of the chosen target's path and the own one, in [0, 180 deg]",
+           of_target<kTargetCrossing>),
+    number("unseen", "s", "since an own eye saw the chosen target", of_target<kTargetUnseen>),
     number("target_above", "m", "height of the chosen target over the own",
            of_target<kTargetHeight>),
     flag("threatened", "a missile is believed to come for this aircraft",

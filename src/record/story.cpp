@@ -145,7 +145,8 @@ void Story::tell(const sim::Event& e) {
       break;
     case EventKind::crash:
       if (player)
-        say(e.who, "hits the ground", Tone::kill);
+        say(e.who, e.whom ? fmt::format("collides with {}", name(e.whom)) : "hits the ground",
+            Tone::kill);
       break;
     case EventKind::loss:
       if (player)

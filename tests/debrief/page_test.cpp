@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Flown, PageData,
 /// A run with ten times as much time as a page holds: everything is kept ten times less often, and
 /// the page says so.
 TEST(PageOfALongRun, IsAsLargeAsThatOfAShortOne) {
-  const debrief::Recorded recorded = test::recorded_flight("merge", 100);
+  const debrief::Recorded recorded = test::recorded_flight("sweep", 100);
   const auto players = recorded.scenario->roster.players.size();
   const std::string whole = page_data(recorded);
   const std::string thinned = page_data(recorded, {}, 10 * static_cast<double>(players));

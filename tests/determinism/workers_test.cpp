@@ -122,23 +122,24 @@ TEST(WorkersSnapshot, ContinueACopiedWorldToTheSameEnd) {
 }
 
 TEST(WorkersSnapshot, LetABranchGoItsOwnWayAndComeBack) {
+  constexpr double kEarly = 250;  // s: all are alive, and on their way there
   const auto scenario = load_scenario("sweep");
   Flight f(scenario);
-  f.fly_until(kMiddle);
+  f.fly_until(kEarly);
   const sim::World kept = f.world();
-  f.fly_until(kMiddle + 60);
+  f.fly_until(kEarly + 60);
   const std::uint64_t first = f.world().hash();
   // another way from the same world: eagle1 gets the order to fly home
   sim::Run other(scenario->simulation, kept);
   ASSERT_EQ(other.submit(pilot::PilotSystem::swap_tree_order(
                 kept.step(), PlayerId{1}, scenario->trees->find("home").value())),
             "");
-  while (other.time() < kMiddle + 60 - 1e-9)
+  while (other.time() < kEarly + 60 - 1e-9)
     other.step();
   EXPECT_NE(other.world().hash(), first);
   // and back: the order does not reach into the branch without it
   sim::Run again(scenario->simulation, kept);
-  while (again.time() < kMiddle + 60 - 1e-9)
+  while (again.time() < kEarly + 60 - 1e-9)
     again.step();
   EXPECT_EQ(again.world().hash(), first);
 }

@@ -57,6 +57,11 @@ Guidance guide(const Autopilot& autopilot, const Kinematics& own, const Command&
     case AutopilotMode::loiter:
       return loiter_guidance(gains, own, command.reference_position, radius, command.altitude,
                              command.speed, wind_ned);
+    case AutopilotMode::aim:
+      return {.heading = command.heading,
+              .altitude = own.altitude,
+              .speed = command.speed,
+              .climb = command.climb};
     case AutopilotMode::hold:
       break;
   }

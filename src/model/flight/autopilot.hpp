@@ -12,6 +12,7 @@ namespace eyrie::model::flight {
 struct Autopilot {
   GuidanceGains guidance;
   double heading_time = 1.2;               ///< s
+  double aim_time = 0.6;                   ///< s
   double altitude_time = 5;                ///< s
   double climb_time = 1;                   ///< s
   double speed_time = 4;                   ///< s
@@ -31,6 +32,8 @@ struct Autopilot {
         param("guidance", &A::guidance, "gains of route, follow and loiter guidance"),
         param("heading_time", &A::heading_time, "s", range(0.1, 60),
               "heading error over turn rate"),
+        param("aim_time", &A::aim_time, "s", range(0.1, 60),
+              "aim: error of the direction of flight over its rate of turn"),
         param("altitude_time", &A::altitude_time, "s", range(0.5, 60),
               "altitude error over climb rate"),
         param("climb_time", &A::climb_time, "s", range(0.1, 60),

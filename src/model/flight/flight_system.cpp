@@ -2,6 +2,7 @@
 #include "model/flight/flight_system.hpp"
 
 #include "model/events.hpp"
+#include "model/flight/collision.hpp"
 
 namespace eyrie::model::flight {
 namespace {
@@ -51,8 +52,13 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
     const Laero& laero = airframe.laero;
     const double turn_limit = laero.turn_rate_limit(k.speed, load_factor);
     plan.turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time);
-    const Guidance wanted =
+    Guidance wanted =
         guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
+    if (wanted.climb)
+      wanted.altitude += k.speed * math::sin(*wanted.climb) * laero.altitude_time;
+    const auto most = static_cast<float>(1 / math::cos(laero.max_bank));
+    rows.flying.energy = {
+        .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
     laero.step(k, rows.flying, wanted, turn_limit, rows.propulsion, air, wind, context.dt);
     rows.propulsion.flow = rows.propulsion.fuel > 0 ? laero.fuel_flow : 0;
   } else {
@@ -62,6 +68,7 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
         turn_radius(k.speed, level_turn_rate(most, k.speed), airframe.autopilot.heading_time);
     const Guidance wanted =
         guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
+    rows.flying.energy = model.energy(condition, k.speed);
     const Controls controls =
         steer(model, k, condition, wanted, load_factor, rows.flying.afterburner);
     model.step(k, rows.propulsion, condition, controls, wind, context.dt);
@@ -123,13 +130,24 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   }
 }
 
-void FlightSystem::interact(sim::World& world, const sim::StepInfo&, sim::Chunk chunk,
+void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
   const auto ids = world.ids(columns_.table);
   const auto kinematics = world.rows(columns_.kinematics);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i)
     if (kinematics[i].altitude < 0)
       out.emit({.kind = EventKind::crash, .who = ids[i], .place = kinematics[i].position});
+
+  // ten times a second, over the way flown since the last time
+  const auto every = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(0.1 / info.dt + 0.5));
+  if (info.step % every == 0)
+    for_each_collision(kinematics, chunk.begin, chunk.end, static_cast<double>(every) * info.dt,
+                       [&](std::size_t i, std::size_t other) {
+                         out.emit({.kind = EventKind::crash,
+                                   .who = ids[i],
+                                   .whom = ids[other],
+                                   .place = kinematics[i].position});
+                       });
 }
 
 }  // namespace eyrie::model::flight

@@ -39,7 +39,7 @@ struct FlightContext {
                        FlightRows rows);
 
 /// Emits fuel_out when an aircraft's tanks run dry, and crash when it is below the ellipsoid (the
-/// ground is at altitude 0 everywhere).
+/// ground is at altitude 0 everywhere) or has collided with another one (flight/collision.hpp).
 class FlightSystem final : public sim::System {
  public:
   FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library);

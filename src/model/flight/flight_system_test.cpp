@@ -189,5 +189,24 @@ TEST(FlightSystem, GivesTheSameBitsForAnyNumberOfWorkers) {
   }
 }
 
+TEST(FlightSystem, ReportsBothWhoCollide) {
+  Sky scene(3);
+  sim::Workspace work(*scene.simulation);
+  const auto k = scene.world->rows(scene.columns.kinematics);
+  k[1] = placed(scene.models->reference, scene.models->environment,
+                k[0].position + Vec3{4000, 1, 0}, kPi, 220);  // head-on
+  scene.world->rows(scene.columns.command)[1].heading = kPi;
+  std::vector<sim::Event> crashed;
+  for (int i = 0; i < 50 * 15 && crashed.empty(); ++i)
+    for (const sim::Event& event : scene.simulation->step(*scene.world, work))
+      if (event.kind == sim::EventKind(EventKind::crash))
+        crashed.push_back(event);
+  ASSERT_EQ(crashed.size(), 2U);
+  EXPECT_EQ(crashed[0].who, PlayerId{1});
+  EXPECT_EQ(crashed[0].whom, PlayerId{2});
+  EXPECT_EQ(crashed[1].who, PlayerId{2});
+  EXPECT_EQ(crashed[1].whom, PlayerId{1});
+}
+
 }  // namespace
 }  // namespace eyrie::model::flight

@@ -18,6 +18,21 @@ struct NavState {
   }
 };
 
+/// What the wing and the engines allow right now, as a pilot knows it of his aircraft.
+struct Energy {
+  float available = 0;     ///< g, the most that structure and wing give
+  float sustained = 0;     ///< g that full power holds without losing speed or height
+  float corner_speed = 0;  ///< m/s true airspeed: the slowest at which the structure's limit is had
+  float excess_power = 0;  ///< m/s of climb at full power in straight flight
+
+  static constexpr auto fields() {
+    return field_list(field("available", &Energy::available),
+                      field("sustained", &Energy::sustained),
+                      field("corner_speed", &Energy::corner_speed, "m/s"),
+                      field("excess_power", &Energy::excess_power, "m/s"));
+  }
+};
+
 /// Written in move.
 struct Flying {
   double lead_heading = 0;       ///< rad, low-passed heading of who is followed
@@ -25,6 +40,7 @@ struct Flying {
   double last_pitch_rate = 0;    ///< rad/s, laero
   double last_acceleration = 0;  ///< m/s2, laero
   Vec3 last_velocity = {};       ///< m/s, laero
+  Energy energy = {};
   NavState nav = {};
   std::uint8_t started = 0;      ///< laero: 1 once the rates of the step before are there
   std::uint8_t following = 0;    ///< 1 while lead_heading is being tracked
@@ -32,14 +48,15 @@ struct Flying {
   std::uint8_t reserved = 0;
 
   static constexpr auto fields() {
-    return field_list(
-        field("lead_heading", &Flying::lead_heading, "rad"),
-        field("last_heading_rate", &Flying::last_heading_rate, "rad/s"),
-        field("last_pitch_rate", &Flying::last_pitch_rate, "rad/s"),
-        field("last_acceleration", &Flying::last_acceleration, "m/s2"),
-        field("last_velocity", &Flying::last_velocity, "m/s"), field("nav", &Flying::nav),
-        field("started", &Flying::started), field("following", &Flying::following),
-        field("afterburner", &Flying::afterburner), field("reserved", &Flying::reserved));
+    return field_list(field("lead_heading", &Flying::lead_heading, "rad"),
+                      field("last_heading_rate", &Flying::last_heading_rate, "rad/s"),
+                      field("last_pitch_rate", &Flying::last_pitch_rate, "rad/s"),
+                      field("last_acceleration", &Flying::last_acceleration, "m/s2"),
+                      field("last_velocity", &Flying::last_velocity, "m/s"),
+                      field("energy", &Flying::energy), field("nav", &Flying::nav),
+                      field("started", &Flying::started), field("following", &Flying::following),
+                      field("afterburner", &Flying::afterburner),
+                      field("reserved", &Flying::reserved));
   }
 };
 

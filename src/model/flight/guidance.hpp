@@ -34,10 +34,11 @@ struct Route {
 
 /// What the inner loops of the autopilot fly.
 struct Guidance {
-  double heading = 0;    ///< rad, true, through the air: wind is allowed for
-  double altitude = 0;   ///< m
-  double speed = 0;      ///< m/s true airspeed
-  double turn_rate = 0;  ///< rad/s that the wanted heading itself turns by
+  double heading = 0;                ///< rad, true, through the air: wind is allowed for
+  double altitude = 0;               ///< m
+  double speed = 0;                  ///< m/s true airspeed
+  double turn_rate = 0;              ///< rad/s that the wanted heading itself turns by
+  std::optional<double> climb = {};  ///< rad: fly this direction, and no altitude
 };
 
 /// Gains of guidance. Const and shared.

@@ -60,6 +60,10 @@ class PointMass {
   [[nodiscard]] FlightCondition condition(const Kinematics& k, const Air& air, double fuel,
                                           const Load& load) const;
 
+  /// What structure, wing and full power allow in that condition, at the true airspeed `speed`.
+  /// Corner speed: where lift 1/2 rho V^2 S C_Lmax(M) is the structure's limit times the weight.
+  [[nodiscard]] Energy energy(const FlightCondition& condition, double speed) const;
+
   /// One step of `dt` (s). Load factor and bank follow the controls at their rates, limited by
   /// structure and lift; the throttle spools; forces stay constant during the step and the motion
   /// is integrated by the midpoint rule, which changes the energy by the work of thrust and drag

@@ -30,6 +30,38 @@ double wanted_climb(const PointMass& model, const Kinematics& k, const FlightCon
   return std::min(std::max(asked, lowest), highest);
 }
 
+/// Lift that is wanted, in g: upwards across the path, and to the right.
+struct Lift {
+  double upwards = 0, sideways = 0;
+};
+
+/// Lift that turns the path towards a direction: what turns it, and what carries the weight. Of
+/// what is too much the turn is cut, so that the path goes on bending straight at the direction:
+/// |turn e + carry| = most is solved for the turn.
+Lift lift_towards(const Kinematics& k, const Guidance& wanted, double most, double least,
+                  double time) {
+  const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
+  const auto [sin_wanted, cos_wanted] = math::sin_cos(*wanted.climb);
+  const auto [sin_turn, cos_turn] = math::sin_cos(angle_between(k.heading, wanted.heading));
+  // the direction in the axes of the path: ahead, to the right, up
+  const double ahead = cos_climb * cos_wanted * cos_turn + sin_climb * sin_wanted;
+  const double right = cos_wanted * sin_turn;
+  const double up = cos_climb * sin_wanted - sin_climb * cos_wanted * cos_turn;
+  const double across = std::sqrt(right * right + up * up);
+  const double angle = math::atan2(across, ahead);
+  // straight behind: over the top
+  const double e_right = across > 1e-9 ? right / across : 0, e_up = across > 1e-9 ? up / across : 1;
+  const double carry = cos_climb, along = e_up * carry;
+  const double room = along * along - carry * carry + most * most;
+  const double largest = room > 0 ? std::max(std::sqrt(room) - along, 0.0) : 0;
+  const double turn = std::min(std::max(k.speed, 1.0) * angle / (time * kGravity), largest);
+  Lift lift{carry + turn * e_up, turn * e_right};
+  // a little downwards is flown by letting go, not by rolling over
+  if (lift.upwards < least && angle < radians(15))
+    lift.upwards = least;
+  return lift;
+}
+
 }  // namespace
 
 double slowest_speed(const Autopilot& autopilot, const Kinematics& k,
@@ -56,23 +88,28 @@ Controls steer(const PointMass& model, const Kinematics& k, const FlightConditio
     afterburner = 1;
   const double power = afterburner ? c.thrust.afterburner : c.thrust.military;
 
-  // wanted lift, upwards and sideways, in g; upwards first
-  const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
-  const double climb = wanted_climb(model, k, c, wanted, speed_wanted, slowest, fastest, power);
-  const double climb_rate = (climb - sin_climb) / (a.climb_time * std::max(cos_climb, 0.1));
   const double most = std::max(std::min({load_factor, limits.max_load_factor, c.lift_limit}),
                                std::max(a.push_limit, 0.0));
-  const double upwards = std::clamp(cos_climb + speed * climb_rate / kGravity, a.push_limit, most);
-  const double turn_rate =
-      angle_between(k.heading, wanted.heading) / a.heading_time + wanted.turn_rate;
-  const double room = std::sqrt(std::max(most * most - upwards * upwards, 0.0));
-  const double sideways = std::clamp(speed * cos_climb * turn_rate / kGravity, -room, room);
+  const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
+  Lift lift;
+  if (wanted.climb) {
+    lift = lift_towards(k, wanted, most, a.push_limit, a.aim_time);
+  } else {  // upwards first
+    const double climb = wanted_climb(model, k, c, wanted, speed_wanted, slowest, fastest, power);
+    const double climb_rate = (climb - sin_climb) / (a.climb_time * std::max(cos_climb, 0.1));
+    lift.upwards = std::clamp(cos_climb + speed * climb_rate / kGravity, a.push_limit, most);
+    const double turn_rate =
+        angle_between(k.heading, wanted.heading) / a.heading_time + wanted.turn_rate;
+    const double room = std::sqrt(std::max(most * most - lift.upwards * lift.upwards, 0.0));
+    lift.sideways = std::clamp(speed * cos_climb * turn_rate / kGravity, -room, room);
+  }
 
   // bank to that lift; while rolling, pull only what lies along the lift axis already
   Controls controls;
-  controls.bank = math::atan2(sideways, upwards);
+  controls.bank = math::atan2(lift.sideways, lift.upwards);
   const auto [sin_roll, cos_roll] = math::sin_cos(k.roll);
-  controls.load_factor = std::clamp(upwards * cos_roll + sideways * sin_roll, a.push_limit, most);
+  controls.load_factor =
+      std::clamp(lift.upwards * cos_roll + lift.sideways * sin_roll, a.push_limit, most);
 
   // thrust for the speed, at the climb angle and load factor that are flown
   const double acceleration = (speed_wanted - k.speed) / a.speed_time;

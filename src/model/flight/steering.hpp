@@ -12,6 +12,9 @@ namespace eyrie::model::flight {
 ///
 /// Height has priority over the turn, and flying speed over height: it climbs no steeper than the
 /// excess thrust allows at the speed asked for, and puts the nose down before it gets too slow.
+/// A wanted climb angle (Guidance::climb) is a direction of flight: the lift vector goes to it,
+/// past the vertical and upside down too, and neither height nor flying speed have priority.
+///
 /// `afterburner` is lit (1) when it falls behind the speed asked for, and put out (0) once military
 /// power is enough.
 [[nodiscard]] Controls steer(const PointMass& model, const Kinematics& k,

@@ -227,5 +227,59 @@ TEST(Steering, FliesLevelEvenIfNoLoadFactorIsGranted) {
   EXPECT_NEAR(f.kinematics.altitude, 5000, 5);
 }
 
+/// A unit vector, north-east-down.
+Vec3 direction(double heading, double climb) {
+  return {std::cos(climb) * std::cos(heading), std::cos(climb) * std::sin(heading),
+          -std::sin(climb)};
+}
+
+TEST(Steering, AimsAtADirectionWhicheverWayUp) {
+  for (const double heading : {0.5, 2.0, -2.5, kPi})
+    for (const double climb : {-0.6, 0.0, 0.9}) {
+      TestFlight f(simple_airframe());
+      f.start(5000, 0, 280);
+      f.command = {.heading = heading, .speed = 280, .climb = climb, .load_factor = 6};
+      f.command.mode = AutopilotMode::aim;
+      double least = kPi;
+      for (int i = 0; i < 50 * 25; ++i) {
+        f.step();
+        least = std::min(least, angle_between(direction(heading, climb),
+                                              direction(f.kinematics.heading, f.kinematics.pitch)));
+      }
+      EXPECT_LT(least, radians(2)) << heading << " " << climb;
+    }
+}
+
+/// The path bends straight at the direction: up, over the top and inverted, within the vertical
+/// plane; not by a turn.
+TEST(Steering, GoesOverTheTopToWhatIsRightBehindAndAbove) {
+  TestFlight f(simple_airframe());
+  f.start(5000, 0, 300);
+  f.command = {.heading = kPi, .speed = 300, .climb = 0.3, .load_factor = 7};
+  f.command.mode = AutopilotMode::aim;
+  double highest = 0, aside = 0;
+  for (int i = 0; i < 50 * 14; ++i) {
+    f.step();
+    highest = std::max(highest, f.kinematics.altitude);
+    aside = std::max(aside, std::fabs(f.kinematics.position.y));
+  }
+  EXPECT_GT(highest, 6500);
+  EXPECT_LT(aside, 150);
+}
+
+TEST(Steering, LetsGoInsteadOfRollingOverForALittleDownwards) {
+  TestFlight f(simple_airframe());
+  f.command.climb = radians(-8);
+  f.command.load_factor = 7;
+  f.command.mode = AutopilotMode::aim;
+  double steepest = 0;
+  for (int i = 0; i < 50 * 5; ++i) {
+    f.step();
+    steepest = std::max(steepest, std::fabs(f.kinematics.roll));
+  }
+  EXPECT_LT(degrees(steepest), 1);
+  EXPECT_NEAR(degrees(f.kinematics.pitch), -8, 0.5);
+}
+
 }  // namespace
 }  // namespace eyrie::model::flight

@@ -2,6 +2,7 @@
 #include "pilot/behavior/pursue.hpp"
 
 #include "model/flight/guidance.hpp"
+#include "pilot/fight.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
 
@@ -65,6 +66,12 @@ void Pursue::follow(const State& s, const Seen& target, double altitude, Action&
   action.follow = follow;
 }
 
+double Pursue::steadied(const State& s, const Seen& target, double heading) const {
+  const bool same = s.command.mode == model::AutopilotMode::hold &&
+                    std::fabs(angle_between(s.command.heading, heading)) < dead_band_;
+  return wrap_tau(target.range > level_range_ && same ? s.command.heading : heading);
+}
+
 Status Pursue::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   const Seen* target = s.target();
@@ -73,8 +80,14 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   Action& action = out.action;
   out.vote = vote_;
   action.target = target->id();
-  action.load_factor = load_factor_;
-  const double altitude = std::max(altitude_of_choice(s, *target) + clearance(s), floor_);
+  const double slowest = speed_of(s, least_mach_);
+  const double most =
+      target->range > level_range_ ? std::min(far_load_factor_, load_factor_) : load_factor_;
+  action.load_factor = load_for_energy(s, slowest, most);
+  double altitude = altitude_of_choice(s, *target);
+  if (s.own.speed < slowest)
+    altitude = std::min(altitude, s.own.altitude);
+  altitude = std::max(altitude + clearance(s), floor_);
 
   const bool crank = crank_ > 0 && claims_on(s, *target).own_shots > 0;
   if (mode_ == Pursuit::follow && !crank) {
@@ -89,15 +102,13 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
     // to the side on which the nose already is, so that it never crosses the target
     const double bearing = bearing_of(target->ned);
     const double side = angle_between(bearing, s.own.heading) >= 0 ? 1 : -1;
-    action.heading = wrap_tau(bearing + side * crank_);
+    action.heading = steadied(s, *target, bearing + side * crank_);
     return Status::running;
   }
-  action.heading = wrap_tau(bearing_of(collision_course(s, *target)));
+  action.heading = steadied(s, *target, bearing_of(collision_course(s, *target)));
   if (mode_ == Pursuit::lead && target->range <= gun_range_)
-    if (const auto sight = gun_sight(s, *target)) {
-      action.heading = wrap_tau(bearing_of(sight->aim));
-      action.altitude = std::max(s.altitude_for(elevation_of(sight->aim)), floor_);
-    }
+    if (const auto sight = gun_sight(s, *target))
+      aim(s, sight->aim, action.load_factor.value(), speed_, floor_, action);
   return Status::running;
 }
 

@@ -19,6 +19,11 @@ constexpr auto names_of(Pursuit) {
 /// With `crank`, while an own missile is on its way to the target, it keeps the target that far off
 /// the nose instead: that lowers the closure and still lets the radar support the missile. Mates of
 /// a better rank have the right of way: nearer than `separation` to one, it goes above or below.
+///
+/// It keeps its energy (pilot/fight.hpp): near `least_mach` it turns no harder than full power
+/// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
+/// heading is flown only when it differs by more than `dead_band`, and with `far_load_factor` at
+/// most: the errors of a far track are no reason to turn.
 class Pursue final : public Behavior {
  public:
   static constexpr std::string_view type_name = "pursue";
@@ -39,6 +44,12 @@ class Pursue final : public Behavior {
         param("gun_range", &P::gun_range_, "m", range(0, 10e3),
               "mode lead: nearer than this it aims the gun"),
         param("load_factor", &P::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("least_mach", &P::least_mach_, range(0, 2),
+              "slowest Mach number worth fighting at; 0: does not care"),
+        param("dead_band", &P::dead_band_, "rad", range(0, 0.5),
+              "beyond level_range: smaller changes of heading are not flown"),
+        param("far_load_factor", &P::far_load_factor_, range(1, 12),
+              "g, the most it turns with beyond level_range"),
         param("crank", &P::crank_, "rad", range(0, 1.5),
               "angle off the nose at which the target is kept while an own missile flies; 0: none"),
         param("separation", &P::separation_, "m", range(0, 5e3),
@@ -53,6 +64,8 @@ class Pursue final : public Behavior {
   [[nodiscard]] double altitude_of_choice(const State& s, const Seen& target) const;
   [[nodiscard]] double speed_of_choice(const Seen& target) const;
   [[nodiscard]] double clearance(const State& s) const;
+  /// What is flown of a wanted heading.
+  [[nodiscard]] double steadied(const State& s, const Seen& target, double heading) const;
 
   float vote_ = 40;
   Pursuit mode_ = Pursuit::intercept;
@@ -62,6 +75,9 @@ class Pursue final : public Behavior {
   double behind_ = si(1, "nmi");
   double gun_range_ = 2500;
   double load_factor_ = 6;
+  double least_mach_ = 0.6;
+  double dead_band_ = si(3, "deg");
+  double far_load_factor_ = 3;
   double crank_ = 0;
   double separation_ = si(500, "ft");
   double floor_ = si(2000, "ft");

@@ -129,7 +129,7 @@ RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
              *rc::gen::inRange(0, 628) / 100.0, 200);
   const State state = desk.state();
   const Seen& seen = state.seen[0];
-  const double heading = *decide("pursue", desk).action().heading;
+  const double heading = *decide("{pursue: {dead_band: 0}}", desk).action().heading;
   const auto time = time_to_meet(seen.ned, state.velocity_of(seen), 250);
   RC_ASSERT(time.has_value());  // it is the faster one
   const Vec3 there = *time * 250 * Vec3{std::cos(heading), std::sin(heading), 0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/shoot_gun.hpp"
 
+#include "pilot/fight.hpp"
 #include "pilot/gunnery.hpp"
 #include "ubf/memory.hpp"
 
@@ -41,10 +42,7 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
     return holds_fire("a friend is in the line of fire");
   out.action.target = target->id();
   out.action.trigger = trigger(s.time, m);
-  out.action.heading = wrap_tau(bearing_of(sight->aim));
-  out.action.altitude = std::max(s.altitude_for(elevation_of(sight->aim)), floor_);
-  out.action.load_factor = load_factor_;
-  out.action.mode = model::AutopilotMode::hold;
+  aim(s, sight->aim, load_factor_, speed_, floor_, out.action);
   out.vote = vote_;
   return Status::running;
 }

@@ -33,6 +33,7 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
               "no friend may be within this angle of the line of fire"),
         param("clear_beyond", &G::clear_beyond_, "m", range(0, 10e3),
               "nor so far behind the target"),
+        param("speed", &G::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
         param("load_factor", &G::load_factor_, range(1, 12), "g, the most it turns with"),
         param("floor", &G::floor_, "m", range(0, 25e3), "aims no lower")};
   }
@@ -48,6 +49,7 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
   double pause_ = 0.5;
   double clear_cone_ = si(3, "deg");
   double clear_beyond_ = 1000;
+  double speed_ = si(450, "kt");
   double load_factor_ = 8;
   double floor_ = si(1000, "ft");
 };

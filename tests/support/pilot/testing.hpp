@@ -41,7 +41,8 @@ enum Store : std::uint16_t { kMedium = 0, kShort = 1 };
 struct Desk {
   model::Kinematics own = model::test::flying({0, 0, -8000}, 0, 250);
   model::Propulsion propulsion{.fuel = 1500};
-  model::Flying flying;
+  model::Flying flying{
+      .energy = {.available = 7, .sustained = 4, .corner_speed = 280, .excess_power = 60}};
   model::Stores stores =
       model::weapon::load_stores(library().aircraft[0].stations, library().missiles);
   model::GunState gun = model::weapon::loaded(library().guns[0]);

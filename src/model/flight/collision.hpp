@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Aircraft that fly into each other.
+#include "model/kinematics.hpp"
+
+namespace eyrie::model::flight {
+
+/// m: aircraft whose middles come nearer than this have collided. Two fighters of 13 m span and
+/// 19 m length that meet in any attitude touch somewhere below it: the mean of both sizes over two.
+inline constexpr double kCollision = 8;
+
+/// Whether two that are `apart` (m) now, and whose distance changes by `relative` (m/s), were
+/// nearer than kCollision at some time in the last `duration` seconds, in straight lines.
+[[nodiscard]] constexpr bool collided(const Vec3& apart, const Vec3& relative, double duration) {
+  const double speed2 = norm2(relative);
+  const double back = speed2 > 0 ? std::clamp(dot(apart, relative) / speed2, 0.0, duration) : 0.0;
+  return norm2(apart - back * relative) < kCollision * kCollision;
+}
+
+/// Calls `hit(i, j)` for each of `first` to `last` and each other that it has collided with in the
+/// last `duration` seconds.
+template <class Hit>
+void for_each_collision(std::span<const Kinematics> all, std::size_t first, std::size_t last,
+                        double duration, const Hit& hit) {
+  constexpr std::size_t kBlock = 256;
+  constexpr float kNear = 500;  // m: nobody comes from farther in a tenth of a second
+  std::array<float, kBlock> x, y;
+  for (std::size_t begin = 0; begin < all.size(); begin += kBlock) {
+    const std::size_t count = std::min(kBlock, all.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      x[k] = static_cast<float>(all[begin + k].position.x);
+      y[k] = static_cast<float>(all[begin + k].position.y);
+    }
+    for (std::size_t i = first; i < last; ++i) {
+      const auto own_x = static_cast<float>(all[i].position.x);
+      const auto own_y = static_cast<float>(all[i].position.y);
+      for (std::size_t k = 0; k < count; ++k)
+        if (const std::size_t j = begin + k; std::fabs(x[k] - own_x) < kNear &&
+                                             std::fabs(y[k] - own_y) < kNear && j != i &&
+                                             collided(all[j].position - all[i].position,
+                                                      all[j].velocity - all[i].velocity, duration))
+          hit(i, j);
+    }
+  }
+}
+
+}  // namespace eyrie::model::flight

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/maneuvers.hpp"
+
+#include "pilot/gunnery.hpp"
+
+namespace eyrie::pilot {
+
+Status Maneuver::fly(const State& s, const Seen* target, const Vec3& direction,
+                     Proposal& out) const {
+  const double load = load_for_energy(s, speed_of(s, least_mach_), load_factor_);
+  aim(s, direction, load, speed_, floor_, out.action);
+  if (target)
+    out.action.target = target->id();
+  out.vote = vote_;
+  return Status::running;
+}
+
+Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target)
+    return fails(t, "no target");
+  if (target->range <= gun_range_)
+    if (const auto sight = gun_sight(s, *target)) {
+      const Status status = fly(s, target, sight->aim, out);
+      if (sight->off_nose < cash_in_)
+        out.action.load_factor = load_factor_;
+      return status;
+    }
+  const Vec3 through_air = s.velocity_of(*target) - s.wind();
+  const auto time = time_to_meet(target->ned, through_air, s.own.speed);
+  return fly(s, target, time ? target->ned + *time * through_air : target->ned, out);
+}
+
+Status PurePursuit::tick(const Tick& t, Proposal& out) const {
+  const Seen* target = t.state.target();
+  return target ? fly(t.state, target, target->ned, out) : fails(t, "no target");
+}
+
+Status LagPursuit::tick(const Tick& t, Proposal& out) const {
+  const Seen* target = t.state.target();
+  return target ? fly(t.state, target, target->ned - lag_ * t.state.velocity_of(*target), out)
+                : fails(t, "no target");
+}
+
+Status HighYoYo::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target)
+    return fails(t, "no target");
+  const Angles angles = angles_of(s, *target);
+  if (target->range > within_)
+    return fails(t, "the target is too far");
+  if (angles.off_tail > kPi / 2 || angles.off_nose > kPi / 2)
+    return fails(t, "not behind the target");
+  if (s.closing_on(*target) < closing_ || angles.crossing < crossing_)
+    return fails(t, "it does not overshoot");
+  return fly(s, target, raised(target->ned - s.velocity_of(*target), angle_), out);
+}
+
+Status LowYoYo::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target)
+    return fails(t, "no target");
+  const Angles angles = angles_of(s, *target);
+  if (angles.off_tail > kPi / 2)
+    return fails(t, "not behind the target's wings");
+  if (angles.off_nose < off_nose_ || angles.off_nose > kPi / 2)
+    return fails(t, "the nose is near the target, or far behind it");
+  if (s.closing_on(*target) > closing_)
+    return fails(t, "it closes fast enough");
+  return fly(s, target, raised(target->ned + s.velocity_of(*target), -angle_), out);
+}
+
+Status MergeTurn::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  TurnMemory& m = memory(t);
+  const Seen* target = s.target();
+  const auto silent = [&](const char* why) {
+    m = {};
+    return fails(t, why);
+  };
+  if (!target)
+    return silent("no target");
+  if (target->range > within_)
+    return silent("the target is too far");
+  if (s.off_nose(target->ned) < off_nose_)
+    return silent("the target is before the wings");
+  if (m.side == 0) {
+    const double towards = angle_between(s.own.heading, bearing_of(target->ned)) >= 0 ? 1 : -1;
+    const double his_speed = norm(s.velocity_of(*target));
+    const bool small = s.own.speed < static_cast<double>(s.flying.energy.corner_speed) ||
+                       his_speed > 1.1 * s.own.speed;
+    const bool one = circle_ == Circle::one || (circle_ == Circle::best && small);
+    m.side = one ? -towards : towards;
+  }
+  // a quarter of a circle ahead, above or below the level as the speed says
+  const double heading = s.own.heading + m.side * kPi / 2;
+  const auto [sine, cosine] = math::sin_cos(heading);
+  return fly(s, target, raised({cosine, sine, 0}, slope_for_energy(s, floor_)), out);
+}
+
+Status Reacquire::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  LostMemory& m = memory(t);
+  if (const Seen* target = s.target()) {
+    m = target->range > within_
+            ? LostMemory{}
+            : LostMemory{s.time, position_at(*target->track, s.time), target->track->velocity};
+    return fails(t, "the target is known");
+  }
+  if (m.time == 0 || ubf::passed(s.time, m.time, memory_)) {
+    m = {};
+    return fails(t, "no target was lost lately");
+  }
+  const double on = std::min(s.time - m.time, extrapolated_);
+  return fly(s, nullptr, to_ned(s.own, m.position + on * m.velocity - s.own.position), out);
+}
+
+Status Jink::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  JinkMemory& m = memory(t);
+  for (const Seen& seen : s.tracks_seen()) {
+    if (!seen.hostile() || seen.range > within_ || s.off_nose(seen.ned) < kPi / 2)
+      continue;
+    if (angle_between(s.velocity_of(seen), -seen.ned) > cone_)
+      continue;
+    if (m.side == 0 || ubf::passed(s.time, m.since, period_))
+      m = {.since = s.time, .side = m.side > 0 ? -1.0 : 1.0};
+    // across the line to him, out of the level
+    const Vec3 across = normalized(cross(seen.ned, {0, 0, 1}), nose_of(s.own));
+    const double right = dot(across, nose_of(s.own)) >= 0 ? 1 : -1;
+    return fly(s, &seen, raised(right * across, m.side * kPi / 4), out);
+  }
+  m = {};
+  return fails(t, "nobody behind has his nose here within gun range");
+}
+
+Status Extend::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target)
+    return fails(t, "no target");
+  Vec3 away = -target->ned;
+  away.z = 0;
+  const Status status = fly(s, target, raised(away, -dive_), out);
+  // the turn away is flown with what the energy gives; then it is unloaded
+  if (s.off_nose(away) < kPi / 6)
+    out.action.load_factor = 1;
+  return status;
+}
+
+Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
+  const State& s = t.state;
+  double soonest = warning_;
+  std::optional<Vec3> pass;  // from here to the other at the closest approach
+  const auto look = [&](const Vec3& ned, const Vec3& velocity_ned) {
+    const Vec3 relative = velocity_ned - s.velocity_ned;
+    const double speed2 = norm2(relative);
+    const double time = speed2 > 0 ? std::max(-dot(ned, relative) / speed2, 0.0) : 0.0;
+    const Vec3 there = ned + time * relative;
+    if (time >= soonest || norm2(there) >= miss_ * miss_)
+      return;
+    soonest = time;
+    pass = there;
+  };
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.track->confirmed)
+      look(seen.ned, s.velocity_of(seen));
+  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
+    const model::Mate& mate = s.datalink.members[i];
+    if (i == s.datalink.self || !mate.alive || !mate.reported)
+      continue;
+    const Vec3 velocity{static_cast<double>(mate.velocity[0]),
+                        static_cast<double>(mate.velocity[1]),
+                        static_cast<double>(mate.velocity[2])};
+    look(to_ned(s.own, position_at(mate, s.time) - s.own.position), to_ned(s.own, velocity));
+  }
+  if (!pass)
+    return fails(t, "nobody comes too near");
+  // away from where he will be, as seen along the own path; to the right if that says nothing
+  const Vec3 nose = nose_of(s.own);
+  const Vec3 beside = *pass - dot(*pass, nose) * nose;
+  const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
+  const Vec3 away = norm(beside) > 0.1 * miss_ ? -normalized(beside, {}) : Vec3{cosine, sine, 0};
+  aim(s, nose + away, load_factor_, s.own.speed, floor_, out.action);
+  out.vote = vote_;
+  return Status::running;
+}
+
+}  // namespace eyrie::pilot

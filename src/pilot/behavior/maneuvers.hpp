@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Maneuvers of a fight within visual range, each a small behavior. Which of them is flown
+/// is the tree's choice: by votes, and by guards over `off_nose`, `off_tail`, `closing` ...
+/// Their geometry: Shaw, Fighter Combat (1985), ch. 2; not seen: derived in the tests.
+#include "pilot/fight.hpp"
+#include "pilot/trees.hpp"
+#include "ubf/memory.hpp"
+
+namespace eyrie::pilot {
+
+/// What all of them share: how fast, how hard and how low.
+class Maneuver : public Behavior {
+ public:
+  static constexpr auto params() {
+    using M = Maneuver;
+    return std::tuple{
+        param("vote", &M::vote_, range(0, 1000), "how strongly"),
+        param("speed", &M::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
+        param("least_mach", &M::least_mach_, range(0.1, 2),
+              "slowest Mach number worth fighting at: turns no harder there than full power "
+              "sustains, and less below"),
+        param("load_factor", &M::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("floor", &M::floor_, "m", range(0, 25e3), "dives no lower")};
+  }
+
+ protected:
+  /// Recommends to fly there with the energy it has, after whom it is after.
+  Status fly(const State& s, const Seen* target, const Vec3& direction, Proposal& out) const;
+
+  float vote_ = 40;
+  double speed_ = si(600, "kt");
+  double least_mach_ = 0.6;
+  double load_factor_ = 9;
+  double floor_ = si(3000, "ft");
+};
+
+/// Points ahead of the target, where the paths meet; nearer than `gun_range` where the rounds of
+/// the gun would meet him. Closes, and brings the gun to bear: for the last `cash_in` off the nose
+/// it pays with speed.
+class LeadPursuit final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "lead_pursuit";
+  static constexpr std::string_view help = "points ahead of the target, where the paths meet";
+  static constexpr auto params() {
+    using L = LeadPursuit;
+    return std::tuple_cat(Maneuver::params(),
+                          std::tuple{param("gun_range", &L::gun_range_, "m", range(0, 10e3),
+                                           "nearer than this it aims the gun"),
+                                     param("cash_in", &L::cash_in_, "rad", range(0, 1.5),
+                                           "nearer to the aim it pulls all that the wing gives")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double gun_range_ = 2000;
+  double cash_in_ = si(25, "deg");
+};
+
+/// Points at the target: brings missiles to bear, and turns the hardest into an attacker.
+class PurePursuit final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "pure_pursuit";
+  static constexpr std::string_view help = "points at the target";
+  Status tick(const Tick& t, Proposal& out) const override;
+};
+
+/// Points where the target was. Keeps the place behind him without passing him.
+class LagPursuit final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "lag_pursuit";
+  static constexpr std::string_view help = "points behind the target, where he was";
+  static constexpr auto params() {
+    return std::tuple_cat(Maneuver::params(),
+                          std::tuple{param("lag", &LagPursuit::lag_, "s", range(0.1, 20),
+                                           "points where the target was so long ago")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double lag_ = 2;
+};
+
+/// Would pass behind and outside the target's turn: pulls up out of his plane, which takes closing
+/// speed and keeps it as height, with the lift on the place he leaves. Silent unless it is behind
+/// him, closes faster than `closing` and crosses his path at more than `crossing`.
+class HighYoYo final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "high_yo_yo";
+  static constexpr std::string_view help = "pulls up out of the target's turn instead of passing";
+  static constexpr auto params() {
+    using H = HighYoYo;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{
+            param("angle", &H::angle_, "rad", range(0, 1.5), "points so far above him"),
+            param("closing", &H::closing_, "m/s", range(0, 1000), "slower closing is kept"),
+            param("crossing", &H::crossing_, "rad", range(0, 3.1416), "flatter crossing is kept"),
+            param("within", &H::within_, "m", range(0, 50e3), "of the target")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double angle_ = si(35, "deg");
+  double closing_ = 60;
+  double crossing_ = si(30, "deg");
+  double within_ = 2000;
+};
+
+/// Cannot get its nose around: cuts inside the target's turn below him, which turns height into
+/// speed. Silent unless it is behind his wings, he is off the nose, and it closes slower than
+/// `closing`.
+class LowYoYo final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "low_yo_yo";
+  static constexpr std::string_view help = "cuts inside the target's turn, below him";
+  static constexpr auto params() {
+    using L = LowYoYo;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("angle", &L::angle_, "rad", range(0, 1.5), "points so far below him"),
+                   param("closing", &L::closing_, "m/s", range(-1000, 1000),
+                         "faster closing needs no help"),
+                   param("off_nose", &L::off_nose_, "rad", range(0, 3.1416),
+                         "nearer to the nose he needs no help")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double angle_ = si(20, "deg");
+  double closing_ = 20;
+  double off_nose_ = si(25, "deg");
+};
+
+/// Which way round after a pass.
+enum class Circle : std::uint8_t {
+  one,   ///< nose to nose: both turn on one circle, and the smaller radius wins
+  two,   ///< nose to tail: each on his own circle, and the higher rate wins
+  best,  ///< one below corner speed or against who is faster, else two
+};
+constexpr auto names_of(Circle) {
+  return names_from_zero<Circle>("one", "two", "best");
+}
+
+struct TurnMemory {
+  double side = 0;  ///< 1 to the right, -1 to the left, 0 not chosen
+};
+
+/// After the pass: turns round at the energy it has, nose high with more than corner speed and nose
+/// low with less. The side is chosen at the pass and kept until the target is before the wings
+/// again. Silent while he is.
+class MergeTurn final : public ubf::WithMemory<Maneuver, TurnMemory> {
+ public:
+  static constexpr std::string_view type_name = "merge_turn";
+  static constexpr std::string_view help = "turns round after the pass, on one circle or on two";
+  static constexpr auto params() {
+    using M = MergeTurn;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("circle", &M::circle_, "one, two or best"),
+                   param("off_nose", &M::off_nose_, "rad", range(0.1, 3.1),
+                         "he has been passed when he is farther off the nose"),
+                   param("within", &M::within_, "m", range(0, 50e3), "of the target")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  Circle circle_ = Circle::best;
+  double off_nose_ = si(80, "deg");
+  double within_ = si(5, "nmi");
+};
+
+struct LostMemory {
+  double time = 0;  ///< s, when the target was last known; 0: none was
+  Vec3 position{};  ///< m, local frame, where it was then
+  Vec3 velocity{};  ///< m/s
+};
+
+/// The target is lost: turns to where it must be by now, if it has not turned for long. Silent
+/// while there is a target, and `memory` seconds after there was one.
+class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
+ public:
+  static constexpr std::string_view type_name = "reacquire";
+  static constexpr std::string_view help = "turns to where a lost target was last known";
+  static constexpr auto params() {
+    using R = Reacquire;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("memory", &R::memory_, "s", range(0, 600), "looks for so long"),
+                   param("extrapolated", &R::extrapolated_, "s", range(0, 600),
+                         "believes for so long that the target kept its course"),
+                   param("within", &R::within_, "m", range(0, 500e3),
+                         "a target that was lost farther away is let go")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double memory_ = 30;
+  double extrapolated_ = 4;
+  double within_ = si(10, "nmi");
+};
+
+struct JinkMemory {
+  double since = 0;  ///< s, when this pull began
+  double side = 0;   ///< 1 up and out, -1 down and out, 0 none
+};
+
+/// An enemy behind has his nose on this aircraft within gun range: leaves his plane of turn, one
+/// way and then the other. Silent otherwise.
+class Jink final : public ubf::WithMemory<Maneuver, JinkMemory> {
+ public:
+  static constexpr std::string_view type_name = "jink";
+  static constexpr std::string_view help = "spoils the aim of a gun behind";
+  static constexpr auto params() {
+    using J = Jink;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("within", &J::within_, "m", range(0, 10e3), "reach of his gun"),
+                   param("cone", &J::cone_, "rad", range(0, 1.5), "his nose is this near"),
+                   param("period", &J::period_, "s", range(0.1, 20), "of one pull")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double within_ = 1000;
+  double cone_ = si(20, "deg");
+  double period_ = 2;
+};
+
+/// Leaves: unloads, nose a little low, straight away from the target, as fast as it can. What a
+/// bug-out and an acceleration to come back have in common.
+class Extend final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "extend";
+  static constexpr std::string_view help = "unloads and runs straight away from the target";
+  static constexpr auto params() {
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("dive", &Extend::dive_, "rad", range(0, 1.5), "below the horizontal")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double dive_ = si(10, "deg");
+};
+
+/// Keeps clear of everybody, friend or foe: when the paths will pass nearer than `miss` within
+/// `warning` seconds, turns away from where the other will be; both to the right if he comes
+/// straight on. Fails otherwise.
+class AvoidCollision final : public Behavior {
+ public:
+  static constexpr std::string_view type_name = "avoid_collision";
+  static constexpr std::string_view help = "keeps clear of other aircraft";
+  static constexpr auto params() {
+    using A = AvoidCollision;
+    return std::tuple{
+        param("vote", &A::vote_, range(0, 1000), "how strongly"),
+        param("miss", &A::miss_, "m", range(10, 5e3), "smallest distance to pass at"),
+        param("warning", &A::warning_, "s", range(0.1, 60), "how far ahead it looks"),
+        param("load_factor", &A::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("floor", &A::floor_, "m", range(0, 25e3), "dives no lower")};
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  float vote_ = 90;
+  double miss_ = si(500, "ft");
+  double warning_ = 4;
+  double load_factor_ = 6;
+  double floor_ = si(1500, "ft");
+};
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/maneuvers.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pilot/gunnery.hpp"
+#include "support/pilot/testing.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using namespace pilot::testing;
+
+double heading_of(const Decided& d) {
+  return angle_between(0, *d.action().heading);
+}
+
+TEST(Maneuvers, NeedATarget) {
+  const Desk desk;
+  for (const char* one : {"lead_pursuit", "pure_pursuit", "lag_pursuit", "high_yo_yo", "low_yo_yo",
+                          "merge_turn", "extend", "reacquire", "jink", "avoid_collision"})
+    EXPECT_EQ(decide(one, desk).status, kFailure) << one;
+}
+
+TEST(PursuitCurves, PointAheadAtAndBehind) {
+  Desk desk;
+  desk.track({3000, 0, 0}, kPi / 2, 200);  // crosses to the right
+  const Decided lead = decide("lead_pursuit", desk), pure = decide("pure_pursuit", desk),
+                lag = decide("{lag_pursuit: {lag: 3 s}}", desk);
+  EXPECT_NEAR(std::sin(heading_of(lead)), 200.0 / 250, 1e-9);  // where the paths meet
+  EXPECT_NEAR(heading_of(pure), 0, 1e-9);
+  EXPECT_NEAR(heading_of(lag), -std::atan2(600, 3000), 1e-9);  // 3 s of his way behind him
+  for (const Decided& d : {lead, pure, lag}) {
+    EXPECT_EQ(d.status, kRunning);
+    EXPECT_EQ(d.action().mode, model::AutopilotMode::aim);
+    EXPECT_EQ(d.action().target, TrackId{1});
+  }
+}
+
+TEST(PursuitCurves, PointUpAndDown) {
+  Desk desk;
+  desk.track({1000, 0, -1000}, 0, 250);
+  EXPECT_NEAR(*decide("pure_pursuit", desk).action().climb, kPi / 4, 1e-9);
+}
+
+TEST(LeadPursuit, AimsTheGunWhenNearAndPaysForTheLastDegrees) {
+  Desk desk;
+  desk.track({800, 0, 0}, 20 * kDegree, 240);
+  const State s = desk.state();
+  const auto sight = gun_sight(s, s.seen[0]);
+  ASSERT_TRUE(sight.has_value());
+  desk.own.speed = 150;  // slow: the energy would not allow it
+  const Decided d = decide("{lead_pursuit: {gun_range: 1 km, cash_in: 40 deg}}", desk);
+  EXPECT_NEAR(*d.action().load_factor, 9, 1e-9);
+  EXPECT_LT(*decide("{lead_pursuit: {gun_range: 1 km, cash_in: 0 deg}}", desk).action().load_factor,
+            4);
+}
+
+TEST(HighYoYo, GoesAboveWhomItWouldPass) {
+  Desk desk;
+  desk.own = model::test::flying(desk.own.position, 0, 300);
+  desk.track({800, 300, 0}, 50 * kDegree, 200);  // turns away to the right, slower
+  const Decided d = decide("{high_yo_yo: {angle: 35 deg}}", desk);
+  ASSERT_EQ(d.status, kRunning);
+  EXPECT_NEAR(*d.action().climb, 35 * kDegree, 1e-9);
+  // behind where he is: the heading stays inside of pure pursuit's
+  EXPECT_LT(heading_of(d), bearing_of({800, 300, 0}));
+  EXPECT_EQ(decide("{high_yo_yo: {closing: 200 m/s}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{high_yo_yo: {crossing: 60 deg}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{high_yo_yo: {within: 500 m}}", desk).status, kFailure);
+  desk.tracks.tracks[0].velocity = {-200, 0, 0};  // he comes head-on: a pass is no overshoot
+  EXPECT_EQ(decide("high_yo_yo", desk).status, kFailure);
+}
+
+TEST(LowYoYo, CutsInsideBelow) {
+  Desk desk;
+  desk.own = model::test::flying(desk.own.position, 0, 200);
+  desk.track({700, 700, 0}, 60 * kDegree, 240);  // ahead to the right, faster
+  const Decided d = decide("{low_yo_yo: {angle: 20 deg}}", desk);
+  ASSERT_EQ(d.status, kRunning);
+  EXPECT_NEAR(*d.action().climb, -20 * kDegree, 1e-9);
+  EXPECT_GT(heading_of(d), kPi / 4) << "inside: ahead of him";
+  EXPECT_EQ(decide("{low_yo_yo: {off_nose: 50 deg}}", desk).status, kFailure);
+  desk.own = model::test::flying(desk.own.position, 0, 400);
+  EXPECT_EQ(decide("low_yo_yo", desk).status, kFailure) << "closes fast enough";
+}
+
+TEST(MergeTurn, TurnsTowardsHimOnTwoCirclesAndAwayOnOne) {
+  for (const double side : {-1.0, 1.0}) {
+    Desk desk;  // he has just passed, on that side
+    desk.track({-500, side * 200, 0}, kPi, 250);
+    const auto turn = [&](const char* circle) {
+      return heading_of(decide(std::string("{merge_turn: {circle: ") + circle + "}}", desk));
+    };
+    EXPECT_NEAR(turn("two"), side * kPi / 2, 1e-6);
+    EXPECT_NEAR(turn("one"), -side * kPi / 2, 1e-6);
+    EXPECT_NEAR(turn("best"), -side * kPi / 2, 1e-6) << "below corner speed: the small circle";
+    desk.own = model::test::flying(desk.own.position, 0, 300);
+    EXPECT_NEAR(turn("best"), side * kPi / 2, 1e-6);
+  }
+}
+
+TEST(MergeTurn, KeepsItsSideUntilHeIsBeforeTheWings) {
+  Desk desk;
+  model::Track& he = desk.track({-500, 200, 0}, kPi, 250);
+  Pilot pilot("{merge_turn: {circle: two}}");
+  EXPECT_GT(heading_of(pilot.decide(desk)), 0);
+  he.position = desk.own.position + Vec3{-500, -200, 0};  // has crossed behind
+  EXPECT_GT(heading_of(pilot.decide(desk)), 0) << "no reversal";
+  he.position = desk.own.position + Vec3{500, -200, 0};
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  he.position = desk.own.position + Vec3{-500, -200, 0};
+  EXPECT_LT(heading_of(pilot.decide(desk)), 0) << "the next pass is another choice";
+}
+
+TEST(MergeTurn, TurnsNoseHighWithSpeedAndNoseLowWithout) {
+  for (const double speed : {220.0, 340.0}) {
+    Desk desk;
+    desk.own = model::test::flying(desk.own.position, 0, speed);
+    desk.track({-500, 200, 0}, kPi, 250);
+    const double climb = *decide("merge_turn", desk).action().climb;
+    EXPECT_NEAR(climb, speed > 280 ? kPi / 4 : -kPi / 4, 0.03) << speed;
+  }
+}
+
+TEST(Reacquire, TurnsToWhereALostTargetMustBe) {
+  Desk desk;
+  desk.track({0, 3000, 0}, 0, 200);
+  Pilot pilot("{reacquire: {memory: 10 s, extrapolated: 5 s}}");
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "he is known";
+  desk.tracks.count = 0;
+  desk.time += 3;
+  EXPECT_NEAR(heading_of(pilot.decide(desk)), std::atan2(3000, 600), 1e-9);
+  desk.time += 6;
+  EXPECT_NEAR(heading_of(pilot.decide(desk)), std::atan2(3000, 1000), 1e-9);
+  desk.time += 1.5;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "long ago";
+}
+
+TEST(Jink, LeavesThePlaneOfAGunBehindOneWayAndTheOther) {
+  Desk desk;
+  desk.track({-600, 0, 0}, 0, 250);  // right behind, his nose here
+  Pilot pilot("{jink: {period: 2 s}}");
+  const Decided first = pilot.decide(desk);
+  ASSERT_EQ(first.status, kRunning);
+  EXPECT_NEAR(std::fabs(heading_of(first)), kPi / 2, 0.01) << "across his line of fire";
+  EXPECT_NEAR(std::fabs(*first.action().climb), kPi / 4, 0.01);
+  desk.time += 2.1;
+  EXPECT_NEAR(*pilot.decide(desk).action().climb, -*first.action().climb, 1e-6);
+  desk.tracks.tracks[0].velocity = {0, 250, 0};
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "his nose is elsewhere";
+}
+
+TEST(Extend, RunsAwayUnloaded) {
+  Desk desk;
+  desk.track({-3000, 100, 0}, 0, 250);
+  const Decided d = decide("{extend: {dive: 10 deg}}", desk);
+  EXPECT_NEAR(heading_of(d), -std::atan2(100, 3000), 1e-9);
+  EXPECT_NEAR(*d.action().climb, -10 * kDegree, 1e-9);
+  EXPECT_EQ(*d.action().load_factor, 1);
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{3000, 0, 0};
+  EXPECT_GT(*decide("extend", desk).action().load_factor, 1) << "first it turns";
+}
+
+TEST(AvoidCollision, TurnsAwayFromWhereTheOtherWillPass) {
+  Desk desk;
+  desk.track({1000, 30, 0}, kPi, 250, model::Identity::friendly);  // head-on, a little right
+  const Decided d = decide("{avoid_collision: {miss: 150 m, warning: 4 s}}", desk);
+  ASSERT_EQ(d.status, kRunning);
+  EXPECT_LT(heading_of(d), 0) << "to the left";
+  desk.tracks.tracks[0].position.y = 0;
+  EXPECT_GT(heading_of(decide("{avoid_collision: {miss: 150 m, warning: 4 s}}", desk)), 0)
+      << "straight on: both to the right";
+  desk.tracks.tracks[0].position.y = 200;
+  EXPECT_EQ(decide("{avoid_collision: {miss: 150 m}}", desk).status, kFailure);
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{3000, 0, 0};
+  EXPECT_EQ(decide("{avoid_collision: {warning: 4 s}}", desk).status, kFailure) << "6 s away";
+}
+
+TEST(AvoidCollision, KnowsTheMatesByDatalink) {
+  Desk desk;
+  desk.in_flight(2, 1);
+  desk.datalink.members[1].position = desk.own.position + Vec3{0, 60, 0};
+  EXPECT_EQ(decide("{avoid_collision: {miss: 100 m}}", desk).status, kRunning);
+}
+
+}  // namespace
+}  // namespace eyrie::pilot

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/fight.hpp"
+
+namespace eyrie::pilot {
+
+Angles angles_of(const State& s, const Seen& target) {
+  const Vec3 his = s.velocity_of(target);
+  return {.off_nose = s.off_nose(target.ned),
+          .off_tail = norm2(his) > 0 ? angle_between(his, target.ned) : 0.0,
+          .crossing = norm2(his) > 0 ? angle_between(his, nose_of(s.own)) : 0.0};
+}
+
+double speed_of(const State& s, double mach) {
+  return mach * s.library.environment.atmosphere.at(s.own.altitude).speed_of_sound;
+}
+
+double load_for_energy(const State& s, double slowest, double most) {
+  const auto& energy = s.flying.energy;
+  const double available = static_cast<double>(energy.available);
+  const double sustained = std::max(static_cast<double>(energy.sustained), 1.0);
+  const double corner = std::max(static_cast<double>(energy.corner_speed), slowest * 1.01);
+  double load = sustained;
+  if (s.own.speed >= slowest)
+    load += std::max(available - sustained, 0.0) *
+            std::min((s.own.speed - slowest) / (corner - slowest), 1.0);
+  else  // half of what would hold the speed, at nine tenths of the slowest
+    load *= std::max(1 - 5 * (1 - s.own.speed / slowest), 0.5);
+  return std::clamp(load, 1.0, std::max(most, 1.0));
+}
+
+double slope_for_energy(const State& s, double floor) {
+  const double corner = std::max(static_cast<double>(s.flying.energy.corner_speed), 1.0);
+  const double excess = s.own.speed / corner - 1;
+  // 45 degrees at twenty percent away from it
+  const double slope = std::clamp(excess * (kPi / 4 / 0.2), -kPi / 4, kPi / 4);
+  // on the way down an arc of three radii is left
+  const double radius = s.own.speed * s.own.speed / (3 * model::kGravity);
+  const double room = std::clamp((s.own.altitude - floor) / radius, 0.0, 1.0);
+  return slope < 0 ? slope * room : slope;
+}
+
+Vec3 raised(const Vec3& ned, double angle) {
+  const Vec3 unit = normalized(ned, {1, 0, 0});
+  const double level = std::sqrt(unit.x * unit.x + unit.y * unit.y);
+  if (level < 1e-9)
+    return unit;
+  // up, across the direction
+  const Vec3 up{-unit.x * -unit.z / level, -unit.y * -unit.z / level, -level};
+  const auto [sine, cosine] = math::sin_cos(angle);
+  return cosine * unit + sine * up;
+}
+
+void aim(const State& s, const Vec3& direction, double load_factor, double speed, double floor,
+         Action& action) {
+  // a dive of angle c is pulled out of within V2 (1 - cos c) / (g (n - 1))
+  const double radius = s.own.speed * s.own.speed / (4 * model::kGravity);
+  const double room = std::clamp((s.own.altitude - floor) / radius, 0.0, 1.0);
+  const double steepest = math::acos(1 - room);
+  action.heading = wrap_tau(bearing_of(direction));
+  action.climb = std::max(elevation_of(direction), -steepest);
+  action.altitude = std::max(s.altitude_for(*action.climb), floor);  // for who blends it
+  action.load_factor = load_factor;
+  action.speed = speed;
+  action.mode = model::AutopilotMode::aim;
+}
+
+}  // namespace eyrie::pilot
