@@ -20,6 +20,7 @@ enum class Stream : std::uint8_t {
   rwr = 9,            ///< error of a bearing
   datalink = 10,      ///< is the message lost?
   visual_noise = 16,  ///< error of a pilot's estimate
+  decoy = 17,         ///< does a seeker go for a decoy?
   test = 255,         ///< for tests and examples
 };
 

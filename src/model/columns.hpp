@@ -13,6 +13,7 @@
 #include "model/sensor/threats.hpp"
 #include "model/track.hpp"
 #include "model/vehicle/vehicle.hpp"
+#include "model/weapon/countermeasures.hpp"
 #include "model/weapon/damage_state.hpp"
 #include "model/weapon/gun.hpp"
 #include "model/weapon/missile.hpp"
@@ -27,8 +28,8 @@ using flight::Flying, flight::NavState, flight::Propulsion;
 using sensor::InboundMissile, sensor::RadarState, sensor::RwrState, sensor::RwrWarning,
     sensor::Threats;
 using vehicle::DriveCommand, vehicle::Driving, vehicle::Lookout, vehicle::Sighted;
-using weapon::Damage, weapon::GunState, weapon::kMaxStations, weapon::MissileState, weapon::Station,
-    weapon::Stores;
+using weapon::Damage, weapon::Decoys, weapon::GunState, weapon::kMaxStations, weapon::MissileState,
+    weapon::Station, weapon::Stores;
 
 /// The table "aircraft".
 struct AircraftColumns : sim::Table<AircraftColumns> {
@@ -46,6 +47,7 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
   sim::Column<DatalinkSent> sent;
   sim::Column<Emission> emission;
   sim::Column<Stores> stores;
+  sim::Column<Decoys> decoys;
   sim::Column<GunState> gun;
   sim::Column<Damage> damage;
 
@@ -68,6 +70,7 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
                       column("sent", &C::sent, WrittenBy{"sensors", act}),
                       column("emission", &C::emission, WrittenBy{"sensors", act}),
                       column("stores", &C::stores, WrittenBy{"stores", act}),
+                      column("decoys", &C::decoys, WrittenBy{"stores", act}),
                       column("gun", &C::gun, WrittenBy{"gun", interact}),
                       column("damage", &C::damage, WrittenBy{"damage", commit})};
   }

@@ -49,6 +49,12 @@ struct Command {
   }
 };
 
+/// What a pilot throws out against missiles, as bits.
+enum class Dispense : std::uint8_t { none, chaff, flares, both };
+constexpr auto names_of(Dispense) {
+  return names_from_zero<Dispense>("none", "chaff", "flares", "both");
+}
+
 /// Everything an aircraft is asked to do besides flying. Zero means nothing is asked.
 struct Request {
   TrackId target;               ///< the chosen target: radar lock, Tacview, first shooter rule
@@ -57,14 +63,15 @@ struct Request {
   std::uint8_t trigger = 0;     ///< 1: gun trigger pressed
   std::uint8_t radar_off = 0;   ///< 1: silent
   std::uint8_t radar_lock = 0;  ///< 1: the radar tracks `target` and nothing else
-  std::uint8_t reserved[4] = {};
+  Dispense dispense = Dispense::none;
+  std::uint8_t reserved[3] = {};
 
   static constexpr auto fields() {
     return field_list(field("target", &Request::target), field("shoot_at", &Request::shoot_at),
                       field("store", &Request::store), field("trigger", &Request::trigger),
                       field("radar_off", &Request::radar_off),
                       field("radar_lock", &Request::radar_lock),
-                      field("reserved", &Request::reserved));
+                      field("dispense", &Request::dispense), field("reserved", &Request::reserved));
   }
 };
 

@@ -45,6 +45,8 @@ constexpr std::array kDescriptions = [] {
       {eject, "eject", {"store", "last"}},
       {scatter, "scatter", {"range"}},
       {loss, "loss"},
+      {dispense, "dispense", {"kind", "chaff", "flares"}},
+      {decoyed, "decoyed", {"kind"}},
   });
 }();
 

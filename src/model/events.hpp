@@ -44,6 +44,9 @@ enum class EventKind : std::uint16_t {
                     ///< store index, 1 if it is the last. Becomes a launch in the same step
   scatter,          ///< who leaves its way because of aircraft whom; values: range
   loss,             ///< who is lost to something outside the run, by an order
+  dispense,         ///< who throws out decoys; values: 1 chaff, 2 flares, 3 both; chaff left,
+                    ///< flares left
+  decoyed,          ///< missile who goes for a decoy of whom; values: 1 chaff, 2 flare
   count
 };
 

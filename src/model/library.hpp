@@ -13,6 +13,7 @@
 #include "model/sensor/visual.hpp"
 #include "model/track/filter.hpp"
 #include "model/vehicle/vehicle.hpp"
+#include "model/weapon/countermeasures.hpp"
 #include "model/weapon/gun.hpp"
 #include "model/weapon/missile.hpp"
 
@@ -24,7 +25,7 @@ using flight::Airframe, flight::Route, flight::RouteEnd, flight::Waypoint;
 using sensor::Iff, sensor::Radar, sensor::Rwr, sensor::Visual;
 using track::Tracker;
 using vehicle::VehicleType;
-using weapon::GunType, weapon::MissileType;
+using weapon::Dispenser, weapon::GunType, weapon::MissileType;
 
 /// Models of one kind, each under the name that files know it by; a row refers to one by its index.
 template <class Model>
@@ -77,6 +78,7 @@ struct Library {
   Shelf<Tracker> trackers;
   Shelf<MissileType> missiles;
   Shelf<GunType> guns;
+  Shelf<Dispenser> dispensers;
   Shelf<AircraftType> aircraft;  ///< Fit::type
   Shelf<VehicleType> vehicles;   ///< Fit::type of vehicles
   std::vector<Flight> flights;   ///< Fit::flight; convoys behind the flights

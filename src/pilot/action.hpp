@@ -60,12 +60,13 @@ struct Action {
   /// altitude to fly, otherwise it stays.
   std::optional<model::AutopilotMode> mode;
   std::optional<Follow> follow;  ///< for the mode follow; of loiter its position is the center
-  std::optional<std::uint32_t> route;  ///< for the mode route: index into the flight's routes
-  std::optional<TrackId> target;       ///< the track to attack, an empty id for nobody; stays
-  std::optional<Release> release;      ///< ends
-  std::optional<bool> trigger;         ///< of the gun; ends
-  std::optional<bool> radar;           ///< true: radiates, false: silent; stays
-  std::optional<Call> call;            ///< ends
+  std::optional<std::uint32_t> route;       ///< for the mode route: index into the flight's routes
+  std::optional<TrackId> target;            ///< the track to attack, an empty id for nobody; stays
+  std::optional<Release> release;           ///< ends
+  std::optional<bool> trigger;              ///< of the gun; ends
+  std::optional<bool> radar;                ///< true: radiates, false: silent; stays
+  std::optional<Call> call;                 ///< ends
+  std::optional<model::Dispense> dispense;  ///< chaff and flares by the dispenser's program; ends
 };
 
 }  // namespace eyrie::pilot
@@ -87,5 +88,6 @@ struct eyrie::ubf::ActionTraits<eyrie::pilot::Action> {
       field<blend::Strongest>("trigger", &A::trigger),
       field<blend::Strongest>("radar", &A::radar),
       field<blend::Strongest>("call", &A::call),
+      field<blend::Strongest>("dispense", &A::dispense),
   };
 };

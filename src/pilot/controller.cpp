@@ -79,7 +79,8 @@ void execute(const Action& action, const State& state, model::Command& command,
   const bool silent = action.radar ? !*action.radar : request.radar_off != 0;
   request = {.target = agent.target,
              .trigger = static_cast<std::uint8_t>(action.trigger.value_or(false)),
-             .radar_off = static_cast<std::uint8_t>(silent)};
+             .radar_off = static_cast<std::uint8_t>(silent),
+             .dispense = action.dispense.value_or(model::Dispense::none)};
   if (action.release && is_hostile(state, action.release->track)) {
     request.shoot_at = agent.asked_track = action.release->track;
     request.store = static_cast<std::uint8_t>(action.release->store + 1);

@@ -132,6 +132,11 @@ void Story::tell(const sim::Event& e) {
     case EventKind::defend:
       say(e.who, defense(e.values[0]));
       break;
+    case EventKind::decoyed:
+      if (const auto m = missiles_.find(e.who); m != missiles_.end())
+        say(e.whom, fmt::format("{} of {} goes for {}", m->second.label, name(m->second.shooter),
+                                e.values[0] < 1.5F ? "chaff" : "a flare"));
+      break;
     case EventKind::detonation:
     case EventKind::timeout:
       ended(e);

@@ -62,6 +62,8 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     if (s.rounds)
       gun.rounds = *s.rounds;
     world.rows(c.gun)[row] = gun;
+    if (type.index.dispenser)
+      world.rows(c.decoys)[row] = model::weapon::loaded(library.dispensers[*type.index.dispenser]);
     world.rows(scenario.pilots.agent)[row] = {.bingo = s.bingo,
                                               .tree = s.tree.value_or(pilot::kNoTree)};
   }

@@ -210,6 +210,7 @@ void DataLoader::complete(Model& model, const Value& document) {
     part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
     part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
     part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
+    part<model::Dispenser>(model.index.dispenser, model.dispenser, document.where_of("dispenser"));
     if (model.rounds && !model.gun)
       diagnostics_.error(document.where_of("rounds"), "rounds: there is no gun for them");
     for (const model::StationFit& station : model.stations)

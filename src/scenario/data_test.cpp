@@ -84,7 +84,8 @@ TEST(Data, ReadsEveryShippedFile) {
                                                {"iff", data.library.iffs.size()},
                                                {"datalinks", data.library.datalinks.size()},
                                                {"trackers", data.library.trackers.size()},
-                                               {"guns", data.library.guns.size()}})
+                                               {"guns", data.library.guns.size()},
+                                               {"countermeasures", data.library.dispensers.size()}})
     EXPECT_EQ(shelf, disk.data_names(kind).size()) << kind;
 }
 

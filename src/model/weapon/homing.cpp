@@ -11,6 +11,7 @@ TargetScene TargetScene::of(const sim::World& world, const AircraftColumns& colu
           .kinematics = world.rows(columns.kinematics),
           .fit = world.rows(columns.fit),
           .propulsion = world.rows(columns.propulsion),
+          .decoys = world.rows(columns.decoys),
           .library = library};
 }
 
@@ -129,6 +130,69 @@ std::optional<Detected> look(const MissileType& type, const Kinematics& k, doubl
     return std::nullopt;
   state.seen = seen->id;
   return seen;
+}
+
+DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double time,
+                         const TargetScene& scene, std::uint64_t seed, PlayerId self, Draw noise,
+                         MissileState& state) {
+  const SeekerType& seeker = type.seeker;
+  if (state.locked == 0 || scene.decoys.empty())
+    return DecoyLook::none;
+  const auto found = std::lower_bound(scene.ids.begin(), scene.ids.end(), state.seen);
+  if (found == scene.ids.end() || *found != state.seen) {
+    state.locked = state.decoy == 0 ? state.locked : std::uint8_t{0};
+    state.decoy = 0;
+    return DecoyLook::none;
+  }
+  const auto row = static_cast<std::size_t>(found - scene.ids.begin());
+  const auto& dispenser = scene.library.aircraft[scene.fit[row].type].index.dispenser;
+  if (!dispenser)
+    return DecoyLook::none;
+  const Dispenser& model = scene.library.dispensers[*dispenser];
+  const auto& thrown = scene.decoys[row].thrown;
+  const Kinematics& target = scene.kinematics[row];
+  const SeekerView view = view_of(k);
+  const auto los_of = [&](const DecoyNow& now) {
+    return line_of_sight(now.position - k.position, now.velocity - k.velocity);
+  };
+
+  DecoyLook result = DecoyLook::rests;
+  if (state.decoy == 0) {
+    const Dispense kind = seeker.kind == SeekerKind::radar ? Dispense::chaff : Dispense::flares;
+    const Vec3 apart = target.position - k.position;
+    const double range = norm(apart);
+    const Vec3 line = apart / std::max(range, 1.0);
+    for (std::size_t i = 0; i < thrown.size() && state.decoy == 0; ++i) {
+      if (thrown[i].kind != kind)
+        continue;
+      const auto now = decoy_at(model, thrown[i], target.down, time);
+      if (!now ||
+          !merged(seeker, {.line = line,
+                           .range = range,
+                           .offset = now->position - target.position,
+                           .slip = now->velocity - target.velocity}) ||
+          !visible(seeker, view, los_of(*now), now->velocity, now->signature))
+        continue;
+      Draw fate(seed, self, Stream::decoy, thrown[i].step, state.seen.value);
+      if (fate.uniform() <
+          seduction(seeker, now->signature, scene.signature(seeker.kind, row, line))) {
+        state.decoy = static_cast<std::uint8_t>(i + 1);
+        state.decoy_step = thrown[i].step;
+        result = DecoyLook::fell;
+      }
+    }
+    if (state.decoy == 0)
+      return DecoyLook::none;
+  }
+  const Decoy& decoy = thrown[state.decoy - 1U];
+  const auto now = decoy_at(model, decoy, target.down, time);
+  if (decoy.step != state.decoy_step || !now ||
+      !visible(seeker, view, los_of(*now), now->velocity, now->signature)) {
+    state.decoy = state.locked = 0;
+    return DecoyLook::none;
+  }
+  follow(seeker, view, measure(seeker, view, los_of(*now), noise), time, state);
+  return result;
 }
 
 void hear(const Track& track, MissileState& state) {

@@ -18,6 +18,7 @@ struct TargetScene {
   std::span<const Kinematics> kinematics;
   std::span<const Fit> fit;
   std::span<const flight::Propulsion> propulsion;
+  std::span<const Decoys> decoys;
   const Library& library;
 
   [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
@@ -65,6 +66,15 @@ struct Detected {
 [[nodiscard]] std::optional<Detected> look(const MissileType& type, const Kinematics& k,
                                            double time, const TargetScene& scene, Draw noise,
                                            MissileState& state);
+
+/// Whether the seeker rests on a decoy of whom it sees, chaff or a flare, and follows that in this
+/// look. It goes for one that is one echo, or one spot, with its aircraft (countermeasures.hpp), by
+/// a number that is drawn once for each missile and decoy; and it rests there until that is over or
+/// behind it. Then it sees nobody, and searches anew from there.
+enum class DecoyLook : std::uint8_t { none, fell, rests };
+[[nodiscard]] DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double time,
+                                       const TargetScene& scene, std::uint64_t seed, PlayerId self,
+                                       Draw noise, MissileState& state);
 
 /// Takes over what the shooter's track says, if it is newer and the seeker sees nobody itself.
 void hear(const Track& track, MissileState& state);

@@ -211,7 +211,9 @@ struct MissileState {
   Side side = Side::none;   ///< of the shooter
   std::uint8_t active = 0;  ///< 1: the seeker is switched on
   std::uint8_t locked = 0;  ///< 1: the seeker rests on `seen` now
-  std::uint8_t reserved[3] = {};
+  std::uint8_t decoy = 0;   ///< 1 + place among the decoys of `seen` on which it rests; 0: on none
+  std::uint8_t reserved[2] = {};
+  std::uint64_t decoy_step = 0;  ///< Decoy::step of that one
 
   static constexpr auto fields() {
     using M = MissileState;
@@ -225,7 +227,8 @@ struct MissileState {
         field("next_fuze_scan", &M::next_fuze_scan, "s"), field("shooter", &M::shooter),
         field("intended", &M::intended), field("track", &M::track), field("seen", &M::seen),
         field("type", &M::type), field("side", &M::side), field("active", &M::active),
-        field("locked", &M::locked), field("reserved", &M::reserved));
+        field("locked", &M::locked), field("decoy", &M::decoy), field("reserved", &M::reserved),
+        field("decoy_step", &M::decoy_step));
   }
 };
 

@@ -78,6 +78,15 @@ void MissileSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::
     if (state.active == 0 || !sim::due(info.step, ids[i], look_period_[state.type]))
       continue;
     const Draw noise(info.seed, ids[i], Stream::seeker, info.step);
+    const DecoyLook decoy = look_at_decoys(type, k, time, scene, info.seed, ids[i], noise, state);
+    if (decoy == DecoyLook::fell)
+      out.emit({.kind = EventKind::decoyed,
+                .who = ids[i],
+                .whom = state.seen,
+                .place = k.position,
+                .values = {type.seeker.kind == SeekerKind::radar ? 1.0F : 2.0F}});
+    if (decoy != DecoyLook::none)
+      continue;
     if (const auto seen = look(type, k, time, scene, noise, state))
       out.emit({.kind = EventKind::seeker_acquired,
                 .who = ids[i],

@@ -31,6 +31,9 @@ struct SeekerType {
   double filter_time = 0.1;        ///< s, time constant of the line-of-sight filter
   double memory = 5;               ///< s without seeing anything before it destroys itself
   double notch_speed = 50;         ///< m/s (radar): slower along the line of sight is clutter
+  double range_gate = 150;         ///< m (radar): nearer to each other than half of it is one echo
+  double doppler_gate = 30;        ///< m/s (radar): of a speed, the same
+  double decoy_rejection = 0;      ///< chance that a decoy is known as one
 
   static constexpr std::string_view type_name = "seeker";
   static constexpr std::string_view help = "the sensor of a missile";
@@ -68,7 +71,14 @@ struct SeekerType {
         param("memory", &S::memory, "s", positive(600),
               "destroys itself after seeing nothing for this long"),
         param("notch_speed", &S::notch_speed, "m/s", range(0, 1000),
-              "radar, looking down: a target slower than this along the line of sight is clutter")};
+              "radar, looking down: a target slower than this along the line of sight is clutter"),
+        param(
+            "range_gate", &S::range_gate, "m", range(0, 10e3),
+            "radar: width of the gate around its target's range; chaff inside is one echo with it"),
+        param("doppler_gate", &S::doppler_gate, "m/s", range(0, 1000),
+              "radar: width of the gate around its target's closing speed"),
+        param("decoy_rejection", &S::decoy_rejection, range(0, 1),
+              "chance that it knows a flare, or chaff, for what it is")};
   }
 };
 

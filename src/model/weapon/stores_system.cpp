@@ -40,6 +40,8 @@ void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const Request& request = requests[i];
+    if (request.dispense != Dispense::none)
+      dispense(world, info, i, out);
     if (!stores[i].pending_track && (request.store == 0 || !request.shoot_at))
       continue;
     const Kinematics& own = kinematics[i];
@@ -75,6 +77,24 @@ void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
               .place = own.position,
               .values = {static_cast<float>(type), static_cast<float>(range)}});
   }
+}
+
+void StoresSystem::dispense(sim::World& world, const sim::StepInfo& info, std::size_t row,
+                            sim::Outbox& out) const {
+  const auto& index = library_->aircraft[world.rows(aircraft_.fit)[row].type].index.dispenser;
+  if (!index)
+    return;
+  Decoys& decoys = world.rows(aircraft_.decoys)[row];
+  const Kinematics& own = std::as_const(world).rows(aircraft_.kinematics)[row];
+  const Request& request = std::as_const(world).rows(aircraft_.request)[row];
+  const Dispense thrown = throw_out(library_->dispensers[*index], request.dispense, own.position,
+                                    own.velocity, info.time(), info.step, decoys);
+  if (thrown != Dispense::none)
+    out.emit({.kind = EventKind::dispense,
+              .who = world.ids(aircraft_.table)[row],
+              .place = own.position,
+              .values = {static_cast<float>(thrown), static_cast<float>(decoys.chaff),
+                         static_cast<float>(decoys.flares)}});
 }
 
 void StoresSystem::commit(sim::World& world, const sim::StepInfo& info,

@@ -25,6 +25,8 @@ class StoresSystem final : public sim::System {
  private:
   void launch(sim::World& world, const sim::StepInfo& info, const sim::Event& eject,
               sim::CommitContext& context) const;
+  void dispense(sim::World& world, const sim::StepInfo& info, std::size_t row,
+                sim::Outbox& out) const;
 
   AircraftColumns aircraft_;
   MissileColumns missiles_;

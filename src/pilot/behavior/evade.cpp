@@ -3,6 +3,9 @@
 
 namespace eyrie::pilot {
 
+/// s to go: a cloud or a flare that is thrown out earlier is over before the missile is here.
+constexpr double kDispenseTime = 6;
+
 template <const Evasion& kDefault>
 Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
@@ -29,6 +32,8 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
   out.action.load_factor = affordable(s, load_factor_, least_mach_);
   out.action.mode = model::AutopilotMode::hold;
   out.action.call = m.call;
+  if (dispense_ != model::Dispense::none && inbound(s, std::min(within_, kDispenseTime)))
+    out.action.dispense = dispense_;
   return Status::running;
 }
 

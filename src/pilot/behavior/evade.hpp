@@ -25,7 +25,8 @@ struct Evasion {
   double angle = kPi / 2;  ///< rad
   double load_factor = 6;  ///< g
   double recovery = 2;     ///< s
-  bool across = false;     ///< turns through the danger's bearing instead of away from it
+  model::Dispense dispense = model::Dispense::none;
+  bool across = false;  ///< turns through the danger's bearing instead of away from it
 };
 
 /// Turns until the danger is `angle` off the nose, on the nearer side, which it keeps until the
@@ -51,6 +52,8 @@ class Evade final : public ubf::WithMemory<Behavior, EvadeMemory> {
         param("least_mach", &E::least_mach_, range(0, 2), "turns easier when it gets slower"),
         param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
         param("floor", &E::floor_, "m", range(0, 25e3), "goes no lower"),
+        param("dispense", &E::dispense_,
+              "none, chaff, flares or both: thrown out at a missile that is here within 6 s"),
         param("recovery", &E::recovery_, "s", range(0, 300),
               "goes on for so long after the last of the danger")};
   }
@@ -68,13 +71,15 @@ class Evade final : public ubf::WithMemory<Behavior, EvadeMemory> {
   double dive_ = si(6000, "ft");
   double floor_ = si(3000, "ft");
   double recovery_ = kDefault.recovery;
+  model::Dispense dispense_ = kDefault.dispense;
 };
 
 /// The danger on the beam: the closing speed to its radar is that of the ground then, and a radar
 /// that looks down filters it out with the clutter (docs/models/radar.md, Doppler notch).
 inline constexpr Evasion kNotch{.name = "notch",
                                 .help = "puts a missile or a radar on the beam, nose low",
-                                .call = Call::notch};
+                                .call = Call::notch,
+                                .dispense = model::Dispense::chaff};
 /// The danger on the tail: a missile has to catch up, and one shot from far runs out of speed.
 inline constexpr Evasion kDrag{.name = "drag",
                                .help = "puts a missile or a fighter on the tail and runs, nose low",
@@ -93,6 +98,7 @@ inline constexpr Evasion kLastDitch{.name = "last_ditch",
                                     .within = 4,
                                     .load_factor = 9,
                                     .recovery = 1,
+                                    .dispense = model::Dispense::both,
                                     .across = true};
 
 using Notch = Evade<kNotch>;

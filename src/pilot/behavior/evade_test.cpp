@@ -96,6 +96,16 @@ TEST(LastDitch, BreaksThroughTheBearingOfTheMissile) {
   EXPECT_EQ(*d.action().load_factor, 9);
 }
 
+TEST(Evade, ThrowsOutChaffAndFlaresWhenTheMissileIsNear) {
+  using model::Dispense;
+  EXPECT_FALSE(decide("notch", threatened(0.5, 7)).action().dispense);
+  EXPECT_EQ(decide("notch", threatened(0.5, 5)).action().dispense, Dispense::chaff);
+  EXPECT_EQ(decide("last_ditch", threatened(0.5, 3)).action().dispense, Dispense::both);
+  EXPECT_FALSE(decide("drag", threatened(0.5, 3)).action().dispense);
+  EXPECT_EQ(decide("{drag: {dispense: flares}}", threatened(0.5, 3)).action().dispense,
+            Dispense::flares);
+}
+
 TEST(Evade, NeverAsksForATurnThatCostsTheLeastMachNorAFlightBelowTheFloor) {
   Desk desk = threatened(0.5, 3);
   desk.own.altitude = 1200;

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "model/weapon/countermeasures.hpp"
+
+namespace eyrie::model::weapon {
+namespace {
+
+void put(const Vec3& position, const Vec3& velocity, double time, std::uint64_t step, Dispense kind,
+         Decoys& decoys) {
+  decoys.thrown[decoys.next] = {
+      .position = position, .velocity = velocity, .time = time, .step = step, .kind = kind};
+  decoys.next = static_cast<std::uint16_t>((decoys.next + 1) % kMaxDecoys);
+}
+
+}  // namespace
+
+Decoys loaded(const Dispenser& dispenser) {
+  Decoys decoys;
+  decoys.chaff = dispenser.chaff;
+  decoys.flares = dispenser.flares;
+  return decoys;
+}
+
+std::optional<DecoyNow> decoy_at(const Dispenser& d, const Decoy& decoy, const Vec3& down,
+                                 double time) {
+  const bool chaff = decoy.kind == Dispense::chaff;
+  const double age = time - decoy.time;
+  if (decoy.kind == Dispense::none || age <= 0 || age > (chaff ? d.chaff_life : d.flare_life))
+    return std::nullopt;
+  const double slowing = chaff ? d.chaff_slowing : d.flare_slowing;
+  const double left = math::exp(-age / slowing);
+  DecoyNow now{.position = decoy.position + slowing * (1 - left) * decoy.velocity,
+               .velocity = left * decoy.velocity};
+  if (chaff) {
+    now.signature = d.chaff_section * (1 - math::exp(-age / d.chaff_bloom));
+    return now;
+  }
+  // the same drag against its weight: it ends at a terminal speed of g times the time constant
+  now.position += kGravity * slowing * (age - slowing * (1 - left)) * down;
+  now.velocity += kGravity * slowing * (1 - left) * down;
+  now.signature = d.flare_intensity * (1 - math::exp(-age / d.flare_rise));
+  return now;
+}
+
+Dispense throw_out(const Dispenser& dispenser, Dispense wanted, const Vec3& position,
+                   const Vec3& velocity, double time, std::uint64_t step, Decoys& decoys) {
+  constexpr double kSlack = 1e-4;
+  if (wanted == Dispense::none || time + kSlack < decoys.ready_time)
+    return Dispense::none;
+  unsigned thrown = 0;
+  const auto asked = static_cast<unsigned>(wanted);
+  if ((asked & static_cast<unsigned>(Dispense::chaff)) != 0 && decoys.chaff > 0) {
+    --decoys.chaff;
+    put(position, velocity, time, step, Dispense::chaff, decoys);
+    thrown |= static_cast<unsigned>(Dispense::chaff);
+  }
+  if ((asked & static_cast<unsigned>(Dispense::flares)) != 0 && decoys.flares > 0) {
+    --decoys.flares;
+    put(position, velocity, time, step, Dispense::flares, decoys);
+    thrown |= static_cast<unsigned>(Dispense::flares);
+  }
+  if (thrown != 0)
+    decoys.ready_time = time + dispenser.interval;
+  return static_cast<Dispense>(thrown);
+}
+
+bool merged(const SeekerType& seeker, const Apart& apart) {
+  if (seeker.kind == SeekerKind::radar)
+    return std::fabs(dot(apart.offset, apart.line)) <= seeker.range_gate / 2 &&
+           std::fabs(dot(apart.slip, apart.line)) <= seeker.doppler_gate / 2;
+  const Vec3 aside = apart.offset - dot(apart.offset, apart.line) * apart.line;
+  const double edge = seeker.field_of_view / 2 * apart.range;
+  return norm2(aside) <= edge * edge;
+}
+
+double seduction(const SeekerType& seeker, double decoy, double aircraft) {
+  if (decoy <= 0)
+    return 0;
+  return (1 - seeker.decoy_rejection) * decoy / (decoy + std::max(aircraft, 0.0));
+}
+
+}  // namespace eyrie::model::weapon
