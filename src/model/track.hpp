@@ -32,9 +32,47 @@ struct AxisCovariance {
   }
 };
 
+/// The same with the acceleration as a third state.
+struct TurningCovariance {
+  float position = 0;               ///< m^2
+  float cross = 0;                  ///< m^2/s, position with velocity
+  float velocity = 0;               ///< m^2/s^2
+  float position_acceleration = 0;  ///< m^2/s^2
+  float velocity_acceleration = 0;  ///< m^2/s^3
+  float acceleration = 0;           ///< m^2/s^4
+
+  static constexpr auto fields() {
+    using T = TurningCovariance;
+    return field_list(field("position", &T::position, "m2"), field("cross", &T::cross),
+                      field("velocity", &T::velocity),
+                      field("position_acceleration", &T::position_acceleration),
+                      field("velocity_acceleration", &T::velocity_acceleration),
+                      field("acceleration", &T::acceleration));
+  }
+};
+
+/// What a track would be if its target were turning, beside what it would be if it flew straight.
+struct Turning {
+  TurningCovariance along{};            ///< along the line of sight
+  TurningCovariance across{};           ///< each of the two axes across it
+  std::array<float, 3> position{};      ///< m, from where the target would be if it flew straight
+  std::array<float, 3> velocity{};      ///< m/s, likewise
+  std::array<float, 3> acceleration{};  ///< m/s^2
+  float probability = 0;                ///< that the target turns
+
+  static constexpr auto fields() {
+    return field_list(field("along", &Turning::along), field("across", &Turning::across),
+                      field("position", &Turning::position, "m"),
+                      field("velocity", &Turning::velocity, "m/s"),
+                      field("acceleration", &Turning::acceleration, "m/s2"),
+                      field("probability", &Turning::probability));
+  }
+};
+
 /// What one player believes about one other. Position and velocity are in the local frame and hold
-/// at `time`; position_at() carries them on. The covariances hold at `time` too, the two sigmas at
-/// the last upkeep: they grow while nobody sees the target.
+/// at `time`; position_at() carries them on. They are the mean over straight flight and turn. The
+/// covariances hold at `time` too, the two sigmas at the last upkeep: they grow while nobody sees
+/// the target.
 struct Track {
   Vec3 position{};           ///< m, at `time`
   Vec3 velocity{};           ///< m/s
@@ -42,8 +80,9 @@ struct Track {
   double first_time = 0;     ///< s, of the first contact
   double sensed_time = 0;    ///< s, last contact by an own sensor; before the run if there is none
   double seen_time = 0;      ///< s, last contact by eye; before the run if there is none
-  AxisCovariance along{};    ///< along the line of sight
-  AxisCovariance across{};   ///< each of the two axes across it
+  AxisCovariance along{};    ///< along the line of sight, if the target flies straight
+  AxisCovariance across{};   ///< each of the two axes across it, likewise
+  Turning turning{};         ///< and what if it turns
   float position_sigma = 0;  ///< m, 1-sigma along the worst axis
   float velocity_sigma = 0;  ///< m/s, 1-sigma along the worst axis
   TrackId id{};              ///< names the track in its owner's list; never reused there
@@ -63,7 +102,7 @@ struct Track {
         field("time", &Track::time, "s"), field("first_time", &Track::first_time, "s"),
         field("sensed_time", &Track::sensed_time, "s"), field("seen_time", &Track::seen_time, "s"),
         field("along", &Track::along), field("across", &Track::across),
-        field("position_sigma", &Track::position_sigma, "m"),
+        field("turning", &Track::turning), field("position_sigma", &Track::position_sigma, "m"),
         field("velocity_sigma", &Track::velocity_sigma, "m/s"), field("id", &Track::id),
         field("truth", &Track::truth), field("identity", &Track::identity),
         field("sources", &Track::sources), field("fresh", &Track::fresh),

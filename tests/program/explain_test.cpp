@@ -162,7 +162,7 @@ TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
   EXPECT_EQ(parted.code, 1);
   const json difference = json::parse(parted.out);
   std::uint64_t first = ~std::uint64_t{0};
-  for (const char* player : {"eagle1", "eagle2"}) {  // who shoot
+  for (const char* player : {"eagle1", "eagle2", "eagle3", "eagle4"}) {
     const Ran ran = debriefed({"whatif", "a", "--player", player, "--set",
                                "trees.bvr.per_field.release_weapon.zone=0.3", "--json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
@@ -248,7 +248,9 @@ TEST(WhatIfProgram, FliesOnBothWaysAndOverManySeeds) {
     const json said = asked(player, {});
     return said.contains("first") ? said["first"]["step"].get<std::uint64_t>() : ~std::uint64_t{0};
   };
-  const char* first = step("eagle1") < step("eagle2") ? "eagle1" : "eagle2";  // who shoot
+  const char* first = "eagle1";
+  for (const char* player : {"eagle2", "eagle3", "eagle4"})
+    first = step(player) < step(first) ? player : first;
   const json said = asked(first, {"--branch", "--seeds", "3"});
   // until the first decision that differs all fly alike, so a branch ends as if it had begun so
   const auto ends_as = [&](const json& branch, const json& flight) {

@@ -25,11 +25,13 @@ std::uint8_t engagement(const Track& track, const OwnReport& own) {
   return static_cast<std::uint8_t>((track.id == own.target ? kTargeted : 0) | (shot ? kShotAt : 0));
 }
 
-SharedTrack share(const Track& track, const OwnReport& own) {
-  return {.position = narrow(position_at(track, own.time)),
-          .velocity = narrow(track.velocity),
-          .position_sigma = track.position_sigma,
-          .velocity_sigma = track.velocity_sigma,
+SharedTrack share(const Track& track, const OwnReport& own, const track::Tracker& tracker) {
+  const Track now = track::carried_on(track, tracker, {own.position, own.velocity}, own.time);
+  return {.position = narrow(now.position),
+          .velocity = narrow(now.velocity),
+          .along = now.along,
+          .across = now.across,
+          .turning = now.turning,
           .truth = track.truth,
           .identity = track.identity,
           .engagement = engagement(track, own),
@@ -52,7 +54,8 @@ std::string_view Datalink::problem() const {
   return {};
 }
 
-void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks) {
+void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
+              const track::Tracker& tracker) {
   std::array<Merit, kMaxTracks> merits;
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < tracks.count; ++i) {
@@ -77,7 +80,7 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks)
   message.fuel = static_cast<float>(own.fuel);
   message.track_count = static_cast<std::uint32_t>(std::min(count, kSharedTracks));
   for (std::uint32_t i = 0; i < message.track_count; ++i)
-    message.tracks[i] = share(tracks.tracks[merits[i].index], own);
+    message.tracks[i] = share(tracks.tracks[merits[i].index], own, tracker);
   ++sent.sent;
 }
 
@@ -98,40 +101,72 @@ constexpr double kSpeedSlack = 30;      ///< m/s, for the turn the mate made sin
 /// A remote track nearer to the own aircraft than this is the own aircraft, seen by the mate.
 constexpr double kSelf = 500;  ///< m
 
-Contact as_contact(const SharedTrack& shared, const track::TrackContext& context, double dt) {
-  const track::AxisState remote =
-      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
-                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
-                       dt, context.tracker.maneuver);
+/// What the mate believes, now and as seen from here.
+track::Prediction estimate_of(const SharedTrack& shared, const DatalinkMessage& message,
+                              const track::TrackContext& context) {
+  const Track told{.position = widen(shared.position),
+                   .velocity = widen(shared.velocity),
+                   .time = message.time,
+                   .along = shared.along,
+                   .across = shared.across,
+                   .turning = shared.turning};
+  track::Prediction theirs = track::predict(
+      told, context.tracker, {message.position, widen(message.velocity)}, context.time);
+  const Vec3 from_there = normalized(theirs.position - message.position, {1, 0, 0});
+  const Vec3 from_here = normalized(theirs.position - context.ownship.position, {1, 0, 0});
+  track::turn_sight(theirs, norm2(cross(from_there, from_here)));
+  return theirs;
+}
+
+Contact as_contact(const track::Prediction& theirs, const track::TrackContext& context) {
   Contact contact;
-  contact.position = widen(shared.position) + dt * widen(shared.velocity);
+  contact.position = theirs.position;
   const Vec3 sight = contact.position - context.ownship.position;
   contact.range = norm(sight);
   contact.line = normalized(sight, {1, 0, 0});
-  contact.sigma_along = contact.sigma_across = std::sqrt(remote.position);
-  contact.truth = shared.truth;
+  contact.sigma_along = std::sqrt(theirs.along.position);
+  contact.sigma_across = std::sqrt(theirs.across.position);
   contact.source = kFromDatalink;
   return contact;
 }
 
-/// The track that fits best, or kMaxTracks.
-std::size_t nearest_track(const TrackFile& file, const track::TrackContext& context,
-                          const Contact& contact, double& best) {
-  std::size_t nearest = kMaxTracks;
-  const double far2 = track::reach2(context.tracker, contact);
-  for (std::size_t i = 0; i < file.count; ++i) {
-    const Track& track = file.tracks[i];
-    if (norm2(position_at(track, context.time) - contact.position) > far2)
-      continue;
-    const double deviations2 = track::deviations_of(
-        track::predict(track, context.tracker, context.ownship, context.time), contact);
-    if (deviations2 < best) {
-      nearest = i;
-      best = deviations2;
-    }
+/// The own tracks as they are believed to be now, each predicted when it is asked for.
+class Now {
+ public:
+  Now(const TrackFile& file, const track::TrackContext& context) : file_(file), context_(context) {}
+
+  const track::Prediction& of(std::size_t i) {
+    if (!predictions_[i])
+      predictions_[i] = track::predict(file_.tracks[i], context_.tracker, context_.ownship,
+                                       context_.time, ahead_);
+    return *predictions_[i];
   }
-  return nearest;
-}
+  /// That track is another one since.
+  void forget(std::size_t i) { predictions_[i].reset(); }
+  void forget_all() { predictions_ = {}; }
+
+  /// The track that fits best, or kMaxTracks.
+  std::size_t nearest(const Contact& contact, double& best) {
+    std::size_t nearest = kMaxTracks;
+    const double far2 = track::reach2(context_.tracker, contact);
+    for (std::size_t i = 0; i < file_.count; ++i) {
+      if (norm2(position_at(file_.tracks[i], context_.time) - contact.position) > far2)
+        continue;
+      const double deviations2 = track::match(of(i), contact).deviations2();
+      if (deviations2 < best) {
+        nearest = i;
+        best = deviations2;
+      }
+    }
+    return nearest;
+  }
+
+ private:
+  const TrackFile& file_;
+  const track::TrackContext& context_;
+  std::array<std::optional<track::Prediction>, kMaxTracks> predictions_;
+  track::Interval ahead_;
+};
 
 /// Where a mate says it is, carried on to now.
 Contact reported(const Mate& mate, const track::TrackContext& context) {
@@ -143,46 +178,29 @@ Contact reported(const Mate& mate, const track::TrackContext& context) {
 }
 
 /// Whether the track could be a member of the own flight, as far as its places tell.
-bool may_be_mate(const Track& track, const DatalinkState& state,
+bool may_be_mate(const track::Prediction& place, const DatalinkState& state,
                  const track::TrackContext& context) {
   const double gate = context.tracker.gate;
-  const track::Prediction place =
-      track::predict(track, context.tracker, context.ownship, context.time);
   for (std::uint32_t i = 0; i < state.count; ++i) {
     const Mate& mate = state.members[i];
     if (i == state.self || !mate.alive || !mate.reported)
       continue;
     const Contact contact = reported(mate, context);
     if (norm2(contact.position - place.position) <= track::reach2(context.tracker, contact) &&
-        track::deviations_of(place, contact) <= gate * gate)
+        track::match(place, contact).deviations2() <= gate * gate)
       return true;
   }
   return false;
 }
 
-/// The track as the mate believes it to be, now.
-void take_over(Track& track, const SharedTrack& shared, const track::TrackContext& context,
-               const Contact& contact, double dt) {
-  const track::AxisState state =
-      track::predicted({double(shared.position_sigma) * double(shared.position_sigma), 0,
-                        double(shared.velocity_sigma) * double(shared.velocity_sigma)},
-                       dt, context.tracker.maneuver);
-  track.position = contact.position;
-  track.velocity = widen(shared.velocity);
-  track.along = track.across = narrow(state);
-  track.time = context.time;
-  track.truth = shared.truth;
-  track.fresh = kFromDatalink;
-  track::refresh_sigmas(track, context.tracker, context.time);
-}
-
 Track remote_track(const SharedTrack& shared, const track::TrackContext& context,
-                   const Contact& contact, double dt) {
+                   const track::Prediction& theirs) {
   Track track;
-  take_over(track, shared, context, contact, dt);
+  track::set(track, theirs, context.time);
   track.first_time = context.time;
   track.sensed_time = track.seen_time = kNever;
-  track.sources = kFromDatalink;
+  track.truth = shared.truth;
+  track.sources = track.fresh = kFromDatalink;
   track.hits = static_cast<std::uint8_t>(std::min(context.tracker.confirm_hits, 255u));
   track.confirmed = 1;  // the sender has confirmed it
   return track;
@@ -261,19 +279,22 @@ void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMes
   const auto bit = static_cast<std::uint8_t>(1u << member);
   forget_claims(file, bit);
 
-  const double dt = context.time - message.time;
+  Now now(file, context);
   for (std::uint32_t i = 0; i < message.track_count; ++i) {
     const SharedTrack& shared = message.tracks[i];
-    const Contact contact = as_contact(shared, context, dt);
-    if (contact.range < kSelf + context.tracker.gate * contact.sigma_along)
+    const track::Prediction theirs = estimate_of(shared, message, context);
+    const Contact contact = as_contact(theirs, context);
+    const double unsure = std::max(contact.sigma_along, contact.sigma_across);
+    if (contact.range < kSelf + context.tracker.gate * unsure)
       continue;
 
     double best = context.tracker.gate * context.tracker.gate;
-    std::size_t index = nearest_track(file, context, contact, best);
+    std::size_t index = now.nearest(contact, best);
     if (index == kMaxTracks) {
       if (!shared.sensed)
         continue;
-      index = track::add_track(file, context, remote_track(shared, context, contact, dt));
+      index = track::add_track(file, context, remote_track(shared, context, theirs));
+      now.forget_all();  // somebody may have made room for it
       if (index == kMaxTracks)
         continue;
       const Track& fresh = file.tracks[index];
@@ -284,18 +305,18 @@ void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMes
                         .value = contact.range});
     } else if (shared.sensed) {
       Track& track = file.tracks[index];
-      const track::Prediction own =
-          track::predict(track, context.tracker, context.ownship, context.time);
-      const double own_variance = std::max(own.along.position, own.across.position);
-      if (contact.sigma_along * contact.sigma_along < own_variance)
-        take_over(track, shared, context, contact, dt);
+      if (track::take_in(track, now.of(index), theirs, context.ownship, context.time)) {
+        now.forget(index);
+        track.truth = shared.truth;
+        track.fresh = kFromDatalink;
+      }
       track.sources = static_cast<std::uint8_t>(track.sources | kFromDatalink);
     }
 
     Track& track = file.tracks[index];
     // the two may be neighbors: who stands where a friend may be is not called hostile for that
     if (track.identity == Identity::unknown &&
-        (shared.identity != Identity::hostile || !may_be_mate(track, state, context)))
+        (shared.identity != Identity::hostile || !may_be_mate(now.of(index), state, context)))
       track::identify(track, shared.identity, context);
     if ((shared.engagement & kTargeted) != 0)
       track.targeted_by |= bit;
@@ -309,7 +330,7 @@ void recognize_mate(TrackFile& file, const track::TrackContext& context, const M
     return;
   const Contact contact = reported(mate, context);
   double best = kRecognized * kRecognized;
-  const std::size_t index = nearest_track(file, context, contact, best);
+  const std::size_t index = Now(file, context).nearest(contact, best);
   if (index == kMaxTracks)
     return;
   Track& track = file.tracks[index];

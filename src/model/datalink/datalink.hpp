@@ -23,8 +23,9 @@ enum TrackEngagement : std::uint8_t {
 struct SharedTrack {
   std::array<float, 3> position{};  ///< m, local frame
   std::array<float, 3> velocity{};  ///< m/s
-  float position_sigma = 0;         ///< m
-  float velocity_sigma = 0;         ///< m/s
+  AxisCovariance along{};           ///< along the line of sight from the sender, as Track::along
+  AxisCovariance across{};          ///< as Track::across
+  Turning turning{};                ///< as Track::turning
   PlayerId truth{};                 ///< passed on for debrief only
   Identity identity = Identity::unknown;
   std::uint8_t engagement = 0;  ///< bits of TrackEngagement
@@ -34,8 +35,8 @@ struct SharedTrack {
   static constexpr auto fields() {
     using S = SharedTrack;
     return field_list(field("position", &S::position, "m"), field("velocity", &S::velocity, "m/s"),
-                      field("position_sigma", &S::position_sigma, "m"),
-                      field("velocity_sigma", &S::velocity_sigma, "m/s"), field("truth", &S::truth),
+                      field("along", &S::along), field("across", &S::across),
+                      field("turning", &S::turning), field("truth", &S::truth),
                       field("identity", &S::identity), field("engagement", &S::engagement),
                       field("sensed", &S::sensed), field("reserved", &S::reserved));
   }
@@ -173,7 +174,8 @@ struct OwnReport {
 
 /// Puts one message into the own ring: the own report, the target, what was shot at, and then the
 /// nearest confirmed tracks of the own sensors that are not friends (those report themselves).
-void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks);
+void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
+              const track::Tracker& tracker = {});
 
 /// The newest message that has had time to arrive, or null. `sent` counts as in DatalinkSent.
 [[nodiscard]] const DatalinkMessage* newest_arrived(const DatalinkSent& sent, double delay,
@@ -194,10 +196,10 @@ std::uint8_t check_silence(DatalinkState& state, const Datalink& datalink, doubl
 void forget_claims(TrackFile& tracks, std::uint8_t members);
 
 /// What mate number `member` said about tracks goes into the own file: a track that a sensor of the
-/// mate holds becomes a track here, or replaces the estimate here if it is the better one; identity
-/// is taken over where it is unknown, but hostile only where no member of the flight (`state`) may
-/// be; claims (targeted, shot at) are marked with the mate's bit.
-/// Estimates are chosen, not averaged: the mate's may contain what was learned from here.
+/// mate holds becomes a track here, or makes the estimate here better; identity is taken over where
+/// it is unknown, but hostile only where no member of the flight (`state`) may be; claims
+/// (targeted, shot at) are marked with the mate's bit. Estimates are joined by covariance
+/// intersection: the mate's may contain what was learned from here.
 void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMessage& message,
           const DatalinkState& state, std::uint32_t member);
 

@@ -220,7 +220,7 @@ TEST(Fuse, MakesATrackOfWhatOnlyTheMateSees) {
   ASSERT_EQ(r.news.items().size(), 2u);
 }
 
-TEST(Fuse, ChoosesTheBetterEstimateAndNeverMixes) {
+TEST(Fuse, TakesWhatIsBetterAndKeepsWhatIsWorseOut) {
   const DatalinkMessage message = message_of(file_of({confirmed(8, {50e3, 0, 0})}));
   Receiver good;
   Track own = confirmed(1, {49.9e3, 50, 0}, Identity::unknown);
@@ -234,13 +234,67 @@ TEST(Fuse, ChoosesTheBetterEstimateAndNeverMixes) {
   EXPECT_EQ(good.file.tracks[0].sources, kFromRadar | kFromDatalink);
 
   Receiver poor;
-  own.along = own.across = {400 * 400, 0, 100};
+  own.along = own.across = {400 * 400, 0, 100 * 100};
   poor.file = file_of({own});
   fuse(poor.file, poor.at(0.5), message, {}, 1);
   ASSERT_EQ(poor.file.count, 1u);
-  EXPECT_NEAR(poor.file.tracks[0].position.y, 0, 0.01);
+  EXPECT_NEAR(poor.file.tracks[0].position.y, 0, 1);
   EXPECT_EQ(poor.file.tracks[0].fresh, kFromDatalink);
   EXPECT_EQ(poor.file.tracks[0].id, TrackId{1});
+}
+
+TEST(Fuse, JoinsTheRangeOfOneWithTheDirectionOfTheOther) {
+  // the mate looks along y, the own radar along x; each knows its range well and its direction
+  // badly
+  Track theirs = confirmed(8, {50e3, 0, 0});
+  theirs.along = {30 * 30, 0, 3 * 3};
+  theirs.across = {600 * 600, 0, 30 * 30};
+  OwnReport mate = report(0, {50e3, 60e3, 0});
+  DatalinkSent sent;
+  transmit(sent, mate, file_of({theirs}));
+  Track own = confirmed(1, {50010, 500, 0});
+  own.along = {30 * 30, 0, 3 * 3};
+  own.across = {700 * 700, 0, 35 * 35};
+  Receiver r;
+  r.file = file_of({own});
+  fuse(r.file, r.at(0), sent.messages[0], {}, 1);
+  ASSERT_EQ(r.file.count, 1u);
+  const Track& joint = r.file.tracks[0];
+  EXPECT_NEAR(joint.position.x, 50010, 5) << "the own range is not made worse";
+  EXPECT_LT(joint.along.position, 31.0f * 31);
+  EXPECT_LT(joint.across.position, 500.0f * 500) << "half of the directions across is known well";
+}
+
+/// What I told a mate comes back from it: neither of us knows any more than before.
+TEST(Fuse, LearnsNothingFromItsOwnEcho) {
+  Receiver me, mate;
+  Track own = confirmed(1, {50e3, 0, 0});
+  own.along = {50 * 50, 300, 4 * 4};
+  own.across = {500 * 500, 4000, 40 * 40};
+  own.turning.probability = 0.1f;
+  own.turning.along = {80 * 80, 500, 30 * 30, 0, 0, 900};
+  own.turning.across = {600 * 600, 5000, 90 * 90, 0, 0, 900};
+  me.file = file_of({own});
+  const auto pass = [](Receiver& from, Receiver& to, double time) {
+    DatalinkSent sent;
+    OwnReport sender = report(time);
+    from.file.tracks[0].sensed_time = time;  // held by a sensor, or it would not be passed on
+    transmit(sent, sender, from.file, kTracker);
+    fuse(to.file, to.at(time), sent.messages[0], {}, 1);
+    ASSERT_EQ(to.file.count, 1u);
+  };
+  for (int i = 0; i < 20; ++i) {
+    pass(me, mate, 0.5 * i);
+    pass(mate, me, 0.5 * i);
+  }
+  // as if nobody had said anything
+  const track::Prediction alone = track::predict(own, kTracker, {{}, {200, 0, 0}}, 9.5);
+  const track::Prediction now = track::predict(me.file.tracks[0], kTracker, {{}, {200, 0, 0}}, 9.5);
+  EXPECT_GT(now.along.position, 0.98 * alone.along.position);
+  EXPECT_GT(now.across.position, 0.98 * alone.across.position);
+  EXPECT_GT(now.along.velocity, 0.98 * alone.along.velocity);
+  EXPECT_GT(now.across.velocity, 0.98 * alone.across.velocity);
+  EXPECT_NEAR(norm(now.position - alone.position), 0, 1);
 }
 
 TEST(Fuse, CallsNobodyHostileWhoMayBeAFriend) {

@@ -87,7 +87,10 @@ Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const
   contact.speed_along = range_rate + dot(own.velocity, contact.line);
   contact.sigma_along = radar.sigma_range;
   contact.sigma_across = sigma_angle * measured_range;
-  contact.sigma_speed = radar.sigma_range_rate + sigma_angle * norm(own.velocity);
+  // the own speed across the line, taken for speed along it; that of the target is about the same
+  const double turned = sigma_angle * norm(own.velocity);
+  contact.sigma_speed =
+      std::sqrt(radar.sigma_range_rate * radar.sigma_range_rate + turned * turned);
   contact.truth = truth;
   contact.source = kFromRadar;
   return contact;

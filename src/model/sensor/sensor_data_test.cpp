@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "core/bind.hpp"
+#include "core/yaml.hpp"
 #include "model/datalink/datalink.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
@@ -17,23 +19,11 @@
 namespace eyrie::model::sensor {
 namespace {
 
-/// Files of this kind are flat: one "key: value  # source" a line. The real loader is a layer
-/// above.
-Value read(const std::filesystem::path& path) {
+Value read(const std::filesystem::path& path, Diagnostics& diagnostics) {
   std::ifstream file(path);
   EXPECT_TRUE(file) << path;
-  Value map = Value::map({}, {path.string(), 1, 1});
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    line.erase(std::min(line.find(" #"), line.size()));
-    const std::size_t colon = line.find(": ");
-    if (line.empty() || line[0] == '#' || colon == std::string::npos)
-      continue;
-    std::string text = line.substr(colon + 2);
-    text.erase(text.find_last_not_of(' ') + 1);
-    map.entries.push_back(entry(line.substr(0, colon), text, {path.string(), number, 1}));
-  }
-  return map;
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return parse_yaml(text, path.string(), diagnostics);
 }
 
 template <class Model>
@@ -46,7 +36,7 @@ std::vector<Model> all(const std::string& kind) {
   for (const auto& path : paths) {
     Diagnostics diagnostics;
     Model model;
-    EXPECT_TRUE(bind(model, read(path), diagnostics)) << diagnostics.text();
+    EXPECT_TRUE(bind(model, read(path, diagnostics), diagnostics)) << diagnostics.text();
     models.push_back(model);
   }
   EXPECT_FALSE(models.empty()) << kind;
@@ -75,7 +65,7 @@ TEST(SensorData, TheBestRadarSeesTheOthersWhereTheFactsSaySo) {
   // 80 nmi at 3.2 m^2 is 94 nmi for the 6 m^2 of a MiG-29 (docs/models/radar.md)
   Diagnostics diagnostics;
   Radar apg63;
-  ASSERT_TRUE(bind(apg63, read("data/radars/apg63.yaml"), diagnostics));
+  ASSERT_TRUE(bind(apg63, read("data/radars/apg63.yaml", diagnostics), diagnostics));
   const Detector detector(apg63);
   const double range = si(94, "nmi");
   EXPECT_NEAR(detector.probability(detector.signal_to_noise(range * range, 6)), 0.5, 0.01);

@@ -210,7 +210,7 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
                         .fuel = propulsion[i].fuel,
                         .target = request[i].target,
                         .shot_at = std::span(shots).first(count)},
-                       tracks[i]);
+                       tracks[i], *suite.tracker);
   }
 }
 

@@ -19,6 +19,7 @@ Track true_track(const Scene& scene, const Self& self, std::size_t j, const Trac
   track.velocity = other.velocity;
   track.time = track.sensed_time = scene.time;
   track.along = track.across = {};
+  track.turning = {};
   track.position_sigma = track.velocity_sigma = 0;
   track.truth = scene.ids[j];
   track.sources |= kFromTruth;

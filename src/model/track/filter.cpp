@@ -6,28 +6,84 @@
 namespace eyrie::model::track {
 namespace {
 
-/// The diagonal of a covariance that is turned by an angle with that sin^2 about a random axis
-/// across the line: the trace of along + 2 across stays.
-void turn(AxisState& along, AxisState& across, double sin2) {
-  const auto mix = [sin2](double& a, double& b) {
-    const double passed = sin2 * (a - b);
-    a -= passed;
-    b += passed / 2;
-  };
-  mix(along.position, across.position);
-  mix(along.cross, across.cross);
-  mix(along.velocity, across.velocity);
+std::array<float, 3> narrow(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+Vec3 widen(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
 }
 
 float worst_sigma(double a, double b) {
   return static_cast<float>(std::sqrt(std::max(a, b)));
 }
 
-void store(Track& track, const AxisState& along, const AxisState& across) {
-  track.along = narrow(along);
-  track.across = narrow(across);
-  track.position_sigma = worst_sigma(along.position, across.position);
-  track.velocity_sigma = worst_sigma(along.velocity, across.velocity);
+/// The spread of two means as a covariance of one axis.
+struct Spread {
+  AxisState along, across;
+};
+Spread spread(const Mode& a, const Mode& b, const Vec3& line) {
+  const Vec3 p = b.position - a.position, v = b.velocity - a.velocity,
+             w = b.acceleration - a.acceleration;
+  const double pa = dot(p, line), va = dot(v, line), wa = dot(w, line);
+  return {
+      .along = {pa * pa, pa * va, va * va, pa * wa, va * wa, wa * wa},
+      .across = {(norm2(p) - pa * pa) / 2, (dot(p, v) - pa * va) / 2, (norm2(v) - va * va) / 2,
+                 (dot(p, w) - pa * wa) / 2, (dot(v, w) - va * wa) / 2, (norm2(w) - wa * wa) / 2}};
+}
+
+/// Both believed with their probabilities, as one.
+Mode mixture(const Mode& a, const Mode& b, const Vec3& line) {
+  const double total = a.probability + b.probability;
+  const double wb = total > 0 ? b.probability / total : 0, wa = 1 - wb;
+  const Spread apart = spread(a, b, line);
+  const auto mean = [&](const Vec3& x, const Vec3& y) { return x + wb * (y - x); };
+  const auto covariance = [&](const AxisState& x, const AxisState& y, const AxisState& means) {
+    return plus(plus(plus({}, wa, x), wb, y), wa * wb, means);
+  };
+  return {.position = mean(a.position, b.position),
+          .velocity = mean(a.velocity, b.velocity),
+          .acceleration = mean(a.acceleration, b.acceleration),
+          .along = covariance(a.along, b.along, apart.along),
+          .across = covariance(a.across, b.across, apart.across),
+          .probability = total};
+}
+
+AxisState without_acceleration(const AxisState& c) {
+  return {c.position, c.cross, c.velocity};
+}
+
+/// A straight flight that becomes a turn: some acceleration, nobody knows which.
+AxisState with_acceleration(const AxisState& c, double variance) {
+  return {
+      .position = c.position, .cross = c.cross, .velocity = c.velocity, .acceleration = variance};
+}
+
+double variance_of(const Motion& motion) {
+  return motion.maneuver * motion.maneuver;
+}
+
+void carry(Mode& mode, const Transition& t) {
+  mode.position += t.dt * mode.velocity + t.to_position * mode.acceleration;
+  mode.velocity += t.to_velocity * mode.acceleration;
+  mode.acceleration = t.kept * mode.acceleration;
+  mode.along = predicted(mode.along, t);
+  mode.across = predicted(mode.across, t);
+}
+
+void store(Track& track, const Mode& straight, const Mode& turning, const Vec3& line) {
+  const Mode both = mixture(straight, turning, line);
+  track.position = both.position;
+  track.velocity = both.velocity;
+  track.along = track::narrow(straight.along);
+  track.across = track::narrow(straight.across);
+  track.turning = {.along = narrow_turning(turning.along),
+                   .across = narrow_turning(turning.across),
+                   .position = narrow(turning.position - straight.position),
+                   .velocity = narrow(turning.velocity - straight.velocity),
+                   .acceleration = narrow(turning.acceleration),
+                   .probability = static_cast<float>(turning.probability)};
+  track.position_sigma = worst_sigma(both.along.position, both.across.position);
+  track.velocity_sigma = worst_sigma(both.along.velocity, both.across.velocity);
 }
 
 void stamp(Track& track, const Contact& contact, double time) {
@@ -42,130 +98,279 @@ void stamp(Track& track, const Contact& contact, double time) {
     ++track.hits;
 }
 
+/// How far a contact is from where a mode expects it.
+struct Residual {
+  Vec3 along, across;  ///< m
+  double faster = 0;   ///< m/s along the line, after the position is known
+  double speed = 0;    ///< m^2/s^2, variance of that
+  Surprise surprise;
+};
+Residual residual_of(const Mode& mode, const Contact& contact) {
+  const double along_total = mode.along.position + contact.sigma_along * contact.sigma_along;
+  const double across_total = mode.across.position + contact.sigma_across * contact.sigma_across;
+  const Vec3 apart = contact.position - mode.position;
+  const double ahead = dot(apart, contact.line);
+  Residual r{.along = ahead * contact.line};
+  r.across = apart - r.along;
+  r.surprise = {ahead * ahead / along_total + norm2(r.across) / across_total,
+                along_total * across_total * across_total};
+  if (contact.sigma_speed > 0) {
+    const double gain = mode.along.cross / along_total;
+    r.faster = contact.speed_along - dot(mode.velocity, contact.line) - gain * ahead;
+    r.speed =
+        mode.along.velocity - gain * mode.along.cross + contact.sigma_speed * contact.sigma_speed;
+    r.surprise.deviations2 += r.faster * r.faster / r.speed;
+    r.surprise.volume *= r.speed;
+  }
+  return r;
+}
+
+/// A mode after a contact: position along and across the line of sight, then the speed along it.
+Surprise update(Mode& mode, const Contact& contact) {
+  const Residual r = residual_of(mode, contact);
+  const Gains a = update_position(mode.along, contact.sigma_along * contact.sigma_along);
+  const Gains b = update_position(mode.across, contact.sigma_across * contact.sigma_across);
+  mode.position += a.position * r.along + b.position * r.across;
+  mode.velocity += a.velocity * r.along + b.velocity * r.across;
+  mode.acceleration += a.acceleration * r.along + b.acceleration * r.across;
+  if (contact.sigma_speed > 0) {
+    const Gains c = update_velocity(mode.along, contact.sigma_speed * contact.sigma_speed);
+    const Vec3 faster = r.faster * contact.line;
+    mode.position += c.position * faster;
+    mode.velocity += c.velocity * faster;
+    mode.acceleration += c.acceleration * faster;
+  }
+  return r.surprise;
+}
+
+/// exp() of more than that is not needed to be sure.
+constexpr double kSure = 100;
+
+/// The diagonal of a covariance that is turned by an angle with that sin^2 about a random axis
+/// across the line: the trace of along + 2 across stays.
+void turn_sight(AxisState& along, AxisState& across, double sin2) {
+  const AxisState passed = plus(plus({}, sin2, along), -sin2, across);
+  along = plus(along, -1, passed);
+  across = plus(across, 0.5, passed);
+}
+
 }  // namespace
+
+void turn_sight(Prediction& prediction, double sin2) {
+  turn_sight(prediction.along, prediction.across, sin2);
+  turn_sight(prediction.straight.along, prediction.straight.across, sin2);
+  turn_sight(prediction.turning.along, prediction.turning.across, sin2);
+}
 
 Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship,
                    double time) {
+  Interval ahead;
+  return predict(track, tracker, ownship, time, ahead);
+}
+
+Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship, double time,
+                   Interval& ahead) {
   const double dt = time - track.time;
-  Prediction result{position_at(track, time), track.velocity,
-                    predicted(widen(track.along), dt, tracker.maneuver),
-                    predicted(widen(track.across), dt, tracker.maneuver)};
-  const Vec3 sight = result.position - ownship.position;
+  if (ahead.straight.dt != dt)
+    ahead = interval(tracker.motion, dt);
+  const double turns = static_cast<double>(track.turning.probability);
+
+  // what each model said at the last update
+  const Vec3 aside = widen(track.turning.position), faster = widen(track.turning.velocity);
+  Mode straight{.position = track.position - turns * aside,
+                .velocity = track.velocity - turns * faster,
+                .along = track::widen(track.along),
+                .across = track::widen(track.across),
+                .probability = 1 - turns};
+  Mode turning{.position = straight.position + aside,
+               .velocity = straight.velocity + faster,
+               .acceleration = widen(track.turning.acceleration),
+               .along = track::widen(track.turning.along),
+               .across = track::widen(track.turning.across),
+               .probability = turns};
+
+  // as the line of sight lies now
+  const Vec3 sight = position_at(track, time) - ownship.position;
   const double range2 = norm2(sight);
+  const Vec3 line = normalized(sight, {1, 0, 0});
   if (range2 > 0 && dt > 0) {
     const Vec3 turned = cross(sight, track.velocity - ownship.velocity) * (dt / range2);
     const double tangent2 = norm2(turned);  // the angle turned in dt, as its tangent, squared
-    turn(result.along, result.across, tangent2 / (1 + tangent2));
+    const double sin2 = tangent2 / (1 + tangent2);
+    turn_sight(straight.along, straight.across, sin2);
+    turn_sight(turning.along, turning.across, sin2);
   }
-  return result;
+
+  // some may have begun a turn meanwhile, or ended one
+  if (dt > 0) {
+    Mode begun = straight, ended = turning;
+    begun.probability *= ahead.begins;
+    begun.along = with_acceleration(begun.along, variance_of(tracker.motion));
+    begun.across = with_acceleration(begun.across, variance_of(tracker.motion));
+    ended.probability *= ahead.ends;
+    ended.acceleration = {};
+    ended.along = without_acceleration(ended.along);
+    ended.across = without_acceleration(ended.across);
+    straight.probability *= 1 - ahead.begins;
+    turning.probability *= 1 - ahead.ends;
+    straight = mixture(straight, ended, line);
+    turning = mixture(turning, begun, line);
+    carry(straight, ahead.straight);
+    carry(turning, ahead.turning);
+  }
+
+  const Mode both = mixture(straight, turning, line);
+  return {.position = both.position,
+          .velocity = both.velocity,
+          .along = both.along,
+          .across = both.across,
+          .straight = straight,
+          .turning = turning};
 }
 
-double deviations_of(const Prediction& prediction, const Contact& contact) {
-  const Vec3 residual = contact.position - prediction.position;
-  const double along = dot(residual, contact.line);
-  const double across2 = std::max(norm2(residual) - along * along, 0.0);
-  const double along_variance =
-      prediction.along.position + contact.sigma_along * contact.sigma_along;
-  const double across_variance =
-      prediction.across.position + contact.sigma_across * contact.sigma_across;
-  return along * along / along_variance + across2 / across_variance;
+Match match(const Prediction& prediction, const Contact& contact) {
+  return {residual_of(prediction.straight, contact).surprise,
+          residual_of(prediction.turning, contact).surprise};
+}
+
+double misfit(const Prediction& prediction, const Match& match) {
+  const auto of = [](const Surprise& f, double probability) {
+    return f.deviations2 + math::log(f.volume / std::max(probability * probability, 1e-12));
+  };
+  return std::min(of(match.straight, prediction.straight.probability),
+                  of(match.turning, prediction.turning.probability));
 }
 
 void filter(Track& track, const Prediction& prediction, const Contact& contact, double time) {
-  AxisState along = prediction.along, across = prediction.across;
-  Vec3 position = prediction.position, velocity = prediction.velocity;
+  Mode straight = prediction.straight, turning = prediction.turning;
+  const Surprise a = update(straight, contact), b = update(turning, contact);
 
-  // position, along and across the line of sight
-  const Vec3 residual = contact.position - position;
-  const Vec3 residual_along = dot(residual, contact.line) * contact.line;
-  const Vec3 residual_across = residual - residual_along;
-  const Gains a = update_position(along, contact.sigma_along * contact.sigma_along);
-  const Gains b = update_position(across, contact.sigma_across * contact.sigma_across);
-  position += a.position * residual_along + b.position * residual_across;
-  velocity += a.velocity * residual_along + b.velocity * residual_across;
+  // who foretold it better is believed more
+  const double better = std::clamp((a.deviations2 - b.deviations2) / 2, -kSure, kSure);
+  const double odds = std::sqrt(a.volume / b.volume) * math::exp(better) * turning.probability;
+  turning.probability = odds / (odds + straight.probability);
+  straight.probability = 1 - turning.probability;
 
-  // speed along the line, from the Doppler shift
-  if (contact.sigma_speed > 0) {
-    const double faster = contact.speed_along - dot(velocity, contact.line);
-    const Gains c = update_velocity(along, contact.sigma_speed * contact.sigma_speed);
-    position += (c.position * faster) * contact.line;
-    velocity += (c.velocity * faster) * contact.line;
-  }
-
-  track.position = position;
-  track.velocity = velocity;
-  store(track, along, across);
+  store(track, straight, turning, contact.line);
   stamp(track, contact, time);
 }
 
 Track first_track(const Tracker& tracker, const Contact& contact, double time) {
+  const double unknown = tracker.initial_speed * tracker.initial_speed;
+  Mode straight{.position = contact.position,
+                .along = {contact.sigma_along * contact.sigma_along, 0, unknown},
+                .across = {contact.sigma_across * contact.sigma_across, 0, unknown}};
+  if (contact.sigma_speed > 0) {
+    const Gains gains = update_velocity(straight.along, contact.sigma_speed * contact.sigma_speed);
+    straight.velocity = (gains.velocity * contact.speed_along) * contact.line;
+  }
+
+  // both models start from the same place
+  Mode turning = straight;
+  turning.probability = tracker.motion.turning();
+  straight.probability = 1 - turning.probability;
+  turning.along = with_acceleration(turning.along, variance_of(tracker.motion));
+  turning.across = with_acceleration(turning.across, variance_of(tracker.motion));
   Track track;
+  store(track, straight, turning, contact.line);
   track.first_time = time;
   track.sensed_time = track.seen_time = kNever;
-  track.position = contact.position;
-
-  const double unknown = tracker.initial_speed * tracker.initial_speed;
-  AxisState along{contact.sigma_along * contact.sigma_along, 0, unknown};
-  AxisState across{contact.sigma_across * contact.sigma_across, 0, unknown};
-  if (contact.sigma_speed > 0) {
-    const Gains gains = update_velocity(along, contact.sigma_speed * contact.sigma_speed);
-    track.velocity = (gains.velocity * contact.speed_along) * contact.line;
-  }
-  store(track, along, across);
   stamp(track, contact, time);
   return track;
 }
 
-void refresh_sigmas(Track& track, const Tracker& tracker, double time) {
-  const double dt = time - track.time;
-  const AxisState along = predicted(widen(track.along), dt, tracker.maneuver);
-  const AxisState across = predicted(widen(track.across), dt, tracker.maneuver);
-  track.position_sigma = worst_sigma(along.position, across.position);
-  track.velocity_sigma = worst_sigma(along.velocity, across.velocity);
+void set(Track& track, const Prediction& prediction, double time) {
+  store(track, prediction.straight, prediction.turning, {1, 0, 0});
+  track.position_sigma = worst_sigma(prediction.along.position, prediction.across.position);
+  track.velocity_sigma = worst_sigma(prediction.along.velocity, prediction.across.velocity);
+  track.time = time;
+}
+
+Track carried_on(const Track& track, const Tracker& tracker, const Ownship& ownship, double time) {
+  Track later = track;
+  set(later, predict(track, tracker, ownship, time), time);
+  return later;
 }
 
 namespace {
 
-/// The closest first, of equal ones the older track and then the earlier contact.
-struct Pair {
-  double deviations2;
-  std::uint8_t track, contact;
-  friend auto operator<=>(const Pair&, const Pair&) = default;
-};
+/// Moves one axis of a mode, the one along the line or those across it.
+void join(Mode& own, const Mode& theirs, const Vec3& line, bool along, const Intersection& axis) {
+  const auto part = [&](const Vec3& v) {
+    const Vec3 on_line = dot(v, line) * line;
+    return along ? on_line : v - on_line;
+  };
+  const Vec3 apart = part(theirs.position - own.position);
+  const Vec3 faster = part(theirs.velocity - own.velocity);
+  const Vec3 step = axis.position_position * apart + axis.position_velocity * faster;
+  const Vec3 change = axis.velocity_position * apart + axis.velocity_velocity * faster;
+  own.position += step;
+  own.velocity += change;
+  own.acceleration += axis.acceleration_position * step + axis.acceleration_velocity * change;
+  (along ? own.along : own.across) = axis.covariance;
+}
 
 }  // namespace
 
-std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
-                                                 std::span<const Prediction> tracks,
-                                                 std::span<const Contact> contacts) {
-  EYRIE_ASSERT(tracks.size() <= kMaxTracks && contacts.size() <= kMaxContacts);
+bool take_in(Track& track, const Prediction& own, const Prediction& theirs, const Ownship& ownship,
+             double time) {
+  const Vec3 line = normalized(own.position - ownship.position, {1, 0, 0});
+  Prediction joint = own;
+  bool learned = false;
+  const auto learn = [&](Mode& mode, const Mode& other) {
+    const Intersection along = intersect(mode.along, other.along);
+    const Intersection across = intersect(mode.across, other.across);
+    join(mode, other, line, true, along);
+    join(mode, other, line, false, across);
+    learned = learned || along.worth_it || across.worth_it;
+  };
+  learn(joint.straight, theirs.straight);
+  learn(joint.turning, theirs.turning);
+  if (!learned)
+    return false;
 
-  // every pair within the gates
-  std::array<Pair, kMaxTracks * kMaxContacts> pairs;
-  std::size_t count = 0;
-  const double gate2 = tracker.gate * tracker.gate;
-  for (std::size_t t = 0; t < tracks.size(); ++t)
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      if (norm2(contacts[c].position - tracks[t].position) > reach2(tracker, contacts[c]))
-        continue;
-      const double deviations2 = deviations_of(tracks[t], contacts[c]);
-      if (deviations2 <= gate2)
-        pairs[count++] = {deviations2, static_cast<std::uint8_t>(t), static_cast<std::uint8_t>(c)};
-    }
-
-  // the closest first
-  std::sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(count));
-  std::array<std::uint8_t, kMaxContacts> track_of;
-  track_of.fill(kNoTrack);
-  std::uint32_t used = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pair& pair = pairs[i];
-    if (track_of[pair.contact] != kNoTrack || (used >> pair.track & 1) != 0)
-      continue;
-    track_of[pair.contact] = pair.track;
-    used |= 1u << pair.track;
+  // nobody knows how far the two beliefs in a turn depend on each other: the mean of their log odds
+  const double turns = std::sqrt(own.turning.probability * theirs.turning.probability);
+  const double not_so = std::sqrt(own.straight.probability * theirs.straight.probability);
+  if (turns + not_so > 0) {
+    joint.turning.probability = turns / (turns + not_so);
+    joint.straight.probability = 1 - joint.turning.probability;
   }
-  return track_of;
+  store(track, joint.straight, joint.turning, line);
+  track.time = time;
+  return true;
+}
+
+void refresh_sigmas(Track& track, const Tracker& tracker, double time, Interval& ahead) {
+  const double dt = time - track.time;
+  if (ahead.straight.dt != dt)
+    ahead = interval(tracker.motion, dt);
+  const double turns = static_cast<double>(track.turning.probability);
+  const double begun = (1 - turns) * ahead.begins, stays = (1 - turns) - begun;
+  const double fresh = variance_of(tracker.motion);
+
+  // the variance is the mean over those that fly straight, turn, and have begun a turn
+  double worst_place = 0, worst_speed = 0;
+  const auto take = [&](const AxisState& straight, const AxisState& turning) {
+    const AxisState begins = with_acceleration(straight, fresh);
+    worst_place = std::max(worst_place, stays * later_position(straight, ahead.straight) +
+                                            turns * later_position(turning, ahead.turning) +
+                                            begun * later_position(begins, ahead.turning));
+    worst_speed = std::max(worst_speed, stays * later_velocity(straight, ahead.straight) +
+                                            turns * later_velocity(turning, ahead.turning) +
+                                            begun * later_velocity(begins, ahead.turning));
+  };
+  take(track::widen(track.along), track::widen(track.turning.along));
+  take(track::widen(track.across), track::widen(track.turning.across));
+
+  // and the spread of their means
+  const Vec3 faster =
+      widen(track.turning.velocity) + ahead.turning.to_velocity * widen(track.turning.acceleration);
+  const Vec3 aside = widen(track.turning.position) + dt * widen(track.turning.velocity) +
+                     ahead.turning.to_position * widen(track.turning.acceleration);
+  const double apart = turns * (1 - turns);
+  track.position_sigma = worst_sigma(worst_place + apart * norm2(aside), 0);
+  track.velocity_sigma = worst_sigma(worst_speed + apart * norm2(faster), 0);
 }
 
 }  // namespace eyrie::model::track

@@ -2,18 +2,17 @@
 #pragma once
 /// \file  How contacts become tracks: which contact belongs to which track, and the filter.
 /// docs/models/tracks.md has the equations.
-#include "core/describe.hpp"
-#include "model/track.hpp"
+#include "model/track/motion.hpp"
 
 namespace eyrie::model::track {
 
 /// The tracker in the mission computer: const, shared, one for all sensors of an aircraft.
 struct Tracker {
   double rate = 10;  ///< Hz
-  double gate = 4;
+  double gate = 5;
   double max_gate = si(5, "km");  ///< m
   std::uint32_t confirm_hits = 2;
-  double maneuver = 20;        ///< m/s^2
+  Motion motion;
   double initial_speed = 250;  ///< m/s
   double coast_time = 12;      ///< s
   double tentative_time = 6;   ///< s
@@ -33,8 +32,7 @@ struct Tracker {
               "and, but for the error of its range, never farther away than this"),
         param("confirm_hits", &Tracker::confirm_hits, range(1, 255),
               "contacts after which a track is believed"),
-        param("maneuver", &Tracker::maneuver, "m/s2", range(0, 500),
-              "acceleration that a target may have, 1-sigma per axis"),
+        param("motion", &Tracker::motion, "how targets are expected to move"),
         param("initial_speed", &Tracker::initial_speed, "m/s", range(1, 2000),
               "speed that a new target may have, 1-sigma per axis"),
         param("coast_time", &Tracker::coast_time, "s", range(0.1, 600),
@@ -48,78 +46,84 @@ struct Tracker {
   }
 };
 
-/// Covariance of (position, velocity) along one axis, in double precision.
-struct AxisState {
-  double position = 0;  ///< m^2
-  double cross = 0;     ///< m^2/s
-  double velocity = 0;  ///< m^2/s^2
-};
-[[nodiscard]] constexpr AxisState widen(const AxisCovariance& c) {
-  return {c.position, c.cross, c.velocity};
-}
-[[nodiscard]] constexpr AxisCovariance narrow(const AxisState& c) {
-  return {static_cast<float>(c.position), static_cast<float>(c.cross),
-          static_cast<float>(c.velocity)};
-}
-
-/// How much of a residual goes into position and velocity.
-struct Gains {
-  double position = 0, velocity = 0;
+/// What one model of motion makes of a track at some time.
+struct Mode {
+  Vec3 position{};      ///< m
+  Vec3 velocity{};      ///< m/s
+  Vec3 acceleration{};  ///< m/s^2
+  AxisState along, across;
+  double probability = 0;  ///< that the target moves like this
 };
 
-/// The covariance `dt` later (s), for constant velocity disturbed by an acceleration of 1-sigma
-/// `maneuver` (m/s^2) that is constant within the interval: discrete white noise acceleration,
-/// Bar-Shalom, Li & Kirubarajan, Estimation with Applications to Tracking and Navigation, 6.3.2.
-[[nodiscard]] constexpr AxisState predicted(const AxisState& c, double dt, double maneuver) {
-  const double dt2 = dt * dt, q = maneuver * maneuver;
-  return {c.position + 2 * dt * c.cross + dt2 * c.velocity + q * dt2 * dt2 / 4,
-          c.cross + dt * c.velocity + q * dt2 * dt / 2, c.velocity + q * dt2};
-}
-
-/// Kalman gains for a measured position with that variance (m^2); `c` becomes the covariance after.
-constexpr Gains update_position(AxisState& c, double variance) {
-  const double total = c.position + variance;
-  const Gains gains{c.position / total, c.cross / total};
-  c = {(1 - gains.position) * c.position, (1 - gains.position) * c.cross,
-       c.velocity - gains.velocity * c.cross};
-  return gains;
-}
-
-/// Kalman gains for a measured velocity with that variance (m^2/s^2).
-constexpr Gains update_velocity(AxisState& c, double variance) {
-  const double total = c.velocity + variance;
-  const Gains gains{c.cross / total, c.velocity / total};
-  c = {c.position - gains.position * c.cross, (1 - gains.velocity) * c.cross,
-       (1 - gains.velocity) * c.velocity};
-  return gains;
-}
-
-/// Where a track is believed to be at some time, with the covariance it then has.
+/// Where a track is believed to be at some time, with the covariance it then has: the mean over the
+/// models, and what each of them says.
 struct Prediction {
   Vec3 position{};  ///< m
   Vec3 velocity{};  ///< m/s
   AxisState along, across;
+  Mode straight, turning;
 };
 
-/// Carries a track on to `time` (s). When the line of sight from the ownship has turned meanwhile,
-/// the uncertainty along and across it mix: the diagonal of the turned covariance, which keeps its
-/// trace. `ownship` is where the owner is at `time`.
+/// Carries a track on to `time` (s): the first half of one cycle of the interacting multiple model
+/// estimator (Blom & Bar-Shalom, IEEE Trans. AC-33 (1988) 780; Bar-Shalom et al., sec. 11.6.6).
+/// When the line of sight from the ownship has turned meanwhile, the uncertainty along and across
+/// it mix: the diagonal of the turned covariance, which keeps its trace. `ownship` is where the
+/// owner is at `time`.
 [[nodiscard]] Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship,
                                  double time);
+/// The same; `ahead` is the interval that was needed last. Tracks of one look share it.
+[[nodiscard]] Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ownship,
+                                 double time, Interval& ahead);
 
-/// Distance of a contact from a prediction in standard deviations, squared, with the contact's own
-/// error in it (Mahalanobis distance).
-[[nodiscard]] double deviations_of(const Prediction& prediction, const Contact& contact);
+/// How well a model had foretold a contact: the residuals in standard deviations, squared, with the
+/// contact's own error in them (Mahalanobis distance), and the product of the variances that they
+/// were divided by.
+struct Surprise {
+  double deviations2 = 0, volume = 1;
+};
 
-/// A track after one more contact at `time` (s).
+/// How well a contact fits a prediction.
+struct Match {
+  Surprise straight, turning;
+  /// Of the model that comes nearer: a gate must let a target turn.
+  [[nodiscard]] double deviations2() const {
+    return std::fmin(straight.deviations2, turning.deviations2);
+  }
+};
+[[nodiscard]] Match match(const Prediction& prediction, const Contact& contact);
+
+/// -2 log of the likelihood but for a constant, by the likelier model: the smaller, the better.
+[[nodiscard]] double misfit(const Prediction& prediction, const Match& match);
+
+/// A track after one more contact at `time` (s): the second half of the cycle.
 void filter(Track& track, const Prediction& prediction, const Contact& contact, double time);
 
 /// A new track from one contact: no speed but what the contact says, and a covariance that knows
 /// it.
 [[nodiscard]] Track first_track(const Tracker& tracker, const Contact& contact, double time);
 
-/// Sets the two sigmas from the covariances, carried on to `time`.
-void refresh_sigmas(Track& track, const Tracker& tracker, double time);
+/// The track as it is believed to be at `time` (s); nothing was learned meanwhile.
+[[nodiscard]] Track carried_on(const Track& track, const Tracker& tracker, const Ownship& ownship,
+                               double time);
+
+/// Sets a track to a prediction for `time` (s).
+void set(Track& track, const Prediction& prediction, double time);
+
+/// Takes in what somebody else believes about the same target at the same time, as it is seen from
+/// here. It may have been made of what was learned from here: covariance intersection, axis by axis
+/// and model by model. Returns whether there was anything to be learned; if not, the track stays as
+/// it is.
+bool take_in(Track& track, const Prediction& own, const Prediction& theirs, const Ownship& ownship,
+             double time);
+
+/// A prediction as it is seen from elsewhere, where the line of sight has turned by an angle with
+/// that sine squared: the diagonal of the turned covariances, averaged over the two axes across, so
+/// that the trace of along + 2 across stays.
+void turn_sight(Prediction& prediction, double sin2);
+
+/// Sets the two sigmas from the covariances, carried on to `time`. `ahead` is the interval that the
+/// last track needed; tracks of one look share it.
+void refresh_sigmas(Track& track, const Tracker& tracker, double time, Interval& ahead);
 
 /// m^2: no track is farther than that from a contact of its target. An eye judges a direction well
 /// and a range badly, so what the contact does not know along its line comes on top.
@@ -133,14 +137,15 @@ inline constexpr std::size_t kMaxContacts = 32;
 /// Marks a contact that belongs to no track.
 inline constexpr std::uint8_t kNoTrack = 255;
 
-/// For each contact the index of its track, or kNoTrack. A pair must lie within the gates; of all
-/// pairs the closest one (in standard deviations) is taken first, then the closest of the rest, so
-/// each contact and each track is used at most once. Of equal pairs the older track and then the
+/// For each contact the index of its track, or kNoTrack. A track without a prediction is nowhere
+/// near. A pair must lie within the gates; of all
+/// pairs the likeliest is taken first, then the likeliest of the rest, so each contact and each
+/// track is used at most once. Of equal pairs the older track and then the
 /// earlier contact goes first. This greedy global nearest neighbor is the common choice where
 /// targets are farther apart than the errors (Blackman & Popoli, Design and Analysis of Modern
 /// Tracking Systems, sec. 6.4). At most kMaxContacts contacts and kMaxTracks predictions.
-[[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
-                                                               std::span<const Prediction> tracks,
-                                                               std::span<const Contact> contacts);
+[[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(
+    const Tracker& tracker, std::span<const std::optional<Prediction>> tracks,
+    std::span<const Contact> contacts);
 
 }  // namespace eyrie::model::track

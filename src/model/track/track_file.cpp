@@ -108,6 +108,7 @@ void absorb(Track& into, const Track& from, bool from_is_better, const TrackCont
     into.time = from.time;
     into.along = from.along;
     into.across = from.across;
+    into.turning = from.turning;
     into.truth = from.truth;
     into.fresh = from.fresh;
   }
@@ -136,7 +137,7 @@ bool far_apart(const Track& a, const Track& b, const TrackContext& context) {
 }
 
 /// Needs sigmas of now.
-void merge_duplicates(TrackFile& file, const TrackContext& context) {
+void merge_duplicates(TrackFile& file, const TrackContext& context, Interval& ahead) {
   for (std::size_t i = 0; i + 1 < file.count; ++i)
     for (std::size_t j = i + 1; j < file.count;) {
       Track &older = file.tracks[i], &newer = file.tracks[j];
@@ -144,8 +145,8 @@ void merge_duplicates(TrackFile& file, const TrackContext& context) {
         ++j;
         continue;
       }
-      const Prediction a = predict(older, context.tracker, context.ownship, context.time);
-      const Prediction b = predict(newer, context.tracker, context.ownship, context.time);
+      const Prediction a = predict(older, context.tracker, context.ownship, context.time, ahead);
+      const Prediction b = predict(newer, context.tracker, context.ownship, context.time, ahead);
       if (!coincide(a, b, context)) {
         ++j;
         continue;
@@ -153,7 +154,7 @@ void merge_duplicates(TrackFile& file, const TrackContext& context) {
       const bool newer_is_better =
           b.along.position + 2 * b.across.position < a.along.position + 2 * a.across.position;
       absorb(older, newer, newer_is_better, context);
-      refresh_sigmas(older, context.tracker, context.time);
+      refresh_sigmas(older, context.tracker, context.time, ahead);
       newer.confirmed = 0;  // it is not lost, it lives on in the older one
       drop(file, j, context);
     }
@@ -193,16 +194,16 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
     return;
 
   // only where a contact is anywhere near
-  std::array<Prediction, kMaxTracks> predictions;
+  std::array<std::optional<Prediction>, kMaxTracks> predictions;
+  Interval ahead;
   for (std::size_t i = 0; i < file.count; ++i) {
     const Vec3 position = position_at(file.tracks[i], context.time);
     const bool near = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
       return norm2(c.position - position) <= reach2(context.tracker, c);
     });
     if (near)
-      predictions[i] = predict(file.tracks[i], context.tracker, context.ownship, context.time);
-    else
-      predictions[i].position = position;
+      predictions[i] =
+          predict(file.tracks[i], context.tracker, context.ownship, context.time, ahead);
   }
   const auto track_of =
       associate(context.tracker, std::span(predictions).first(file.count), contacts);
@@ -212,7 +213,7 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
     if (track_of[c] == kNoTrack)
       continue;
     Track& track = file.tracks[track_of[c]];
-    filter(track, predictions[track_of[c]], contacts[c], context.time);
+    filter(track, *predictions[track_of[c]], contacts[c], context.time);
     take_identity(track, contacts[c], context);
     confirm_if_due(track, context);
   }
@@ -239,9 +240,10 @@ void upkeep(TrackFile& file, const TrackContext& context) {
     else
       ++i;
   }
+  Interval ahead;
   for (std::size_t i = 0; i < file.count; ++i)
-    refresh_sigmas(file.tracks[i], context.tracker, context.time);
-  merge_duplicates(file, context);
+    refresh_sigmas(file.tracks[i], context.tracker, context.time, ahead);
+  merge_duplicates(file, context, ahead);
 }
 
 }  // namespace eyrie::model::track

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: MIT
+// The tracker behind a radar: is it as good as it says, and is it good enough?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "model/datalink/datalink.hpp"
+#include "model/sensor/radar.hpp"
+#include "support/model/flying.hpp"
+
+namespace eyrie::model::track {
+namespace {
+
+using test::kMile;
+
+Draw draw(std::uint32_t run, std::uint64_t step, std::uint32_t what) {
+  return Draw(23, PlayerId{run + 1}, Stream::test, step, what);
+}
+
+/// What really happens: a target that follows the tracker's own model of motion.
+struct Target {
+  Vec3 position, velocity, acceleration;
+  bool turns = false;
+
+  void fly(const Motion& motion, double dt, Draw d) {
+    const Interval ahead = interval(motion, dt);
+    if (turns ? d.chance(ahead.ends) : d.chance(ahead.begins)) {
+      turns = !turns;
+      acceleration = {};
+      if (turns)
+        acceleration = motion.maneuver * Vec3{d.normal(), d.normal(), d.normal()};
+    }
+    position += dt * velocity;
+    if (turns) {
+      velocity += dt * acceleration;
+      const double kept = std::exp(-dt / motion.maneuver_memory);
+      acceleration = kept * acceleration + motion.maneuver * std::sqrt(1 - kept * kept) *
+                                               Vec3{d.normal(), d.normal(), d.normal()};
+    } else {
+      velocity += motion.wander * std::sqrt(dt) * Vec3{d.normal(), d.normal(), d.normal()};
+    }
+  }
+};
+
+/// A radar on an aircraft that flies north at 250 m/s, and the tracks made of what it sees.
+struct RadarDesk {
+  Tracker tracker;
+  sensor::Radar radar;
+  sensor::RadarMode mode = sensor::RadarMode::search;
+  double aside = 0;  ///< m, east of the origin
+  TrackFile file;
+  TrackNewsList news;
+
+  [[nodiscard]] Kinematics own(double time) const {
+    return test::flying({250 * time, aside, test::kHigh}, 0, 250);
+  }
+  [[nodiscard]] Ownship ownship(double time) const {
+    const Kinematics k = own(time);
+    return {k.position, k.velocity};
+  }
+  TrackContext at(double time) { return {tracker, ownship(time), time, 3, news}; }
+  [[nodiscard]] Contact contact(double time, const Vec3& place, const Vec3& velocity,
+                                std::uint32_t truth, Draw noise) const {
+    Kinematics other = test::flying(place, 0, 0);
+    other.velocity = velocity;
+    const Kinematics k = own(time);
+    return measure(radar, mode, k, level_axes(k, 0), other, PlayerId{truth}, noise);
+  }
+  void see(double time, std::span<const Contact> contacts) {
+    news.clear();
+    update(file, at(time), contacts);
+    upkeep(file, at(time));
+  }
+};
+
+/// Error squared in units of the claimed covariance of one axis; two degrees of freedom.
+double normalized_error(const AxisState& c, double position, double velocity) {
+  const double det = c.position * c.velocity - c.cross * c.cross;
+  return (c.velocity * position * position - 2 * c.cross * position * velocity +
+          c.position * velocity * velocity) /
+         det;
+}
+
+/// The error of position and velocity of a track in units of what it claims; six degrees of
+/// freedom.
+double normalized_error(const Prediction& now, const Ownship& ownship, const Target& target) {
+  const Vec3 line = normalized(now.position - ownship.position, {1, 0, 0});
+  const Vec3 side = normalized(cross({0, 0, 1}, line), {0, 1, 0}), up = cross(line, side);
+  const Vec3 p_error = now.position - target.position, v_error = now.velocity - target.velocity;
+  double nees = normalized_error(now.along, dot(p_error, line), dot(v_error, line));
+  for (const Vec3& axis : {side, up})
+    nees += normalized_error(now.across, dot(p_error, axis), dot(v_error, axis));
+  return nees;
+}
+
+/// Normalized estimation and innovation errors squared, meaned over draws and frames.
+struct Consistency {
+  double nees = 0;  ///< six degrees of freedom
+  double nis = 0;   ///< four
+  int beyond = 0;   ///< NEES above its 99.9 % point
+  int looks = 0;
+};
+Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32_t runs) {
+  constexpr double kFrame = 4, kFine = 0.25;
+  constexpr int kFrames = 30, kSettled = 8;
+  Consistency all;
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    RadarDesk desk{.tracker = tracker};
+    Target target{{100e3, 5e3, test::kHigh}, {-240, 30, 0}, {}, false};
+    Track track;
+    for (int frame = 0; frame < kFrames; ++frame) {
+      const double time = frame * kFrame;
+      const auto step = static_cast<std::uint64_t>(frame);
+      const Contact c = desk.contact(time, target.position, target.velocity, 1, draw(run, step, 1));
+      if (frame == 0) {
+        track = first_track(tracker, c, time);
+      } else {
+        const Prediction p = predict(track, tracker, desk.ownship(time), time);
+        if (frame >= kSettled) {
+          AxisState along = p.along;
+          const Vec3 residual = c.position - p.position;
+          const double ahead = dot(residual, c.line);
+          const double across2 = norm2(residual) - ahead * ahead;
+          all.nis += ahead * ahead / (p.along.position + c.sigma_along * c.sigma_along) +
+                     across2 / (p.across.position + c.sigma_across * c.sigma_across);
+          const Gains g = update_position(along, c.sigma_along * c.sigma_along);
+          const double faster = c.speed_along - dot(p.velocity, c.line) - g.velocity * ahead;
+          all.nis += faster * faster / (along.velocity + c.sigma_speed * c.sigma_speed);
+        }
+        filter(track, p, c, time);
+        if (frame >= kSettled) {
+          const Prediction now = predict(track, tracker, desk.ownship(time), time);
+          const double nees = normalized_error(now, desk.ownship(time), target);
+          all.nees += nees;
+          all.beyond += nees > 22.458;
+          ++all.looks;
+        }
+      }
+      for (int fine = 0; fine < static_cast<int>(kFrame / kFine); ++fine)
+        target.fly(truth, kFine, draw(run, step * 100 + static_cast<std::uint64_t>(fine), 2));
+    }
+  }
+  all.nees /= all.looks;
+  all.nis /= all.looks;
+  return all;
+}
+
+Motion always_straight() {
+  return {.straight_time = 1e9, .turn_time = 0.1};
+}
+
+TEST(Consistency, HoldsOfTargetsThatFlyStraightIfTheTrackerKnowsThat) {
+  // Frames of one run depend on each other: the bound is that of runs, not of looks. Chi-square
+  // with 6 * 300 degrees of freedom over 300: 6 +- 0.53 at 99 %; with 4 * 300, 4 +- 0.43.
+  const Consistency c = consistency({.motion = always_straight()}, always_straight(), 300);
+  EXPECT_NEAR(c.nees, 6, 0.53);
+  EXPECT_NEAR(c.nis, 4, 0.43);
+}
+
+TEST(Consistency, HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects) {
+  // Two models stand for all the histories of turns that there may have been: the errors have
+  // longer tails than a normal law, so the bounds are a sixth wide.
+  const Consistency c = consistency({}, Motion{}, 300);
+  EXPECT_NEAR(c.nees, 6, 1);
+  EXPECT_NEAR(c.nis, 4, 0.6);
+  EXPECT_LT(c.beyond, 0.03 * c.looks);
+}
+
+TEST(Consistency, IsNotTooSureOfAStraightFlightThatMightTurn) {
+  const Consistency c = consistency({}, always_straight(), 300);
+  EXPECT_LT(c.nees, 6 + 0.53);
+  EXPECT_GT(c.nees, 6 * 0.65) << "nor does it throw away what it knows";
+  EXPECT_LT(c.nis, 4 + 0.43);
+  EXPECT_LT(c.beyond, 0.002 * c.looks);
+}
+
+/// Two radars 3 km apart look in turn and tell each other every second what they know.
+TEST(Consistency, HoldsOfTwoRadarsThatTalk) {
+  const Tracker tracker;
+  double together = 0, speed = 0, speed_alone = 0;
+  int looks = 0;
+  for (std::uint32_t run = 0; run < 200; ++run) {
+    RadarDesk pair[] = {{.tracker = tracker}, {.tracker = tracker, .aside = 3000}};
+    RadarDesk alone{.tracker = tracker};
+    Target target{{100e3, 5e3, test::kHigh}, {-240, 30, 0}, {}, false};
+    for (int second = 0; second < 100; ++second) {
+      const double time = second;
+      const auto step = static_cast<std::uint64_t>(second);
+      for (std::uint32_t i = 0; i < 2; ++i) {
+        if (second % 4 != static_cast<int>(2 * i))
+          continue;
+        const Contact c =
+            pair[i].contact(time, target.position, target.velocity, 1, draw(run, step, 3 + i));
+        pair[i].see(time, std::span(&c, 1));
+        if (i == 0)
+          alone.see(time, std::span(&c, 1));
+      }
+      for (std::uint32_t i = 0; i < 2; ++i) {
+        const Ownship sender = pair[i].ownship(time);
+        datalink::DatalinkSent sent;
+        datalink::transmit(sent,
+                           {.time = time, .position = sender.position, .velocity = sender.velocity},
+                           pair[i].file, tracker);
+        datalink::fuse(pair[1 - i].file, pair[1 - i].at(time), sent.messages[0], {}, 1);
+        pair[1 - i].news.clear();
+      }
+      if (second > 30 && pair[0].file.count == 1 && alone.file.count == 1) {
+        const Ownship ownship = pair[0].ownship(time);
+        const Prediction p = predict(pair[0].file.tracks[0], tracker, ownship, time);
+        together += normalized_error(p, ownship, target);
+        speed += norm2(p.velocity - target.velocity);
+        speed_alone +=
+            norm2(predict(alone.file.tracks[0], tracker, ownship, time).velocity - target.velocity);
+        ++looks;
+      }
+      for (int fine = 0; fine < 4; ++fine)
+        target.fly(tracker.motion, 0.25,
+                   draw(run, step * 100 + static_cast<std::uint64_t>(fine), 2));
+    }
+  }
+  EXPECT_GT(looks, 190 * 69);
+  EXPECT_LT(together / looks, 6 + 1) << "what both know is not counted twice";
+  EXPECT_GT(together / looks, 6 * 0.5);
+  EXPECT_LT(speed, 0.95 * speed_alone) << "and yet it helps";
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median errors of velocity while a target comes closer on a straight line, by range.
+struct VelocityErrors {
+  std::vector<double> across, along;
+};
+std::array<VelocityErrors, 8> velocity_errors(const Tracker& tracker, std::uint32_t runs) {
+  std::array<VelocityErrors, 8> bins;  // of 10 nmi
+  for (std::uint32_t run = 0; run < runs; ++run) {
+    RadarDesk desk{.tracker = tracker};
+    // from 80 nmi, nose to nose or up to 45 degrees aside, 236 m/s as in the sweep
+    const double aside = (run % 19) * si(5, "deg") - si(45, "deg");
+    const Vec3 velocity = 236.0 * Vec3{-std::cos(aside), std::sin(aside), 0};
+    const Vec3 start{80 * kMile, 0, test::kHigh - 1000};
+    Track track;
+    for (int frame = 0; frame < 80; ++frame) {
+      const double time = 4.0 * frame;
+      const Vec3 place = start + time * velocity;
+      const Contact c =
+          desk.contact(time, place, velocity, 1, draw(run, static_cast<std::uint64_t>(frame), 1));
+      track =
+          frame == 0
+              ? first_track(tracker, c, time)
+              : (filter(track, predict(track, tracker, desk.ownship(time), time), c, time), track);
+      const Vec3 sight = place - desk.ownship(time).position;
+      const auto bin = static_cast<std::size_t>(norm(sight) / (10 * kMile));
+      if (frame < 5 || bin >= bins.size() || sight.x < 0)
+        continue;
+      const Vec3 line = normalized(sight, {1, 0, 0}), error = track.velocity - velocity;
+      bins[bin].along.push_back(std::fabs(dot(error, line)));
+      bins[bin].across.push_back(norm(error - dot(error, line) * line));
+    }
+  }
+  return bins;
+}
+
+TEST(Tracking, KnowsTheVelocityOfATargetAsWellAsTheDocsSay) {
+  const auto bins = velocity_errors({}, 190);
+  // the table in docs/models/tracks.md: 10 to 20 nmi, 20 to 30 ...
+  constexpr std::array kAcross{7.1, 8.4, 8.7, 9.5, 10.2, 18.2};
+  constexpr std::array kAlong{1.5, 1.6, 1.4, 1.3, 1.3, 1.2};
+  for (std::size_t i = 0; i < kAcross.size(); ++i) {
+    EXPECT_NEAR(median(bins[i + 1].across), kAcross[i], 0.05 * kAcross[i]) << i;
+    EXPECT_NEAR(median(bins[i + 1].along), kAlong[i], 0.1) << i;
+  }
+}
+
+/// A turn of so many g at 250 m/s that begins at `begins` (s), and goes on for 180 degrees.
+struct Turn {
+  double g, begins;
+  Vec3 start, velocity;
+  void at(double time, Vec3& place, Vec3& speed) const {
+    const double v = norm(velocity), rate = g * kGravity / v;
+    const double straight = std::min(time, begins);
+    const double angle = std::min(rate * (time - straight), kPi);
+    const double after = time - straight - angle / rate;
+    const Vec3 ahead = velocity / v, right = cross({0, 0, 1}, ahead);
+    speed = v * (std::cos(angle) * ahead + std::sin(angle) * right);
+    place = start + straight * velocity +
+            v / rate * (std::sin(angle) * ahead + (1 - std::cos(angle)) * right) + after * speed;
+  }
+};
+
+TEST(Tracking, FollowsATurnOfFiveGInTrackWhileScan) {
+  int lost = 0, strangers = 0;
+  for (std::uint32_t run = 0; run < 200; ++run) {
+    RadarDesk desk;
+    const Turn turn{5, 41.0 + run % 4, {50 * kMile, 4e3, test::kHigh}, {-250, 0, 0}};
+    for (int frame = 0; frame < 20; ++frame) {
+      Vec3 place, velocity;
+      const double time = 4.0 * frame;
+      turn.at(time, place, velocity);
+      const Contact c =
+          desk.contact(time, place, velocity, 1, draw(run, static_cast<std::uint64_t>(frame), 1));
+      desk.see(time, std::span(&c, 1));
+    }
+    const Track* first = find(desk.file, TrackId{1});
+    lost += first == nullptr || first->time != 76;
+    strangers += desk.file.next_id > 2;
+  }
+  // 45 degrees a frame, and an error across of 800 m: one in a hundred may take a new name
+  EXPECT_LE(lost, 2);
+  EXPECT_LE(strangers, 2);
+}
+
+TEST(Tracking, FollowsATightTurnInSingleTargetTrack) {
+  std::vector<double> speeds, places;
+  for (std::uint32_t run = 0; run < 100; ++run) {
+    RadarDesk desk{.mode = sensor::RadarMode::track};
+    const Turn turn{7, 6, {5e3, 1e3, test::kHigh}, {-20, 250, 0}};
+    for (int look = 0; look < 70; ++look) {
+      Vec3 place, velocity;
+      const double time = 0.2 * look;
+      turn.at(time, place, velocity);
+      const Contact c =
+          desk.contact(time, place, velocity, 1, draw(run, static_cast<std::uint64_t>(look), 1));
+      desk.see(time, std::span(&c, 1));
+      ASSERT_EQ(desk.file.count, 1u);
+      ASSERT_EQ(desk.file.tracks[0].id, TrackId{1});
+      if (time > 7) {
+        speeds.push_back(norm(desk.file.tracks[0].velocity - velocity));
+        places.push_back(norm(desk.file.tracks[0].position - place));
+      }
+    }
+  }
+  EXPECT_LT(median(speeds), 25);
+  EXPECT_LT(median(places), 20);
+}
+
+TEST(Tracking, KeepsTheNamesOfTwoTargetsThatCross) {
+  // they cross at right angles, 30 nmi away, at the same height and the same time
+  int swapped = 0, renamed = 0;
+  constexpr std::uint32_t kRuns = 200;
+  for (std::uint32_t run = 0; run < kRuns; ++run) {
+    RadarDesk desk;
+    const Vec3 meet{30 * kMile + 250 * 60, 0, test::kHigh};
+    const Vec3 a{-180, 180, 0}, b{-180, -180, 0};
+    PlayerId first, second;
+    for (int frame = 0; frame < 31; ++frame) {
+      const double time = 4.0 * frame, left = time - 60;
+      const auto step = static_cast<std::uint64_t>(frame);
+      const std::array contacts{desk.contact(time, meet + left * a, a, 1, draw(run, step, 1)),
+                                desk.contact(time, meet + left * b, b, 2, draw(run, step, 2))};
+      desk.see(time, contacts);
+      if (frame == 8) {
+        first = desk.file.tracks[0].truth;
+        second = desk.file.tracks[1].truth;
+      }
+    }
+    const Track *one = find(desk.file, TrackId{1}), *two = find(desk.file, TrackId{2});
+    if (one == nullptr || two == nullptr || desk.file.count != 2)
+      ++renamed;
+    else
+      swapped += one->truth != first || two->truth != second;
+  }
+  EXPECT_LE(swapped, 10);
+  EXPECT_EQ(renamed, 0);
+}
+
+TEST(Tracking, KeepsTheNameOverAGapOfEightSeconds) {
+  int renamed = 0;
+  for (std::uint32_t run = 0; run < 200; ++run) {
+    RadarDesk desk;
+    const Turn turn{run % 2 == 0 ? 0.01 : 3.0, 40, {50 * kMile, 4e3, test::kHigh}, {-250, 0, 0}};
+    for (int frame = 0; frame < 16; ++frame) {
+      Vec3 place, velocity;
+      const double time = 4.0 * frame;
+      turn.at(time, place, velocity);
+      const Contact c =
+          desk.contact(time, place, velocity, 1, draw(run, static_cast<std::uint64_t>(frame), 1));
+      const bool gap = frame == 11;  // from 40 s to 48 s
+      desk.see(time, gap ? std::span<const Contact>{} : std::span(&c, 1));
+    }
+    renamed += desk.file.next_id > 2;
+  }
+  EXPECT_LE(renamed, 2);
+}
+
+}  // namespace
+}  // namespace eyrie::model::track
