@@ -60,6 +60,26 @@ std::string Value::shown() const {
   return {};
 }
 
+Value merged(Value base, const Value& over) {
+  if (!base.is_map() || !over.is_map())
+    return over;
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < base.entries.size(); ++i)
+    places.emplace(base.entries[i].key, i);
+  for (const Value::Entry& e : over.entries) {
+    const auto [place, fresh] = places.emplace(e.key, base.entries.size());
+    if (fresh) {
+      base.entries.push_back(e);
+    } else {
+      Value::Entry& there = base.entries[place->second];
+      there.value = merged(std::move(there.value), e.value);
+      there.where = e.where;
+    }
+  }
+  base.where = over.where;
+  return base;
+}
+
 Value::Entry entry(std::string key, Value value) {
   Location where = value.where;
   return {std::move(key), where, std::move(value)};

@@ -48,6 +48,9 @@ struct Value::Entry {
   Value value;
 };
 
+/// `over` on top of `base`: maps are merged key by key, everything else is replaced.
+[[nodiscard]] Value merged(Value base, const Value& over);
+
 /// An entry whose key stands where its value stands: `entry("vote", Value::scalar("2"))`.
 [[nodiscard]] Value::Entry entry(std::string key, Value value);
 /// An entry with a scalar: `entry("vote", "2")`.

@@ -2,7 +2,6 @@
 #include "scenario/data.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "core/text.hpp"
 #include "core/yaml.hpp"
@@ -24,27 +23,6 @@ std::string_view singular(std::string_view folder) {
 
 /// Of one kind in one scenario. A station knows its store by one byte (model::Station).
 constexpr std::size_t kMostModels = 200;
-
-/// `over` on top of `base`: maps are merged key by key, everything else is replaced.
-Value merged(Value base, const Value& over) {
-  if (!base.is_map() || !over.is_map())
-    return over;
-  std::unordered_map<std::string, std::size_t> places;
-  for (std::size_t i = 0; i < base.entries.size(); ++i)
-    places.emplace(base.entries[i].key, i);
-  for (const Value::Entry& e : over.entries) {
-    const auto [place, fresh] = places.emplace(e.key, base.entries.size());
-    if (fresh) {
-      base.entries.push_back(e);
-    } else {
-      Value::Entry& there = base.entries[place->second];
-      there.value = merged(std::move(there.value), e.value);
-      there.where = e.where;
-    }
-  }
-  base.where = over.where;
-  return base;
-}
 
 }  // namespace
 

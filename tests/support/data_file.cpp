@@ -117,7 +117,14 @@ class DataFile {
 }  // namespace
 
 Value read_data_file(const std::string& path) {
-  return DataFile::read(path);
+  Value value = DataFile::read(path);
+  if (!value.find("base"))
+    return value;
+  // a name in the same folder
+  const std::string below =
+      path.substr(0, path.rfind('/') + 1) + value.find("base")->text + ".yaml";
+  std::erase_if(value.entries, [](const Value::Entry& e) { return e.key == "base"; });
+  return merged(read_data_file(below), value);
 }
 
 }  // namespace eyrie::test

@@ -96,7 +96,7 @@ struct Aerodynamics {
   Table1 induced_drag = Table1::constant(0.15);
   Table1 max_lift = Table1::constant(1.2);
   double separation_lift = 0.35;
-  double separation_drag = 0.2;
+  double separation_drag = 0.22;
 
   static constexpr std::string_view type_name = "aerodynamics";
   static constexpr std::string_view help = "lift and drag of an aircraft over the Mach number";

@@ -23,7 +23,12 @@ Value read(const std::filesystem::path& path, Diagnostics& diagnostics) {
   std::ifstream file(path);
   EXPECT_TRUE(file) << path;
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return parse_yaml(text, path.string(), diagnostics);
+  Value value = parse_yaml(text, path.string(), diagnostics);
+  if (!value.find("base"))
+    return value;
+  const std::filesystem::path below = path.parent_path() / (value.find("base")->text + ".yaml");
+  std::erase_if(value.entries, [](const Value::Entry& e) { return e.key == "base"; });
+  return merged(read(below, diagnostics), value);
 }
 
 template <class Model>
