@@ -26,7 +26,7 @@ endif()
 
 install(TARGETS eyrie DESTINATION bin COMPONENT program)
 install(DIRECTORY data scenarios DESTINATION share/eyrie COMPONENT program)
-install(FILES ${EYRIE_ZONES} ${PROJECT_BINARY_DIR}/viewer/debrief.html ${PROJECT_BINARY_DIR}/viewer/playground.html
+install(FILES ${PROJECT_BINARY_DIR}/viewer/debrief.html ${PROJECT_BINARY_DIR}/viewer/playground.html
         DESTINATION share/eyrie COMPONENT program OPTIONAL)
 install(DIRECTORY examples/plugin DESTINATION share/eyrie/examples COMPONENT program PATTERN build EXCLUDE)
 

@@ -46,7 +46,7 @@ function(eyrie_layer name)
     endif()
     eyrie_test_executable(${name}_test LINK eyrie_${name})
     if(name MATCHES "^(pilot|scenario|record|debrief|page)$")  # which load missiles
-      eyrie_takes_launch_zones(${name}_test)
+      target_sources(${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/launch_zones.cpp)
     endif()
     eyrie_suites(${name}_test ${name} 300)
   endif()

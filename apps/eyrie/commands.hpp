@@ -73,6 +73,17 @@ struct PageWritten {
 /// The page of one run.
 [[nodiscard]] PageWritten write_page(const debrief::Recorded& recorded, const std::string& file);
 
+struct ZonesOptions {
+  std::vector<std::string> missiles;  ///< names in data/missiles; none: all
+  bool check = false;                 ///< writes nothing
+  bool draw = false;
+  std::string out = ".";                             ///< folder of the drawings
+  std::string altitude = "9 km", speed = "280 m/s";  ///< of both, in a drawing
+};
+int zones(const ZonesOptions& options);
+/// Launch zones are taken from data/zones, and those of other missiles kept in the user's cache.
+void keep_zones();
+
 struct PlaygroundOptions {
   std::string out = "playground";  ///< folder
   bool force = false;

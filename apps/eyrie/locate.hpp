@@ -15,7 +15,7 @@ namespace eyrie::app {
 /// One of them without its parts, or why there is none: `problem` is `unbuilt` if it is not there.
 [[nodiscard]] disk::FileRead read_page(const std::string& file, std::string_view unbuilt);
 
-/// The launch zones of the shipped missiles if they lie beside the program, else "".
+/// The launch zones of the shipped missiles, the files of data/zones one behind the other.
 [[nodiscard]] std::string launch_zones();
 
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.

@@ -11,7 +11,6 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "locate.hpp"
-#include "model/weapon/kept_zones.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
 
@@ -173,6 +172,22 @@ void add_playground(CLI::App& app, Chosen& chosen) {
   playground->add_flag("--force", o.force, "replace the folder");
 }
 
+void add_zones(CLI::App& app, Chosen& chosen) {
+  CLI::App* zones = app.add_subcommand(
+      "zones", "The launch zones of missiles: flown on all cores and kept in data/zones, or drawn");
+  ZonesOptions& o = options_of(zones, app::zones, chosen);
+  zones->add_option("missiles", o.missiles, "names in data/missiles (default: all)");
+  zones->add_flag("--check", o.check, "write nothing, and exit with 1 if one is stale");
+  auto* draw = zones->add_flag("--draw", o.draw, "draw each over the aspect, as NAME.svg");
+  zones->add_option("--out", o.out, "the folder of the drawings")
+      ->needs(draw)
+      ->capture_default_str();
+  zones->add_option("--altitude", o.altitude, "of both in a drawing")
+      ->needs(draw)
+      ->capture_default_str();
+  zones->add_option("--speed", o.speed, "of both in a drawing")->needs(draw)->capture_default_str();
+}
+
 void add_export(CLI::App& app, Chosen& chosen) {
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
   ExportOptions& o = options_of(exported, export_run, chosen);
@@ -332,8 +347,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   Chosen chosen;
-  for (const auto add : {add_fly, add_explain, add_what_if, add_debrief, add_playground, add_export,
-                         add_diff, add_validate, add_catalog, add_replay, add_trust, add_new})
+  for (const auto add :
+       {add_fly, add_explain, add_what_if, add_debrief, add_playground, add_export, add_diff,
+        add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
     add(app, chosen);
   const std::span words(argv, static_cast<std::size_t>(argc));
   try {
@@ -343,7 +359,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }
-  model::weapon::kept_zones().take(launch_zones());
+  keep_zones();
   return chosen();
 }
 

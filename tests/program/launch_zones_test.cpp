@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// \file  The launch zones beside the program save time and do nothing else: without the file, and
-/// with a wrong one, the program says and flies the same.
+/// \file  Kept launch zones save time and do nothing else: without them, and with wrong ones, the
+/// program says and flies the same; and the command that makes and draws them.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -17,49 +17,92 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// EYRIE_PROGRAM for the time of a test.
-class OtherProgram {
+/// A variable of the environment for the time of a test.
+class Environment {
  public:
-  explicit OtherProgram(const std::string& path) : before_(program_path()) {
-    ::setenv("EYRIE_PROGRAM", path.c_str(), 1);
+  Environment(const char* name, const std::string& value) : name_(name) {
+    if (const char* before = std::getenv(name))
+      before_ = before;
+    ::setenv(name, value.c_str(), 1);
   }
-  ~OtherProgram() { ::setenv("EYRIE_PROGRAM", before_.c_str(), 1); }
+  ~Environment() {
+    if (before_)
+      ::setenv(name_, before_->c_str(), 1);
+    else
+      ::unsetenv(name_);
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
 
  private:
-  std::string before_;
+  const char* name_;
+  std::optional<std::string> before_;
 };
 
-std::string run_file(const TempFolder& folder) {
-  return read_text(folder.path() / "run" / "run.eyrie");
-}
+/// A home with Eyrie's data but no zones, and an empty cache.
+struct Home {
+  Home() {
+    for (const char* folder : {"data", "scenarios"})
+      fs::copy(folder, home / folder, fs::copy_options::recursive);
+    fs::remove_all(home / "data/zones");
+  }
+  TempFolder home, cache;
+  Environment eyrie{"EYRIE_HOME", home.path().string()};
+  Environment user{"XDG_CACHE_HOME", cache.path().string()};
+};
 
-TEST(LaunchZonesBesideTheProgram, NeverChangeWhatItFlies) {
-  const TempFolder prefix, folder;
-  fs::create_directory(prefix / "bin");
-  fs::copy_file(program_path(), prefix / "bin/eyrie");
-  const std::string zones = prefix / "launch_zones.bin";
-  const std::string built = EYRIE_ZONES;
-  const OtherProgram copy(prefix / "bin/eyrie");
+TEST(KeptLaunchZones, NeverChangeWhatTheProgramFlies) {
+  const std::string shipped = fs::absolute("data/zones").string();
+  const Home home;
+  const TempFolder folder;
   // long enough for the first shots
   const std::vector<std::string> fly{"fly",          "sweep",   "--until", "12 min",
                                      "--no-debrief", "--force", "--out",   "run"};
-  const Ran without = run_program(folder, fly);
-  ASSERT_EQ(without.code, 0) << without.err;
-  ASSERT_NE(without.out.find("fox 3"), std::string::npos) << without.out;
-  const std::string flown = run_file(folder);
-  ASSERT_FALSE(flown.empty());
+  const auto flown = [&] {
+    EXPECT_EQ(run_program(folder, fly).code, 0);
+    return read_text(folder.path() / "run" / "run.eyrie");
+  };
+  const std::string without = flown();
+  ASSERT_FALSE(without.empty());
+  const fs::path kept = home.cache.path() / "eyrie" / "zones";
+  const auto count = [&] { return std::distance(fs::directory_iterator(kept), {}); };
+  const auto made = count();
+  EXPECT_GT(made, 1) << "kept for the next time";
+  EXPECT_TRUE(flown() == without) << "from the cache";
+  for (const auto& entry : fs::directory_iterator(kept))
+    fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
+  EXPECT_TRUE(flown() == without) << "with a damaged cache";
+  EXPECT_EQ(count(), made) << "made whole again";
 
-  const std::vector<std::function<void()>> ways{
-      [&] { fs::copy_file(built, zones); },
-      [&] { fs::resize_file(zones, fs::file_size(zones) / 2); },
-      [&] { ASSERT_EQ(fs::remove(zones) ? ::mkfifo(zones.c_str(), 0600) : -1, 0); }};
-  for (std::size_t i = 0; i < ways.size() && fs::exists(built); ++i) {
-    ways[i]();
-    const Ran with = run_program(folder, fly);
-    EXPECT_EQ(with.code, 0) << i;
-    EXPECT_TRUE(run_file(folder) == flown) << i;
-    EXPECT_EQ(with.err, without.err) << i;
-  }
+  fs::remove_all(kept);
+  fs::copy(shipped, home.home / "data/zones");
+  EXPECT_TRUE(flown() == without) << "from data/zones";
+  EXPECT_FALSE(fs::exists(kept)) << "nothing was flown";
+}
+
+TEST(ZonesProgram, MakesAndChecksAndDraws) {
+  const std::string shipped = read_text("data/zones/aim9.zone");
+  const Home home;
+  const TempFolder folder;
+  const Ran stale = run_program(folder, {"zones", "aim9", "--check"});
+  EXPECT_EQ(stale.code, 1);
+  EXPECT_NE(stale.out.find("aim9.zone: stale, 'eyrie zones aim9' makes it anew"), std::string::npos)
+      << stale.out;
+  EXPECT_EQ(run_program(folder, {"zones", "aim9"}).code, 0);
+  EXPECT_TRUE(read_text(home.home / "data/zones/aim9.zone") == shipped);
+  EXPECT_EQ(run_program(folder, {"zones", "aim9", "--check"}).code, 0);
+
+  const Ran drawn =
+      run_program(folder, {"zones", "aim9", "--draw", "--out", ".", "--altitude", "20000 ft"});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  const std::string svg = read_text(folder.path() / "aim9.svg");
+  for (const char* part : {"<svg", "r_max", "r_tr", "r_ne", "r_min", "AIM-9", "6096 m"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+
+  const Ran wrong = run_program(folder, {"zones", "aim10"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("aim9"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run_program(folder, {"zones", "aim9", "--draw", "--speed", "0"}).code, 2);
 }
 
 }  // namespace

@@ -78,8 +78,9 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
   EngagementResult result{.miss = std::numeric_limits<double>::infinity(),
                           .greatest_altitude = e.situation.shooter_altitude};
   const double greatest_rate2 = type.seeker.greatest_rate * type.seeker.greatest_rate;
+  const double cos_gimbal = math::cos(type.seeker.gimbal);
   Vec3 wanted;
-  double age = 0;
+  double age = 0, last_seen = 0;
   while (age < type.greatest_time) {
     const Vec3 apart = target.position - missile.position;
     const Vec3 drift = target.velocity - missile.velocity;
@@ -97,9 +98,17 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
     }
     const double dt = std::clamp(wish, e.shortest_step, e.longest_step);
 
-    // a line of sight that turns too fast for the seeker is lost: the last command goes on
-    const bool homing = type.locks_before_launch() || truth.range < type.seeker.activation_range;
-    const bool follows = !homing || norm2(truth.rate) <= greatest_rate2;
+    // a target that moves too fast for the seeker is lost: the last command goes on. One that must
+    // be locked on before launch has nothing but its seeker, and gives up in the end; the others
+    // are told the way until they see it
+    const bool locks = type.locks_before_launch();
+    const bool homing = locks || truth.range < type.seeker.activation_range;
+    const bool follows = (!homing || norm2(truth.rate) <= greatest_rate2) &&
+                         (!locks || dot(truth.direction, missile.velocity) >= cos_gimbal * speed);
+    if (follows)
+      last_seen = age;
+    else if (locks && age - last_seen > type.seeker.memory)
+      break;
     if (age >= type.guidance.separation_time && follows) {
       if (const auto& loft = type.guidance.loft) {
         const Vec3 aim = lofted(*loft, apart, kDown, -missile.position.z);

@@ -45,6 +45,13 @@ double lag_share(double x) {
 
 }  // namespace
 
+double autopilot_lag(const MissileGuidance& guidance, const Air& air, double speed) {
+  if (!guidance.lag_speed)
+    return guidance.autopilot_lag;
+  const double equivalent = speed * std::sqrt(air.density / kSeaLevelDensity);
+  return guidance.autopilot_lag * std::max(*guidance.lag_speed / std::max(equivalent, 1.0), 1.0);
+}
+
 FlyoutForces flyout_forces(const MissileType& type, const Air& air, double speed, double age) {
   const Motor& motor = type.motor;
   const MissileAero& aero = type.aero;
@@ -77,7 +84,7 @@ void fly(const MissileType& type, const Air& air, const Vec3& wind, const Vec3& 
   // autopilot: first-order lag towards what the airframe can give
   const Vec3 possible = limited(perpendicular(wanted, ahead), forces.lift_limit);
   const Vec3 before = perpendicular(state.lift, ahead);
-  const double share = lag_share(dt / type.guidance.autopilot_lag);
+  const double share = lag_share(dt / autopilot_lag(type.guidance, air, speed));
   state.lift = limited(before + share * (possible - before), forces.lift_limit);
 
   // along the path: thrust, drag, weight; across it: lift and weight turn it

@@ -84,6 +84,12 @@ struct FlyoutForces {
   double induced = 0;     ///< 1/(m/s^2): drag deceleration per lift acceleration squared
 };
 
+/// s, of the autopilot at `speed` (m/s through the air). The natural frequency of an airframe,
+/// sqrt(q S d C_m_alpha / I), grows with the root of the dynamic pressure, and so with the
+/// equivalent airspeed; an autopilot is no faster (Zarchan, Tactical and Strategic Missile
+/// Guidance, ch. 22, not seen). Down to guidance.lag_speed the lag is as given, below it grows.
+[[nodiscard]] double autopilot_lag(const MissileGuidance& guidance, const Air& air, double speed);
+
 /// Forces at `speed` (m/s through the air) and `age` (s since launch).
 [[nodiscard]] FlyoutForces flyout_forces(const MissileType& type, const Air& air, double speed,
                                          double age);

@@ -9,7 +9,7 @@
 namespace eyrie::model::weapon {
 namespace {
 
-constexpr std::string_view kMagic = "Eyrie launch zones 1\n";
+constexpr std::string_view kMagic = "Eyrie launch zones 2\n";
 
 /// Everything that a table depends on but the code that flies.
 std::string key_of(const MissileType& type) {
@@ -72,7 +72,46 @@ class Reader {
   std::string_view left_;
 };
 
+/// One zone as bytes: what it is, how much follows, and a checksum of all that.
+std::string section(std::string_view key, std::uint64_t trial, const ZoneTable& table) {
+  std::string file(kMagic);
+  const auto add = [&](std::uint64_t value) {
+    file.append(reinterpret_cast<const char*>(&value), sizeof value);
+  };
+  const std::size_t cells = table.cells.size() * sizeof(ZoneTable::Cell);
+  add(2 * sizeof(std::uint64_t) + key.size() + cells);
+  add(key.size());
+  file += key;
+  add(trial);
+  file.append(reinterpret_cast<const char*>(table.cells.data()), cells);
+  add(checksum(file));
+  return file;
+}
+
+/// Takes the first one off a file: what it holds, or nothing if it is not whole.
+std::optional<std::string_view> next_section(std::string_view& file) {
+  if (!file.starts_with(kMagic))
+    return std::nullopt;
+  Reader reader(file.substr(kMagic.size()));
+  const auto size = reader.value<std::uint64_t>();
+  const auto body = size ? reader.piece(*size) : std::nullopt;
+  const auto sum = reader.value<std::uint64_t>();
+  if (!body || !sum)
+    return std::nullopt;
+  const std::size_t whole = kMagic.size() + sizeof *size + body->size();
+  if (checksum(file.substr(0, whole)) != *sum)
+    return std::nullopt;
+  file.remove_prefix(whole + sizeof *sum);
+  return body;
+}
+
 }  // namespace
+
+void KeptZones::use(ZoneStore store) {
+  auto shared = std::make_shared<const ZoneStore>(std::move(store));
+  const std::lock_guard lock(mutex_);
+  store_ = std::move(shared);
+}
 
 LaunchZone KeptZones::of(const MissileType& type) {
   std::string key = key_of(type);
@@ -80,7 +119,25 @@ LaunchZone KeptZones::of(const MissileType& type) {
     return {type, known};
   const std::optional<Offer> offer = offered(key);
   const bool believed = offer && offer->trial == trial_flights(type);
-  return {type, keep(std::move(key), believed ? offer->table : fly(type))};
+  return {type, keep(std::move(key), believed ? offer->table : fetch(type, key))};
+}
+
+KeptZones::Table KeptZones::fetch(const MissileType& type, const std::string& key) {
+  const auto store = [&] {
+    const std::lock_guard lock(mutex_);
+    return store_;
+  }();
+  if (store->load)
+    if (const std::string file = store->load(checksum(key)); !file.empty()) {
+      KeptZones kept;
+      kept.take(file);
+      if (const auto offer = kept.offered(key); offer && offer->trial == trial_flights(type))
+        return offer->table;
+    }
+  Table table = fly(type);
+  if (store->save)
+    store->save(checksum(key), section(key, trial_flights(type), *table));
+  return table;
 }
 
 std::size_t KeptZones::flown() const {
@@ -101,7 +158,15 @@ std::optional<KeptZones::Offer> KeptZones::offered(const std::string& key) const
 }
 
 KeptZones::Table KeptZones::fly(const MissileType& type) {
-  Table table = std::make_shared<const ZoneTable>(fly_zone(type));
+  std::shared_ptr<const ZoneStore> store;
+  {
+    const std::lock_guard lock(mutex_);
+    store = store_;
+  }
+  Table table = std::make_shared<const ZoneTable>(fly_zone(type, store->workers, [&](double done) {
+    if (store->progress)
+      store->progress(type, done);
+  }));
   const std::lock_guard lock(mutex_);
   ++flown_;
   return table;
@@ -121,37 +186,25 @@ KeptZones::Table KeptZones::keep(std::string key, Table table) {
 }
 
 std::string KeptZones::encode(std::span<const MissileType> types) {
-  std::string file(kMagic);
-  const auto add = [&](const auto& value) {
-    file.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
-  for (const MissileType& type : types) {
-    const std::string key = key_of(type);
-    add(std::uint64_t{key.size()});
-    file += key;
-    add(trial_flights(type));
-    add(*of(type).table());
-  }
-  add(checksum(file));
+  std::string file;
+  for (const MissileType& type : types)
+    file += section(key_of(type), trial_flights(type), *of(type).table());
   return file;
 }
 
 std::size_t KeptZones::take(std::string_view file) {
-  if (!file.starts_with(kMagic) || file.size() < kMagic.size() + sizeof(std::uint64_t))
-    return 0;
-  const std::string_view body = file.substr(0, file.size() - sizeof(std::uint64_t));
-  if (Reader(file.substr(body.size())).value<std::uint64_t>() != checksum(body))
-    return 0;
   std::map<std::string, Offer> offers;
-  Reader reader(body.substr(kMagic.size()));
-  while (!reader.at_end()) {
+  while (const auto body = next_section(file)) {
+    Reader reader(*body);
     const auto size = reader.value<std::uint64_t>();
     const auto key = size ? reader.piece(*size) : std::nullopt;
     const auto trial = reader.value<std::uint64_t>();
-    const auto table = reader.value<ZoneTable>();
-    if (!key || !table)
-      return 0;
-    offers[std::string(*key)] = {std::make_shared<const ZoneTable>(*table), *trial};
+    ZoneTable table;
+    const auto cells = reader.piece(table.cells.size() * sizeof(ZoneTable::Cell));
+    if (!key || !trial || !cells || !reader.at_end())
+      break;
+    std::memcpy(table.cells.data(), cells->data(), cells->size());
+    offers[std::string(*key)] = {std::make_shared<const ZoneTable>(std::move(table)), *trial};
   }
   const std::size_t count = offers.size();
   const std::lock_guard lock(mutex_);

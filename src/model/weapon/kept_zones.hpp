@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Launch zones that need not be flown again: those of this process, and those that were
-/// flown when the program was built.
+/// \file  Launch zones that need not be flown again: those of this process, those of data/zones,
+/// and those that the program has flown before.
 #include <deque>
 #include <map>
 
@@ -10,13 +10,24 @@
 
 namespace eyrie::model::weapon {
 
+/// Where zones are kept between runs of a program, and who is told while one is flown. Each may be
+/// empty.
+struct ZoneStore {
+  /// What save() was given under that key, or "".
+  std::function<std::string(std::uint64_t key)> load;
+  std::function<void(std::uint64_t key, std::string_view file)> save;
+  std::function<void(const MissileType& type, double done)> progress;  ///< from 0 to 1
+  unsigned workers = 1;                                                ///< that fly one zone
+};
+
 /// Each zone under every parameter that it depends on, bit by bit: what it gives has the bits of a
 /// flown one. May be used from any thread, never inside a step.
 class KeptZones {
  public:
-  /// Of that many types, 14 kB each; then the oldest is forgotten.
+  /// Of that many types, 100 kB each; then the oldest is forgotten.
   static constexpr std::size_t kMost = 256;
 
+  void use(ZoneStore store);
   /// The zone of a type, flown now if it is not kept.
   [[nodiscard]] LaunchZone of(const MissileType& type);
   /// How many zones were flown so far.
@@ -24,9 +35,10 @@ class KeptZones {
 
   /// The zones of some types as a file for take().
   [[nodiscard]] std::string encode(std::span<const MissileType> types);
-  /// Keeps the zones of such a file, and gives how many there are: none if it is damaged or of
-  /// another version. When one is first asked for, it is believed only if some flights of the
-  /// missile end now, in this program and on this machine, as they ended then.
+  /// Keeps the zones of such files one behind the other, and gives how many there are: only those
+  /// before the first that is damaged or of another version. When one is first asked for, it is
+  /// believed only if some flights of the missile end now, in this program and on this machine, as
+  /// they ended then.
   std::size_t take(std::string_view file);
 
  private:
@@ -40,12 +52,15 @@ class KeptZones {
   std::optional<Offer> offered(const std::string& key) const;
   Table keep(std::string key, Table table);
   Table fly(const MissileType& type);
+  /// From the store, if it is kept there and believed; flown otherwise.
+  Table fetch(const MissileType& type, const std::string& key);
 
   mutable Mutex mutex_;
   std::map<std::string, Table> tables_;
   std::deque<const std::string*> order_;  ///< keys of tables_, the oldest first
   std::map<std::string, Offer> offers_;
   std::size_t flown_ = 0;
+  std::shared_ptr<const ZoneStore> store_ = std::make_shared<const ZoneStore>();
 };
 
 /// Those of this process: MissileType::prepare() asks here.

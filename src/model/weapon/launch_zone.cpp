@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/launch_zone.hpp"
 
+#include <atomic>
+
+#include "core/executor.hpp"
 #include "model/signature.hpp"
 #include "model/weapon/engagement.hpp"
 #include "model/weapon/missile.hpp"
@@ -11,23 +14,31 @@ namespace eyrie::model::weapon {
 namespace {
 
 // the grid, slowest index first: the three last axes lie together in memory
-constexpr std::array kAspect{0.0, radians(25), radians(50), radians(90), radians(135), kPi};
+constexpr std::array kAspect{0.0,          radians(30),  radians(60), radians(90),
+                             radians(120), radians(150), kPi};
 constexpr std::array kAltitude{300.0, 3000.0, 6000.0, 9000.0, 12000.0, 15000.0};  // shooter
-constexpr std::array kClimb{-5000.0, 0.0, 5000.0};  // target's altitude less the shooter's
-constexpr std::array kShooterSpeed{180.0, 420.0};
-constexpr std::array kTargetSpeed{150.0, 400.0};
-constexpr std::array kOffBoresight{0.0, radians(60)};
+constexpr std::array kClimb{-6000.0, -3000.0, 0.0, 3000.0,
+                            6000.0};  // target's altitude less the shooter's
+constexpr std::size_t kLevel = 2;     // of kClimb
+constexpr std::array kShooterSpeed{100.0, 250.0, 400.0, 550.0};
+constexpr std::array kTargetSpeed{100.0, 200.0, 300.0, 400.0, 550.0};
+constexpr std::array kOffBoresight{0.0, 0.5, 1.0};  // of farthest_off()
 constexpr std::size_t kInner = kShooterSpeed.size() * kTargetSpeed.size() * kOffBoresight.size();
-static_assert(kInner == 8);
 static_assert(kAspect.size() * kAltitude.size() * kClimb.size() * kInner == ZoneTable::kCells);
 
+constexpr double kFarthestOff = radians(60);
 constexpr double kLowest = 100;      // m, no target is lower
 constexpr double kNearest = 100;     // m, nothing is launched nearer
 constexpr double kFarthest = 250e3;  // m, nothing reaches farther
-constexpr double kStep = 1.25;       // factor between two ranges of a search
+constexpr double kStep = 1.4;        // factor between two ranges of a search
 constexpr double kFarTolerance = 1.04, kNearTolerance = 1.1;  // factors, of a range that is found
-constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_tr = 20e3, .r_ne = 15e3, .r_min = 1e3};
-constexpr double kVersion = 2;  // of what Search does: raise it when that changes
+constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_min = 1e3};
+constexpr double kVersion = 3;  // of what Search does: raise it when that changes
+
+/// rad, off the boresight that the table goes to: what must be seen before launch is in the gimbal.
+double farthest_off(const MissileType& type) {
+  return type.locks_before_launch() ? std::min(type.seeker.gimbal, kFarthestOff) : kFarthestOff;
+}
 
 /// Where a value lies on an axis, clamped to it.
 struct GridCell {
@@ -59,25 +70,27 @@ class Search {
     least_ = std::max(kNearest, 1.001 * std::fabs(climb));
   }
 
-  /// The longest range up to `longest` (m) at which the missile reaches the target whichever of
-  /// these it does, searched from `guess` (m); 0 if there is none.
-  double farthest(std::span<const Escape> escapes, double longest, double guess) {
+  /// The longest range (m) at which the missile reaches a target that keeps its course, searched
+  /// from `guess`, which is rather too long than too short: what is too near fails as well. 0 if
+  /// there is none.
+  double farthest(double guess) {
+    double range = std::clamp(guess, least_, kFarthest);
+    escapes_ = kKeepsCourse;
+    if (!succeeds(range))
+      return farthest(kKeepsCourse, range);
+    while (range < kFarthest && succeeds(range * kStep))
+      range *= kStep;
+    return range < kFarthest ? bisected(range, range * kStep, kFarTolerance) : kFarthest;
+  }
+  /// The longest range up to `longest` (m) at which it reaches the target whichever of these it
+  /// does; 0 if there is none.
+  double farthest(std::span<const Escape> escapes, double longest) {
     escapes_ = escapes;
-    double good = std::clamp(guess, least_, longest);
-    double bad = good * kStep;
-    if (succeeds(good)) {
-      if (good == longest)
-        return longest;
-      for (; bad < longest && succeeds(bad); bad *= kStep)
-        good = bad;
-      bad = std::min(bad, longest);
-    } else {
-      do {
-        bad = good;
-        good = bad / kStep;
-        if (good < least_)
-          return 0;
-      } while (!succeeds(good));
+    double good = longest, bad = longest;
+    for (; !succeeds(good); good /= kStep) {
+      if (good < least_ * kStep)
+        return 0;
+      bad = good;
     }
     return bisected(good, bad, kFarTolerance);
   }
@@ -130,43 +143,45 @@ class Search {
 /// The zone of one situation; `guess` is that of a neighbor.
 EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
   EmploymentZone zone;
-  zone.r_max = search.farthest(kKeepsCourse, kFarthest, guess.r_max);
+  zone.r_max = search.farthest(std::max(guess.r_max * kStep, kFirstGuess.r_max));
   if (zone.r_max == 0)
     return {};
-  const auto near = [&](double known, double share) {
-    return known > 0 ? known : share * zone.r_max;
-  };
-  zone.r_tr = search.farthest(kRuns, zone.r_max, near(guess.r_tr, 0.5));
-  zone.r_ne = zone.r_tr > 0 ? search.farthest(kEscapes, zone.r_tr, near(guess.r_ne, 0.4)) : 0;
+  zone.r_tr = search.farthest(kRuns, zone.r_max);
+  zone.r_ne = zone.r_tr > 0 ? search.farthest(kEscapes, zone.r_tr) : 0;
   zone.r_min = search.nearest(zone.r_max, guess.r_min);
   return zone;
 }
 
-/// The speeds and the angle off the nose make eight columns; each is searched by itself.
-void fill_column(const MissileType& type, const Atmosphere& atmosphere, std::size_t i,
-                 ZoneTable& table) {
-  // a search begins where that of the cell before ended
-  EmploymentZone found = kFirstGuess;
-  std::size_t cell = i;
-  for (const double aspect : kAspect)
-    for (const double altitude : kAltitude)
-      for (const double climb : kClimb) {
-        const LaunchSituation situation{.shooter_altitude = altitude,
-                                        .target_altitude = std::max(altitude + climb, kLowest),
-                                        .shooter_speed = kShooterSpeed[i >> 2],
-                                        .target_speed = kTargetSpeed[(i >> 1) & 1],
-                                        .aspect = aspect,
-                                        .off_boresight = kOffBoresight[i & 1]};
-        const EmploymentZone z = search_zone({type, atmosphere, situation}, found);
-        if (z.r_max > 0)
-          found = z;
-        table.cells[cell] = {static_cast<float>(z.r_max), static_cast<float>(z.r_tr),
-                             static_cast<float>(z.r_ne), static_cast<float>(z.r_min)};
-        cell += kInner;
-      }
+/// The situation of a cell.
+LaunchSituation situation_of(const MissileType& type, std::size_t cell) {
+  const auto next = [&](const auto& axis) {
+    const double value = axis[cell % axis.size()];
+    cell /= axis.size();
+    return value;
+  };
+  // the fastest index first
+  LaunchSituation s;
+  s.off_boresight = next(kOffBoresight) * farthest_off(type);
+  s.target_speed = next(kTargetSpeed);
+  s.shooter_speed = next(kShooterSpeed);
+  const double climb = next(kClimb);
+  s.shooter_altitude = next(kAltitude);
+  s.aspect = next(kAspect);
+  s.target_altitude = std::max(s.shooter_altitude + climb, kLowest);
+  return s;
+}
+
+std::uint16_t units(double range) {
+  return static_cast<std::uint16_t>(range / ZoneTable::kUnit);
 }
 
 }  // namespace
+
+EmploymentZone fly_situation(const MissileType& type, const LaunchSituation& situation,
+                             const EmploymentZone& guess) {
+  const Atmosphere atmosphere;
+  return search_zone({type, atmosphere, situation}, guess.r_max > 0 ? guess : kFirstGuess);
+}
 
 LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& target) {
   const Vec3 sight = target.position - shooter.position;
@@ -193,11 +208,36 @@ double EmploymentZone::range_at(double depth) const {
   return depth <= 0.5 ? r_ne + 2 * depth * (r_tr - r_ne) : r_tr + (2 * depth - 1) * (r_max - r_tr);
 }
 
-ZoneTable fly_zone(const MissileType& type) {
-  const Atmosphere atmosphere;
+ZoneTable fly_zone(const MissileType& type, unsigned workers, const ZoneProgress& progress) {
   ZoneTable table;
-  for (std::size_t i = 0; i < kInner; ++i)
-    fill_column(type, atmosphere, i, table);
+  std::atomic<std::size_t> done = 0;
+  Executor(workers).for_chunks(
+      table.cells.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        // a search begins where that of the cell before ended
+        EmploymentZone found = kFirstGuess;
+        for (std::size_t i = begin; i < end; ++i) {
+          const EmploymentZone z = fly_situation(type, situation_of(type, i), found);
+          if (z.r_max > 0)
+            found = z;
+          table.cells[i] = {units(z.r_max), units(z.r_tr), units(z.r_ne),
+                            units(z.r_min + ZoneTable::kUnit - 1)};
+        }
+        done += end - begin;
+        if (progress)
+          progress(static_cast<double>(done) / static_cast<double>(table.cells.size()));
+      });
+  // where the difference of altitude is more than the missile reaches, no range of that length
+  // exists: the reach of level launches stands there, so that what lies between is not drawn down
+  for (std::size_t i = 0; i < table.cells.size(); ++i) {
+    const std::size_t climb = i / kInner % kClimb.size();
+    ZoneTable::Cell& cell = table.cells[i];
+    if (cell.r_max > 0 || kClimb[climb] == 0)
+      continue;
+    const std::uint16_t least = units(std::fabs(kClimb[climb]));
+    const ZoneTable::Cell& level = table.cells[i + (kLevel - climb) * kInner];
+    cell = {std::min(level.r_max, least), std::min(level.r_tr, least), std::min(level.r_ne, least),
+            std::min(level.r_min, least)};
+  }
   return table;
 }
 
@@ -209,14 +249,14 @@ std::string zone_search_bits() {
   append_bits(bits, kShooterSpeed);
   append_bits(bits, kTargetSpeed);
   append_bits(bits, kOffBoresight);
-  append_bits(bits, std::array{kLowest, kNearest, kFarthest, kStep, kFarTolerance, kNearTolerance,
-                               kFirstGuess.r_max, kFirstGuess.r_tr, kFirstGuess.r_ne,
-                               kFirstGuess.r_min, kEscapeLoadFactor, kVersion});
+  append_bits(bits, std::array{kFarthestOff, kLowest, kNearest, kFarthest, kStep, kFarTolerance,
+                               kNearTolerance, kFirstGuess.r_max, kFirstGuess.r_min,
+                               kEscapeLoadFactor, kVersion});
   return bits;
 }
 
 LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable> table)
-    : table_(std::move(table)) {
+    : table_(std::move(table)), farthest_off_(farthest_off(type)) {
   if (type.locks_before_launch())
     seeker_ = type.seeker;
 }
@@ -224,29 +264,35 @@ LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable>
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   if (!table_ || (seeker_ && s.off_boresight > seeker_->gimbal))
     return {};
-  const GridCell shooter_speed = place(kShooterSpeed, s.shooter_speed);
-  const GridCell target_speed = place(kTargetSpeed, s.target_speed);
-  const GridCell off_boresight = place(kOffBoresight, s.off_boresight);
-  std::array<float, kInner> inner;
-  for (std::size_t i = 0; i < kInner; ++i)
-    inner[i] = shooter_speed.weight((i & 4) != 0) * target_speed.weight((i & 2) != 0) *
-               off_boresight.weight((i & 1) != 0);
-
+  const GridCell speeds[] = {place(kShooterSpeed, s.shooter_speed),
+                             place(kTargetSpeed, s.target_speed),
+                             place(kOffBoresight, s.off_boresight / farthest_off_)};
+  // the eight neighbors along the three inner axes: where they lie and what each weighs
+  std::array<std::size_t, 8> offset;
+  std::array<float, 8> inner;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::size_t a = i >> 2, b = (i >> 1) & 1, c = i & 1;
+    offset[i] =
+        ((speeds[0].index + a) * kTargetSpeed.size() + speeds[1].index + b) * kOffBoresight.size() +
+        speeds[2].index + c;
+    inner[i] = speeds[0].weight(a != 0) * speeds[1].weight(b != 0) * speeds[2].weight(c != 0);
+  }
   const GridCell aspect = place(kAspect, s.aspect);
   const GridCell altitude = place(kAltitude, s.shooter_altitude);
   const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
-  ZoneTable::Cell sum;
+  float r_max = 0, r_tr = 0, r_ne = 0, r_min = 0;
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
     const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
-    const ZoneTable::Cell* cell = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
-    for (std::size_t i = 0; i < kInner; ++i, ++cell) {
-      const float w = weight * inner[i];
-      sum.r_max += w * cell->r_max;
-      sum.r_tr += w * cell->r_tr;
-      sum.r_ne += w * cell->r_ne;
-      sum.r_min += w * cell->r_min;
+    const ZoneTable::Cell* cells = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
+    for (std::size_t i = 0; i < 8; ++i) {
+      const ZoneTable::Cell& cell = cells[offset[i]];
+      const float w = weight * inner[i] * static_cast<float>(ZoneTable::kUnit);
+      r_max += w * cell.r_max;
+      r_tr += w * cell.r_tr;
+      r_ne += w * cell.r_ne;
+      r_min += w * cell.r_min;
     }
   }
   double seen = kFarthest;
@@ -254,10 +300,10 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
     const InfraredSignature typical;
     seen = acquisition_range(*seeker_, radiant_intensity(typical, math::cos(s.aspect), 1));
   }
-  return {.r_max = std::min<double>(sum.r_max, seen),
-          .r_tr = std::min<double>(sum.r_tr, seen),
-          .r_ne = std::min<double>(sum.r_ne, seen),
-          .r_min = sum.r_min};
+  return {.r_max = std::min<double>(r_max, seen),
+          .r_tr = std::min<double>(r_tr, seen),
+          .r_ne = std::min<double>(r_ne, seen),
+          .r_min = r_min};
 }
 
 }  // namespace eyrie::model::weapon

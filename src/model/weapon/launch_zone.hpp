@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From where a missile reaches a target: found by flying it, kept as a table.
+#include <functional>
+#include <vector>
+
 #include "model/weapon/seeker_type.hpp"
 
 namespace eyrie::model::weapon {
@@ -43,20 +46,29 @@ struct LaunchParty {
 
 /// The ranges that were found, at every situation of a grid.
 struct ZoneTable {
+  static constexpr double kUnit = 4;  ///< m
   struct Cell {
-    float r_max = 0, r_tr = 0, r_ne = 0, r_min = 0;  ///< m
+    std::uint16_t r_max = 0, r_tr = 0, r_ne = 0, r_min = 0;  ///< kUnit; r_min rounded up
     bool operator==(const Cell&) const = default;
   };
-  static constexpr std::size_t kCells = 864;
-  std::array<Cell, kCells> cells{};
+  static constexpr std::size_t kCells = 12600;
+  std::vector<Cell> cells = std::vector<Cell>(kCells);
 
   bool operator==(const ZoneTable&) const = default;
 };
 
+/// Says how much of a table has been found, 0 to 1; called from any thread.
+using ZoneProgress = std::function<void(double)>;
 /// Flies the missile against targets that keep their course and that escape, and bisects the ranges
-/// on the grid: about 0.1 s. The same bits on every CPU. docs/models/missile.md has the grid and
-/// what it is worth.
-[[nodiscard]] ZoneTable fly_zone(const MissileType& type);
+/// on the grid: about a second on one core. The same bits on every CPU, for any number of workers.
+/// docs/models/missile.md has the grid and what it is worth.
+[[nodiscard]] ZoneTable fly_zone(const MissileType& type, unsigned workers = 1,
+                                 const ZoneProgress& progress = {});
+/// The ranges of one situation, which fly_zone() finds for every one of its grid. `guess`: where
+/// the search begins.
+[[nodiscard]] EmploymentZone fly_situation(const MissileType& type,
+                                           const LaunchSituation& situation,
+                                           const EmploymentZone& guess = {});
 /// The grid and the rules of the search as bytes: a table that was found by others is another one.
 [[nodiscard]] std::string zone_search_bits();
 
@@ -76,6 +88,7 @@ class LaunchZone {
 
  private:
   std::shared_ptr<const ZoneTable> table_;
+  double farthest_off_ = 1;           ///< rad
   std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
 };
 

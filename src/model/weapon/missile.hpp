@@ -90,6 +90,7 @@ struct Loft {
 struct MissileGuidance {
   double navigation_gain = 4;           ///< N of proportional navigation
   double autopilot_lag = 0.1;           ///< s, first order, from wanted to achieved acceleration
+  std::optional<double> lag_speed;      ///< m/s, see autopilot_lag(); none: the lag is constant
   double separation_time = 0.4;         ///< s after launch without any steering
   std::optional<double> link_interval;  ///< s between updates from the shooter; none: no link
   std::optional<Loft> loft;
@@ -102,6 +103,9 @@ struct MissileGuidance {
                             "N: acceleration per closing speed and line-of-sight rate"),
                       param("autopilot_lag", &G::autopilot_lag, "s", positive(10),
                             "first-order lag from wanted to achieved acceleration"),
+                      param("lag_speed", &G::lag_speed, "m/s", positive(10e3),
+                            "equivalent airspeed below which the lag grows with its inverse, as "
+                            "the airframe gets slower; null: never"),
                       param("separation_time", &G::separation_time, "s", range(0, 60),
                             "flies straight for this long after launch"),
                       param("link_interval", &G::link_interval, "s", positive(60),
