@@ -56,7 +56,7 @@ Claims claims_on(const State& s, const Seen& hostile) {
 std::int32_t choose_target(const State& s) {
   if (const Seen* held = s.find(s.agent.target); held && held->hostile()) {
     const double hold = std::clamp(held->range / kHoldSpeed, kLeastHold, kMostHold);
-    if (s.time - s.agent.target_since < hold)
+    if (s.time - s.agent.target_since < hold || s.agent.flying_at(held->id(), s.time) > 0)
       return static_cast<std::int32_t>(held - s.seen.data());
   }
   const Taken taken_tracks(s);

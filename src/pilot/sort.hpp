@@ -6,13 +6,13 @@
 namespace eyrie::pilot {
 
 /// Another hostile has to be nearer than this share of the range before the target is changed.
-inline constexpr double kSwitchShare = 0.67;
+inline constexpr double kSwitchShare = 0.5;
 
 /// A target is kept for so long at least: the longer, the farther away it is, because what mates
 /// say of their targets comes late and names distant neighbors wrongly.
-inline constexpr double kHoldSpeed = 2000;  ///< m/s, range over hold
+inline constexpr double kHoldSpeed = 1000;  ///< m/s, range over hold
 inline constexpr double kLeastHold = 2;     ///< s
-inline constexpr double kMostHold = 15;     ///< s
+inline constexpr double kMostHold = 30;     ///< s
 
 /// m. Two hostile tracks nearer to each other than this may be one aircraft that is tracked twice:
 /// what is said of one is then taken to be said of both.
@@ -32,9 +32,9 @@ struct Claims {
 ///
 /// Every member takes the nearest hostile that fewest better-ranked members, believed alive, say
 /// is their target; so each has his own as long as there are enough, and then they double up
-/// evenly. The target of before stays for a while (kHoldSpeed), and then unless another one is less
-/// taken or nearer by a third. Ties go to the older track. All that is known of the mates' targets
-/// came over the datalink.
+/// evenly. The target of before stays for a while (kHoldSpeed) and while an own missile is on its
+/// way to it, and then unless another one is less taken or half as far. Ties go to the older track.
+/// All that is known of the mates' targets came over the datalink.
 [[nodiscard]] std::int32_t choose_target(const State& state);
 
 /// Whether this pilot is the one to shoot first at his target: no mate who is believed alive, has

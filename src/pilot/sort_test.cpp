@@ -57,15 +57,18 @@ TEST(Sort, KeepsAFreshTargetForAWhileWhateverTheMatesSay) {
   see_at(s, 50e3, 0).targeted_by = 0b01;
   see_at(s, 60e3, 0.2);
   s.agent.target = TrackId{1};
-  s.agent.target_since = s.time - 14;
+  s.agent.target_since = s.time - 29;
   EXPECT_EQ(target(s), TrackId{1});
-  s.agent.target_since = s.time - 16;
+  s.agent.target_since = s.time - 31;
   EXPECT_EQ(target(s), TrackId{2});
-  s.tracks.tracks[0].position = s.own.position + Vec3{8e3, 0, 0};  // near: for four seconds
-  s.agent.target_since = s.time - 5;
+  s.tracks.tracks[0].position = s.own.position + Vec3{8e3, 0, 0};  // near: for eight seconds
+  s.agent.target_since = s.time - 9;
   EXPECT_EQ(target(s), TrackId{2});
-  s.agent.target_since = s.time - 3;
+  s.agent.target_since = s.time - 7;
   EXPECT_EQ(target(s), TrackId{1});
+  s.agent.target_since = s.time - 31;
+  s.agent.shots[0] = {.until = s.time + 5, .track = TrackId{1}, .store = kMedium};
+  EXPECT_EQ(target(s), TrackId{1}) << "its own missile is on the way";
 }
 
 TEST(Sort, DoesNotGiveWayToAWorseRankOrToTheDead) {
@@ -96,7 +99,7 @@ TEST(Sort, KeepsItsTargetUntilAnotherIsClearlyNearer) {
   see_at(s, 15e3, 0.5);
   s.agent.target = TrackId{1};
   EXPECT_EQ(target(s), TrackId{1});
-  s.tracks.tracks[1].position = s.own.position + Vec3{13e3, 0, 0};
+  s.tracks.tracks[1].position = s.own.position + Vec3{9.5e3, 0, 0};
   EXPECT_EQ(target(s), TrackId{2});
 }
 

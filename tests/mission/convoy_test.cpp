@@ -35,7 +35,7 @@ TEST(Convoy, DrivesScattersClosesUpAndArrives) {
   for (const std::string& name : names) {
     const auto scattered = f.log.first(EventKind::scatter, name);
     ASSERT_TRUE(scattered) << name;
-    EXPECT_LT(scattered->time, raid + 20) << name;
+    EXPECT_LT(scattered->time, raid + 30) << name;
     EXPECT_EQ(f.scenario->roster.find(scattered->event.whom)->side, model::Side::red);
     EXPECT_EQ(vehicle(f, name).speed, 0) << name << " stands off the road";
   }

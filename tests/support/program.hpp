@@ -86,6 +86,7 @@ struct RunOptions {
   std::string home = source_root();                                   ///< EYRIE_HOME
   std::string viewer = source_root() + "/tests/support/viewer.html";  ///< EYRIE_VIEWER
   std::string config = {};  ///< XDG_CONFIG_HOME; empty: there is none, and no HOME
+  std::string cache = {};   ///< XDG_CACHE_HOME; empty: there is none
   /// Bytes after which a write to a file fails, as on a full disk; 0: none.
   std::size_t file_size_limit = 0;
 };
@@ -109,6 +110,8 @@ struct RunOptions {
                                     "EYRIE_VIEWER=" + options.viewer};
   if (!options.config.empty())
     settings.push_back("XDG_CONFIG_HOME=" + options.config);
+  if (!options.cache.empty())
+    settings.push_back("XDG_CACHE_HOME=" + options.cache);
   if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
     words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
              std::to_string(options.file_size_limit / 512), words[0]};

@@ -74,6 +74,17 @@ const char* ReleaseWeapon::why_not(const State& s, const Seen& target) const {
                                                             : nullptr;
 }
 
+namespace {
+
+/// s, when an own sensor or an own eye last saw it. What mates say of a track does not count: they
+/// may have carried on one that nobody sees.
+double last_look(const model::Track& track) {
+  return (track.sources & model::kFromTruth) != 0 ? track.time
+                                                  : std::max(track.sensed_time, track.seen_time);
+}
+
+}  // namespace
+
 const char* ReleaseWeapon::why_wait(const State& s, const Seen& target, const Claims& claims,
                                     HoldMemory& m) const {
   const std::uint32_t mates = s.alive & ~(1U << s.datalink.self);
@@ -91,8 +102,9 @@ const char* ReleaseWeapon::why_wait(const State& s, const Seen& target, const Cl
     return s.time - claims.last_left < ripple_interval_ ? "the ripple goes on later" : nullptr;
   const double arrived =
       std::max(claims.last_arrived, m.busy == target.id() ? m.arrived : model::kNever);
-  return !flies && target.track->time < arrived + assess_ ? "looks whether the missile has hit"
-                                                          : nullptr;
+  return !flies && last_look(*target.track) < arrived + assess_
+             ? "looks whether the missile has hit"
+             : nullptr;
 }
 
 bool ReleaseWeapon::leaves_it(const State& s, const Seen& target, const Claims& claims,

@@ -25,7 +25,7 @@ struct HoldMemory {
 /// How many: `ripple` missiles one after the other, `ripple_interval` apart; then it looks what
 /// they did. One is the doctrine shoot-look-shoot. Missiles of mates, as they tell over the
 /// datalink, count up to `flight_ripple`. After the last has arrived, by its time of flight, it
-/// waits for a look at the target that is `assess` younger: who is dead is not seen again. It
+/// waits for an own look at the target that is `assess` younger: who is dead is not seen again. It
 /// leaves the first shot to the nearest mate who has the same target and is free (pilot/sort.hpp),
 /// for `patience` at most, for he may be out of missiles or look elsewhere.
 ///
@@ -56,9 +56,10 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
               "between two missiles of a ripple"),
         param("flight_ripple", &R::flight_ripple_, range(1, 8),
               "missiles of the flight on their way to one target at a time, own and mates'"),
-        param("assess", &R::assess_, "s", range(0, 60),
-              "after a missile has arrived it shoots again only at a track that somebody has "
-              "updated this much later"),
+        param(
+            "assess", &R::assess_, "s", range(0, 60),
+            "after a missile has arrived it shoots again only at a track that an own sensor or eye "
+            "has seen this much later"),
         param("one_shooter", &R::one_shooter_,
               "false: shoots whatever the mates have done about the target"),
         param("patience", &R::patience_, "s", range(0, 600),

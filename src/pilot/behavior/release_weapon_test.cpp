@@ -134,10 +134,12 @@ TEST(ReleaseWeapon, LooksWhatItsMissileDidBeforeTheNextOne) {
   desk.time += 2.9;
   EXPECT_EQ(decide(look, desk).status, kFailure);
   desk.time += 1;
-  desk.tracks.tracks[0].time = desk.time;
+  desk.tracks.tracks[0].time = desk.tracks.tracks[0].sensed_time = desk.time;
   EXPECT_EQ(decide(look, desk).status, kFailure) << "a look 3.9 s later may be of before the hit";
   desk.time += 0.1;
   desk.tracks.tracks[0].time = desk.time;
+  EXPECT_EQ(decide(look, desk).status, kFailure) << "a mate may have carried the track on";
+  desk.tracks.tracks[0].sensed_time = desk.time;
   EXPECT_EQ(decide(look, desk).status, kRunning);
 }
 
@@ -150,7 +152,7 @@ TEST(ReleaseWeapon, LooksWhatAMatesMissileDid) {
   desk.tracks.tracks[0].shot_by = 0;
   for (const double wait : {3.9, 0.1}) {
     desk.time += wait;
-    desk.tracks.tracks[0].time = desk.time;
+    desk.tracks.tracks[0].time = desk.tracks.tracks[0].sensed_time = desk.time;
     for (model::Mate& mate : desk.datalink.members)
       mate.time = desk.time;
     EXPECT_EQ(pilot.decide(desk).status, wait < 1 ? kRunning : kFailure);
