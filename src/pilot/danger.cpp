@@ -9,6 +9,13 @@ namespace {
 /// rad: a track that stands so near to a bearing of the warning receiver is the emitter.
 constexpr double kSameBearing = si(20, "deg");
 
+/// s: a seeker that has fallen silent for longer has turned to somebody else, or its beam has left.
+constexpr double kSilence = 1;
+
+/// s: whose seeker is not heard is seen to come here no earlier than this. Its bearing stands to 3
+/// degrees a second (data/visual), which at 4 s may still be a miss by 800 m, at 8 s by 3 km.
+constexpr double kSeenTime = 4;
+
 const Seen* nearest_hostile(const State& s) {
   const Seen* nearest = nullptr;
   for (const Seen& seen : s.tracks_seen())
@@ -49,8 +56,11 @@ const model::InboundMissile* inbound(const State& s, double within) {
   const model::InboundMissile* first = nullptr;
   double least = within;
   for (std::uint32_t i = 0; i < s.threats.count; ++i) {
-    const auto left = time_to_go(s, s.threats.missiles[i]);
-    if (left && *left <= least && (first == nullptr || *left < least)) {
+    const model::InboundMissile& missile = s.threats.missiles[i];
+    const auto left = time_to_go(s, missile);
+    const bool believed =
+        missile.arrival > 0 ? s.time - missile.time <= kSilence : left && *left <= kSeenTime;
+    if (believed && *left <= least && (first == nullptr || *left < least)) {
       first = &s.threats.missiles[i];
       least = *left;
     }

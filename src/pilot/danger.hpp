@@ -18,8 +18,9 @@ inline constexpr double kMissileClosing = 1000;
                                                const model::InboundMissile& missile);
 
 /// The missile that is here first, among those believed to come for this aircraft: known to be here
-/// within `within` s. One whose signal does not grow as it would if it came here is for somebody
-/// else (model::sensor::time_to_go). Null if there is none.
+/// within `within` s, and heard in the last second. One that is only seen counts in its last 4 s.
+/// One whose signal does not grow as it would if it came here is for somebody else
+/// (model::sensor::time_to_go). Null if there is none.
 [[nodiscard]] const model::InboundMissile* inbound(const State& state, double within);
 
 /// The radar that tracks this aircraft, the one heard first; null if none does.

@@ -38,11 +38,12 @@ void Teller::changes(const Agent& before, const Proposal& decided, Agent& agent)
     tell(EventKind::defend, threat ? threat->truth : PlayerId{}, 0,
          call == Call::defend_far ? 1 : 2);
   if (call == Call::notch || call == Call::drag || call == Call::last_ditch) {
-    const model::InboundMissile* missile = inbound(state_, math::kInfinity);
-    tell(EventKind::defend, missile ? missile->truth : PlayerId{}, 0,
-         call == Call::notch  ? 3
-         : call == Call::drag ? 4
-                              : 5);
+    // without a missile it is what goes on after the last one
+    if (const model::InboundMissile* missile = inbound(state_, math::kInfinity))
+      tell(EventKind::defend, missile->truth, 0,
+           call == Call::notch  ? 3
+           : call == Call::drag ? 4
+                                : 5);
   }
   if (call == Call::out)
     tell(EventKind::defend, {}, 0, 6);

@@ -60,6 +60,10 @@ namespace {
 /// From here on the weights stay: the filter forgets what was before, 3 s at 5 looks a second.
 constexpr int kRememberedLooks = 15;
 
+/// A level so far off the line, as a share, begins a new one: either of the two has turned. Five
+/// times the error of a look of 0.3 dB.
+constexpr double kSurprise = 0.17;
+
 /// One look more: a straight line by least squares through all looks so far, which is an alpha-beta
 /// filter with these weights (Brookner, Tracking and Kalman Filtering Made Easy, sec. 1.2.10).
 void filter_level(RwrWarning& known, const RwrWarning& look) {
@@ -73,6 +77,12 @@ void filter_level(RwrWarning& known, const RwrWarning& look) {
   const double g = 2 * (2 * n + 1) / ((n + 1) * (n + 2)), h = 6 / ((n + 1) * (n + 2));
   const double expected = known.faintness + dt * known.faintness_rate;
   const double residual = look.faintness - expected;
+  if (std::fabs(residual) > kSurprise * look.faintness) {
+    known.faintness = look.faintness;
+    known.faintness_rate = 0;
+    known.looks = 1;
+    return;
+  }
   known.faintness = expected + g * residual;
   known.faintness_rate += h / dt * residual;
   known.looks = static_cast<std::uint8_t>(std::min<int>(known.looks + 1, 255));

@@ -63,8 +63,17 @@ TEST(Notch, GoesOnForAMomentWhenTheSeekerFallsSilent) {
 
 TEST(Notch, GoesByTheMissileThatIsHereFirst) {
   Desk desk = threatened(1.0, 7);
-  desk.threat(-1.0, 5000);  // seen: 5 s away
+  desk.threat(-1.0, 3900);  // seen: 3.9 s away
   EXPECT_NEAR(heading("notch", desk), -1.0 + kPi / 2, 1e-9);
+}
+
+TEST(Notch, BelievesNoSeekerThatFellSilentNorAMissileThatIsOnlySeenFromAfar) {
+  Desk desk = threatened(1.0, 7);
+  desk.threats.missiles[0].time = desk.time - 1.1;
+  EXPECT_EQ(decide("notch", desk).status, kFailure);
+  Desk seen;
+  seen.threat(1.0, 4100);
+  EXPECT_EQ(decide("notch", seen).status, kFailure);
 }
 
 TEST(Notch, BeamsTheRadarThatTracksWhenAskedTo) {
