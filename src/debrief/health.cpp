@@ -211,8 +211,11 @@ class Meter final : public sim::Observer {
 }  // namespace
 
 void Steadiness::sample(double time, double heading, double roll) {
-  if (watched_ && time - begin_ >= kWindow)
+  if (watched_ && time - begin_ >= kWindow) {
+    const int bank = bank_;
     stop();
+    bank_ = bank;
+  }
   if (!watched_) {
     watched_ = true;
     begin_ = time;
@@ -232,6 +235,7 @@ void Steadiness::stop() {
   if (watched_)
     gained_ += std::abs(wrap_pi(heading_ - first_));
   watched_ = false;
+  bank_ = 0;
 }
 
 void Health::add(const Health& o) {

@@ -49,7 +49,7 @@ TEST_P(ExplainedRun, IsTheOneThatWasFlown) {
 }
 
 TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
-  const Recorded run = recorded_flight("sweep", 800, 13);
+  const Recorded run = recorded_flight("sweep_phases", 800, 13);
   Reflight flight(run);
   std::size_t failures = 0;
   while (flight.step()) {
@@ -69,7 +69,7 @@ TEST(Explain, GivesAReasonForEveryBehaviorThatFails) {
 }
 
 TEST(WhatIf, FindsNothingWithoutAChange) {
-  const Recorded run = recorded_flight("sweep", 700, 13);
+  const Recorded run = recorded_flight("sweep_phases", 700, 13);
   const auto same = with_overrides(run, {"trees.bvr.per_field.pursue.vote=40"});
   const WhatIf result = what_if(run, *same, PlayerId{2}, 0);
   EXPECT_GT(result.decisions, 3000U);
@@ -78,8 +78,8 @@ TEST(WhatIf, FindsNothingWithoutAChange) {
 
 TEST(WhatIf, NamesTheTickInWhichTheChangedFlightFirstActsOtherwise) {
   const std::string change = "trees.ingress.winner_takes_all.follow_lead.vote=5";
-  const Recorded run = recorded_flight("sweep", 60, 13),
-                 other = recorded_flight("sweep", 60, 13, {change});
+  const Recorded run = recorded_flight("sweep_phases", 60, 13),
+                 other = recorded_flight("sweep_phases", 60, 13, {change});
   std::string problem;
   const auto flown = compare(run, other, problem);
   ASSERT_TRUE(flown && flown->action) << problem;
@@ -105,7 +105,7 @@ TEST(WhatIf, SaysByHowMuch) {
 }
 
 TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
-  const Recorded run = recorded_flight("sweep", 3600, 13);
+  const Recorded run = recorded_flight("sweep_phases", 3600, 13);
   const Outcome flown = outcome_of(run);
   std::string problem;
   const auto branched =
@@ -117,15 +117,16 @@ TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
   EXPECT_EQ(same.blue.shots, flown.blue.shots);
   EXPECT_EQ(same.red.losses, flown.red.losses);
   EXPECT_EQ(same.blue.home, flown.blue.home);
-  const auto fewer = branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=0"}),
-                            past_at(run, 20'000), limit_of(run, flown), problem);
+  const auto fewer =
+      branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=-0.9"}),
+             past_at(run, 20'000), limit_of(run, flown), problem);
   ASSERT_TRUE(fewer) << problem;
   const Outcome other = fewer->fly();
   EXPECT_NE(std::pair(other.time, other.blue.shots), std::pair(flown.time, flown.blue.shots));
 }
 
 TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
-  const Recorded whole = recorded_flight("sweep", 3600, 13);
+  const Recorded whole = recorded_flight("sweep_phases", 3600, 13);
   const Outcome ended = outcome_of(whole);
   EXPECT_NE(ended.outcome, "time");
   EXPECT_FALSE(limit_of(whole, ended));
@@ -138,7 +139,7 @@ TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
   EXPECT_EQ(home.outcome, ended.outcome);
   EXPECT_EQ(home.blue.home, ended.blue.home);
   EXPECT_GT(home.time, ended.time);
-  const Recorded cut = recorded_flight("sweep", 500, 13);
+  const Recorded cut = recorded_flight("sweep_phases", 500, 13);
   EXPECT_EQ(outcome_of(cut).outcome, "time");
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
   EXPECT_EQ(outcome_of(cut.scenario, 3, limit_of(cut, outcome_of(cut))).time, 500);

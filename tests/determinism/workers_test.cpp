@@ -133,7 +133,7 @@ TEST(WorkersSnapshot, LetABranchGoItsOwnWayAndComeBack) {
   const PlayerId somebody = kept.ids(scenario->aircraft.table)[0];
   sim::Run other(scenario->simulation, kept);
   ASSERT_EQ(other.submit(pilot::PilotSystem::swap_tree_order(
-                kept.step(), somebody, scenario->trees->find("home").value())),
+                kept.step(), somebody, scenario->trees->find("homeward").value())),
             "");
   while (other.time() < kEarly + 60 - 1e-9)
     other.step();

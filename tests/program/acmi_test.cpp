@@ -23,7 +23,7 @@ struct Flown {
       "FileType=text/acmi/tacview\nFileVersion=2.2\n"};
 
   Flown() {
-    const Ran ran = run_program(folder, {"fly", "sweep", "--out", "run", "--json"});
+    const Ran ran = run_program(folder, {"fly", "sweep_phases", "--out", "run", "--json"});
     if (ran.code != 0)
       throw std::runtime_error(ran.err);
     report = nlohmann::json::parse(ran.out);
@@ -52,7 +52,7 @@ TEST(AcmiReader, RefusesWhatTheGrammarDoesNotAllow) {
 
 TEST(AcmiFile, SaysWhatItIsAndWhere) {
   const Acmi& f = Flown::get().file;
-  EXPECT_EQ(f.globals.at("Title"), "sweep");
+  EXPECT_EQ(f.globals.at("Title"), "sweep_phases");
   EXPECT_EQ(f.globals.at("DataSource"), "Eyrie");
   EXPECT_EQ(acmi_number(f.globals.at("ReferenceLongitude")), -68);
   EXPECT_EQ(acmi_number(f.globals.at("ReferenceLatitude")), 33);

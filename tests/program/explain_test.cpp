@@ -16,7 +16,8 @@ using nlohmann::json;
 /// Two runs of the sweep, flown once.
 struct RecordedRuns {
   RecordedRuns() {
-    const std::vector<std::string> flight{"fly", "sweep", "--until", "11 min", "--quiet", "--out"};
+    const std::vector<std::string> flight{"fly",    "sweep_phases", "--until",
+                                          "11 min", "--quiet",      "--out"};
     auto a = flight, b = flight;
     a.insert(a.end(), {"a"});
     b.insert(b.end(), {"b", "--set", "trees.bvr.per_field.release_weapon.zone=0.3"});
@@ -225,8 +226,8 @@ std::vector<json> flown(const std::vector<std::string>& seeds, std::vector<std::
   const TempFolder folder;
   std::vector<json> ends;
   for (const std::string& seed : seeds) {
-    std::vector<std::string> words{"fly",          "sweep",  "--until", "11 min", "--json",
-                                   "--no-debrief", "--seed", seed,      "--out",  seed};
+    std::vector<std::string> words{"fly",          "sweep_phases", "--until", "11 min", "--json",
+                                   "--no-debrief", "--seed",       seed,      "--out",  seed};
     words.insert(words.end(), more.begin(), more.end());
     const Ran ran = run_program(folder, words);
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -258,8 +259,8 @@ TEST(WhatIfProgram, FliesOnBothWaysAndOverManySeeds) {
       for (const char* what : {"losses", "shots", "kills", "home"})
         EXPECT_EQ(branch[side][what], flight["sides"][side][what]) << side << ' ' << what;
   };
-  ends_as(said["branch"]["flown"], flown({"1"}, {})[0]);
-  ends_as(said["branch"]["other"], flown({"1"}, {"--set", zone})[0]);
+  ends_as(said["branch"]["flown"], flown({"13"}, {})[0]);
+  ends_as(said["branch"]["other"], flown({"13"}, {"--set", zone})[0]);
   const auto as_it_is = flown({"1", "2", "3"}, {}),
              changed = flown({"1", "2", "3"}, {"--set", zone});
   EXPECT_EQ(said["over_seeds"]["seeds"], 3);

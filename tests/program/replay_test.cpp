@@ -109,14 +109,14 @@ TEST_F(Replay, TakesTheOrdersOfTheRecording) {
   std::string& text = changed.files.at(changed.scenario);
   const auto at = text.find("seed: 8");
   ASSERT_NE(at, std::string::npos);
-  text.insert(at, "orders: [{at: 30 s, player: bandit1, swap_tree: home}]\n");
+  text.insert(at, "orders: [{at: 30 s, player: bandit1, swap_tree: homeward}]\n");
   write(changed);
   EXPECT_EQ(replay().code, 0);
 
   // with the order in the recording too the run goes another way from then on, and it is found
   const auto scenario = load_scenario("merge");
   changed.orders = {pilot::PilotSystem::swap_tree_order(
-      1500, scenario->roster.find("bandit1").value(), scenario->trees->find("home").value())};
+      1500, scenario->roster.find("bandit1").value(), scenario->trees->find("homeward").value())};
   write(changed);
   const json j = json::parse(replay({"--json"}).out);
   ASSERT_TRUE(j.contains("where")) << j;

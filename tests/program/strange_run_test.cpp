@@ -95,7 +95,7 @@ TEST_F(StrangeRun, IsComparedByWhoeverFliesIt) {
 TEST_F(StrangeRun, IsComparedInItsMiddle) {
   const auto scenario = load_scenario("merge");
   run.orders = {pilot::PilotSystem::swap_tree_order(503, scenario->roster.find("bandit1").value(),
-                                                    scenario->trees->find("home").value())};
+                                                    scenario->trees->find("homeward").value())};
   expect_all(1, "the worlds part between steps 500 and 505; step 550: aircraft.");
 }
 

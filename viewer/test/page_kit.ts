@@ -13,7 +13,7 @@ import { launch as launch_in, open_url, type Look, type Opened, type UserPage, t
 import { words_of, type WhatIfJson } from './terminal.ts';
 
 const { env } = process;
-/** A debrief.html of the sweep. */
+/** A debrief.html of scenarios/sweep_phases.yaml. */
 export const kPageFile = env['EYRIE_PAGE_FILE'] ?? '';
 export const kProgram = env['EYRIE_PROGRAM'] ?? '';
 const kRunFolder = env['EYRIE_RUN'] ?? '';
@@ -67,7 +67,7 @@ export function scratch_folder(): string {
 export async function two_runs(folder: string, sets: string[]): Promise<{ file: string; parting: PartingJson }> {
   const run = (args: string[]) => promisify(execFile)(kProgram, args, { cwd: folder, maxBuffer: 1 << 28 });
   const other = join(folder, 'other');
-  await run(['fly', 'sweep', '--quiet', '--no-debrief', '--out', other, ...sets.flatMap((set) => ['--set', set])]);
+  await run(['fly', 'sweep_phases', '--quiet', '--no-debrief', '--out', other, ...sets.flatMap((set) => ['--set', set])]);
   const file = join(folder, 'two.html');
   await run(['debrief', kRunFolder, other, '--out', file]);
   // it ends with 1 for runs that part

@@ -67,8 +67,11 @@ void Pursue::follow(const State& s, const Seen& target, double altitude, Action&
 }
 
 double Pursue::steadied(const State& s, const Seen& target, double heading) const {
+  // what the error of his velocity makes of the collision course
+  const double unsure =
+      static_cast<double>(target.track->velocity_sigma) / std::max(s.own.speed, 1.0);
   const bool same = s.command.mode == model::AutopilotMode::hold &&
-                    std::fabs(angle_between(s.command.heading, heading)) < dead_band_;
+                    std::fabs(angle_between(s.command.heading, heading)) < dead_band_ + unsure;
   return wrap_tau(target.range > level_range_ && same ? s.command.heading : heading);
 }
 

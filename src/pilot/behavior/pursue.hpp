@@ -22,8 +22,8 @@ constexpr auto names_of(Pursuit) {
 ///
 /// It keeps its energy (pilot/fight.hpp): near `least_mach` it turns no harder than full power
 /// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
-/// heading is flown only when it differs by more than `dead_band`, and with `far_load_factor` at
-/// most: the errors of a far track are no reason to turn.
+/// heading is flown only when it differs by more than `dead_band` and what the error of the
+/// track's velocity makes of it, and with `far_load_factor` at most: errors are no reason to turn.
 class Pursue final : public Behavior {
  public:
   static constexpr std::string_view type_name = "pursue";
@@ -76,8 +76,8 @@ class Pursue final : public Behavior {
   double gun_range_ = 2500;
   double load_factor_ = 6;
   double least_mach_ = 0.6;
-  double dead_band_ = si(3, "deg");
-  double far_load_factor_ = 3;
+  double dead_band_ = si(6, "deg");
+  double far_load_factor_ = 2;
   double crank_ = 0;
   double separation_ = si(500, "ft");
   double floor_ = si(2000, "ft");
