@@ -30,9 +30,9 @@ int main() {
 
   sim::World branch = kept;
   const auto eagle1 = sweep->roster.find("eagle1").value();
-  const auto home = sweep->trees->find("home").value();
+  const auto homeward = sweep->trees->find("homeward").value();
   for (int i = 0; i < 100; ++i) {
-    const sim::Order order = pilot::PilotSystem::swap_tree_order(branch.step(), eagle1, home);
+    const sim::Order order = pilot::PilotSystem::swap_tree_order(branch.step(), eagle1, homeward);
     simulation.step(branch, work, i == 0 ? std::span(&order, 1) : std::span<const sim::Order>{});
   }
   const auto where = sim::first_difference(world, branch);

@@ -36,17 +36,17 @@ Health over_seeds(const std::string& file, const std::string& home, std::uint64_
   return all;
 }
 
-double quantile(std::vector<float> values, double q) {
+std::string median(std::vector<float> values) {
   if (values.empty())
-    return 0;
-  std::sort(values.begin(), values.end());
-  return static_cast<double>(
-      values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))]);
+    return "-";
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return fmt::format("{:.2f}", *middle);
 }
 double share_below(const std::vector<float>& values, float limit) {
   const auto below =
       std::count_if(values.begin(), values.end(), [=](float v) { return v < limit; });
-  return values.empty() ? 0 : static_cast<double>(below) / static_cast<double>(values.size());
+  return static_cast<double>(below) / static_cast<double>(values.size());
 }
 double ratio(double a, double b) {
   return b > 0 ? a / b : 0;
@@ -78,14 +78,14 @@ std::vector<Measure> measures() {
        [](const Health& h) {
          return h.gained > 0 ? fmt::format("{:.1f}", h.turned / h.gained) : "-";
        }},
-      {"Mach in pursuit, median",
-       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.pursuit_mach, 0.5)); }},
+      {"Mach in pursuit, median", [](const Health& h) { return median(h.pursuit_mach); }},
       {"below Mach 0.6 in pursuit",
        [](const Health& h) {
-         return fmt::format("{:.0f} %", 100 * share_below(h.pursuit_mach, 0.6F));
+         return h.pursuit_mach.empty()
+                    ? "-"
+                    : fmt::format("{:.0f} %", 100 * share_below(h.pursuit_mach, 0.6F));
        }},
-      {"Mach at launch, median",
-       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.launch_mach, 0.5)); }},
+      {"Mach at launch, median", [](const Health& h) { return median(h.launch_mach); }},
       {"shots at the dead", [](const Health& h) { return share(h.at_the_dead, h.missiles); }},
       {"fratricides", [](const Health& h) { return fmt::format("{}", h.fratricides); }},
       {"target changes per pilot who had a target",
@@ -95,7 +95,7 @@ std::vector<Measure> measures() {
       {"pilots' entries into wvr with a living enemy in sight",
        [](const Health& h) { return share(h.wvr_seen, h.wvr); }},
       {"Mach within 5 nmi of an enemy, median",
-       [](const Health& h) { return fmt::format("{:.2f}", quantile(h.merged_mach, 0.5)); }},
+       [](const Health& h) { return median(h.merged_mach); }},
       {"undecided when time was over", [](const Health& h) { return share(h.undecided, h.runs); }},
       {"runs in which somebody goes home from living enemies",
        [](const Health& h) { return share(h.left_fighting, h.runs); }},
@@ -113,7 +113,16 @@ std::vector<Measure> measures() {
     all.push_back({fmt::format("kills per shot at {:.1f} to {:.1f} of the zone",
                                static_cast<double>(i) / Health::kBins,
                                static_cast<double>(i + 1) / Health::kBins),
-                   [i](const Health& h) { return share(h.by_zone[i].kills, h.by_zone[i].shots); }});
+                   [i, d](const Health& h) {
+                     double shots = 0;
+                     for (const auto& bin : h.by_zone)
+                       shots += d(bin.shots);
+                     const auto& bin = h.by_zone[i];
+                     return bin.shots ? fmt::format("{}, {:.0f} % of the shots",
+                                                    share(bin.kills, bin.shots),
+                                                    100 * ratio(d(bin.shots), shots))
+                                      : "-";
+                   }});
   return all;
 }
 }  // namespace

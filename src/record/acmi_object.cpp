@@ -168,9 +168,19 @@ double error(const Pose& a, const Pose& p, const Pose& b, const Tolerance& toler
                       tolerance.attitude);
 }
 
+/// Whether the short way round from one to the other is in doubt once both are rounded.
+bool turns_round(const Pose& a, const Pose& b) {
+  const auto half = [&](double Pose::*angle) {
+    return std::fabs(wrap_pi(b.*angle - a.*angle)) > radians(175);
+  };
+  return half(&Pose::roll) || half(&Pose::pitch) || half(&Pose::heading);
+}
+
 /// Whether all between two poses lie near the line.
 bool fits(std::span<const Pose> poses, std::size_t from, std::size_t to,
           const Tolerance& tolerance) {
+  if (to > from + 1 && turns_round(poses[from], poses[to]))
+    return false;
   for (std::size_t i = from + 1; i < to; ++i)
     if (error(poses[from], poses[i], poses[to], tolerance) > 1)
       return false;

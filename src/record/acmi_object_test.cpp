@@ -103,6 +103,21 @@ TEST(Thin, TurnsTheShorterWay) {
   EXPECT_EQ(count(kept_of(poses)), 2);
 }
 
+/// Half a roll reads as one to the left or to the right, as its ends happen to be rounded.
+TEST(Thin, NeverLeavesAHalfRollInDoubt) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 20; ++i)
+    poses.push_back({.time = 0.2 * i, .roll = wrap_pi(radians(9.0 * i))});
+  const auto kept = kept_of(poses);
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    if (kept[i]) {
+      EXPECT_LE(std::fabs(wrap_pi(poses[i].roll - poses[from].roll)), radians(175)) << i;
+      from = i;
+    }
+  EXPECT_EQ(count(kept), 3);
+}
+
 RC_GTEST_PROP(Thin, LeavesNothingOutThatIsFarFromItsLine, (const std::vector<int>& steps)) {
   RC_PRE(steps.size() > 1);
   std::vector<Pose> poses;

@@ -54,8 +54,8 @@ TEST(Health, CountsWhatTheEventsOfTheRunSay) {
 
 TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {
   const auto steadiness = [](std::vector<std::string> sets) {
-    const auto scenario =
-        scenario::load({"scenarios/sweep_phases.yaml", std::move(sets)}, scenario::Source::disk("."));
+    const auto scenario = scenario::load({"scenarios/sweep_phases.yaml", std::move(sets)},
+                                         scenario::Source::disk("."));
     Health all;
     for (const std::uint64_t seed : {1, 2, 3})
       all.add(debrief::measure(scenario, seed));

@@ -78,8 +78,13 @@ for line in 'reach: 3 nmi' 'reach: 3 nmi  #' 'reach: 3 nmi  # m' 'reach: 3 nmi  
   '  value: [1, 2]' '  - 0.3  # 4 5 6'; do
   refuses check-data data/guns/part.yaml "$line"
 done
-for line in 'name: part' 'reach: 3 nmi  # Skolnik, sec. 2.5' 'reach: 3 nmi  # [judgement] as the M61' \
-  'mach: [0, 1]  # breakpoints'; do
+for line in 'name: part' 'reach: 3 nmi  # Skolnik, sec. 2.5' 'mach: [0, 1]  # breakpoints'; do
   lets check-data data/guns/part.yaml "$line"
 done
+judged=$'reach: 3 nmi  # [judgement] as the M61\n' sourced=$'rate: 3 Hz  # Skolnik, sec. 2.5\n'
+lets check-data data/guns/part.yaml "$judged$sourced$sourced"
+file data/guns/part.yaml "$judged$judged$sourced$sourced"
+said=$("$tools/check-data" . 2>&1) && fail "check-data lets half of the values be judgements"
+[[ $said == *'2 of 4 values are [judgement]'* ]] || fail "check-data does not count: $said"
+forget data/guns/part.yaml
 ((failures == 0)) || { echo "$failures wrong" >&2; exit 1; }

@@ -7,7 +7,7 @@ import { kNoPage, shoot, with_page } from './page_kit.ts';
 
 let opened: Opened;
 let page: UserPage;
-with_page({ fragment: '#t=600&p=eagle2' }, (made) => {
+with_page({ fragment: '#t=480&p=eagle2' }, (made) => {
   opened = made;
   ({ page } = opened);
 });

@@ -383,51 +383,5 @@ RC_GTEST_PROP(KillProbability, NeverRisesWithTheMiss, ()) {
   RC_ASSERT(kill_probability(warhead, std::min(a, b)) >= kill_probability(warhead, std::max(a, b)));
 }
 
-TEST(Flyout, MissesAManeuverAsASingleLagDoes) {
-  // a target that begins to turn x time constants T before the meeting, gain 4: the miss is
-  // n T^2 x^2 exp(-x) |1/2 - x/6| (Zarchan, Tactical and Strategic Missile Guidance, ch. 3, closed
-  // form of the single-lag guidance system), nothing at x = 3
-  MissileType type = test::medium_range();
-  type.guidance.navigation_gain = 4;
-  type.guidance.autopilot_lag = 0.5;
-  type.guidance.lag_speed.reset();
-  type.aero.greatest_load_factor = 100;
-  type.aero.greatest_lift = Table1::constant(900);
-  type.aero.drag_power_off = Table1::constant(1e-9);
-  type.aero.induced_drag = Table1::constant(0);
-  const auto miss = [&](double x, double lag) {
-    constexpr double kStep = 2e-4, kTurn = 5;
-    type.guidance.autopilot_lag = lag;
-    const double flight = x * lag;
-    Vec3 place{1300 * flight, 0, -8000}, velocity{-300, 0, 0};
-    Flyout missile{.position = {0, 0, -8000}, .velocity = {1000, 0, 0}, .lift = {0, 0, -kGravity}};
-    double nearest = 1e9;
-    for (double t = 0; t < flight + 0.05; t += kStep) {
-      const LineOfSight los = line_of_sight(place - missile.position, velocity - missile.velocity);
-      fly(type, kAtmosphere.at(8000), {}, kDown, 100, kStep,
-          steer(type.guidance, los, missile.velocity, kDown), missile);
-      velocity.y += kTurn * kStep;
-      place += kStep * velocity;
-      nearest = std::min(nearest, norm(place - missile.position));
-    }
-    return nearest / (kTurn * lag * lag);
-  };
-  for (const double x : {0.5, 1.0, 1.5, 2.0, 3.0, 4.0}) {
-    EXPECT_NEAR(miss(x, 0.5), x * x * std::exp(-x) * std::fabs(0.5 - x / 6), 0.025) << x;
-    EXPECT_NEAR(miss(x, 0.25), miss(x, 0.5), 0.025) << "with the square of the time constant";
-  }
-}
-
-TEST(Flyout, AnswersLaterAtLowDynamicPressure) {
-  MissileGuidance guidance{.autopilot_lag = 0.1, .lag_speed = 400};
-  const Air sea = kAtmosphere.at(0), high = kAtmosphere.at(12e3);
-  EXPECT_DOUBLE_EQ(autopilot_lag(guidance, sea, 800), 0.1);
-  EXPECT_NEAR(autopilot_lag(guidance, sea, 200), 0.2, 1e-12);
-  EXPECT_NEAR(autopilot_lag(guidance, high, 400), 0.1 * std::sqrt(sea.density / high.density),
-              1e-6);
-  guidance.lag_speed.reset();
-  EXPECT_DOUBLE_EQ(autopilot_lag(guidance, high, 100), 0.1);
-}
-
 }  // namespace
 }  // namespace eyrie::model::weapon

@@ -76,7 +76,7 @@ class Pursue final : public Behavior {
   double gun_range_ = 2500;
   double load_factor_ = 6;
   double least_mach_ = 0.6;
-  double dead_band_ = si(6, "deg");
+  double dead_band_ = si(8, "deg");
   double far_load_factor_ = 2;
   double crank_ = 0;
   double separation_ = si(500, "ft");
