@@ -56,6 +56,31 @@ TEST(Detector, GivesNoMoreThanTheFalseAlarmRateWithoutASignal) {
   EXPECT_NEAR(Detector(radar).probability(0), 1e-5, 1e-18);
 }
 
+/// Chance to detect an echo of that strength that does not fluctuate, one look: Albersheim's
+/// equation (1981) solved for it. It claims 0.2 dB between 0.1 and 0.9.
+double albersheim(double signal_to_noise, double false_alarm) {
+  const double a = std::log(0.62 / false_alarm);
+  const double z =
+      std::pow(10, 10 * std::log10(signal_to_noise) / (6.2 + 4.54 / std::sqrt(1 + 0.44)));
+  return 1 / (1 + std::exp(-(z - a) / (1.7 + 0.12 * a)));
+}
+
+TEST(Detector, IsTheMeanOfSteadyEchoesOverTheFluctuation) {
+  // published for a steady echo: 13.18 dB for 0.9 at a false alarm rate of 1e-6 (square law)
+  EXPECT_NEAR(albersheim(std::pow(10, 1.318), 1e-6), 0.9, 0.02);
+  // Swerling 1: the strength is exponential about its mean; 21.1 dB are needed for 0.9 then
+  const Detector detector{Radar{.false_alarm = 1e-6}};
+  EXPECT_NEAR(detector.probability(std::pow(10, 2.11)), 0.9, 0.002);
+  for (const double mean : {5.0, 10.0, 19.0, 50.0, 130.0}) {
+    double sum = 0;
+    constexpr int kParts = 20000;
+    for (int i = 0; i < kParts; ++i)
+      sum += albersheim(-mean * std::log((i + 0.5) / kParts), 1e-6) / kParts;
+    // below 0.1 Albersheim's equation says a little too much
+    EXPECT_NEAR(detector.probability(mean), sum, 0.035) << mean;
+  }
+}
+
 RC_GTEST_PROP(Detector, FollowsTheFourthPowerOfRange, ()) {
   const Detector detector{Radar{}};
   const double range = *rc::gen::inRange(1000, 300000), rcs = 0.1 * *rc::gen::inRange(1, 500);
