@@ -119,7 +119,8 @@ LaunchZone KeptZones::of(const MissileType& type) {
     return {type, known};
   const std::optional<Offer> offer = offered(key);
   const bool believed = offer && offer->trial == trial_flights(type);
-  return {type, keep(std::move(key), believed ? offer->table : fetch(type, key))};
+  Table table = believed ? offer->table : fetch(type, key);
+  return {type, keep(std::move(key), std::move(table))};
 }
 
 KeptZones::Table KeptZones::fetch(const MissileType& type, const std::string& key) {
