@@ -132,6 +132,12 @@ std::optional<double> support_left(const State& s, const Shot& shot) {
   return shot.until - s.time - type.seeker.activation_range / std::max(closing, 1.0);
 }
 
+bool support_needed(const State& s) {
+  return std::any_of(s.agent.shots.begin(), s.agent.shots.end(), [&](const Shot& shot) {
+    return shot.flies(s.time) && support_left(s, shot).value_or(0) > 0;
+  });
+}
+
 std::optional<Danger> danger(const State& s, Against against, double within) {
   if (const model::InboundMissile* missile = inbound(s, within)) {
     Danger d{.bearing = missile->bearing, .call = Call::none};

@@ -47,6 +47,9 @@ struct Exposure {
 /// because its target's track is lost.
 [[nodiscard]] std::optional<double> support_left(const State& state, const Shot& shot);
 
+/// Whether any own missile that flies still needs the radar.
+[[nodiscard]] bool support_needed(const State& state);
+
 /// A danger that a defense turns from.
 struct Danger {
   double bearing = 0;              ///< rad, true

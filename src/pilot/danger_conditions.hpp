@@ -83,13 +83,7 @@ struct Outnumbered final : Condition {
 struct SupportNeeded final : Condition {
   static constexpr std::string_view type_name = "support_needed";
   static constexpr std::string_view help = "an own missile still needs the radar's support";
-  [[nodiscard]] bool holds(const Tick& t) const override {
-    for (const Shot& shot : t.state.agent.shots)
-      if (shot.flies(t.state.time))
-        if (const auto left = support_left(t.state, shot); left && *left > 0)
-          return true;
-    return false;
-  }
+  [[nodiscard]] bool holds(const Tick& t) const override { return support_needed(t.state); }
 };
 
 /// Own missiles fly, and each has switched on its own seeker, as the pilot reckons ("pitbull").
@@ -97,15 +91,10 @@ struct ShotActive final : Condition {
   static constexpr std::string_view type_name = "shot_active";
   static constexpr std::string_view help = "own missiles fly and none needs the radar any more";
   [[nodiscard]] bool holds(const Tick& t) const override {
-    bool any = false;
-    for (const Shot& shot : t.state.agent.shots) {
-      if (!shot.flies(t.state.time))
-        continue;
-      any = true;
-      if (const auto left = support_left(t.state, shot); left && *left > 0)
-        return false;
-    }
-    return any;
+    const auto& shots = t.state.agent.shots;
+    return !support_needed(t.state) &&
+           std::any_of(shots.begin(), shots.end(),
+                       [&](const Shot& shot) { return shot.flies(t.state.time); });
   }
 };
 

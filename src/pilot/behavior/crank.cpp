@@ -13,15 +13,8 @@ Status Crank::tick(const Tick& t, Proposal& out) const {
     return fails(t, "no target");
   if (claims_on(s, *target).own_shots == 0)
     return fails(t, "no own missile flies to the target");
-  if (support_) {
-    bool needed = false;
-    for (const Shot& shot : s.agent.shots)
-      if (shot.flies(s.time))
-        if (const auto left = support_left(s, shot))
-          needed = needed || *left > 0;
-    if (!needed)
-      return fails(t, "the missile's own seeker is on");
-  }
+  if (support_ && !support_needed(s))
+    return fails(t, "the missile's own seeker is on");
   double angle = angle_;
   if (s.type.index.radar)
     angle = std::min(angle, s.library.radars[*s.type.index.radar].gimbal - margin_);
