@@ -150,9 +150,10 @@ void radar_look(benchmark::State& state) {
   for (auto _ : state) {
     ++step;
     const sensor::Detector detector(radar);
-    const double p = detection_probability(radar, detector, own, fighter, other);
-    if (Draw(1, PlayerId{1}, Stream::radar, step, 2).chance(p))
-      benchmark::DoNotOptimize(measure(radar, sensor::RadarMode::search, own,
+    const double mean = mean_echo(radar, detector, own, fighter, other);
+    Draw draw(1, PlayerId{1}, Stream::radar, step, 2);
+    if (const auto echo = detector.echo(mean, draw.uniform()))
+      benchmark::DoNotOptimize(measure(errors_of(radar, sensor::RadarMode::search, *echo), own,
                                        level_axes(own, own.heading), other, PlayerId{2},
                                        Draw(1, PlayerId{1}, Stream::radar_noise, step, 2)));
   }

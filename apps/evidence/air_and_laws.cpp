@@ -50,6 +50,14 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "AutopilotModes.FollowTheLeadIntoTheWallFormation");
   law("radar", "radar.md", "detection by the fourth power of range", "radar equation",
       "Detector.FollowsTheFourthPowerOfRange");
+  law("radar", "radar.md", "detection of a fluctuating echo by S/N", "Albersheim (1981), averaged",
+      "Detector.IsTheMeanOfSteadyEchoesOverTheFluctuation");
+  law("radar", "radar.md", "errors of range, angle and closing speed by S/N",
+      "Barton & Leonov (1997), p. 6 (seen)",
+      "LookErrors.FallWithTheRootOfTheSignalDownToTheirFloors");
+  law("tracks", "tracks.md", "NEES and NIS of targets that fly straight and turn",
+      "Bar-Shalom (not seen)",
+      "Consistency.HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects");
   law("rwr", "radar.md", "one-way range of what is heard", "radar equation",
       "EmissionFigure.IsTheOneWayRangeOfTheRadarsOwnReceiver");
   law("visual", "radar.md", "acquisition of a head-on approach",

@@ -122,11 +122,11 @@ Guidance route_guidance(const GuidanceGains& gains, const Kinematics& own, const
             .altitude = target.altitude,
             .speed = speed};
 
-  // to a point of the leg some way ahead; without a leg, to the waypoint itself
+  // to a point of the leg some way ahead; without a leg, or behind its end, to the waypoint itself
   const Flat to_target = flat(own, target.position - own.position);
   Flat aim = to_target;
-  if (leg > 0) {
-    const Flat along = leg_direction(own, route, leg);
+  const Flat along = leg > 0 ? leg_direction(own, route, leg) : Flat{};
+  if (dot(to_target, along) > 0) {
     aim = speed * gains.lookahead_time * along + dot(to_target, along.right()) * along.right();
   }
   return {

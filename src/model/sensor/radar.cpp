@@ -50,8 +50,8 @@ Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own) 
           .sin_high = math::sin(std::min(state.scan_elevation + half_elevation, kPi / 2))};
 }
 
-double detection_probability(const Radar& radar, const Detector& detector, const Kinematics& own,
-                             const Signature& signature, const Kinematics& other) {
+double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,
+                 const Signature& signature, const Kinematics& other) {
   const Vec3 sight = other.position - own.position;
   const double range2 = norm2(sight);
   const double range = std::sqrt(range2);
@@ -59,13 +59,22 @@ double detection_probability(const Radar& radar, const Detector& detector, const
     return 0;
   const Vec3 unit = sight / range;
   const double cos_aspect = -dot(normalized(other.velocity, other.north), unit);
-  const double signal =
-      detector.signal_to_noise(range2, radar_cross_section(signature, cos_aspect)) *
-      clear_of_clutter(radar, own, other, unit);
-  return detector.probability(signal);
+  return detector.signal_to_noise(range2, radar_cross_section(signature, cos_aspect)) *
+         clear_of_clutter(radar, own, other, unit);
 }
 
-Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const Axes& level,
+LookErrors errors_of(const Radar& radar, RadarMode mode, double signal_to_noise) {
+  constexpr double kCell = 1.0 / 12, kMonopulseSlope = 1.6;
+  const double noise = 0.5 / signal_to_noise;
+  const double cell = std::sqrt(kCell + noise);
+  const double floor = mode == RadarMode::track ? radar.track_angle_floor : radar.angle_floor;
+  return {.range = radar.range_cell * cell,
+          .range_rate = radar.speed_cell * cell,
+          .angle = radar.beam_width *
+                   std::sqrt(floor * floor + noise / (kMonopulseSlope * kMonopulseSlope))};
+}
+
+Contact measure(const LookErrors& errors, const Kinematics& own, const Axes& level,
                 const Kinematics& other, PlayerId truth, Draw noise) {
   const Vec3 sight = other.position - own.position;
   const double range = norm(sight);
@@ -74,23 +83,21 @@ Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own, const
       std::copysign(1.0, dot(unit, level.right)) * normalized(cross(level.down, unit), level.right);
   const Vec3 upwards = normalized(level.down - dot(level.down, unit) * unit, level.forward) * -1;
 
-  const double sigma_angle = mode == RadarMode::track ? radar.track_sigma_angle : radar.sigma_angle;
-  const double measured_range = std::max(range + radar.sigma_range * noise.normal(), 1.0);
+  const double measured_range = std::max(range + errors.range * noise.normal(), 1.0);
   const double range_rate =
-      dot(other.velocity - own.velocity, unit) + radar.sigma_range_rate * noise.normal();
-  const double aside = sigma_angle * noise.normal(), above = sigma_angle * noise.normal();
+      dot(other.velocity - own.velocity, unit) + errors.range_rate * noise.normal();
+  const double aside = errors.angle * noise.normal(), above = errors.angle * noise.normal();
 
   Contact contact;
   contact.line = normalized(unit + aside * outwards + above * upwards, unit);
   contact.range = measured_range;
   contact.position = own.position + measured_range * contact.line;
   contact.speed_along = range_rate + dot(own.velocity, contact.line);
-  contact.sigma_along = radar.sigma_range;
-  contact.sigma_across = sigma_angle * measured_range;
+  contact.sigma_along = errors.range;
+  contact.sigma_across = errors.angle * measured_range;
   // the own speed across the line, taken for speed along it; that of the target is about the same
-  const double turned = sigma_angle * norm(own.velocity);
-  contact.sigma_speed =
-      std::sqrt(radar.sigma_range_rate * radar.sigma_range_rate + turned * turned);
+  const double turned = errors.angle * norm(own.velocity);
+  contact.sigma_speed = std::sqrt(errors.range_rate * errors.range_rate + turned * turned);
   contact.truth = truth;
   contact.source = kFromRadar;
   return contact;

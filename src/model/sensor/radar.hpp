@@ -53,18 +53,18 @@ struct Radar {
   double gimbal = si(60, "deg");               ///< rad
   double scan_half_azimuth = si(60, "deg");    ///< rad
   std::uint32_t scan_bars = 4;
-  double bar_spacing = si(2.5, "deg");         ///< rad
-  double beam_width = si(3, "deg");            ///< rad
-  double scan_rate = 0.5;                      ///< Hz
-  double track_rate = 5;                       ///< Hz
-  double lock_range = 0;                       ///< m
-  double lock_memory = 2;                      ///< s
-  double notch_speed = 50;                     ///< m/s
-  double notch_edge = 10;                      ///< m/s
-  double sigma_range = 50;                     ///< m
-  double sigma_angle = si(0.5, "deg");         ///< rad
-  double sigma_range_rate = 3;                 ///< m/s
-  double track_sigma_angle = si(0.15, "deg");  ///< rad
+  double bar_spacing = si(2.5, "deg");  ///< rad
+  double beam_width = si(3, "deg");     ///< rad
+  double scan_rate = 0.5;               ///< Hz
+  double track_rate = 5;                ///< Hz
+  double lock_range = 0;                ///< m
+  double lock_memory = 2;               ///< s
+  double notch_speed = 50;              ///< m/s
+  double notch_edge = 10;               ///< m/s
+  double range_cell = 150;              ///< m
+  double speed_cell = 3;                ///< m/s
+  double angle_floor = 0.05;            ///< of the beam width
+  double track_angle_floor = 0.0125;    ///< of the beam width
   std::uint32_t max_contacts = 24;
 
   static constexpr std::string_view type_name = "radar";
@@ -103,13 +103,15 @@ struct Radar {
               "ground clutter hides a target whose own speed along the line of sight is less"),
         param("notch_edge", &Radar::notch_edge, "m/s", range(0.1, 200),
               "half width of the edge of the notch"),
-        param("sigma_range", &Radar::sigma_range, "m", range(0.1, 1e4), "range error, 1-sigma"),
-        param("sigma_angle", &Radar::sigma_angle, "rad", range(1e-5, 0.2),
-              "error across the line of sight in search, 1-sigma per axis"),
-        param("sigma_range_rate", &Radar::sigma_range_rate, "m/s", range(0.01, 1e3),
-              "range rate error, 1-sigma"),
-        param("track_sigma_angle", &Radar::track_sigma_angle, "rad", range(1e-5, 0.2),
-              "error across the line of sight in single target track, 1-sigma per axis"),
+        param("range_cell", &Radar::range_cell, "m", range(0.1, 1e4),
+              "width of a range cell: errors of range go with it"),
+        param("speed_cell", &Radar::speed_cell, "m/s", range(0.01, 1e3),
+              "width of a Doppler filter: errors of closing speed go with it"),
+        param("angle_floor", &Radar::angle_floor, range(1e-4, 1),
+              "error across the line of sight of the strongest echo in search, as a share of the "
+              "beam width, 1-sigma per axis"),
+        param("track_angle_floor", &Radar::track_angle_floor, range(1e-4, 1),
+              "the same in single target track"),
         param("max_contacts", &Radar::max_contacts, range(1, 32),
               "the nearest so many detections of a frame are kept")};
   }
@@ -129,6 +131,14 @@ class Detector {
   /// Radar Systems Analysis and Design Using MATLAB, eq. 2.75; Richards, Fundamentals of Radar
   /// Signal Processing, eq. 6.99.
   [[nodiscard]] double probability(double signal_to_noise) const;
+
+  /// The S/N that one look shows for a mean of `signal_to_noise`, if it is above the threshold; `u`
+  /// is a draw from [0, 1). Signal and noise together are exponential (Swerling 1, square law), so
+  /// the draw that decides on detection says how strong the echo was, too.
+  [[nodiscard]] std::optional<double> echo(double signal_to_noise, double u) const {
+    const double power = -(1 + signal_to_noise) * math::log(1 - u);
+    return power > -log_false_alarm_ ? std::optional(power - 1) : std::nullopt;
+  }
 
  private:
   double log_false_alarm_;
@@ -168,16 +178,25 @@ struct Antenna {
          along * along >= a.cos_gimbal * a.cos_gimbal * range2;
 }
 
-/// Chance to detect `other` in one look if the beam passes it: range, aspect, horizon and notch.
-[[nodiscard]] double detection_probability(const Radar& radar, const Detector& detector,
-                                           const Kinematics& own, const Signature& signature,
-                                           const Kinematics& other);
+/// Mean S/N of `other` in one look if the beam passes it: range, aspect, horizon and notch.
+[[nodiscard]] double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,
+                               const Signature& signature, const Kinematics& other);
+
+/// Errors of one look, 1-sigma: of thermal noise, cell / sqrt(2 S/N) and width / (1.6 sqrt(2 S/N)),
+/// 1.6 the slope of a monopulse antenna (Barton & Leonov, Radar Technology Encyclopedia (1997), p.
+/// 6), with what stays however strong the echo is: cell / sqrt(12) of a number in whole cells, and
+/// the floors of the angle.
+struct LookErrors {
+  double range = 0;       ///< m
+  double range_rate = 0;  ///< m/s
+  double angle = 0;       ///< rad, each of the two across the line of sight
+};
+[[nodiscard]] LookErrors errors_of(const Radar& radar, RadarMode mode, double signal_to_noise);
 
 /// The measurement of a detected target, with errors. The error across the line of sight is counted
 /// outwards from the nose, so that a mirrored scene gives the mirrored contact for the same draw.
-[[nodiscard]] Contact measure(const Radar& radar, RadarMode mode, const Kinematics& own,
-                              const Axes& level, const Kinematics& other, PlayerId truth,
-                              Draw noise);
+[[nodiscard]] Contact measure(const LookErrors& errors, const Kinematics& own, const Axes& level,
+                              const Kinematics& other, PlayerId truth, Draw noise);
 
 /// Const and shared by every aircraft that carries it. Everybody carries a transponder.
 struct Iff {

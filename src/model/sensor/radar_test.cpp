@@ -34,14 +34,23 @@ std::optional<Contact> look(const Radar& radar, const Antenna& antenna, const Ki
   if (!covers(antenna, sight, norm2(sight)))
     return std::nullopt;
   const Detector detector(radar);
-  if (!detection.chance(detection_probability(radar, detector, own, signature, other)))
+  const auto echo =
+      detector.echo(mean_echo(radar, detector, own, signature, other), detection.uniform());
+  if (!echo)
     return std::nullopt;
-  return measure(radar, RadarMode::search, own, level_axes(own, own.heading), other, truth, noise);
+  return measure(errors_of(radar, RadarMode::search, *echo), own, level_axes(own, own.heading),
+                 other, truth, noise);
+}
+
+double detection_probability(const Radar& radar, const Kinematics& own, const Signature& signature,
+                             const Kinematics& other) {
+  const Detector detector(radar);
+  return detector.probability(mean_echo(radar, detector, own, signature, other));
 }
 
 /// Chance to detect a head-on target of the reference cross section at `range`, both high up.
 double head_on(const Radar& radar, double range, double rcs) {
-  return detection_probability(radar, Detector(radar), flying({0, 0, kHigh}, 0, 250), sphere(rcs),
+  return detection_probability(radar, flying({0, 0, kHigh}, 0, 250), sphere(rcs),
                                flying({range, 0, kHigh}, kPi, 250));
 }
 
@@ -108,7 +117,7 @@ TEST(Look, DetectsAsOftenAsTheClosedFormSays) {
   const Antenna antenna = aim(radar, state, own);
   for (const double nmi : {50.0, 70.0, 80.0, 95.0}) {
     const Kinematics other = flying({si(1, "nmi") * nmi, 4000, kHigh}, kPi, 250);
-    const double expected = detection_probability(radar, Detector(radar), own, sphere(3.2), other);
+    const double expected = detection_probability(radar, own, sphere(3.2), other);
     constexpr int kLooks = 20000;
     int hits = 0;
     for (int i = 0; i < kLooks; ++i)
@@ -126,7 +135,7 @@ TEST(DetectionProbability, IsTheSameFromLeftAndRightOfTheTarget) {
   const Signature fighter{.rcs_front = 3, .rcs_side = 30, .rcs_rear = 9};
   const Kinematics own = flying({0, 0, kHigh}, 0, 250);
   const auto at_aspect = [&](double aspect) {
-    return detection_probability(radar, Detector(radar), own, fighter,
+    return detection_probability(radar, own, fighter,
                                  flying({si(70, "nmi"), 0, kHigh}, kPi + aspect, 250));
   };
   for (const double degrees : {10.0, 45.0, 80.0, 120.0, 170.0})
@@ -135,15 +144,15 @@ TEST(DetectionProbability, IsTheSameFromLeftAndRightOfTheTarget) {
   EXPECT_GT(at_aspect(kPi), at_aspect(0));
 }
 
-TEST(DetectionProbability, IsZeroBelowTheHorizon) {
+TEST(MeanEcho, IsNothingBelowTheHorizon) {
   const Radar radar;
   const double own_altitude = 1000, low = 50;
   const double horizon = horizon_range(own_altitude, low, kRadioEarth);
   const auto at = [&](double range) {
-    return detection_probability(radar, Detector(radar), flying({0, 0, -own_altitude}, 0, 250),
-                                 sphere(1000), flying({range, 0, -low}, kPi, 250));
+    return mean_echo(radar, Detector(radar), flying({0, 0, -own_altitude}, 0, 250), sphere(1000),
+                     flying({range, 0, -low}, kPi, 250));
   };
-  EXPECT_GT(at(0.99 * horizon), 0.9);
+  EXPECT_GT(at(0.99 * horizon), 100);
   EXPECT_EQ(at(1.01 * horizon), 0);
 }
 
@@ -155,7 +164,7 @@ double looking_down(const Radar& radar, double closing, double altitude = 2096) 
   const Vec3 across{0, 1, 0};
   Kinematics other = flying(place, kPi / 2, 250);
   other.velocity = -closing * unit + std::sqrt(250 * 250 - closing * closing) * across;
-  return detection_probability(radar, Detector(radar), own, sphere(5), other);
+  return detection_probability(radar, own, sphere(5), other);
 }
 
 TEST(Notch, HidesABeamingTargetOnlyWhenLookingDown) {
@@ -223,8 +232,47 @@ TEST(Aim, IsStabilisedButLimitedByTheGimbal) {
   EXPECT_FALSE(covers(nose_up, right, norm2(right)));
 }
 
+TEST(Echo, ShowsTheStrengthThatADetectedSwerlingOneTargetHas) {
+  const Detector detector{Radar{.false_alarm = 1e-6}};
+  for (const double mean : {5.0, 19.0, 200.0}) {
+    // above the threshold T = -ln P_fa an exponential goes on as it began: T + 1 + mean
+    double sum = 0;
+    int seen = 0;
+    constexpr int kLooks = 400000;
+    for (int i = 0; i < kLooks; ++i)
+      if (const auto echo = detector.echo(mean, (i + 0.5) / kLooks)) {
+        EXPECT_GE(*echo, 12.8);
+        sum += *echo;
+        ++seen;
+      }
+    EXPECT_NEAR(seen / double(kLooks), detector.probability(mean), 2.0 / kLooks);
+    EXPECT_NEAR(sum / seen, -std::log(1e-6) + mean, 0.002 * (13.8 + mean)) << mean;
+  }
+}
+
+TEST(LookErrors, FallWithTheRootOfTheSignalDownToTheirFloors) {
+  const Radar radar{.beam_width = radians(2.4), .range_cell = 150, .speed_cell = 3};
+  // 11.1 dB, the threshold: noise is what counts
+  const LookErrors weak = errors_of(radar, RadarMode::search, 12.8);
+  EXPECT_NEAR(weak.angle, radians(2.4) * std::hypot(0.05, 1 / (1.6 * std::sqrt(2 * 12.8))), 1e-9);
+  EXPECT_NEAR(weak.range, 150 * std::hypot(1 / std::sqrt(12.0), 1 / std::sqrt(2 * 12.8)), 1e-9);
+  // the strongest: the floors
+  const LookErrors strong = errors_of(radar, RadarMode::search, 1e9);
+  EXPECT_NEAR(strong.angle, 0.05 * radians(2.4), 1e-8);
+  EXPECT_NEAR(strong.range, 150 / std::sqrt(12.0), 1e-4);
+  EXPECT_NEAR(strong.range_rate, 3 / std::sqrt(12.0), 1e-6);
+  const LookErrors locked = errors_of(radar, RadarMode::track, 1e9);
+  EXPECT_NEAR(locked.angle, 0.0125 * radians(2.4), 1e-8);
+  // and between them 20 dB are a factor of ten
+  const auto noise = [&](double snr) {
+    const double e = errors_of(radar, RadarMode::search, snr).angle / radians(2.4);
+    return std::sqrt(e * e - 0.05 * 0.05);
+  };
+  EXPECT_NEAR(noise(20) / noise(2000), 10, 1e-6);
+}
+
 TEST(Measure, IsUnbiasedAndAsGoodAsItSays) {
-  const Radar radar{.sigma_range = 50, .sigma_angle = radians(0.5), .sigma_range_rate = 3};
+  const LookErrors errors{.range = 50, .range_rate = 3, .angle = radians(0.5)};
   const Kinematics own = flying({0, 0, kHigh}, 0.2, 250);
   const Kinematics other = flying({50e3, 20e3, kHigh - 2000}, 3, 270);
   const Vec3 sight = other.position - own.position;
@@ -234,8 +282,8 @@ TEST(Measure, IsUnbiasedAndAsGoodAsItSays) {
   Vec3 mean;
   constexpr int kLooks = 20000;
   for (int i = 0; i < kLooks; ++i) {
-    const Contact c = measure(radar, RadarMode::search, own, level_axes(own, own.heading), other,
-                              kOther, draw(Stream::radar_noise, static_cast<std::uint64_t>(i)));
+    const Contact c = measure(errors, own, level_axes(own, own.heading), other, kOther,
+                              draw(Stream::radar_noise, static_cast<std::uint64_t>(i)));
     const Vec3 error = c.position - other.position;
     const double a = dot(error, unit);
     along += a / kLooks;
@@ -253,7 +301,7 @@ TEST(Measure, IsUnbiasedAndAsGoodAsItSays) {
 }
 
 TEST(Measure, SaysHowGoodTheSpeedAlongTheLineIs) {
-  const Radar radar{.sigma_angle = radians(0.5), .sigma_range_rate = 3};
+  const LookErrors errors{.range = 50, .range_rate = 3, .angle = radians(0.5)};
   const Kinematics own = flying({0, 0, kHigh}, 0, 250);
   for (const double heading : {kPi, kPi / 2, 1.0}) {
     const Kinematics other = flying({30e3, 25e3, kHigh}, heading, 250);
@@ -261,7 +309,7 @@ TEST(Measure, SaysHowGoodTheSpeedAlongTheLineIs) {
     double chi2 = 0;
     constexpr int kLooks = 4000;
     for (int i = 0; i < kLooks; ++i) {
-      const Contact c = measure(radar, RadarMode::search, own, level_axes(own, 0), other, kOther,
+      const Contact c = measure(errors, own, level_axes(own, 0), other, kOther,
                                 draw(Stream::radar_noise, static_cast<std::uint64_t>(i)));
       const double error = c.speed_along - truth;
       chi2 += error * error / (c.sigma_speed * c.sigma_speed) / kLooks;

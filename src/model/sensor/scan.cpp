@@ -14,12 +14,13 @@ constexpr double kLockHysteresis = 1.2;
 /// Half of the range gate in which a lock is searched (m), besides the track's own uncertainty.
 constexpr double kRangeGate = 500;
 
-/// The measurement of row `j`, with the interrogation that goes along with it.
+/// The measurement of row `j`, whose echo had that S/N, with the interrogation that goes along.
 Contact contact_with(const Scene& scene, const Self& self, std::size_t j, RadarMode mode,
-                     const Axes& level) {
+                     double signal_to_noise, const Axes& level) {
   const PlayerId other = scene.ids[j];
-  Contact contact = measure(*self.suite.radar, mode, self.kinematics, level, scene.kinematics[j],
-                            other, scene.draw(self.id, Stream::radar_noise, other));
+  Contact contact =
+      measure(errors_of(*self.suite.radar, mode, signal_to_noise), self.kinematics, level,
+              scene.kinematics[j], other, scene.draw(self.id, Stream::radar_noise, other));
   if (const Iff* iff = self.suite.iff; iff != nullptr && contact.range <= iff->range) {
     contact.interrogated = true;
     if (answers(*iff, self.fit.side, scene.fit[j].side, scene.draw(self.id, Stream::iff, other)))
@@ -28,10 +29,14 @@ Contact contact_with(const Scene& scene, const Self& self, std::size_t j, RadarM
   return contact;
 }
 
-bool detected(const Scene& scene, const Self& self, const Detector& detector, std::size_t j) {
-  const double p = detection_probability(*self.suite.radar, detector, self.kinematics,
-                                         *scene.suite(j).signature, scene.kinematics[j]);
-  return scene.draw(self.id, Stream::radar, scene.ids[j]).chance(p);
+/// The S/N of row `j` in this look, if it is detected.
+std::optional<double> detected(const Scene& scene, const Self& self, const Detector& detector,
+                               std::size_t j) {
+  const double mean = mean_echo(*self.suite.radar, detector, self.kinematics,
+                                *scene.suite(j).signature, scene.kinematics[j]);
+  if (mean <= 0)
+    return std::nullopt;
+  return detector.echo(mean, scene.draw(self.id, Stream::radar, scene.ids[j]).uniform());
 }
 
 void lose_lock(const Scene& scene, Self& self) {
@@ -120,9 +125,10 @@ void scan(const Scene& scene, Self& self) {
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
     const Vec3 sight = scene.kinematics[j].position - antenna.position;
     const double range2 = norm2(sight);
-    if (covers(antenna, sight, range2) && found.wants(range2) && j != self.row &&
-        detected(scene, self, detector, j))
-      found.offer({range2, static_cast<std::uint32_t>(j)});
+    if (!covers(antenna, sight, range2) || !found.wants(range2) || j == self.row)
+      continue;
+    if (const auto signal_to_noise = detected(scene, self, detector, j))
+      found.offer({range2, static_cast<std::uint32_t>(j), *signal_to_noise});
   }
   if (found.items().empty())
     return;
@@ -130,8 +136,8 @@ void scan(const Scene& scene, Self& self) {
   std::array<Contact, track::kMaxContacts> contacts;
   std::size_t count = 0;
   const Axes level = level_axes(self.kinematics, self.kinematics.heading);
-  for (const Candidate& candidate : found.items())
-    contacts[count++] = contact_with(scene, self, candidate.row, RadarMode::search, level);
+  for (const Candidate& c : found.items())
+    contacts[count++] = contact_with(scene, self, c.row, RadarMode::search, c.strength, level);
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 
@@ -139,22 +145,23 @@ void track_target(const Scene& scene, Self& self) {
   const Radar& radar = *self.suite.radar;
   const Antenna antenna = aim(radar, self.radar, self.kinematics);
   const Detector detector(radar);
-  const bool known = static_cast<bool>(self.radar.locked);
-  if (!known)
+  if (!self.radar.locked)
     acquire(scene, self, antenna, detector);
 
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
+  std::optional<double> signal_to_noise;
   const auto row = self.radar.locked ? scene.world.row(scene.table, self.radar.locked)
                                      : std::optional<std::uint32_t>{};
-  bool seen = row.has_value() && !known;  // acquiring was its detection
-  if (row && known) {
+  if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
-    seen = within_gimbal(antenna, sight, norm2(sight)) && detected(scene, self, detector, *row);
+    if (within_gimbal(antenna, sight, norm2(sight)))
+      signal_to_noise = detected(scene, self, detector, *row);
   }
-  if (seen) {
+  if (signal_to_noise) {
     self.radar.lock_time = scene.time;
     const Axes level = level_axes(self.kinematics, self.kinematics.heading);
-    const Contact contact = contact_with(scene, self, *row, RadarMode::track, level);
+    const Contact contact =
+        contact_with(scene, self, *row, RadarMode::track, *signal_to_noise, level);
     track::update(self.tracks, self.context(scene.time), std::span(&contact, 1));
   } else if (scene.time - self.radar.lock_time > radar.lock_memory) {
     lose_lock(scene, self);

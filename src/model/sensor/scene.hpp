@@ -12,6 +12,7 @@ namespace eyrie::model::sensor {
 struct Candidate {
   double distance2 = 0;
   std::uint32_t row = 0;
+  double strength = 0;  ///< of a radar's echo, S/N
 };
 
 /// Keeps the `limit` candidates with the smallest figure, smallest first; of equal ones the one

@@ -56,8 +56,7 @@ TEST(SensorData, RadarsAreWholeAndTheirScansCanBeFlown) {
   for (const Radar& radar : all<Radar>("radars")) {
     EXPECT_TRUE(fits(radar.scan_rate) && fits(radar.track_rate));
     EXPECT_LE(radar.scan_half_azimuth, radar.gimbal);
-    EXPECT_LT(radar.track_sigma_angle, radar.sigma_angle);
-    EXPECT_LE(radar.sigma_angle, radar.beam_width / 2);
+    EXPECT_LE(radar.track_angle_floor, radar.angle_floor);
     EXPECT_LE(radar.bar_spacing, 1.5 * radar.beam_width) << "no gaps between the rows";
     // a mechanical antenna of that time does not turn faster than 80 deg/s
     const double speed = 2 * radar.scan_half_azimuth * radar.scan_bars * radar.scan_rate;
