@@ -80,22 +80,11 @@ disk::FileRead read_page(const std::string& file, std::string_view unbuilt) {
 }
 
 std::string launch_zones() {
-  std::string all;
-  std::error_code failed;
-  std::vector<fs::path> files;
   try {
-    for (const auto& entry : fs::directory_iterator(fs::path(home()) / "data" / "zones", failed))
-      if (entry.path().extension() == ".zone" && entry.is_regular_file(failed))
-        files.push_back(entry.path());
+    return scenario::launch_zones(home());
   } catch (const std::exception&) {
     return {};  // whoever needs Eyrie's home says so
   }
-  std::sort(files.begin(), files.end());
-  for (const fs::path& path : files) {
-    std::ifstream file(path, std::ios::binary);
-    all.append(std::istreambuf_iterator<char>(file), {});
-  }
-  return all;
 }
 
 std::string scenario_file(const std::string& name) {

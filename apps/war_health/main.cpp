@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "debrief/health.hpp"
+#include "model/weapon/kept_zones.hpp"
 
 namespace {
 using namespace eyrie;
@@ -136,6 +137,7 @@ int main(int argc, char** argv) {
   std::string head = fmt::format("| {} seeds each |", seeds), line = "| --- |";
   std::vector<Health> flown;
   try {
+    model::weapon::kept_zones().take(scenario::launch_zones(argv[1]));
     for (int i = 3; i < argc; ++i) {
       flown.push_back(over_seeds(argv[i], argv[1], seeds));
       head += fmt::format(" {} |", argv[i]);

@@ -77,6 +77,10 @@ class Source {
   std::map<std::pair<std::string, std::string>, Model> models_;  ///< of plug-ins, by kind and name
 };
 
+/// The launch zones of the missiles of data/, the files of data/zones below `home` one behind the
+/// other: for model::weapon::KeptZones::take().
+[[nodiscard]] std::string launch_zones(const std::string& home);
+
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);
 

@@ -93,4 +93,19 @@ Source Source::disk(std::string home, std::vector<std::string> allowed) {
   return s;
 }
 
+std::string launch_zones(const std::string& home) {
+  std::string all;
+  std::error_code failed;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(home) / "data" / "zones", failed))
+    if (entry.path().extension() == ".zone" && entry.is_regular_file(failed))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    all.append(std::istreambuf_iterator<char>(file), {});
+  }
+  return all;
+}
+
 }  // namespace eyrie::scenario
