@@ -161,6 +161,7 @@ struct Contact {
   TrackSource source = kFromRadar;
   Identity identity = Identity::unknown;  ///< if the look itself told
   bool interrogated = false;              ///< asked by IFF in this look; `identity` has the reply
+  bool mate = false;                      ///< stands where one of the flight says it is
 };
 
 }  // namespace eyrie::model

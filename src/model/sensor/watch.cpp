@@ -78,6 +78,50 @@ Identity recognized(const Scene& scene, const Self& self, const Eyes& eyes, std:
   return close ? identity_of(self.fit.side, scene.fit[j].side) : Identity::unknown;
 }
 
+/// How far what was seen is from a place, in standard deviations, squared; an eye errs by a share
+/// of the range.
+double misfit(const Visual& visual, const Contact& seen, const Vec3& sight) {
+  const double range = norm(sight);
+  const double farther = math::log(range / seen.range) / visual.sigma_range;
+  const double aside = norm(sight / range - seen.line) / visual.sigma_angle;
+  return farther * farther + aside * aside;
+}
+
+/// Who stands where a mate says he is will be the mate: of all pairs within the gate the nearest
+/// first, if the cockpit lets the pilot see that place.
+void find_mates(const Scene& scene, const Self& self, const Eyes& eyes,
+                std::span<Contact> contacts) {
+  std::array<Vec3, kMaxFlight> sights;
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < self.datalink.count; ++i) {
+    const datalink::Mate& mate = self.datalink.members[i];
+    if (i == self.datalink.self || !mate.alive || !mate.reported)
+      continue;
+    const Vec3 sight = datalink::position_at(mate, scene.time) - eyes.position;
+    if (const double range = norm(sight);
+        range > 0 && in_view(*self.suite.visual, eyes, sight / range))
+      sights[count++] = sight;
+  }
+  while (count > 0) {
+    double best = self.suite.tracker->gate * self.suite.tracker->gate;
+    Contact* found = nullptr;
+    std::size_t whom = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (Contact& contact : contacts)
+        if (const double m = misfit(*self.suite.visual, contact, sights[i]);
+            !contact.mate && m < best) {
+          best = m;
+          found = &contact;
+          whom = i;
+        }
+    if (found == nullptr)
+      return;
+    found->mate = true;
+    found->identity = Identity::friendly;
+    sights[whom] = sights[--count];
+  }
+}
+
 void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
                        const KnownDirections& known) {
   const double reach2 = self.suite.visual->range * self.suite.visual->range;
@@ -100,6 +144,7 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
                        scene.draw(self.id, Stream::visual_noise, other));
     contact.identity = recognized(scene, self, eyes, c.row, std::sqrt(c.distance2));
   }
+  find_mates(scene, self, eyes, std::span(contacts).first(count));
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 

@@ -2,6 +2,7 @@
 // The eyes and the missile warnings of the sensor system.
 #include <gtest/gtest.h>
 
+#include "model/track/track_file.hpp"
 #include "support/model/air_war.hpp"
 
 namespace eyrie::model::sensor {
@@ -90,6 +91,42 @@ TEST(Watch, KeepsItsEyesOnWhatItHasSeen) {
   ASSERT_NE(war.track_of(eagle, bogey), nullptr);
   const double seen_for = 60 - war.track_of(eagle, bogey)->first_time;
   EXPECT_GT(war.track_of(eagle, bogey)->hits, 0.85 * 2 * seen_for) << "two looks a second";
+}
+
+TEST(Watch, TakesNobodyForAnEnemyWhereAMateSaysHeIs) {
+  AirWar war;
+  war.models.visuals = {};
+  war.models.visuals.add("alert", {.cued_search = 1e8});
+  war.models.radars = {};
+  war.models.radars.add("weak", {.reference_range = 1, .reference_rcs = 1e4});
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId mate = war.add(Side::blue, flying({9e3, 0, kHigh}, 0, 250));
+  war.build();
+  war.fly(2);
+
+  // what is left of an enemy who was there: a stale track beside the mate
+  const auto place = war.row(war.aircraft.kinematics, mate).position + Vec3{1500, 0, 0};
+  Contact enemy{.position = place,
+                .line = {1, 0, 0},
+                .range = 10.5e3,
+                .sigma_along = 500,
+                .sigma_across = 500};
+  Track stale = track::first_track(war.models.trackers[0], enemy, 2);
+  stale.velocity = {250, 0, 0};
+  stale.confirmed = 1;
+  stale.identity = Identity::hostile;
+  stale.id = TrackId{77};
+  TrackFile& file = war.row(war.aircraft.tracks, eagle);
+  file.tracks[file.count++] = stale;
+  for (int second = 3; second < 20; ++second) {
+    war.fly(second);
+    const Track* enemies = find(war.row(war.aircraft.tracks, eagle), stale.id);
+    EXPECT_TRUE(enemies == nullptr || enemies->seen_time < 0) << second;
+  }
+  EXPECT_EQ(find(war.row(war.aircraft.tracks, eagle), stale.id), nullptr) << "nobody fed it";
+  const Track* friends = war.track_of(eagle, mate);
+  ASSERT_NE(friends, nullptr);
+  EXPECT_EQ(friends->identity, Identity::friendly) << "too far to be recognized";
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Pair {
 
 std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
                                                  std::span<const std::optional<Prediction>> tracks,
-                                                 std::span<const Contact> contacts) {
+                                                 std::span<const Contact> contacts,
+                                                 std::uint32_t hostile) {
   EYRIE_ASSERT(tracks.size() <= kMaxTracks && contacts.size() <= kMaxContacts);
 
   // every pair within the gates
@@ -26,6 +27,8 @@ std::array<std::uint8_t, kMaxContacts> associate(const Tracker& tracker,
   const double gate2 = tracker.gate * tracker.gate;
   for (std::size_t t = 0; t < tracks.size(); ++t)
     for (std::size_t c = 0; tracks[t] && c < contacts.size(); ++c) {
+      if (contacts[c].mate && (hostile >> t & 1) != 0)
+        continue;
       if (norm2(contacts[c].position - tracks[t]->position) > reach2(tracker, contacts[c]))
         continue;
       const Match m = match(*tracks[t], contacts[c]);

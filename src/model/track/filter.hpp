@@ -138,14 +138,14 @@ inline constexpr std::size_t kMaxContacts = 32;
 inline constexpr std::uint8_t kNoTrack = 255;
 
 /// For each contact the index of its track, or kNoTrack. A track without a prediction is nowhere
-/// near. A pair must lie within the gates; of all
-/// pairs the likeliest is taken first, then the likeliest of the rest, so each contact and each
-/// track is used at most once. Of equal pairs the older track and then the
+/// near; `hostile` has a bit for each track that is held for one, which no mate can be. A pair must
+/// lie within the gates; of all pairs the likeliest is taken first, then the likeliest of the rest,
+/// so each contact and each track is used at most once. Of equal pairs the older track and then the
 /// earlier contact goes first. This greedy global nearest neighbor is the common choice where
 /// targets are farther apart than the errors (Blackman & Popoli, Design and Analysis of Modern
 /// Tracking Systems, sec. 6.4). At most kMaxContacts contacts and kMaxTracks predictions.
 [[nodiscard]] std::array<std::uint8_t, kMaxContacts> associate(
     const Tracker& tracker, std::span<const std::optional<Prediction>> tracks,
-    std::span<const Contact> contacts);
+    std::span<const Contact> contacts, std::uint32_t hostile = 0);
 
 }  // namespace eyrie::model::track

@@ -73,8 +73,11 @@ std::size_t least_worth(const TrackFile& file, const TrackContext& context, doub
 
 /// Whether two tracks may be one target: never if one sensor goes on holding both, because a sensor
 /// that gives two contacts in one look has seen two targets. Eyes look at everything at once; a
-/// radar comes by at different times.
+/// radar comes by at different times. A friend is no hostile.
 bool may_be_one(const Track& a, const Track& b, const TrackContext& context) {
+  if (a.identity != b.identity && a.identity != Identity::unknown &&
+      b.identity != Identity::unknown)
+    return false;
   if (a.time == b.time && (a.fresh & b.fresh) != 0)
     return false;
   if (!a.confirmed || !b.confirmed || (a.sources & b.sources & kOwnSensors) == 0)
@@ -196,7 +199,9 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
   // only where a contact is anywhere near
   std::array<std::optional<Prediction>, kMaxTracks> predictions;
   Interval ahead;
+  std::uint32_t hostile = 0;
   for (std::size_t i = 0; i < file.count; ++i) {
+    hostile |= (file.tracks[i].identity == Identity::hostile ? 1u : 0u) << i;
     const Vec3 position = position_at(file.tracks[i], context.time);
     const bool near = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
       return norm2(c.position - position) <= reach2(context.tracker, c);
@@ -206,7 +211,7 @@ void update(TrackFile& file, const TrackContext& context, std::span<const Contac
           predict(file.tracks[i], context.tracker, context.ownship, context.time, ahead);
   }
   const auto track_of =
-      associate(context.tracker, std::span(predictions).first(file.count), contacts);
+      associate(context.tracker, std::span(predictions).first(file.count), contacts, hostile);
 
   // known tracks first: a newcomer may push one out
   for (std::size_t c = 0; c < contacts.size(); ++c) {

@@ -162,6 +162,22 @@ TEST(TrackFile, MergesADuplicateFromAnotherSensorIntoTheOlderTrack) {
   EXPECT_EQ(desk.told(TrackNews::What::lost), 0);
 }
 
+TEST(TrackFile, NeverMergesAFriendWithAHostile) {
+  Desk desk;
+  desk.see(0, {radar_contact({40e3, 0, 0})});
+  desk.see(2, {radar_contact({40e3, 0, 0})});
+  Track twin = desk.file.tracks[0];
+  twin.sources = twin.fresh = kFromDatalink;
+  desk.file.tracks[0].identity = Identity::hostile;
+  for (const Identity other : {Identity::friendly, Identity::unknown}) {
+    twin.identity = other;
+    add_track(desk.file, desk.at(2), twin);
+    upkeep(desk.file, desk.at(2));
+    EXPECT_EQ(desk.file.count, other == Identity::friendly ? 2u : 1u);
+    desk.file.count = 1;
+  }
+}
+
 TEST(TrackFile, NeverMergesTwoTargetsThatOneSensorHasSeenAtOnce) {
   Desk desk;
   const std::vector pair{radar_contact({40e3, 0, 0}, 9, 300),
