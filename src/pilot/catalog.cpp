@@ -22,7 +22,7 @@ Registry make_registry() {
   registry
       .add<Navigate, FollowLead, Pursue, ReleaseWeapon, ShootGun, BreakTurn, Egress, AvoidGround>();
   registry.add<LeadPursuit, PurePursuit, LagPursuit, HighYoYo, LowYoYo, MergeTurn, Reacquire, Jink,
-               Extend, AvoidCollision>();
+               Extend, Snapshot, AvoidCollision>();
   registry.add<HostileTrack, HasTarget, InSight, AreaClear, Threatened, ShotInFlight, Bingo,
                Winchester, Losses, IsLead, NearHome, RouteDone>();
   registry.add<Crank, Notch, Drag, LastDitch>();

@@ -12,8 +12,10 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
   const double density = s.library.environment.atmosphere.at(s.own.altitude).density;
   const model::weapon::Lead lead =
       model::weapon::lead_on(gun, density, s.own, from_ned(s.own, nose_of(s.own)), believed);
-  return Sight{
-      .aim = to_ned(s.own, lead.direction), .off_nose = lead.off_bore, .range = lead.range};
+  return Sight{.aim = to_ned(s.own, lead.direction),
+               .off_nose = lead.off_bore,
+               .range = lead.range,
+               .time = lead.flight_time};
 }
 
 bool friend_in_line(const State& s, const LineOfFire& line) {

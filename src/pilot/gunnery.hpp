@@ -11,6 +11,7 @@ struct Sight {
   Vec3 aim;             ///< unit vector, north-east-down at the ownship
   double off_nose = 0;  ///< rad, between `aim` and the nose
   double range = 0;     ///< m
+  double time = 0;      ///< s, that a round flies
 };
 
 /// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.

@@ -32,6 +32,38 @@ Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
   return fly(s, target, time ? target->ned + *time * through_air : target->ned, out);
 }
 
+Status Snapshot::tick(const Tick& t, Proposal& out) const {
+  constexpr double kBeyond = 1000;  // m, rounds fly on
+  const State& s = t.state;
+  const Seen* target = s.target();
+  if (!target || !target->hostile())
+    return fails(t, "no hostile target");
+  const auto sight = s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
+  if (!sight)
+    return fails(t, "no rounds");
+  if (target->range > within_)
+    return fails(t, "the target is too far");
+  // the aim point, and its way across the nose
+  const Vec3 relative = s.velocity_of(*target) - s.velocity_ned;
+  const Vec3 point = norm(target->ned + sight->time * relative) * sight->aim;
+  const Vec3 nose = nose_of(s.own);
+  const auto across = [&](const Vec3& v) { return v - dot(v, nose) * nose; };
+  const Vec3 beside = across(point), moves = across(relative);
+  const double turn =
+      static_cast<double>(s.flying.energy.available) * model::kGravity / s.own.speed;
+  if (norm(moves) <= turn * norm(point))
+    return fails(t, "the nose can follow the target");
+  const double time = -dot(beside, moves) / norm2(moves);
+  const double cone = s.library.guns[*s.type.index.gun].aim_cone;
+  if (time > wait_ || (time < 0 && sight->off_nose > cone))
+    return fails(t, "the target does not pass the nose soon");
+  const Vec3 there = point + time * relative;
+  if (friend_in_line(s, {there, 0, target->range + kBeyond, clear_cone_}))
+    return fails(t, "a friend is in the line of fire");
+  out.action.trigger = time <= ahead_ && s.off_nose(there) <= cone;
+  return fly(s, target, there, out);
+}
+
 Status PurePursuit::tick(const Tick& t, Proposal& out) const {
   const Seen* target = t.state.target();
   return target ? fly(t.state, target, target->ned, out) : fails(t, "no target");

@@ -57,6 +57,32 @@ class LeadPursuit final : public Maneuver {
   double cash_in_ = si(25, "deg");
 };
 
+/// A shot in passing: the aim point crosses faster than the nose can follow it, so the nose waits
+/// where it will pass, and the trigger is down from `ahead` before until it has. Silent when the
+/// gun can be kept on the target: that is shoot_gun's.
+class Snapshot final : public Maneuver {
+ public:
+  static constexpr std::string_view type_name = "snapshot";
+  static constexpr std::string_view help = "fires the gun as a target that crosses passes the nose";
+  static constexpr auto params() {
+    using S = Snapshot;
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{param("within", &S::within_, "m", range(50, 5000), "fires no farther"),
+                   param("wait", &S::wait_, "s", range(0, 20), "for the target to pass the nose"),
+                   param("ahead", &S::ahead_, "s", range(0, 5), "fires so long before it does"),
+                   param("clear_cone", &S::clear_cone_, "rad", range(0, 0.5),
+                         "no friend may be within this angle of the line of fire")});
+  }
+  Status tick(const Tick& t, Proposal& out) const override;
+
+ private:
+  double within_ = 800;
+  double wait_ = 1.5;
+  double ahead_ = 0.2;
+  double clear_cone_ = si(3, "deg");
+};
+
 /// Points at the target: brings missiles to bear, and turns the hardest into an attacker.
 class PurePursuit final : public Maneuver {
  public:

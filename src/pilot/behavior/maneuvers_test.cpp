@@ -17,8 +17,9 @@ double heading_of(const Decided& d) {
 
 TEST(Maneuvers, NeedATarget) {
   const Desk desk;
-  for (const char* one : {"lead_pursuit", "pure_pursuit", "lag_pursuit", "high_yo_yo", "low_yo_yo",
-                          "merge_turn", "extend", "reacquire", "jink", "avoid_collision"})
+  for (const char* one :
+       {"lead_pursuit", "pure_pursuit", "lag_pursuit", "high_yo_yo", "low_yo_yo", "merge_turn",
+        "extend", "reacquire", "jink", "avoid_collision", "snapshot"})
     EXPECT_EQ(decide(one, desk).status, kFailure) << one;
 }
 
@@ -54,6 +55,46 @@ TEST(LeadPursuit, AimsTheGunWhenNearAndPaysForTheLastDegrees) {
   EXPECT_NEAR(*d.action().load_factor, 9, 1e-9);
   EXPECT_LT(*decide("{lead_pursuit: {gun_range: 1 km, cash_in: 0 deg}}", desk).action().load_factor,
             4);
+}
+
+TEST(Snapshot, WaitsForWhomTheNoseCannotFollowAndFiresAsHePasses) {
+  Desk desk;
+  model::Track& he = desk.track({500, -400, 0}, kPi / 2, 300);  // crosses to the right
+  Pilot pilot("{snapshot: {wait: 1 s, ahead: 0.2 s}}");
+  const model::GunType& gun = desk.state().library.guns[0];
+  double first = -1, last = -1, passed = -1;
+  for (int i = 0; i < 60; ++i) {
+    const double time = desk.time;
+    const double off = gun_sight(desk.state(), desk.state().seen[0])->off_nose;
+    const Decided d = pilot.decide(desk);
+    if (d.status == kRunning && d.action().trigger.value_or(false)) {
+      first = first < 0 ? time : first;
+      last = time;
+    }
+    if (off < gun.aim_cone && passed < 0)
+      passed = time;
+    desk.time += 0.02;
+    he.position += 0.02 * (he.velocity - desk.own.velocity);  // seen from an ownship that stays
+    he.time = desk.time;
+  }
+  ASSERT_GT(passed, 0);
+  EXPECT_GT(first, passed - 0.25) << "not long before";
+  EXPECT_LE(first, passed - 0.1);
+  EXPECT_GE(last, passed);
+  EXPECT_LT(last, passed + 0.25);
+}
+
+TEST(Snapshot, LeavesASteadyTargetAlone) {
+  Desk desk;
+  desk.track({500, 0, 0}, 0, 240);
+  EXPECT_EQ(decide("snapshot", desk).status, kFailure) << "shoot_gun can follow him";
+  desk.tracks.tracks[0].velocity = {0, 300, 0};
+  EXPECT_EQ(decide("snapshot", desk).status, kFailure) << "he has passed already";
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{500, -300, 0};
+  EXPECT_EQ(decide("snapshot", desk).status, kRunning);
+  EXPECT_EQ(decide("{snapshot: {within: 400 m}}", desk).status, kFailure);
+  desk.gun.rounds = 0;
+  EXPECT_EQ(decide("snapshot", desk).status, kFailure);
 }
 
 TEST(HighYoYo, GoesAboveWhomItWouldPass) {
