@@ -158,12 +158,4 @@ std::optional<Danger> danger(const State& s, Against against, double within) {
   return std::nullopt;
 }
 
-double affordable(const State& s, double wanted, double least) {
-  constexpr double kEasy = 2, kMargin = 0.1;
-  if (wanted <= kEasy || least <= 0)
-    return wanted;
-  const double spare = (s.own.mach - least) / (kMargin * least);
-  return kEasy + (wanted - kEasy) * std::clamp(spare, 0.0, 1.0);
-}
-
 }  // namespace eyrie::pilot

@@ -69,8 +69,4 @@ constexpr auto names_of(Against) {
 /// The most pressing danger. A missile counts if it is here within `within` s.
 [[nodiscard]] std::optional<Danger> danger(const State& state, Against against, double within);
 
-/// g for a turn that would like `wanted`, but has to keep the Mach number above `least`: gives way
-/// from 10 % above it, down to 2 g.
-[[nodiscard]] double affordable(const State& state, double wanted, double least);
-
 }  // namespace eyrie::pilot

@@ -15,6 +15,8 @@ double speed_of(const State& s, double mach) {
 }
 
 double load_for_energy(const State& s, double slowest, double most) {
+  if (slowest <= 0)
+    return most;
   const auto& energy = s.flying.energy;
   const double available = static_cast<double>(energy.available);
   const double sustained = std::max(static_cast<double>(energy.sustained), 1.0);
@@ -62,6 +64,15 @@ void aim(const State& s, const Vec3& direction, double load_factor, double speed
   action.load_factor = load_factor;
   action.speed = speed;
   action.mode = model::AutopilotMode::aim;
+}
+
+Status Maneuver::fly(const State& s, const Seen* target, const Vec3& direction,
+                     Proposal& out) const {
+  aim(s, direction, load(s, load_factor_), speed_, floor_, out.action);
+  if (target)
+    out.action.target = target->id();
+  out.vote = vote_;
+  return Status::running;
 }
 
 }  // namespace eyrie::pilot

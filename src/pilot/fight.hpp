@@ -4,6 +4,7 @@
 /// Terms as in Shaw, Fighter Combat: Tactics and Maneuvering (1985), ch. 2; not seen: equations
 /// are derived from the geometry.
 #include "pilot/state.hpp"
+#include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
 
@@ -20,7 +21,7 @@ struct Angles {
 
 /// g to turn with, up to `most`: all that the wing gives at corner speed and above; at the slowest
 /// speed worth fighting at only what full power sustains; between them in proportion to the speed;
-/// and less below, so that the speed comes back.
+/// and less below, so that the speed comes back. `slowest` 0: `most`, whatever it costs.
 [[nodiscard]] double load_for_energy(const State& s, double slowest, double most);
 
 /// How far above (positive) or below the level a turn is best flown (rad): the excess of speed over
@@ -35,5 +36,35 @@ struct Angles {
 /// be, but no steeper down than what leaves room above `floor` (m).
 void aim(const State& s, const Vec3& direction, double load_factor, double speed, double floor,
          Action& action);
+
+/// What all behaviors that turn share: how strongly, how fast, how hard and how low.
+class Maneuver : public Behavior {
+ public:
+  static constexpr auto params() {
+    using M = Maneuver;
+    return std::tuple{
+        param("vote", &M::vote_, range(0, 1000), "how strongly"),
+        param("speed", &M::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
+        param("least_mach", &M::least_mach_, range(0, 2),
+              "slowest Mach number worth fighting at: turns no harder there than full power "
+              "sustains, and less below; 0: turns as hard as it can"),
+        param("load_factor", &M::load_factor_, range(1, 12), "g, the most it turns with"),
+        param("floor", &M::floor_, "m", range(0, 25e3), "goes no lower")};
+  }
+
+ protected:
+  /// g of a turn with the energy it has, up to `most`.
+  [[nodiscard]] double load(const State& s, double most) const {
+    return load_for_energy(s, speed_of(s, least_mach_), most);
+  }
+  /// Recommends to fly there with the energy it has, after whom it is after.
+  Status fly(const State& s, const Seen* target, const Vec3& direction, Proposal& out) const;
+
+  float vote_ = 40;
+  double speed_ = si(600, "kt");
+  double least_mach_ = 0.6;
+  double load_factor_ = 9;
+  double floor_ = si(3000, "ft");
+};
 
 }  // namespace eyrie::pilot

@@ -44,6 +44,8 @@ TEST(Fight, PullsWhatTheEnergyAllows) {
   EXPECT_NEAR(load(162, 9), 2, 1e-6) << "lets it come back";
   EXPECT_NEAR(load(100, 9), 2, 1e-6);
   EXPECT_NEAR(load(300, 3), 3, 1e-6);
+  desk.own.speed = 162;
+  EXPECT_EQ(load_for_energy(desk.state(), 0, 9), 9) << "whatever it costs";
 }
 
 TEST(Fight, PutsSpeedIntoHeightAndTakesItBack) {

@@ -25,7 +25,7 @@ Status Crank::tick(const Tick& t, Proposal& out) const {
   out.action.heading = wrap_tau(bearing + side * std::max(angle, 0.0));
   out.action.altitude = std::max(s.own.altitude - descend_, std::min(floor_, s.own.altitude));
   out.action.speed = speed_;
-  out.action.load_factor = affordable(s, load_factor_, least_mach_);
+  out.action.load_factor = load(s, load_factor_);
   out.action.mode = model::AutopilotMode::hold;
   return Status::running;
 }

@@ -49,11 +49,14 @@ TEST(Crank, EndsWhenTheMissileHasSwitchedOnItsSeeker) {
   EXPECT_EQ(decide("{crank: {support: false}}", desk).status, kRunning);
 }
 
-TEST(Crank, TurnsNoHarderThanItsSpeedAllows) {
-  Desk desk = with_shot(50);
-  desk.own.mach = 0.7;
-  EXPECT_EQ(decide("{crank: {least_mach: 0.75, load_factor: 5}}", desk).action().load_factor, 2);
-  EXPECT_EQ(decide("{crank: {least_mach: 0.6, load_factor: 5}}", desk).action().load_factor, 5);
+TEST(Crank, TurnsNoHarderThanItsEnergyAllows) {
+  Desk desk = with_shot(50);  // 4 g sustained
+  desk.own.speed = speed_of(desk.state(), 0.75);
+  const auto load = [&](const char* tree) { return *decide(tree, desk).action().load_factor; };
+  EXPECT_NEAR(load("{crank: {least_mach: 0.75, load_factor: 5}}"), 4, 1e-9);
+  EXPECT_EQ(load("{crank: {least_mach: 0.5, load_factor: 5}}"), 5);
+  desk.own.speed *= 0.5;
+  EXPECT_NEAR(load("{crank: {least_mach: 0.75, load_factor: 5}}"), 2, 1e-9);
 }
 
 }  // namespace

@@ -25,11 +25,11 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
     if (kDefault.across)
       m.side = -m.side;
   }
-  out.vote = vote_;
+  out.vote = this->vote_;
   out.action.heading = wrap_tau(m.bearing + m.side * angle_);
-  out.action.altitude = std::max(s.own.altitude - dive_, std::min(floor_, s.own.altitude));
-  out.action.speed = speed_;
-  out.action.load_factor = affordable(s, load_factor_, least_mach_);
+  out.action.altitude = std::max(s.own.altitude - dive_, std::min(this->floor_, s.own.altitude));
+  out.action.speed = this->speed_;
+  out.action.load_factor = this->load(s, this->load_factor_);
   out.action.mode = model::AutopilotMode::hold;
   out.action.call = m.call;
   if (dispense_ != model::Dispense::none && inbound(s, std::min(within_, kDispenseTime)))

@@ -2,7 +2,7 @@
 #pragma once
 /// \file  The three defenses against a radar missile and who shoots it: notch, drag, last ditch.
 #include "pilot/danger.hpp"
-#include "pilot/trees.hpp"
+#include "pilot/fight.hpp"
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
@@ -21,10 +21,11 @@ struct Evasion {
   Call call = Call::none;  ///< when it answers a missile
   Against against = Against::missile;
   float vote = 75;
-  double within = 8;       ///< s
-  double angle = kPi / 2;  ///< rad
-  double load_factor = 6;  ///< g
-  double recovery = 2;     ///< s
+  double within = 8;        ///< s
+  double angle = kPi / 2;   ///< rad
+  double load_factor = 6;   ///< g
+  double least_mach = 0.7;  ///< 0: turns as hard as it can
+  double recovery = 2;      ///< s
   model::Dispense dispense = model::Dispense::none;
   bool across = false;  ///< turns through the danger's bearing instead of away from it
 };
@@ -35,41 +36,39 @@ struct Evasion {
 /// as it defends; fails without a danger. Answers a missile that comes for this aircraft, and is
 /// here `within` s; with `against: radar` or `fighter` also who may shoot one.
 template <const Evasion& kDefault>
-class Evade final : public ubf::WithMemory<Behavior, EvadeMemory> {
+class Evade final : public ubf::WithMemory<Maneuver, EvadeMemory> {
  public:
   static constexpr std::string_view type_name = kDefault.name;
   static constexpr std::string_view help = kDefault.help;
   static constexpr auto params() {
     using E = Evade;
-    return std::tuple{
-        param("vote", &E::vote_, range(0, 1000), "how strongly"),
-        param("against", &E::against_, "missile, radar or fighter; each includes those before"),
-        param("within", &E::within_, "s", range(0, 120), "answers a missile that is here so soon"),
-        param("angle", &E::angle_, "rad", range(0.2, 3.1416),
-              "off the nose at the end of the turn"),
-        param("speed", &E::speed_, "m/s", range(50, 1000), "true airspeed"),
-        param("load_factor", &E::load_factor_, range(1, 12), "g of the turn"),
-        param("least_mach", &E::least_mach_, range(0, 2), "turns easier when it gets slower"),
-        param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
-        param("floor", &E::floor_, "m", range(0, 25e3), "goes no lower"),
-        param("dispense", &E::dispense_,
-              "none, chaff, flares or both: thrown out at a missile that is here within 6 s"),
-        param("recovery", &E::recovery_, "s", range(0, 300),
-              "goes on for so long after the last of the danger")};
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{
+            param("against", &E::against_, "missile, radar or fighter; each includes those before"),
+            param("within", &E::within_, "s", range(0, 120),
+                  "answers a missile that is here so soon"),
+            param("angle", &E::angle_, "rad", range(0.2, 3.1416),
+                  "off the nose at the end of the turn"),
+            param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
+            param("dispense", &E::dispense_,
+                  "none, chaff, flares or both: thrown out at a missile that is here within 6 s"),
+            param("recovery", &E::recovery_, "s", range(0, 300),
+                  "goes on for so long after the last of the danger")});
   }
 
+  Evade() {
+    this->vote_ = kDefault.vote;
+    this->load_factor_ = kDefault.load_factor;
+    this->least_mach_ = kDefault.least_mach;
+  }
   Status tick(const Tick& t, Proposal& out) const override;
 
  private:
-  float vote_ = kDefault.vote;
   Against against_ = kDefault.against;
   double within_ = kDefault.within;
   double angle_ = kDefault.angle;
-  double speed_ = si(600, "kt");
-  double load_factor_ = kDefault.load_factor;
-  double least_mach_ = 0.7;
   double dive_ = si(6000, "ft");
-  double floor_ = si(3000, "ft");
   double recovery_ = kDefault.recovery;
   model::Dispense dispense_ = kDefault.dispense;
 };
@@ -97,6 +96,7 @@ inline constexpr Evasion kLastDitch{.name = "last_ditch",
                                     .vote = 85,
                                     .within = 4,
                                     .load_factor = 9,
+                                    .least_mach = 0,
                                     .recovery = 1,
                                     .dispense = model::Dispense::both,
                                     .across = true};

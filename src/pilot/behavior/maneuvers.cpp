@@ -5,16 +5,6 @@
 
 namespace eyrie::pilot {
 
-Status Maneuver::fly(const State& s, const Seen* target, const Vec3& direction,
-                     Proposal& out) const {
-  const double load = load_for_energy(s, speed_of(s, least_mach_), load_factor_);
-  aim(s, direction, load, speed_, floor_, out.action);
-  if (target)
-    out.action.target = target->id();
-  out.vote = vote_;
-  return Status::running;
-}
-
 Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
   const Seen* target = s.target();

@@ -4,36 +4,9 @@
 /// is the tree's choice: by votes, and by guards over `off_nose`, `off_tail`, `closing` ...
 /// Their geometry: Shaw, Fighter Combat (1985), ch. 2; not seen: derived in the tests.
 #include "pilot/fight.hpp"
-#include "pilot/trees.hpp"
 #include "ubf/memory.hpp"
 
 namespace eyrie::pilot {
-
-/// What all of them share: how fast, how hard and how low.
-class Maneuver : public Behavior {
- public:
-  static constexpr auto params() {
-    using M = Maneuver;
-    return std::tuple{
-        param("vote", &M::vote_, range(0, 1000), "how strongly"),
-        param("speed", &M::speed_, "m/s", range(50, 1000), "true airspeed to go for"),
-        param("least_mach", &M::least_mach_, range(0.1, 2),
-              "slowest Mach number worth fighting at: turns no harder there than full power "
-              "sustains, and less below"),
-        param("load_factor", &M::load_factor_, range(1, 12), "g, the most it turns with"),
-        param("floor", &M::floor_, "m", range(0, 25e3), "dives no lower")};
-  }
-
- protected:
-  /// Recommends to fly there with the energy it has, after whom it is after.
-  Status fly(const State& s, const Seen* target, const Vec3& direction, Proposal& out) const;
-
-  float vote_ = 40;
-  double speed_ = si(600, "kt");
-  double least_mach_ = 0.6;
-  double load_factor_ = 9;
-  double floor_ = si(3000, "ft");
-};
 
 /// Points ahead of the target, where the paths meet; nearer than `gun_range` where the rounds of
 /// the gun would meet him. Closes, and brings the gun to bear: for the last `cash_in` off the nose

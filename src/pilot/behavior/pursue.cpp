@@ -86,7 +86,7 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   const double slowest = speed_of(s, least_mach_);
   const double most =
       target->range > level_range_ ? std::min(far_load_factor_, load_factor_) : load_factor_;
-  action.load_factor = load_for_energy(s, slowest, most);
+  action.load_factor = load(s, most);
   double altitude = altitude_of_choice(s, *target);
   if (s.own.speed < slowest)
     altitude = std::min(altitude, s.own.altitude);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "pilot/state.hpp"
-#include "pilot/trees.hpp"
+#include "pilot/fight.hpp"
 
 namespace eyrie::pilot {
 
@@ -24,39 +23,43 @@ constexpr auto names_of(Pursuit) {
 /// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
 /// heading is flown only when it differs by more than `dead_band` and what the error of the
 /// track's velocity makes of it, and with `far_load_factor` at most: errors are no reason to turn.
-class Pursue final : public Behavior {
+class Pursue final : public Maneuver {
  public:
   static constexpr std::string_view type_name = "pursue";
   static constexpr std::string_view help = "goes after the chosen target";
   static constexpr auto params() {
     using P = Pursue;
-    return std::tuple{
-        param("vote", &P::vote_, range(0, 1000), "how strongly"),
-        param("mode", &P::mode_, "follow, intercept or lead"),
-        param("speed", &P::speed_, "m/s", range(50, 1000), "true airspeed; not in mode follow"),
-        param("overtake", &P::overtake_, "m/s", range(0, 500),
-              "nearer than level_range, at most so much faster than the target; null: never slows"),
-        param("altitude", &P::altitude_, "m", range(0, 25e3),
-              "kept while the target is farther than level_range; null: the target's altitude"),
-        param("level_range", &P::level_range_, "m", range(0, 500e3),
-              "nearer than this it goes to the target's altitude"),
-        param("behind", &P::behind_, "m", range(0, 50e3), "mode follow: place behind the target"),
-        param("gun_range", &P::gun_range_, "m", range(0, 10e3),
-              "mode lead: nearer than this it aims the gun"),
-        param("load_factor", &P::load_factor_, range(1, 12), "g, the most it turns with"),
-        param("least_mach", &P::least_mach_, range(0, 2),
-              "slowest Mach number worth fighting at; 0: does not care"),
-        param("dead_band", &P::dead_band_, "rad", range(0, 0.5),
-              "beyond level_range: smaller changes of heading are not flown"),
-        param("far_load_factor", &P::far_load_factor_, range(1, 12),
-              "g, the most it turns with beyond level_range"),
-        param("crank", &P::crank_, "rad", range(0, 1.5),
-              "angle off the nose at which the target is kept while an own missile flies; 0: none"),
-        param("separation", &P::separation_, "m", range(0, 5e3),
-              "distance to keep from mates of a better rank"),
-        param("floor", &P::floor_, "m", range(0, 25e3), "follows no lower")};
+    return std::tuple_cat(
+        Maneuver::params(),
+        std::tuple{
+            param("mode", &P::mode_, "follow, intercept or lead"),
+            param("overtake", &P::overtake_, "m/s", range(0, 500),
+                  "nearer than level_range, at most so much faster than the target; null: never "
+                  "slows"),
+            param("altitude", &P::altitude_, "m", range(0, 25e3),
+                  "kept while the target is farther than level_range; null: the target's altitude"),
+            param("level_range", &P::level_range_, "m", range(0, 500e3),
+                  "nearer than this it goes to the target's altitude"),
+            param("behind", &P::behind_, "m", range(0, 50e3),
+                  "mode follow: place behind the target"),
+            param("gun_range", &P::gun_range_, "m", range(0, 10e3),
+                  "mode lead: nearer than this it aims the gun"),
+            param("dead_band", &P::dead_band_, "rad", range(0, 0.5),
+                  "beyond level_range: smaller changes of heading are not flown"),
+            param("far_load_factor", &P::far_load_factor_, range(1, 12),
+                  "g, the most it turns with beyond level_range"),
+            param("crank", &P::crank_, "rad", range(0, 1.5),
+                  "angle off the nose at which the target is kept while an own missile flies; 0: "
+                  "none"),
+            param("separation", &P::separation_, "m", range(0, 5e3),
+                  "distance to keep from mates of a better rank")});
   }
 
+  Pursue() {
+    speed_ = si(560, "kt");  // not in mode follow
+    load_factor_ = 6;
+    floor_ = si(2000, "ft");
+  }
   Status tick(const Tick& t, Proposal& out) const override;
 
  private:
@@ -67,20 +70,15 @@ class Pursue final : public Behavior {
   /// What is flown of a wanted heading.
   [[nodiscard]] double steadied(const State& s, const Seen& target, double heading) const;
 
-  float vote_ = 40;
   Pursuit mode_ = Pursuit::intercept;
-  double speed_ = si(560, "kt");
   std::optional<double> overtake_, altitude_;
   double level_range_ = si(15, "nmi");
   double behind_ = si(1, "nmi");
   double gun_range_ = 2500;
-  double load_factor_ = 6;
-  double least_mach_ = 0.6;
   double dead_band_ = si(8, "deg");
   double far_load_factor_ = 2;
   double crank_ = 0;
   double separation_ = si(500, "ft");
-  double floor_ = si(2000, "ft");
 };
 
 }  // namespace eyrie::pilot
