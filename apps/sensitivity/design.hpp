@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Which values are large and which are small in a run, so that many runs tell of each.
+#include <bit>
 #include <cstddef>
 
 namespace eyrie::sensitivity {
 
 /// Plackett & Burman, The Design of Optimum Multifactorial Experiments, Biometrika 33 (1946) 305:
-/// p values in p + 1 rows, p = 4 m - 1 a prime, by the quadratic residues of p. Every row is there
-/// with all signs turned, too: the effect of one value is free of what two others do together (Box
-/// & Wilson, 1951). Every column has as many + as -, and any two agree as often as they differ.
+/// p values in p + 1 rows, p = 4 m - 1 a prime, by the quadratic residues of p. Some values are
+/// costly to change: they have these rows for themselves, as plots; within each plot the others
+/// change, by the product with a Hadamard matrix of 2^k rows (a split-plot design). Every row is
+/// there with all signs turned, too: the effect of one value is free of what two others do
+/// together (Box & Wilson, 1951). Every column has as many + as -, and any two agree as often as
+/// they differ.
 class Design {
  public:
-  explicit Design(std::size_t values) {
-    while (prime_ < values || !is_prime(prime_))
+  Design(std::size_t costly, std::size_t others) : costly_(costly) {
+    while (prime_ < costly || !is_prime(prime_))
       prime_ += 4;
+    while ((rows_ - 1) * (prime_ + 1) < others)
+      rows_ *= 2;
   }
-  [[nodiscard]] std::size_t rows() const { return 2 * (prime_ + 1); }
-  [[nodiscard]] int sign(std::size_t row, std::size_t value) const {
-    const std::size_t i = row / 2;
-    const bool plus = i < prime_ && is_square((value + prime_ - i) % prime_);
-    return plus == (row % 2 == 0) ? 1 : -1;
+  [[nodiscard]] std::size_t plots() const { return 2 * (prime_ + 1); }
+  [[nodiscard]] std::size_t rows_in_plot() const { return rows_; }
+  /// 1 or -1. The costly values come first: theirs do not depend on the row.
+  [[nodiscard]] int sign(std::size_t plot, std::size_t row, std::size_t value) const {
+    const bool turned = plot % 2 != 0;
+    if (value < costly_)
+      return plus(plot / 2, value) != turned ? 1 : -1;
+    const std::size_t other = value - costly_;
+    const bool within = std::popcount((1 + other / (prime_ + 1)) & row) % 2 == 0;
+    return (plus(plot / 2, other % (prime_ + 1)) == within) != turned ? 1 : -1;
   }
 
  private:
@@ -29,13 +40,16 @@ class Design {
         return false;
     return true;
   }
-  [[nodiscard]] bool is_square(std::size_t n) const {
+  /// Of p + 1 columns; the last is + everywhere.
+  [[nodiscard]] bool plus(std::size_t i, std::size_t column) const {
+    if (column == prime_ || i == prime_)
+      return column == prime_;
     for (std::size_t root = 0; root < prime_; ++root)
-      if (root * root % prime_ == n)
+      if (root * root % prime_ == (column + prime_ - i) % prime_)
         return true;
     return false;
   }
-  std::size_t prime_ = 3;
+  std::size_t costly_, prime_ = 3, rows_ = 1;
 };
 
 }  // namespace eyrie::sensitivity

@@ -123,9 +123,10 @@ class Study {
         base_(kCount * seeds) {
     const auto scenario = scenario::load({file_, {}}, scenario::Source::disk(home_));
     on_all_cores(seeds, [&](std::size_t k) { ::fly(scenario, k + 1, &base_[kCount * k]); });
-    for (const Judgement& j : all)
-      if (scenario->files.contains(j.file))
-        values_.push_back(&j);
+    for (const bool costly : {true, false})  // launch zones are flown anew for a changed missile
+      for (const Judgement& j : all)
+        if (scenario->files.contains(j.file) && is_costly(j) == costly)
+          values_.push_back(&j);
     std::string id;  // what was kept belongs to these runs
     for (const double score : base_)
       id += fmt::format("{} ", score);
@@ -135,13 +136,16 @@ class Study {
   }
 
   void fly() {
-    const Design design(values_.size());
-    rows_.resize(design.rows());
+    const auto costly = static_cast<std::size_t>(
+        std::count_if(values_.begin(), values_.end(), [](auto* j) { return is_costly(*j); }));
+    const Design design(costly, values_.size() - costly);
+    const std::size_t in_plot = design.rows_in_plot();
+    rows_.resize(design.plots() * in_plot);
     std::atomic<std::size_t> done = 0;
-    on_all_cores(rows_.size(), [&](std::size_t r) {
+    const auto fly_row = [&](std::size_t r) {
       Row& row = rows_[r];
       for (std::size_t i = 0; i < values_.size(); ++i)
-        row.signs.push_back(design.sign(r, i));
+        row.signs.push_back(design.sign(r / in_plot, r % in_plot, i));
       const std::string key = fmt::format("{} {}", id_, r);
       if (const Scores* scores = kept_.find(key)) {
         row.scores = *scores;
@@ -153,6 +157,10 @@ class Study {
         kept_.keep(key, row.scores);
       }
       fmt::print(stderr, "\r{}: {} of {} rows ", file_, ++done, rows_.size());
+    };
+    on_all_cores(design.plots(), [&](std::size_t plot) {
+      for (std::size_t i = 0; i < in_plot; ++i)
+        fly_row(plot * in_plot + i);
     });
     fmt::print(stderr, "\n");
   }
@@ -189,13 +197,17 @@ class Study {
     return id_ + " refused " + j.name;
   }
 
+  static bool is_costly(const Judgement& j) {
+    return j.file.find("/missiles/") != std::string::npos;
+  }
+
   /// With the values of a row; one that would leave its range stays as it is.
   std::shared_ptr<const scenario::Scenario> loaded(const Row& row) {
     std::vector<int> signs = row.signs;
     for (;;) {
       auto source = scenario::Source::disk(home_);
       std::map<std::string, std::string> texts;
-      for (std::size_t i = values_.size(); i-- > 0;) {  // later places of a file first
+      for (std::size_t i = values_.size(); i-- > 0;) {  // of a file the later places first
         const Judgement& j = *values_[i];
         std::string& text = texts.try_emplace(j.file, j.text).first->second;
         if (signs[i] != 0)

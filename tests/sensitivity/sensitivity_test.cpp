@@ -2,38 +2,49 @@
 /// \file  The tool that tells what the judgements of data/ do.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "../../apps/sensitivity/design.hpp"
 #include "../../apps/sensitivity/judgement.hpp"
 
 namespace eyrie::sensitivity {
 namespace {
 
-int sum_of_products(const Design& design, std::size_t a, std::size_t b) {
-  int sum = 0;
-  for (std::size_t row = 0; row < design.rows(); ++row)
-    sum += design.sign(row, a) * design.sign(row, b);
-  return sum;
+using Column = std::vector<int>;
+
+std::vector<Column> columns_of(const Design& design, std::size_t values) {
+  std::vector<Column> columns(values);
+  for (std::size_t value = 0; value < values; ++value)
+    for (std::size_t plot = 0; plot < design.plots(); ++plot)
+      for (std::size_t row = 0; row < design.rows_in_plot(); ++row)
+        columns[value].push_back(design.sign(plot, row, value));
+  return columns;
 }
 
 TEST(Design, TellsTheEffectOfEachValueFromThoseOfAllOthers) {
-  for (const std::size_t values : {std::size_t{2}, std::size_t{20}, std::size_t{131}}) {
-    const Design design(values);
-    for (std::size_t a = 0; a < values; ++a) {
-      int sum = 0;
-      for (std::size_t row = 0; row < design.rows(); ++row)
-        sum += design.sign(row, a);
-      ASSERT_EQ(sum, 0) << a << " of " << values;
+  for (const auto& [costly, others] :
+       {std::pair<std::size_t, std::size_t>{2, 0}, {0, 40}, {20, 9}, {44, 88}}) {
+    const std::vector<Column> columns = columns_of({costly, others}, costly + others);
+    for (std::size_t a = 0; a < columns.size(); ++a) {
+      ASSERT_EQ(std::accumulate(columns[a].begin(), columns[a].end(), 0), 0) << a;
       for (std::size_t b = 0; b < a; ++b)
-        ASSERT_EQ(sum_of_products(design, a, b), 0) << a << ", " << b << " of " << values;
+        ASSERT_EQ(std::inner_product(columns[a].begin(), columns[a].end(), columns[b].begin(), 0),
+                  0)
+            << a << ", " << b << " of " << costly << " + " << others;
     }
   }
 }
 
-TEST(Design, FliesEveryRowWithAllSignsTurnedToo) {
-  const Design design(20);
-  for (std::size_t row = 0; row < design.rows(); row += 2)
-    for (std::size_t value = 0; value < 20; ++value)
-      EXPECT_EQ(design.sign(row, value), -design.sign(row + 1, value));
+TEST(Design, FliesEveryRowWithAllSignsTurnedTooAndChangesCostlyValuesRarely) {
+  const Design design(20, 30);
+  for (std::size_t plot = 0; plot < design.plots(); plot += 2)
+    for (std::size_t row = 0; row < design.rows_in_plot(); ++row)
+      for (std::size_t value = 0; value < 50; ++value) {
+        EXPECT_EQ(design.sign(plot, row, value), -design.sign(plot + 1, row, value));
+        if (value < 20) {
+          EXPECT_EQ(design.sign(plot, row, value), design.sign(plot, 0, value));
+        }
+      }
 }
 
 TEST(Judgements, AreScaledToValuesThatMayBe) {
