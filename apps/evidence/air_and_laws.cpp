@@ -55,6 +55,10 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
   law("radar", "radar.md", "errors of range, angle and closing speed by S/N",
       "Barton & Leonov (1997), p. 6 (seen)",
       "LookErrors.FallWithTheRootOfTheSignalDownToTheirFloors");
+  law("jammer", "radar.md", "burn-through range", "radar equation, one way and two way",
+      "BurnThrough.IsWhereTheEchoIsAsGoodAsWithoutJammingAtTheOldRange");
+  law("jammer", "radar.md", "directions without ranges, later shots, home on jam", "definition",
+      "Jamming.MakesThemShootLaterAndStillHit");
   law("tracks", "tracks.md", "NEES and NIS of targets that fly straight and turn",
       "Bar-Shalom (not seen)",
       "Consistency.HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects");

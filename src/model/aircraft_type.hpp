@@ -27,14 +27,14 @@ struct AircraftType {
   flight::Dynamics dynamics = flight::Dynamics::point_mass;
   Signature signature;
   InfraredSignature infrared;
-  std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun, dispenser;
+  std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun, dispenser, jammer;
   std::optional<std::uint16_t> rounds;  ///< in the drum of the gun, if not as many as its type has
   std::vector<StationFit> stations;
 
   /// Indices into the shelves of the Library: the names above, looked up.
   struct Indices {
     std::uint16_t airframe = 0;
-    std::optional<std::uint16_t> radar, rwr, visual, iff, datalink, tracker, gun, dispenser;
+    std::optional<std::uint16_t> radar, rwr, visual, iff, datalink, tracker, gun, dispenser, jammer;
   };
   Indices index;
 
@@ -59,6 +59,7 @@ struct AircraftType {
         param("rounds", &A::rounds, range(1, 10e3),
               "in the drum of its gun, where that is not what the gun's type says"),
         param("dispenser", &A::dispenser, "its dispenser of chaff and flares"),
+        param("jammer", &A::jammer, "its jammer"),
         param("stations", &A::stations, "what hangs under it, station by station")};
   }
 };

@@ -10,24 +10,26 @@ constexpr auto names_of(EmissionKind) {
   return names_from_zero<EmissionKind>("none", "search", "track", "missile_seeker");
 }
 
-/// The beam of one aircraft's radar or of one missile's seeker. A search radar is described by the
-/// whole sector it sweeps: it passes everything in there once per frame.
+/// The beam of one aircraft's radar or of one missile's seeker, and its jammer. A search radar is
+/// described by the whole sector it sweeps: it passes everything in there once per frame.
 struct Emission {
   Vec3 position{};            ///< m, local frame: where the transmitter was
   Vec3 boresight{};           ///< unit vector, local frame: the middle of the beam or sector
   double cos_half_angle = 1;  ///< the beam or sector is this cone around the boresight
   double figure = 0;          ///< m, see emission_figure()
+  double jamming = 0;         ///< W/Hz, of the aircraft's jammer, in all directions
   PlayerId dwell{};           ///< who the beam rests on (truth); none while searching
   std::uint16_t type = 0;     ///< index of the radar, or of the missile type, in the Library
   EmissionKind kind = EmissionKind::none;
   Side side = Side::none;  ///< whose waveform it is
 
   static constexpr auto fields() {
-    return field_list(
-        field("position", &Emission::position, "m"), field("boresight", &Emission::boresight),
-        field("cos_half_angle", &Emission::cos_half_angle), field("figure", &Emission::figure, "m"),
-        field("dwell", &Emission::dwell), field("type", &Emission::type),
-        field("kind", &Emission::kind), field("side", &Emission::side));
+    return field_list(field("position", &Emission::position, "m"),
+                      field("boresight", &Emission::boresight),
+                      field("cos_half_angle", &Emission::cos_half_angle),
+                      field("figure", &Emission::figure, "m"), field("jamming", &Emission::jamming),
+                      field("dwell", &Emission::dwell), field("type", &Emission::type),
+                      field("kind", &Emission::kind), field("side", &Emission::side));
   }
 };
 

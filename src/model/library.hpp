@@ -8,6 +8,7 @@
 #include "model/flight/airframe.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/frames.hpp"
+#include "model/jamming.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
@@ -79,6 +80,7 @@ struct Library {
   Shelf<MissileType> missiles;
   Shelf<GunType> guns;
   Shelf<Dispenser> dispensers;
+  Shelf<Jammer> jammers;
   Shelf<AircraftType> aircraft;  ///< Fit::type
   Shelf<VehicleType> vehicles;   ///< Fit::type of vehicles
   std::vector<Flight> flights;   ///< Fit::flight; convoys behind the flights

@@ -162,6 +162,8 @@ struct Contact {
   Identity identity = Identity::unknown;  ///< if the look itself told
   bool interrogated = false;              ///< asked by IFF in this look; `identity` has the reply
   bool mate = false;                      ///< stands where one of the flight says it is
+  bool bearing_only = false;  ///< `range` is a guess, and what goes with it; sigma_across / range
+                              ///< is the error of the direction, rad
 };
 
 }  // namespace eyrie::model

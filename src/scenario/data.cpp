@@ -189,6 +189,7 @@ void DataLoader::complete(Model& model, const Value& document) {
     part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));
     part<model::GunType>(model.index.gun, model.gun, document.where_of("gun"));
     part<model::Dispenser>(model.index.dispenser, model.dispenser, document.where_of("dispenser"));
+    part<model::Jammer>(model.index.jammer, model.jammer, document.where_of("jammer"));
     if (model.rounds && !model.gun)
       diagnostics_.error(document.where_of("rounds"), "rounds: there is no gun for them");
     for (const model::StationFit& station : model.stations)

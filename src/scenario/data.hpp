@@ -30,7 +30,8 @@ inline constexpr std::tuple kKindsOfModels{
     KindOfModel{"trackers", "tracker", &model::Library::trackers},
     KindOfModel{"missiles", "missile", &model::Library::missiles},
     KindOfModel{"guns", "gun", &model::Library::guns},
-    KindOfModel{"countermeasures", "dispenser", &model::Library::dispensers}};
+    KindOfModel{"countermeasures", "dispenser", &model::Library::dispensers},
+    KindOfModel{"jammers", "jammer", &model::Library::jammers}};
 template <class Visit>
 constexpr void each_kind_of_model(Visit visit) {
   std::apply([&](const auto&... kind) { (visit(kind), ...); }, kKindsOfModels);

@@ -103,4 +103,21 @@ Contact measure(const LookErrors& errors, const Kinematics& own, const Axes& lev
   return contact;
 }
 
+Contact strobe(Contact contact, const Vec3& own, double farthest) {
+  const double angle = contact.sigma_across / contact.range;
+  contact.range = farthest / 2;  // a uniform law: its mean and its deviation
+  contact.position = own + contact.range * contact.line;
+  contact.sigma_along = farthest / std::sqrt(12.0);
+  contact.sigma_across = angle * contact.range;
+  contact.speed_along = contact.sigma_speed = 0;
+  contact.bearing_only = true;
+  return contact;
+}
+
+double off_beam(const Radar& radar, double cos_off) {
+  const double width2 = radar.beam_width * radar.beam_width;
+  const double off2 = 2 * (1 - std::min(cos_off, 1.0));  // the angle squared, where it is small
+  return std::max(math::exp2(-4 * off2 / width2), math::pow(10, -radar.side_lobes / 10));
+}
+
 }  // namespace eyrie::model::sensor

@@ -64,6 +64,7 @@ struct Radar {
   double range_cell = 150;              ///< m
   double speed_cell = 3;                ///< m/s
   double angle_floor = 0.05;            ///< of the beam width
+  double side_lobes = 35;               ///< dB
   double track_angle_floor = 0.0125;    ///< of the beam width
   std::uint32_t max_contacts = 24;
 
@@ -112,6 +113,8 @@ struct Radar {
               "beam width, 1-sigma per axis"),
         param("track_angle_floor", &Radar::track_angle_floor, range(1e-4, 1),
               "the same in single target track"),
+        param("side_lobes", &Radar::side_lobes, "dB", range(0, 100),
+              "how far its antenna's gain beside the beam is below that in its middle"),
         param("max_contacts", &Radar::max_contacts, range(1, 32),
               "the nearest so many detections of a frame are kept")};
   }
@@ -197,6 +200,13 @@ struct LookErrors {
 /// outwards from the nose, so that a mirrored scene gives the mirrored contact for the same draw.
 [[nodiscard]] Contact measure(const LookErrors& errors, const Kinematics& own, const Axes& level,
                               const Kinematics& other, PlayerId truth, Draw noise);
+
+/// The direction of whoever jams, as `contact` has it; the range is anywhere within `farthest` (m).
+[[nodiscard]] Contact strobe(Contact contact, const Vec3& own, double farthest);
+
+/// Gain of the antenna aside of its middle over that in its middle, one way: a Gaussian beam (half
+/// of the power half a beam width aside), and its side lobes. `cos_off`: cosine of the angle.
+[[nodiscard]] double off_beam(const Radar& radar, double cos_off);
 
 /// Const and shared by every aircraft that carries it. Everybody carries a transponder.
 struct Iff {

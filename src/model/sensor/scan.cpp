@@ -29,14 +29,74 @@ Contact contact_with(const Scene& scene, const Self& self, std::size_t j, RadarM
   return contact;
 }
 
+/// Who jams a radar, and how loud.
+struct Jam {
+  Vec3 unit{};       ///< from the antenna
+  double noise = 0;  ///< in the middle of the beam, over the receiver's own
+  std::uint32_t row = 0;
+};
+
+/// All of them, as one radar hears them now; the first eight if there are more.
+class Jamming {
+ public:
+  Jamming(const Scene& scene, const Self& self) : radar_(*self.suite.radar) {
+    if (scene.library.jammers.size() == 0)
+      return;
+    const Kinematics& own = self.kinematics;
+    for (std::uint32_t j = 0; j < scene.emission.size() && count_ < items_.size(); ++j) {
+      const Emission& emission = scene.emission[j];
+      if (emission.jamming <= 0 || emission.side == self.fit.side || j == self.row)
+        continue;
+      const Vec3 sight = scene.kinematics[j].position - own.position;
+      const double range2 = std::max(norm2(sight), 1.0), range = std::sqrt(range2);
+      if (range <= horizon_range(own.altitude, scene.kinematics[j].altitude, kRadioEarth))
+        items_[count_++] = {sight / range,
+                            jamming_to_noise(emission.jamming, radar_.beam_width, range2), j};
+    }
+  }
+  /// Noise over the receiver's own while the beam points along `sight` (m).
+  [[nodiscard]] double noise_along(const Vec3& sight) const {
+    double noise = 1;
+    for (const Jam& jam : items())
+      noise += jam.noise * off_beam(radar_, dot(normalized(sight, jam.unit), jam.unit));
+    return noise;
+  }
+  [[nodiscard]] std::span<const Jam> items() const { return {items_.data(), count_}; }
+  /// What the jammer of row `j` is heard with, if it gives a strobe.
+  [[nodiscard]] std::optional<double> strobe_of(std::size_t j) const {
+    for (const Jam& jam : items())
+      if (jam.row == j && jam.noise > kStrobe)
+        return jam.noise;
+    return std::nullopt;
+  }
+
+ private:
+  std::array<Jam, 8> items_;
+  std::size_t count_ = 0;
+  const Radar& radar_;
+};
+
+/// What one look needs to know.
+struct Looking {
+  Antenna antenna;
+  Detector detector;
+  Jamming jamming;
+  Looking(const Scene& scene, const Self& self)
+      : antenna(aim(*self.suite.radar, self.radar, self.kinematics)),
+        detector(*self.suite.radar),
+        jamming(scene, self) {}
+};
+
 /// The S/N of row `j` in this look, if it is detected.
-std::optional<double> detected(const Scene& scene, const Self& self, const Detector& detector,
+std::optional<double> detected(const Scene& scene, const Self& self, const Looking& looking,
                                std::size_t j) {
-  const double mean = mean_echo(*self.suite.radar, detector, self.kinematics,
-                                *scene.suite(j).signature, scene.kinematics[j]);
+  double mean = mean_echo(*self.suite.radar, looking.detector, self.kinematics,
+                          *scene.suite(j).signature, scene.kinematics[j]);
   if (mean <= 0)
     return std::nullopt;
-  return detector.echo(mean, scene.draw(self.id, Stream::radar, scene.ids[j]).uniform());
+  if (!looking.jamming.items().empty())
+    mean /= looking.jamming.noise_along(scene.kinematics[j].position - self.kinematics.position);
+  return looking.detector.echo(mean, scene.draw(self.id, Stream::radar, scene.ids[j]).uniform());
 }
 
 void lose_lock(const Scene& scene, Self& self) {
@@ -47,7 +107,8 @@ void lose_lock(const Scene& scene, Self& self) {
 
 /// The echo nearest to where the designated track is believed to be, among what is detected in one
 /// beam width around it.
-void acquire(const Scene& scene, Self& self, const Antenna& antenna, const Detector& detector) {
+void acquire(const Scene& scene, Self& self, const Looking& looking) {
+  const Antenna& antenna = looking.antenna;
   const Track* track = find(self.tracks, self.radar.designated);
   if (track == nullptr)
     return;
@@ -64,7 +125,7 @@ void acquire(const Scene& scene, Self& self, const Antenna& antenna, const Detec
     const double along = dot(off, unit), distance2 = norm2(off);
     if (j == self.row || std::fabs(along) > half_depth ||
         distance2 - along * along > half_width * half_width || !best.wants(distance2) ||
-        !within_gimbal(antenna, sight, norm2(sight)) || !detected(scene, self, detector, j))
+        !within_gimbal(antenna, sight, norm2(sight)) || !detected(scene, self, looking, j))
       continue;
     best.offer({distance2, static_cast<std::uint32_t>(j)});
   }
@@ -117,8 +178,8 @@ void steer_radar(const Scene& scene, Self& self) {
 
 void scan(const Scene& scene, Self& self) {
   const Radar& radar = *self.suite.radar;
-  const Antenna antenna = aim(radar, self.radar, self.kinematics);
-  const Detector detector(radar);
+  const Looking looking(scene, self);
+  const Antenna& antenna = looking.antenna;
 
   // the nearest detections in the scan volume
   Nearest<track::kMaxContacts> found(radar.max_contacts);
@@ -127,10 +188,10 @@ void scan(const Scene& scene, Self& self) {
     const double range2 = norm2(sight);
     if (!covers(antenna, sight, range2) || !found.wants(range2) || j == self.row)
       continue;
-    if (const auto signal_to_noise = detected(scene, self, detector, j))
+    if (const auto signal_to_noise = detected(scene, self, looking, j))
       found.offer({range2, static_cast<std::uint32_t>(j), *signal_to_noise});
   }
-  if (found.items().empty())
+  if (found.items().empty() && looking.jamming.items().empty())
     return;
 
   std::array<Contact, track::kMaxContacts> contacts;
@@ -138,38 +199,66 @@ void scan(const Scene& scene, Self& self) {
   const Axes level = level_axes(self.kinematics, self.kinematics.heading);
   for (const Candidate& c : found.items())
     contacts[count++] = contact_with(scene, self, c.row, RadarMode::search, c.strength, level);
+
+  // who jams and was not seen through his noise gives a direction
+  for (const Jam& jam : looking.jamming.items()) {
+    const auto known = [&](const Candidate& c) { return c.row == jam.row; };
+    if (jam.noise > kStrobe && count < contacts.size() && covers(antenna, jam.unit, 1) &&
+        std::none_of(found.items().begin(), found.items().end(), known))
+      contacts[count++] =
+          strobe(contact_with(scene, self, jam.row, RadarMode::search, jam.noise, level),
+                 self.kinematics.position, radar.instrumented_range);
+  }
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 
 void track_target(const Scene& scene, Self& self) {
   const Radar& radar = *self.suite.radar;
-  const Antenna antenna = aim(radar, self.radar, self.kinematics);
-  const Detector detector(radar);
+  const Looking looking(scene, self);
   if (!self.radar.locked)
-    acquire(scene, self, antenna, detector);
+    acquire(scene, self, looking);
 
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
-  std::optional<double> signal_to_noise;
+  std::optional<double> signal_to_noise, jam;
   const auto row = self.radar.locked ? scene.world.row(scene.table, self.radar.locked)
                                      : std::optional<std::uint32_t>{};
   if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
-    if (within_gimbal(antenna, sight, norm2(sight)))
-      signal_to_noise = detected(scene, self, detector, *row);
+    if (within_gimbal(looking.antenna, sight, norm2(sight))) {
+      signal_to_noise = detected(scene, self, looking, *row);
+      jam = looking.jamming.strobe_of(*row);
+    }
   }
-  if (signal_to_noise) {
+  if (signal_to_noise || jam) {
     self.radar.lock_time = scene.time;
     const Axes level = level_axes(self.kinematics, self.kinematics.heading);
-    const Contact contact =
-        contact_with(scene, self, *row, RadarMode::track, *signal_to_noise, level);
+    Contact contact = contact_with(scene, self, *row, RadarMode::track,
+                                   signal_to_noise.value_or(jam.value_or(0)), level);
+    if (!signal_to_noise)
+      contact = strobe(contact, self.kinematics.position, radar.instrumented_range);
     track::update(self.tracks, self.context(scene.time), std::span(&contact, 1));
   } else if (scene.time - self.radar.lock_time > radar.lock_memory) {
     lose_lock(scene, self);
   }
 }
 
+namespace {
+
+/// W/Hz that the jammer of an aircraft radiates.
+double jamming_of(const SensorSuite& suite, const RwrState& rwr) {
+  if (suite.jammer == nullptr)
+    return 0;
+  const auto tracks = [](const RwrWarning& w) { return w.kind != EmissionKind::search; };
+  const auto end = rwr.warnings.begin() + rwr.count;
+  if (suite.jammer->when_tracked && std::none_of(rwr.warnings.begin(), end, tracks))
+    return 0;
+  return suite.jammer->density();
+}
+
+}  // namespace
+
 Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
-                 const TrackFile& tracks) {
+                 const TrackFile& tracks, const RwrState& rwr) {
   const SensorSuite& suite = scene.suite(row);
   const Kinematics& own = scene.kinematics[row];
   Emission emission;
@@ -177,6 +266,7 @@ Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
   emission.boresight = own.north;
   emission.type = suite.radar_index;
   emission.side = scene.fit[row].side;
+  emission.jamming = jamming_of(suite, rwr);
   if (suite.radar == nullptr || state.mode == RadarMode::off)
     return emission;
 

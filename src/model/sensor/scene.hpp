@@ -50,6 +50,7 @@ struct SensorSuite {
   const Visual* visual = nullptr;
   const Iff* iff = nullptr;
   const datalink::Datalink* datalink = nullptr;
+  const Jammer* jammer = nullptr;
   const track::Tracker* tracker = nullptr;  ///< always there
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
   std::uint32_t scan_steps = 1, track_steps = 1, rwr_steps = 1, seeker_steps = 1;
@@ -128,9 +129,9 @@ void read_datalink(const Scene& scene, Self& self);
 /// The truth instead of all of the above, for privileged players.
 void perceive_truth(const Scene& scene, Self& self);
 
-/// What the radar radiates now; an emission of no kind if it is silent.
+/// What the radar and the jammer radiate now; an emission of no kind if the radar is silent.
 [[nodiscard]] Emission radiate(const Scene& scene, std::size_t row, const RadarState& radar,
-                               const TrackFile& tracks);
+                               const TrackFile& tracks, const RwrState& rwr);
 
 /// Tells that a missile was perceived for the first time.
 void tell_missile(const Self& self, const Sighting& sighting);

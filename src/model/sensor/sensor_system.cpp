@@ -31,6 +31,7 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   suite.visual = chosen(library.visuals, index.visual);
   suite.iff = chosen(library.iffs, index.iff);
   suite.datalink = chosen(library.datalinks, index.datalink);
+  suite.jammer = chosen(library.jammers, index.jammer);
   suite.tracker = index.tracker ? &library.trackers[*index.tracker] : &kPlainTracker;
 
   const auto steps = [dt](double rate) { return sim::period_steps(rate, dt).steps; };
@@ -186,6 +187,7 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
   const auto request = std::as_const(world).rows(aircraft_.request);
   const auto radar = std::as_const(world).rows(aircraft_.radar);
   const auto tracks = std::as_const(world).rows(aircraft_.tracks);
+  const auto rwr = std::as_const(world).rows(aircraft_.rwr);
   const auto propulsion = std::as_const(world).rows(aircraft_.propulsion);
   const auto emission = world.rows(aircraft_.emission);
   const auto sent = world.rows(aircraft_.sent);
@@ -194,7 +196,7 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
     const PlayerId id = all.ids[i];
     const SensorSuite& suite = all.suite(i);
     if (due(all.step, id, suite.upkeep_steps))
-      emission[i] = radiate(all, i, radar[i], tracks[i]);
+      emission[i] = radiate(all, i, radar[i], tracks[i], rwr[i]);
 
     if (suite.datalink == nullptr || !due(all.step, id, suite.datalink_steps))
       continue;

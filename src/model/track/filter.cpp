@@ -98,6 +98,16 @@ void stamp(Track& track, const Contact& contact, double time) {
     ++track.hits;
 }
 
+/// Variance of a contact across its line, where a mode is: a bearing alone is as wide there as the
+/// mode is far.
+double across_variance(const Mode& mode, const Contact& contact) {
+  if (!contact.bearing_only)
+    return contact.sigma_across * contact.sigma_across;
+  const Vec3 sensor = contact.position - contact.range * contact.line;
+  const double angle = contact.sigma_across / contact.range;
+  return angle * angle * norm2(mode.position - sensor);
+}
+
 /// How far a contact is from where a mode expects it.
 struct Residual {
   Vec3 along, across;  ///< m
@@ -107,7 +117,7 @@ struct Residual {
 };
 Residual residual_of(const Mode& mode, const Contact& contact) {
   const double along_total = mode.along.position + contact.sigma_along * contact.sigma_along;
-  const double across_total = mode.across.position + contact.sigma_across * contact.sigma_across;
+  const double across_total = mode.across.position + across_variance(mode, contact);
   const Vec3 apart = contact.position - mode.position;
   const double ahead = dot(apart, contact.line);
   Residual r{.along = ahead * contact.line};
@@ -129,7 +139,7 @@ Residual residual_of(const Mode& mode, const Contact& contact) {
 Surprise update(Mode& mode, const Contact& contact) {
   const Residual r = residual_of(mode, contact);
   const Gains a = update_position(mode.along, contact.sigma_along * contact.sigma_along);
-  const Gains b = update_position(mode.across, contact.sigma_across * contact.sigma_across);
+  const Gains b = update_position(mode.across, across_variance(mode, contact));
   mode.position += a.position * r.along + b.position * r.across;
   mode.velocity += a.velocity * r.along + b.velocity * r.across;
   mode.acceleration += a.acceleration * r.along + b.acceleration * r.across;

@@ -12,6 +12,7 @@ TargetScene TargetScene::of(const sim::World& world, const AircraftColumns& colu
           .fit = world.rows(columns.fit),
           .propulsion = world.rows(columns.propulsion),
           .decoys = world.rows(columns.decoys),
+          .emission = world.rows(columns.emission),
           .library = library};
 }
 
@@ -27,12 +28,20 @@ double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& dire
 std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
                                 const TargetScene& scene, std::uint32_t row) {
   const Kinematics& target = scene.kinematics[row];
-  const LineOfSight los =
-      line_of_sight(target.position - view.position, target.velocity - view.velocity);
-  const double signature = scene.signature(seeker.kind, row, los.direction);
-  if (!visible(seeker, view, los, target.velocity, signature))
-    return std::nullopt;
-  return Detected{.row = row, .id = scene.ids[row], .los = los};
+  const Vec3 apart = target.position - view.position;
+  const LineOfSight los = line_of_sight(apart, target.velocity - view.velocity);
+  Detected seen{.row = row, .id = scene.ids[row], .los = los};
+  const double noise =
+      seeker.kind == SeekerKind::radar && !scene.emission.empty()
+          ? jamming_to_noise(scene.emission[row].jamming, seeker.field_of_view, norm2(apart))
+          : 0;
+  // range goes with the fourth root of echo over noise
+  const double signature = scene.signature(seeker.kind, row, los.direction) / (1 + noise);
+  if (visible(seeker, view, los, target.velocity, signature))
+    return seen;
+  // a jammer shines as far as one likes, and has no notch
+  seen.on_jam = noise > kStrobe && visible(seeker, view, los, 1e6 * los.direction, 1e12);
+  return seen.on_jam ? std::optional(seen) : std::nullopt;
 }
 
 std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
@@ -79,6 +88,19 @@ SearchVolume search_volume(const MissileType& type, const Kinematics& k, double 
   return {.direction = normalized(place - k.position, state.sight), .place = place};
 }
 
+/// One look at what is seen. Range and closing speed of a jammer stay what was believed of it.
+SeekerLook measured(const SeekerType& seeker, const SeekerView& view, const Detected& seen,
+                    double time, Draw noise, const MissileState& state) {
+  SeekerLook look = measure(seeker, view, seen.los, noise);
+  if (seen.on_jam) {
+    const LineOfSight believed = line_of_sight(believed_position(state, time) - view.position,
+                                               state.target_velocity - view.velocity);
+    look.range = believed.range;
+    look.closing = std::max(believed.closing, 0.0);
+  }
+  return look;
+}
+
 }  // namespace
 
 Vec3 believed_position(const MissileState& state, double time) {
@@ -107,7 +129,7 @@ std::optional<Detected> look(const MissileType& type, const Kinematics& k, doubl
     if (row != scene.ids.end() && *row == state.seen)
       if (const auto seen =
               look_at(seeker, view, scene, static_cast<std::uint32_t>(row - scene.ids.begin()))) {
-        follow(seeker, view, measure(seeker, view, seen->los, noise), time, state);
+        follow(seeker, view, measured(seeker, view, *seen, time, noise, state), time, state);
         return std::nullopt;
       }
     state.locked = 0;
@@ -122,7 +144,7 @@ std::optional<Detected> look(const MissileType& type, const Kinematics& k, doubl
                                  : line_of_sight(believed_position(state, time) - k.position,
                                                  state.target_velocity - k.velocity)
                                        .rate;
-  const SeekerLook first = measure(seeker, view, seen->los, noise);
+  const SeekerLook first = measured(seeker, view, *seen, time, noise, state);
   start_following(state, first, expected_rate, time);
   follow(seeker, view, first, time, state);
   state.locked = 1;

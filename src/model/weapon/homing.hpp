@@ -19,6 +19,7 @@ struct TargetScene {
   std::span<const Fit> fit;
   std::span<const flight::Propulsion> propulsion;
   std::span<const Decoys> decoys;
+  std::span<const Emission> emission;
   const Library& library;
 
   [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
@@ -42,9 +43,11 @@ struct Detected {
   std::uint32_t row = 0;  ///< of the aircraft table
   PlayerId id;
   LineOfSight los;
+  bool on_jam = false;  ///< by its jamming: a direction, and no more
 };
 
-/// Whether the seeker can rest on aircraft `row`, and how it sees it then.
+/// Whether the seeker can rest on aircraft `row`, and how it sees it then: by its echo, by its
+/// heat, or, where that drowns in its jamming, a radar by the jamming (home on jam).
 [[nodiscard]] std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
                                               const TargetScene& scene, std::uint32_t row);
 

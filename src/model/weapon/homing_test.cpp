@@ -56,6 +56,41 @@ TEST_F(Homing, TakesTheCandidateNearestToTheExpectedPlaceFriendOrFoe) {
   EXPECT_EQ(m.state.seen, friendly);
 }
 
+TEST_F(Homing, HomesOnTheJammingWhereTheEchoDrownsInItAndKeepsTheBelievedRange) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy = range.add({9000, 400, -8100}, kPi, 250, Side::red);
+  Track track = track_of(enemy);
+  track.position = {11e3, 400, -8100};  // 2 km too far
+  Emission& emission = range.row(range.aircraft().emission, enemy);
+  for (const double density : {0.0, 1e3 / 500e6}) {
+    emission.jamming = density;
+    Missile m = missile(range, kMedium, track);
+    const auto seen = look_once(m);
+    ASSERT_TRUE(seen) << density;
+    EXPECT_EQ(seen->on_jam, density > 0);
+    const Vec3 direction = normalized(Vec3{9000, 400, -100}, {});
+    EXPECT_LT(norm(m.state.sight - direction), 0.01);
+    const double believed = norm(m.state.target_position - m.k.position);
+    EXPECT_NEAR(believed, density > 0 ? 11e3 : 9e3, 100);
+  }
+  // weak jamming is burnt through
+  emission.jamming = 1e-12;
+  Missile m = missile(range, kMedium, track);
+  ASSERT_TRUE(look_once(m));
+  EXPECT_NEAR(norm(m.state.target_position - m.k.position), 9e3, 100);
+}
+
+TEST_F(Homing, OnJammingHasNoNotch) {
+  range.add({0, 0, -8000}, 0, 250);
+  const PlayerId enemy =
+      range.add({6000, 0, -6000}, kPi / 2, 250, Side::red);  // on the beam, below
+  Missile m = missile(range, kMedium, track_of(enemy));
+  EXPECT_FALSE(look_once(m)) << "clutter hides it";
+  range.row(range.aircraft().emission, enemy).jamming = 1e3 / 500e6;
+  Missile again = missile(range, kMedium, track_of(enemy));
+  EXPECT_TRUE(look_once(again));
+}
+
 TEST_F(Homing, KeepsWhomItRestsOn) {
   range.add({0, 0, -8000}, 0, 250);
   const PlayerId enemy = range.add({9000, 0, -8050}, kPi, 250, Side::red);
