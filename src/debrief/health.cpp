@@ -177,11 +177,11 @@ class Meter final : public sim::Observer {
     const auto ids = world.ids(s_.aircraft.table);
     return std::any_of(ids.begin(), ids.end(), [&](PlayerId id) { return enemies(of, id); });
   }
-  /// Whether the seeker of a missile rests on somebody now, whomever it was shot at.
+  /// Whether somebody is whom the seeker of a missile saw last, whomever it was shot at: it rests
+  /// on him, or looks for him where he must be.
   [[nodiscard]] bool seeks(const sim::World& world, PlayerId missile, PlayerId whom) const {
     const auto row = world.row(s_.missiles.table, missile);
-    return row && world.rows(s_.missiles.state)[*row].locked != 0 &&
-           world.rows(s_.missiles.state)[*row].seen == whom;
+    return row && world.rows(s_.missiles.state)[*row].seen == whom;
   }
   /// Whether an eye of his flight saw a living enemy in the last 5 s.
   [[nodiscard]] bool sees_enemy(const sim::World& world, PlayerId who) const {

@@ -32,6 +32,7 @@ struct Agent {
 
   double bingo = 0;                  ///< kg, fuel at which he goes home; set at birth
   double target_since = 0;           ///< s, when he took `target`
+  double contested_since = 0;        ///< s, a better-ranked mate is on `target`; 0: none is
   std::uint64_t decided = 0;         ///< step of the last decision
   std::array<Shot, kShots> shots{};  ///< the last ones
   TrackId target{};                  ///< whom he attacks; none: nobody
@@ -51,12 +52,12 @@ struct Agent {
   static constexpr auto fields() {
     return field_list(
         field("bingo", &Agent::bingo, "kg"), field("target_since", &Agent::target_since, "s"),
-        field("decided", &Agent::decided), field("shots", &Agent::shots),
-        field("target", &Agent::target), field("asked_track", &Agent::asked_track),
-        field("committed", &Agent::committed), field("lead", &Agent::lead),
-        field("asked_store", &Agent::asked_store), field("ticks", &Agent::ticks),
-        field("vote", &Agent::vote), field("call", &Agent::call), field("tree", &Agent::tree),
-        field("node", &Agent::node), field("phase", &Agent::phase),
+        field("contested_since", &Agent::contested_since, "s"), field("decided", &Agent::decided),
+        field("shots", &Agent::shots), field("target", &Agent::target),
+        field("asked_track", &Agent::asked_track), field("committed", &Agent::committed),
+        field("lead", &Agent::lead), field("asked_store", &Agent::asked_store),
+        field("ticks", &Agent::ticks), field("vote", &Agent::vote), field("call", &Agent::call),
+        field("tree", &Agent::tree), field("node", &Agent::node), field("phase", &Agent::phase),
         field("missiles", &Agent::missiles), field("said_bingo", &Agent::said_bingo));
   }
 

@@ -76,6 +76,10 @@ void execute(const Action& action, const State& state, model::Command& command,
     agent.target = wanted;
     agent.target_since = state.time;
   }
+  if (!state.contested)
+    agent.contested_since = 0;
+  else if (agent.contested_since == 0)
+    agent.contested_since = state.time;
   const bool silent = action.radar ? !*action.radar : request.radar_off != 0;
   request = {.target = agent.target,
              .trigger = static_cast<std::uint8_t>(action.trigger.value_or(false)),

@@ -8,27 +8,68 @@ bool same_place(const Seen& a, const Seen& b) {
   return norm2(a.ned - b.ned) <= kSamePlace * kSamePlace;
 }
 
-/// The hostile tracks that better-ranked mates, believed alive, have as their targets.
+/// Who of the better-ranked mates, believed alive, is after which hostile track.
 class Taken {
  public:
-  explicit Taken(const State& s) : better_(s.alive & ((1U << s.datalink.self) - 1)) {
-    for (const Seen& seen : s.tracks_seen())
-      if ((seen.track->targeted_by & better_) != 0 && seen.hostile())
-        tracks_[count_++] = &seen;
+  explicit Taken(const State& s) : s_(s), better_(s.alive & ((1U << s.datalink.self) - 1)) {
+    for (std::uint32_t k = 0; k < s.seen_count; ++k)
+      if (s.seen[k].hostile() && (s.seen[k].track->targeted_by & better_) != 0)
+        take(k, s.seen[k].track->targeted_by & better_);
   }
-  /// How many of them are after a track, or after what may be the same aircraft.
-  [[nodiscard]] int by(const Seen& hostile) const {
-    std::uint32_t members = 0;
+  /// Whoever has not said yet whom he takes will take one by the rule that holds for all.
+  void reckon() {
+    std::uint32_t said = 0;
     for (std::size_t i = 0; i < count_; ++i)
-      if (same_place(*tracks_[i], hostile))
-        members |= tracks_[i]->track->targeted_by;
-    return std::popcount(members & better_);
+      said |= members_[i];
+    for (std::uint32_t i = 0; i < s_.datalink.self; ++i) {
+      const model::Mate& mate = s_.datalink.members[i];
+      if ((better_ & ~said & 1U << i) == 0 || !mate.reported)
+        continue;
+      const Vec3 apart = to_ned(s_.own, position_at(mate, s_.time) - s_.own.position);
+      if (const auto k = choose(i, [&](const Seen& seen) { return norm(seen.ned - apart); });
+          k >= 0)
+        take(static_cast<std::uint32_t>(k), 1U << i);
+    }
+  }
+  /// The hostile that fewest of those who rank before `member` are after, the nearest of these.
+  template <typename Range>
+  [[nodiscard]] std::int32_t choose(std::uint32_t member, const Range& range_of) const {
+    std::int32_t best = -1;
+    int best_taken = 0;
+    double best_range = 0;
+    for (std::uint32_t k = 0; k < s_.seen_count; ++k) {
+      if (!s_.seen[k].hostile())
+        continue;
+      const int taken = by((1U << member) - 1, s_.seen[k]);
+      const double range = range_of(s_.seen[k]);
+      if (best < 0 || taken < best_taken || (taken == best_taken && range < best_range)) {
+        best = static_cast<std::int32_t>(k);
+        best_taken = taken;
+        best_range = range;
+      }
+    }
+    return best;
+  }
+
+  /// How many of these are after a track, or after what may be the same aircraft.
+  [[nodiscard]] int by(std::uint32_t members, const Seen& hostile) const {
+    std::uint32_t after = 0;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (same_place(s_.seen[tracks_[i]], hostile))
+        after |= members_[i];
+    return std::popcount(after & members);
   }
 
  private:
+  void take(std::uint32_t track, std::uint32_t members) {
+    tracks_[count_] = track;
+    members_[count_++] = members;
+  }
+
+  const State& s_;
   std::uint32_t better_;
   std::size_t count_ = 0;
-  std::array<const Seen*, model::kMaxTracks> tracks_;
+  std::array<std::uint32_t, model::kMaxTracks + model::kMaxFlight> tracks_, members_;
 };
 
 }  // namespace
@@ -53,29 +94,27 @@ Claims claims_on(const State& s, const Seen& hostile) {
   return claims;
 }
 
-std::int32_t choose_target(const State& s) {
-  if (const Seen* held = s.find(s.agent.target); held && held->hostile()) {
+Choice choose_target(const State& s) {
+  const Seen* held = s.find(s.agent.target);
+  if (held && !held->hostile())
+    held = nullptr;
+  const auto kept = [&] { return static_cast<std::int32_t>(held - s.seen.data()); };
+  if (held) {
     const double hold = std::clamp(held->range / kHoldSpeed, kLeastHold, kMostHold);
     if (s.time - s.agent.target_since < hold || s.agent.flying_at(held->id(), s.time) > 0)
-      return static_cast<std::int32_t>(held - s.seen.data());
+      return {.index = kept()};
   }
-  const Taken taken_tracks(s);
-  std::int32_t best = -1;
-  int best_taken = 0;
-  double best_range = 0;
-  for (std::uint32_t i = 0; i < s.seen_count; ++i) {
-    const Seen& seen = s.seen[i];
-    if (!seen.hostile())
-      continue;
-    const int taken = taken_tracks.by(seen);
-    const double range = seen.id() == s.agent.target ? seen.range * kSwitchShare : seen.range;
-    if (best < 0 || taken < best_taken || (taken == best_taken && range < best_range)) {
-      best = static_cast<std::int32_t>(i);
-      best_taken = taken;
-      best_range = range;
-    }
-  }
-  return best;
+  Taken taken(s);
+  if (!held)
+    taken.reckon();
+  const std::uint32_t self = s.datalink.self;
+  const bool contested = held && taken.by((1U << self) - 1, *held) > 0;
+  if (contested && (s.agent.contested_since == 0 || s.time - s.agent.contested_since < kBelieved))
+    return {.index = kept(), .contested = true};
+  const std::int32_t best = taken.choose(self, [&](const Seen& seen) {
+    return &seen == held ? seen.range * kSwitchShare : seen.range;
+  });
+  return {.index = best, .contested = contested};
 }
 
 bool shoots_first(const State& s, const Seen& target) {

@@ -14,6 +14,10 @@ inline constexpr double kHoldSpeed = 1000;  ///< m/s, range over hold
 inline constexpr double kLeastHold = 2;     ///< s
 inline constexpr double kMostHold = 30;     ///< s
 
+/// s. A mate's claim on the own target counts after so long: of aircraft abreast at long range what
+/// he says may fall on the neighbor of whom he means, until his next words.
+inline constexpr double kBelieved = 5;
+
 /// m. Two hostile tracks nearer to each other than this may be one aircraft that is tracked twice:
 /// what is said of one is then taken to be said of both.
 inline constexpr double kSamePlace = si(0.5, "nmi");
@@ -32,10 +36,16 @@ struct Claims {
 ///
 /// Every member takes the nearest hostile that fewest better-ranked members, believed alive, say
 /// is their target; so each has his own as long as there are enough, and then they double up
-/// evenly. The target of before stays for a while (kHoldSpeed) and while an own missile is on its
-/// way to it, and then unless another one is less taken or half as far. Ties go to the older track.
-/// All that is known of the mates' targets came over the datalink.
-[[nodiscard]] std::int32_t choose_target(const State& state);
+/// evenly. Whoever takes one anew reckons that a mate who has not said whom he takes will do so by
+/// the same rule from where he is: the word comes a second late. The target of before stays for a
+/// while (kHoldSpeed) and while an own missile is on its way to it, and then unless another one is
+/// less taken, for a while (kBelieved), or half as far. Ties go to the older track. All that is
+/// known of the mates and their targets came over the datalink.
+struct Choice {
+  std::int32_t index = -1;
+  bool contested = false;  ///< a better-ranked mate is said to be on the target of before
+};
+[[nodiscard]] Choice choose_target(const State& state);
 
 /// Whether this pilot is the one to shoot first at his target: no mate who is believed alive, has
 /// the same target and has no missile on its way to anybody is nearer to it. Of two at the

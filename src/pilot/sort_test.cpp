@@ -57,6 +57,7 @@ TEST(Sort, KeepsAFreshTargetForAWhileWhateverTheMatesSay) {
   see_at(s, 50e3, 0).targeted_by = 0b01;
   see_at(s, 60e3, 0.2);
   s.agent.target = TrackId{1};
+  s.agent.contested_since = s.time - 40;
   s.agent.target_since = s.time - 29;
   EXPECT_EQ(target(s), TrackId{1});
   s.agent.target_since = s.time - 31;
@@ -74,6 +75,7 @@ TEST(Sort, KeepsAFreshTargetForAWhileWhateverTheMatesSay) {
 TEST(Sort, DoesNotGiveWayToAWorseRankOrToTheDead) {
   Desk s;
   s.in_flight(3, 2);
+  s.datalink.members[0].reported = 0;  // nobody knows where he is and whom he would take
   see_at(s, 20e3, 0).targeted_by = 0b100;
   see_at(s, 30e3, 0.2);
   EXPECT_EQ(target(s), TrackId{1});
@@ -91,6 +93,38 @@ TEST(Sort, DoublesUpWhenThereAreFewerTargets) {
   s.in_flight(4, 4);
   s.tracks.tracks[0].targeted_by = 0b101;
   EXPECT_EQ(target(s), TrackId{2});
+}
+
+TEST(Sort, ReckonsWithWhomAMateWillTakeWhoHasNotSaidYet) {
+  Desk s;
+  s.in_flight(3, 3);
+  s.datalink.members[0].position = s.own.position + Vec3{0, -2e3, 0};
+  s.datalink.members[1].position = s.own.position + Vec3{0, 2e3, 0};
+  s.datalink.members[0].reported = s.datalink.members[1].reported = 1;
+  s.track({20e3, -1e3, 0});
+  s.track({20e3, 0, 0});
+  s.track({20e3, 3e3, 0});
+  EXPECT_EQ(target(s), TrackId{2}) << "the first takes the left one, the second the right one";
+  s.tracks.tracks[1].targeted_by = 0b01;
+  EXPECT_EQ(target(s), TrackId{1}) << "what he says counts more";
+  s.agent.target = TrackId{3};
+  EXPECT_EQ(target(s), TrackId{3}) << "who has a target waits for the word";
+}
+
+TEST(Sort, GivesATargetUpWhenAMateSaysForAWhileThatItIsHis) {
+  Desk s;
+  s.in_flight(2, 2);
+  see_at(s, 20e3, 0).targeted_by = 0b01;
+  see_at(s, 22e3, 0.2);
+  s.agent.target = TrackId{1};
+  EXPECT_EQ(target(s), TrackId{1});
+  EXPECT_TRUE(s.state().contested);
+  s.agent.contested_since = s.time - kBelieved + 0.1;
+  EXPECT_EQ(target(s), TrackId{1});
+  s.agent.contested_since = s.time - kBelieved;
+  EXPECT_EQ(target(s), TrackId{2});
+  s.tracks.tracks[0].targeted_by = 0;
+  EXPECT_FALSE(s.state().contested) << "he meant another one";
 }
 
 TEST(Sort, KeepsItsTargetUntilAnotherIsClearlyNearer) {
@@ -138,6 +172,7 @@ RC_GTEST_PROP(SortLaw, SettlesAndSharesEvenly, ()) {
       if (chosen[i])
         s.tracks.tracks[chosen[i].value - 1].targeted_by |= static_cast<std::uint8_t>(1U << i);
     s.agent.target = chosen[member];
+    s.agent.contested_since = s.time - kBelieved;
     return target(s);
   };
   for (int round = 0; round < 6; ++round)

@@ -50,7 +50,9 @@ State::State(const Cockpit& cockpit, const model::Library& models, const model::
     seen[i].range = norm(offset);
   }
   count_flight(*this, fit);
-  target_index = choose_target(*this);
+  const Choice choice = choose_target(*this);
+  target_index = choice.index;
+  contested = choice.contested;
 }
 
 const Seen* State::find(TrackId id) const {

@@ -66,6 +66,7 @@ struct State : Cockpit {
   std::uint32_t alive = 0;  ///< bit i: member i is believed alive
   std::uint32_t seen_count = 0;
   std::int32_t target_index = -1;            ///< into seen; negative: nobody
+  bool contested = false;                    ///< a better-ranked mate is on agent.target
   Vec3 velocity_ned;                         ///< m/s over the ground
   std::array<Seen, model::kMaxTracks> seen;  ///< the first seen_count are set
 

@@ -91,7 +91,7 @@ void filter_level(RwrWarning& known, const RwrWarning& look) {
 }  // namespace
 
 std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
-  constexpr double kTolerated = 0.15;
+  constexpr double kTolerated = 0.1;
   constexpr double kNepersPerDecibel = 0.1151292546497023;  // ln(10) / 20
   const double n = std::min<int>(warning.looks, kRememberedLooks);
   if (warning.kind != EmissionKind::missile_seeker || n < 3 || warning.faintness_rate >= 0)
