@@ -59,10 +59,10 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
   EXPECT_TRUE(has(ran.out, R"(\nworld hash 0x[0-9a-f]{16} after \d+ steps\n)"));
   EXPECT_TRUE(has(ran.out, R"(\n\d+ s flown in \d+\.\d+ s, \d+ x real time\n)"));
   EXPECT_TRUE(ran.out.ends_with(
-      "written to runs/sweep-9: run.eyrie, events.csv, flight.acmi, debrief.html\n"));
+      "written to runs/sweep-1: run.eyrie, events.csv, flight.acmi, debrief.html\n"));
   EXPECT_EQ(folder.everything(),
-            (Names{"runs", "runs/sweep-9", "runs/sweep-9/debrief.html", "runs/sweep-9/events.csv",
-                   "runs/sweep-9/flight.acmi", "runs/sweep-9/run.eyrie"}));
+            (Names{"runs", "runs/sweep-1", "runs/sweep-1/debrief.html", "runs/sweep-1/events.csv",
+                   "runs/sweep-1/flight.acmi", "runs/sweep-1/run.eyrie"}));
 }
 
 TEST(FlyQuiet, TellsOnlyHowItEnded) {

@@ -9,10 +9,18 @@
 namespace eyrie::pilot {
 namespace {
 
+/// How much of the target's velocity is believed, 0 to 1: half when it is known to a fifth of the
+/// own speed. Who leads a target of unknown velocity turns with every look.
+double trust(const State& s, const Seen& target) {
+  const double unsure = 5 * static_cast<double>(target.track->velocity_sigma);
+  return s.own.speed * s.own.speed / (s.own.speed * s.own.speed + unsure * unsure);
+}
+
 /// Where to fly through the air to meet the target (NED, any length): the collision course at the
-/// present airspeed; straight at it if there is none. The target drifts with the same wind.
+/// present airspeed with as much of his velocity as is known; straight at it if there is none. The
+/// target drifts with the same wind.
 Vec3 collision_course(const State& s, const Seen& target) {
-  const Vec3 through_air = s.velocity_of(target) - s.wind();
+  const Vec3 through_air = trust(s, target) * (s.velocity_of(target) - s.wind());
   const auto time = time_to_meet(target.ned, through_air, s.own.speed);
   return time ? target.ned + *time * through_air : target.ned;
 }

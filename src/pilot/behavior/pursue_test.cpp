@@ -136,5 +136,16 @@ RC_GTEST_PROP(Pursue, MeetsATargetThatKeepsItsCourse, ()) {
   RC_ASSERT(norm(there - (seen.ned + *time * state.velocity_of(seen))) < 1e-6 * (1 + norm(there)));
 }
 
+TEST(Pursue, LeadsATargetAsFarAsItsVelocityIsKnown) {
+  Desk desk;
+  desk.track({40e3, 0, 0}, kPi / 2, 200);  // crosses to the right
+  const double known = *decide("pursue", desk).action().heading;
+  EXPECT_NEAR(std::sin(known), 200.0 / 250, 1e-3);
+  desk.tracks.tracks[0].velocity_sigma = 50;  // a fifth of the own speed
+  EXPECT_NEAR(std::sin(*decide("pursue", desk).action().heading), 100.0 / 250, 1e-3);
+  desk.tracks.tracks[0].velocity_sigma = 1000;
+  EXPECT_NEAR(*decide("pursue", desk).action().heading, 0, 0.01);
+}
+
 }  // namespace
 }  // namespace eyrie::pilot
