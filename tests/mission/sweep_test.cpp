@@ -103,7 +103,7 @@ bool fights_within_sight_and_beyond(Flight& f) {
 std::string first_fought_seed() {
   for (std::uint64_t seed = 1; seed <= 200; ++seed)
     if (Flight f(load_scenario("sweep"), seed); fights_within_sight_and_beyond(f))
-      return "scenarios/sweep.yaml, README.md and fly_test.cpp want seed " + std::to_string(seed);
+      return "scenarios/sweep.yaml and README.md want seed " + std::to_string(seed);
   return "no seed up to 200 does";
 }
 

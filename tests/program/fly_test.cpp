@@ -58,11 +58,14 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
   EXPECT_TRUE(has(ran.out, R"(\nblue is home, \d of 4; losses: blue \d, red \d\n)"));
   EXPECT_TRUE(has(ran.out, R"(\nworld hash 0x[0-9a-f]{16} after \d+ steps\n)"));
   EXPECT_TRUE(has(ran.out, R"(\n\d+ s flown in \d+\.\d+ s, \d+ x real time\n)"));
-  EXPECT_TRUE(ran.out.ends_with(
-      "written to runs/sweep-1: run.eyrie, events.csv, flight.acmi, debrief.html\n"));
+  std::smatch seed;
+  ASSERT_TRUE(std::regex_search(ran.out, seed, std::regex(R"(\bseed (\d+),)")));
+  const std::string place = "runs/sweep-" + seed[1].str();
+  EXPECT_TRUE(ran.out.ends_with("written to " + place +
+                                ": run.eyrie, events.csv, flight.acmi, debrief.html\n"));
   EXPECT_EQ(folder.everything(),
-            (Names{"runs", "runs/sweep-1", "runs/sweep-1/debrief.html", "runs/sweep-1/events.csv",
-                   "runs/sweep-1/flight.acmi", "runs/sweep-1/run.eyrie"}));
+            (Names{"runs", place, place + "/debrief.html", place + "/events.csv",
+                   place + "/flight.acmi", place + "/run.eyrie"}));
 }
 
 TEST(FlyQuiet, TellsOnlyHowItEnded) {
