@@ -83,27 +83,10 @@ const model::RwrWarning* scanned(const State& s) {
     for (const Seen& seen : s.tracks_seen())
       if (seen.hostile() &&
           std::fabs(angle_between(bearing_of(seen.ned), warning.bearing)) <= kSameBearing &&
-          seen.range <= zone_of(s, seen).r_max)
+          seen.range <= s.reach_of(seen).r_max)
         return &warning;
   }
   return nullptr;
-}
-
-model::weapon::EmploymentZone zone_of(const State& s, const Seen& hostile) {
-  const auto situation =
-      model::weapon::launch_situation({position_at(*hostile.track, s.time), hostile.track->velocity,
-                                       altitude_of(s.own, hostile.ned)},
-                                      {s.own.position, s.own.velocity, s.own.altitude});
-  model::weapon::EmploymentZone worst;
-  for (std::size_t i = 0; i < s.library.missiles.size(); ++i) {
-    const model::MissileType& type = s.library.missiles[i];
-    if (type.locks_before_launch())
-      continue;
-    const auto zone = type.zone.at(situation);
-    if (zone.r_max > worst.r_max)
-      worst = zone;
-  }
-  return worst;
 }
 
 std::optional<Exposure> exposure(const State& s) {
@@ -111,10 +94,10 @@ std::optional<Exposure> exposure(const State& s) {
   for (const Seen& seen : s.tracks_seen()) {
     if (!seen.hostile())
       continue;
-    const auto zone = zone_of(s, seen);
-    if (zone.r_ne <= 0)
+    const double r_ne = s.reach_of(seen).r_ne;
+    if (r_ne <= 0)
       continue;
-    const double ratio = seen.range / zone.r_ne;
+    const double ratio = seen.range / r_ne;
     if (!worst || ratio < worst->ratio)
       worst = Exposure{&seen, ratio};
   }

@@ -30,14 +30,10 @@ inline constexpr double kMissileClosing = 1000;
 /// aircraft keeps its course, it is; null if there is none.
 [[nodiscard]] const model::RwrWarning* scanned(const State& state);
 
-/// From where a hostile, as he flies now, could hit this aircraft. Nobody knows what he carries: it
-/// is the farthest-reaching radar missile that the library knows.
-[[nodiscard]] model::weapon::EmploymentZone zone_of(const State& state, const Seen& hostile);
-
 /// The hostile who is deepest inside the range from which he can hit: range over r_ne is least.
 struct Exposure {
   const Seen* hostile = nullptr;
-  double ratio = 0;  ///< range over r_ne of his zone
+  double ratio = 0;  ///< range over r_ne of his reach
 };
 /// Nothing if no hostile is known who could hit at all.
 [[nodiscard]] std::optional<Exposure> exposure(const State& state);

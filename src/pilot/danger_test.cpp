@@ -64,7 +64,7 @@ TEST(AbortRange, IsMeasuredInTheEnemysNoEscapeRange) {
   EXPECT_FALSE(holds("abort_range", desk)) << "nobody is there";
   const model::Track& track = desk.track({40e3, 0, 0});
   const State s = desk.state();
-  const auto zone = zone_of(s, s.tracks_seen()[0]);
+  const Reach zone = s.reach_of(s.tracks_seen()[0]);
   ASSERT_GT(zone.r_ne, 0);
   // the mirror image of the own zone against him: same type, same speed, same height
   const auto own = s.zone(kMedium, s.tracks_seen()[0]);

@@ -101,6 +101,28 @@ model::weapon::LaunchSituation State::launch_situation(const Seen& target) const
       {position_at(track, time), track.velocity, altitude_of(own, target.ned)});
 }
 
+const Reach& State::reach_of(const Seen& one) const {
+  static_assert(model::kMaxTracks <= 32);
+  const auto index = static_cast<std::size_t>(&one - seen.data());
+  Reach& worst = reaches_[index];
+  if ((reaches_found_ >> index & 1) != 0)
+    return worst;
+  reaches_found_ |= 1U << index;
+  worst = {};
+  const auto situation = model::weapon::launch_situation(
+      {position_at(*one.track, time), one.track->velocity, altitude_of(own, one.ned)},
+      {own.position, own.velocity, own.altitude});
+  for (std::size_t i = 0; i < library.missiles.size(); ++i) {
+    const model::MissileType& missile = library.missiles[i];
+    if (missile.locks_before_launch())
+      continue;
+    const model::weapon::EmploymentZone zone = missile.zone.at(situation);
+    if (zone.r_max > worst.r_max)
+      worst = {zone.r_max, zone.r_ne};
+  }
+  return worst;
+}
+
 double State::off_nose(const Vec3& ned) const {
   return angle_between(nose_of(own), ned);
 }

@@ -26,6 +26,11 @@ struct Seen {
   [[nodiscard]] TrackId id() const { return track->id; }
 };
 
+/// How far away somebody could hit this aircraft from, m.
+struct Reach {
+  double r_max, r_ne;
+};
+
 /// The rows of one aircraft that its pilot reads.
 struct Cockpit {
   const model::Kinematics& own;
@@ -111,6 +116,9 @@ struct State : Cockpit {
   [[nodiscard]] model::weapon::EmploymentZone zone(std::uint16_t store, const Seen& against) const {
     return library.missiles[store].zone.at(launch_situation(against));
   }
+  /// From where a track, as it flies now, could hit this aircraft. Nobody knows what it carries: it
+  /// is the farthest-reaching radar missile that the library knows. Found once a decision.
+  [[nodiscard]] const Reach& reach_of(const Seen& one) const;
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
   [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
@@ -118,6 +126,10 @@ struct State : Cockpit {
   /// The altitude to ask for (m) so that the autopilot's altitude hold flies a climb angle (rad):
   /// it turns an error of altitude into a climb rate by a time constant.
   [[nodiscard]] double altitude_for(double climb_angle) const;
+
+ private:
+  mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
+  mutable std::array<Reach, model::kMaxTracks> reaches_;
 };
 
 /// What is in a state, for debriefs.
