@@ -20,7 +20,7 @@ constexpr const char* kAbreast =
     "{winner_takes_all: [avoid_ground, break_turn, {egress: {vote: 1}}, follow_lead, navigate]}";
 /// What a pilot beyond visual range asks (scenarios/packages/pilots.yaml).
 constexpr const char* kAttack =
-    "{per_field: [{winner_takes_all: [avoid_ground, break_turn]}, {release_weapon: {zone: 0.5}}, "
+    "{per_field: [{winner_takes_all: [avoid_ground, break_turn]}, {release_weapon: {zone: 1}}, "
     "{pursue: {crank: 50 deg}}, follow_lead, navigate]}";
 
 /// The second of four, with so many hostiles 40 km ahead, in range of no missile.

@@ -111,9 +111,9 @@ std::vector<Measure> measures() {
       {"runs in which blue loses fewer", [](const Health& h) { return share(h.won[0], h.runs); }},
       {"runs in which red loses fewer", [](const Health& h) { return share(h.won[1], h.runs); }}};
   for (std::size_t i = 0; i < Health::kBins; ++i)
-    all.push_back({fmt::format("kills per shot at {:.1f} to {:.1f} of the zone",
-                               static_cast<double>(i) / Health::kBins,
-                               static_cast<double>(i + 1) / Health::kBins),
+    all.push_back({fmt::format("kills per shot from {:.1f} to {:.1f} no-escape ranges",
+                               static_cast<double>(i) * Health::kBin,
+                               static_cast<double>(i + 1) * Health::kBin),
                    [i, d](const Health& h) {
                      double shots = 0;
                      for (const auto& bin : h.by_zone)

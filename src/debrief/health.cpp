@@ -39,7 +39,7 @@ class Meter final : public sim::Observer {
     }
     for (const auto& [id, shot] : shots_)
       if (shot.zone >= 0) {
-        auto& bin = health_.by_zone[std::min(static_cast<std::size_t>(shot.zone * Health::kBins),
+        auto& bin = health_.by_zone[std::min(static_cast<std::size_t>(shot.zone / Health::kBin),
                                              Health::kBins - 1)];
         ++bin.shots;
         bin.kills += shot.killed;
@@ -56,7 +56,7 @@ class Meter final : public sim::Observer {
   };
   struct Shot {
     PlayerId shooter, target;
-    double zone = -1;  ///< 0 at r_min, 1 at r_max
+    double zone = -1;  ///< range at launch, in r_ne of the true situation
     bool killed = false;
   };
 
@@ -162,8 +162,8 @@ class Meter final : public sim::Observer {
         model::weapon::launch_situation({own->position, own->velocity, own->altitude},
                                         {target->position, target->velocity, target->altitude}));
     const double range = norm(target->position - own->position);
-    if (zone.possible())
-      shot.zone = std::clamp((range - zone.r_min) / (zone.r_max - zone.r_min), 0.0, 1.0);
+    if (zone.r_ne > 0)
+      shot.zone = range / zone.r_ne;
   }
   void entered(const sim::World& world, PlayerId who, std::string_view phase) {
     if (phase == "egress")

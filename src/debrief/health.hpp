@@ -33,6 +33,7 @@ class Steadiness {
 /// Sums over runs of one scenario: those of several runs are added. Angles in rad, times in s.
 struct Health {
   static constexpr std::size_t kBins = 10;
+  static constexpr double kBin = 0.2;  ///< no-escape ranges; the last one is open
   struct Bin {
     std::uint64_t shots = 0, kills = 0;
   };
@@ -45,7 +46,7 @@ struct Health {
   std::vector<float> pursuit_mach;  ///< of all pursuits, once a second
   // shots
   std::vector<float> launch_mach;
-  std::array<Bin, kBins> by_zone{};  ///< by range from r_min (0) to r_max (1) at launch
+  std::array<Bin, kBins> by_zone{};  ///< by range at launch over r_ne
   std::uint64_t missiles = 0, at_the_dead = 0, fratricides = 0;
   // pilots
   std::uint64_t engagements = 0;     ///< pilots who took a target at all

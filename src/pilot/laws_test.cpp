@@ -22,7 +22,7 @@ constexpr const char* kBehaviors[] = {"navigate",
                                       "{pursue: {mode: intercept, crank: 50 deg}}",
                                       "{pursue: {mode: follow}}",
                                       "{pursue: {mode: lead, overtake: 40 m/s}}",
-                                      "{release_weapon: {zone: 1, off_boresight: 2 rad}}",
+                                      "{release_weapon: {zone: 5, off_boresight: 2 rad}}",
                                       "{shoot_gun: {range: 5 km, tolerance: 0.5 rad}}",
                                       "break_turn",
                                       "egress",
@@ -199,7 +199,7 @@ RC_GTEST_PROP(ReleaseWeapon, LetsOneOfAFlightShootFirst, ()) {
       s.datalink.members[i].position = places[i];
     s.track(Vec3{35e3, 0, -8000} - s.own.position).targeted_by =
         static_cast<std::uint8_t>(((1U << count) - 1) & ~(1U << (rank - 1)));
-    shooters += decide("{release_weapon: {zone: 1, off_boresight: 1 rad}}", s).status != kFailure;
+    shooters += decide("{release_weapon: {zone: 5, off_boresight: 1 rad}}", s).status != kFailure;
   }
   RC_ASSERT(shooters == 1);
 }

@@ -22,7 +22,7 @@ const std::string kRoute = "navigate";
 /// Everything at once, in two phases, with memory in several nodes.
 const std::string kFight = R"({sequencer: {start: way, trees: {
   way: {winner_takes_all: [{break_turn: {}}, {follow_lead: {}}, {navigate: {}}]},
-  fight: {per_field: [{avoid_ground: {}}, {break_turn: {}}, {release_weapon: {zone: 0.6}},
+  fight: {per_field: [{avoid_ground: {}}, {break_turn: {}}, {release_weapon: {zone: 1.3}},
                       {shoot_gun: {}}, {pursue: {crank: 50 deg}}, {follow_lead: {}},
                       {navigate: {}}]}},
   transitions: [{from: way, to: fight, when: {hostile_track: {within: 30 nmi}}},
@@ -151,7 +151,7 @@ TEST(PilotSystem, LandsAndLeaves) {
 }
 
 TEST(PilotSystem, AsksForAReleaseForOneStepOnly) {
-  War war({"{release_weapon: {zone: 1}}"});
+  War war({"{release_weapon: {zone: 5}}"});
   war.add({0, 0, 8000}, 0, 0);
   while (war.world->next_id().value < 5)
     war.add({-300e3, 20e3 * war.world->next_id().value, 8000}, 0, kNoTree);

@@ -12,10 +12,6 @@ double time_of_flight(const State& state, const Seen& target, const model::Missi
   return std::min(target.range / closing, missile.greatest_time);
 }
 
-double kill_chance(const model::MissileType& missile, double depth) {
-  return missile.warhead.best_kill * std::clamp(1 - depth, 0.0, 1.0);
-}
-
 double f_pole(const State& state, const Seen& target, const model::MissileType& missile) {
   const double time = time_of_flight(state, target, missile);
   return norm(target.ned + time * (state.velocity_of(target) - state.velocity_ned));

@@ -12,11 +12,6 @@ namespace eyrie::pilot {
 [[nodiscard]] double time_of_flight(const State& state, const Seen& target,
                                     const model::MissileType& missile);
 
-/// The probability that a launch from this depth of the zone kills (EmploymentZone::depth), as a
-/// pilot reckons who does not know what the target will do: that of the warhead inside the
-/// no-escape range, half of it where turning away saves the target, nothing beyond r_max.
-[[nodiscard]] double kill_chance(const model::MissileType& missile, double depth);
-
 /// m, the F-pole: how far apart shooter and target will be when the missile arrives, if both keep
 /// their course.
 [[nodiscard]] double f_pole(const State& state, const Seen& target,

@@ -35,14 +35,5 @@ TEST(FPole, IsTheRangeLessWhatBothFly) {
   EXPECT_NEAR(f_pole(s, s.seen[0], missile), 30e3 - 450 * time, 1e-6);
 }
 
-TEST(KillChance, FallsFromTheNoEscapeRangeToTheGreatestRange) {
-  const model::MissileType& missile = library().missiles[kMedium];
-  EXPECT_EQ(kill_chance(missile, -0.5), missile.warhead.best_kill);
-  EXPECT_EQ(kill_chance(missile, 0), missile.warhead.best_kill);
-  EXPECT_NEAR(kill_chance(missile, 0.5), missile.warhead.best_kill / 2, 1e-12);
-  EXPECT_EQ(kill_chance(missile, 1), 0);
-  EXPECT_EQ(kill_chance(missile, 3), 0);
-}
-
 }  // namespace
 }  // namespace eyrie::pilot

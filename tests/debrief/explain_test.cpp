@@ -118,7 +118,7 @@ TEST(WhatIf, BranchesIntoTheSameEndWithoutAChange) {
   EXPECT_EQ(same.red.losses, flown.red.losses);
   EXPECT_EQ(same.blue.home, flown.blue.home);
   const auto fewer =
-      branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=-0.9"}),
+      branch(run, with_overrides(run, {"trees.bvr.per_field.release_weapon.zone=0.1"}),
              past_at(run, 20'000), limit_of(run, flown), problem);
   ASSERT_TRUE(fewer) << problem;
   const Outcome other = fewer->fly();

@@ -89,7 +89,7 @@ TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {
     return static_cast<double>(all.reversals) / all.pursued;
   };
   EXPECT_LT(
-      2 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
+      1.5 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
       steadiness({}));
 }
 

@@ -34,7 +34,7 @@ std::string crowd(int flights_per_side) {
   std::string text =
       "eyrie: 1\nname: crowd\nreference: {latitude: 33 deg, longitude: -68 deg}\nuntil: 5 s\n"
       "ends: time\ntrees:\n  attack:\n    per_field:\n"
-      "      - release_weapon: {vote: 60, zone: 1, one_shooter: false}\n"
+      "      - release_weapon: {vote: 60, zone: 5, one_shooter: false}\n"
       "      - pursue: {vote: 40}\n";
   for (const char* side : {"blue", "red"}) {
     const bool blue = side[0] == 'b';

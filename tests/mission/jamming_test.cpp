@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/units.hpp"
 #include "support/flight.hpp"
 
 namespace eyrie::test {
 namespace {
 
-/// s, when the eagles shoot for the first time, over some seeds, the middle one; and their kills.
+/// s, when the eagles shoot for the first time, over some seeds, the middle one; who never does is
+/// later than all. And their kills.
 std::pair<double, int> first_shot(const std::vector<std::string>& sets) {
   std::vector<double> times;
   int kills = 0;
   for (std::uint64_t seed = 1; seed <= 15; ++seed) {
     Flight f(load_scenario("jamming", sets), seed);
     f.mission.fly();
+    times.push_back(std::numeric_limits<double>::infinity());
     for (const Happened& h : f.log.of(EventKind::launch))
       if (f.scenario->roster.name(PlayerId{static_cast<std::uint32_t>(h.event.detail)})
               .starts_with("eagle")) {
-        times.push_back(h.time);
+        times.back() = h.time;
         break;
       }
     kills += static_cast<int>(f.tally.side(model::Side::blue).kills);
   }
-  if (times.size() < 8)
-    return {0, kills};
   std::sort(times.begin(), times.end());
   return {times[times.size() / 2], kills};
 }
@@ -57,7 +59,7 @@ TEST(Jamming, GivesDirectionsWithoutRangesUntilItIsBurntThrough) {
 TEST(Jamming, MakesThemShootLaterAndStillHit) {
   const auto [jammed, kills] = first_shot({});
   const double clear = first_shot({"data.aircraft.jamming_su27.jammer=null"}).first;
-  EXPECT_GT(clear, 0);
+  EXPECT_LT(clear, 1800) << "most of them shoot";
   EXPECT_GT(jammed, clear + 15);
   EXPECT_GT(kills, 0) << "missiles home on the jamming";
 }

@@ -322,7 +322,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
   const folder = scratch_folder();
 
   test('part where the program says, at one clock', async () => {
-    const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=0.3']);
+    const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=1']);
     const who = /^(\w+): (\w+) leads, and (\w+) in the other/.exec(parting.text);
     assert.ok(who, parting.text);
     const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });

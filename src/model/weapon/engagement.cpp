@@ -23,9 +23,9 @@ struct Target {
   double dive = 0;       ///< rad, wanted
   double angle = 0;      ///< rad, flown downwards
 
-  void move(double dt) {
+  void move(double dt, bool warned) {
     const Vec3 before = velocity;
-    if (turn_rate > 0) {
+    if (warned && turn_rate > 0) {
       turn(turn_rate * dt);
       const double wanted = -position.z > kDiveFloor ? dive : 0;
       angle += std::clamp(wanted - angle, -turn_rate * dt, turn_rate * dt);
@@ -81,6 +81,7 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
   const double cos_gimbal = math::cos(type.seeker.gimbal);
   Vec3 wanted;
   double age = 0, last_seen = 0;
+  bool warned = false;
   while (age < type.greatest_time) {
     const Vec3 apart = target.position - missile.position;
     const Vec3 drift = target.velocity - missile.velocity;
@@ -118,7 +119,8 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
       }
     }
     fly(type, atmosphere.at(-missile.position.z), {}, kDown, age, dt, wanted, missile);
-    target.move(dt);
+    warned = warned || truth.range <= e.warned;
+    target.move(dt, warned);
 
     const Vec3 apart_now = target.position - missile.position;
     result.greatest_speed = std::max(result.greatest_speed, speed);

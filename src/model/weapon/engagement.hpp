@@ -2,6 +2,8 @@
 #pragma once
 /// \file  One missile against one target over a flat Earth, with perfect knowledge: how the launch
 /// zone is found, and a laboratory for tests.
+#include <limits>
+
 #include "model/environment.hpp"
 #include "model/weapon/launch_zone.hpp"
 #include "model/weapon/missile.hpp"
@@ -11,8 +13,8 @@ namespace eyrie::model::weapon {
 /// A target that escapes turns with this load factor.
 inline constexpr double kEscapeLoadFactor = 5;
 
-/// What the target does from launch on. Every turn is level with 5 g until the new course is
-/// reached, at constant speed.
+/// What the target does from launch on, or from when it is warned. Every turn is level with 5 g
+/// until the new course is reached, at constant speed.
 enum class Escape : std::uint8_t {
   none,  ///< keeps its course
   run,   ///< flies straight away from where the shooter was
@@ -25,6 +27,8 @@ struct Engagement {
   LaunchSituation situation;
   double range = 10e3;  ///< m, slant
   Escape escape = Escape::none;
+  /// m, of the missile, at which the target learns of it and begins to escape; else at launch.
+  double warned = std::numeric_limits<double>::infinity();
   double shortest_step = 0.02;  ///< s
   double longest_step = 0.5;    ///< s; steps are a tenth of the time to go, between the two
 };

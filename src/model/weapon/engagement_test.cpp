@@ -39,6 +39,27 @@ TEST(Engagement, HitsATargetThatTurnsAwayFromCloseBy) {
   EXPECT_TRUE(r.success(medium_range()));
 }
 
+/// m, the longest range at which a target is reached that runs when the missile is so near.
+double reach(double warned) {
+  Engagement e{.situation = shooting_level(9000, 0), .escape = Escape::run, .warned = warned};
+  e.situation.shooter_speed = e.situation.target_speed = 270;
+  double good = 5e3, bad = 100e3;
+  while (bad > 1.01 * good) {
+    e.range = std::sqrt(good * bad);
+    (engage(medium_range(), kAtmosphere, e).success(medium_range()) ? good : bad) = e.range;
+  }
+  return good;
+}
+
+TEST(Engagement, ReachesFartherWhoIsWarnedLater) {
+  const double at_launch = reach(1e9), by_seeker = reach(14e3), late = reach(8e3);
+  // who turns away when he hears the seeker: why a shot from 1.4 times r_ne is half lost
+  EXPECT_GT(by_seeker, 1.15 * at_launch);
+  EXPECT_LT(by_seeker, 1.6 * at_launch);
+  EXPECT_GT(late, 1.03 * by_seeker);
+  EXPECT_LT(late, 0.8 * reach(0)) << "who never hears of it is reached at r_max";
+}
+
 TEST(Engagement, FailsOutOfReach) {
   const EngagementResult r =
       engage(medium_range(), kAtmosphere, {.situation = shooting_level(8000, kPi), .range = 60e3});

@@ -193,21 +193,6 @@ LaunchSituation launch_situation(const LaunchParty& shooter, const LaunchParty& 
           .off_boresight = angle_between(shooter.velocity, sight)};
 }
 
-double EmploymentZone::depth(double range) const {
-  if (range <= r_ne)
-    return r_ne > 0 ? range / r_ne - 1 : 0;
-  if (range <= r_tr)
-    return 0.5 * (range - r_ne) / (r_tr - r_ne);
-  return r_max > r_tr && range <= r_max ? 0.5 + 0.5 * (range - r_tr) / (r_max - r_tr)
-                                        : range / std::max(r_max, 1.0);
-}
-
-double EmploymentZone::range_at(double depth) const {
-  if (depth <= 0)
-    return (1 + depth) * r_ne;
-  return depth <= 0.5 ? r_ne + 2 * depth * (r_tr - r_ne) : r_tr + (2 * depth - 1) * (r_max - r_tr);
-}
-
 ZoneTable fly_zone(const MissileType& type, unsigned workers, const ZoneProgress& progress) {
   ZoneTable table;
   std::atomic<std::size_t> done = 0;

@@ -29,11 +29,8 @@ struct EmploymentZone {
   double r_min = 0;  ///< nearer, it can not arm, turn or stay clear in time
 
   [[nodiscard]] bool possible() const { return r_max > r_min; }
-  /// How far out a range (m) is: 0 at r_ne, 0.5 at r_tr, 1 at r_max, linear between them and below
-  /// r_ne (-1 at no range); beyond r_max it grows with the range.
-  [[nodiscard]] double depth(double range) const;
-  /// m, the range at a depth in [-1, 1]: the inverse of depth().
-  [[nodiscard]] double range_at(double depth) const;
+  /// m: so many times r_ne, which is what a kill depends on, and r_max at most.
+  [[nodiscard]] double range_at(double of_r_ne) const { return std::min(of_r_ne * r_ne, r_max); }
 };
 
 /// One player at launch: local frame, m and m/s; altitude in m.

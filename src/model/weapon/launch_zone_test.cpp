@@ -128,14 +128,11 @@ TEST(LaunchZone, IsTheSameForAnyNumberOfWorkers) {
   EXPECT_TRUE(fly_zone(prepared_short(), 3) == *prepared_short().zone.table());
 }
 
-TEST(EmploymentZone, KnowsHowDeepARangeLies) {
+TEST(EmploymentZone, IsMeasuredInNoEscapeRangesUpToTheGreatest) {
   const EmploymentZone zone{.r_max = 40e3, .r_tr = 16e3, .r_ne = 12e3, .r_min = 1e3};
-  for (const auto& [range, depth] :
-       {std::pair{6e3, -0.5}, {12e3, 0.0}, {14e3, 0.25}, {16e3, 0.5}, {28e3, 0.75}, {40e3, 1.0}}) {
-    EXPECT_DOUBLE_EQ(zone.depth(range), depth);
-    EXPECT_DOUBLE_EQ(zone.range_at(depth), range);
-  }
-  EXPECT_GT(zone.depth(41e3), 1);
+  EXPECT_DOUBLE_EQ(zone.range_at(0.5), 6e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(1.5), 18e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(4), 40e3);
 }
 
 TEST(LaunchZone, OfAnInfraredMissileEndsWhereItsSeekerDoes) {

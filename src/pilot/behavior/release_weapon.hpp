@@ -17,10 +17,10 @@ struct HoldMemory {
 /// of a missile on board, of several the one with the shortest reach. Never at a track that is not
 /// identified as hostile. Fails when there is nothing to shoot, and says why.
 ///
-/// When: `zone` says how deep in the zone, which is also how probable a kill has to be
-/// (pilot/shots.hpp); `least_mach` how fast it must be, and `least_f_pole` how far away it will be
-/// when the missile arrives. Both are asked for only where the target can escape: inside the
-/// no-escape range it shoots as it is.
+/// When: `zone` says how far out, which is also how probable a kill has to be
+/// (docs/models/missile.md); `least_mach` how fast it must be, and `least_f_pole` how far away it
+/// will be when the missile arrives. Both are asked for only where the target can escape: inside
+/// the no-escape range it shoots as it is.
 ///
 /// How many: `ripple` missiles one after the other, `ripple_interval` apart; then it looks what
 /// they did. One is the doctrine shoot-look-shoot. Missiles of mates, as they tell over the
@@ -38,10 +38,11 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
     using R = ReleaseWeapon;
     return std::tuple{
         param("vote", &R::vote_, range(0, 1000), "how strongly"),
-        param("zone", &R::zone_, range(-0.9, 1),
-              "how far out it shoots: 0 at the no-escape range (r_ne), 0.5 where a target that "
-              "turns and runs is still reached (r_tr), 1 at r_max, -0.2 at 0.8 of r_ne; 1 less "
-              "this is the share of the warhead's kill probability that it expects at least"),
+        param("zone", &R::zone_, range(0.1, 5),
+              "how far out it shoots, in multiples of the no-escape range (r_ne), and no farther "
+              "than "
+              "r_max: the fewer the more probable a kill; 1.4: who turns away only when he hears "
+              "the seeker is just reached"),
         param("least_mach", &R::least_mach_, range(0, 3),
               "own Mach number at which it shoots beyond the no-escape range"),
         param("least_f_pole", &R::least_f_pole_, "m", range(0, 100e3),
@@ -102,7 +103,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
                                HoldMemory& m) const;
 
   float vote_ = 60;
-  double zone_ = 0.4;
+  double zone_ = 1.4;
   double least_mach_ = 0;
   double least_f_pole_ = 0;
   double off_boresight_ = si(40, "deg");

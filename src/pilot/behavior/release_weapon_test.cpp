@@ -11,9 +11,9 @@ namespace {
 
 using namespace pilot::testing;
 
-const std::string kRelease = "{release_weapon: {vote: 60, zone: 0.4, patience: 8 s}}";
+const std::string kRelease = "{release_weapon: {vote: 60, zone: 1.4, patience: 8 s}}";
 
-/// A hostile ahead, coming closer, at a depth of the medium missile's zone: 0 is its no-escape
+/// A hostile ahead, coming closer, at a depth of the medium missile's zone: 1 is its no-escape
 /// range, 0.5 where it is reached though it turns away, 1 its greatest range.
 Desk at_share(double share) {
   Desk desk;
@@ -29,7 +29,7 @@ Desk at_share(double share) {
 }
 
 TEST(ReleaseWeapon, ShootsInsideTheZone) {
-  const Desk desk = at_share(0.35);
+  const Desk desk = at_share(1.35);
   const Decided d = decide(kRelease, desk);
   ASSERT_EQ(d.status, kRunning);
   EXPECT_EQ(d.action().release, (Release{TrackId{1}, kMedium}));
@@ -39,14 +39,14 @@ TEST(ReleaseWeapon, ShootsInsideTheZone) {
 }
 
 TEST(ReleaseWeapon, ShootsNoEarlierThanItsParameterSays) {
-  EXPECT_EQ(decide(kRelease, at_share(0.45)).status, kFailure);
+  EXPECT_EQ(decide(kRelease, at_share(1.45)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 2}}", at_share(1.95)).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {zone: 1.5}}", at_share(1.45)).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {zone: 1.5}}", at_share(1.55)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 1}}", at_share(1.05)).status, kFailure);
   EXPECT_EQ(decide("{release_weapon: {zone: 1}}", at_share(0.95)).status, kRunning);
-  EXPECT_EQ(decide("{release_weapon: {zone: 0.5}}", at_share(0.45)).status, kRunning);
-  EXPECT_EQ(decide("{release_weapon: {zone: 0.5}}", at_share(0.55)).status, kFailure);
-  EXPECT_EQ(decide("{release_weapon: {zone: 0}}", at_share(0.05)).status, kFailure);
-  EXPECT_EQ(decide("{release_weapon: {zone: 0}}", at_share(-0.05)).status, kRunning);
-  EXPECT_EQ(decide("{release_weapon: {zone: -0.2}}", at_share(-0.15)).status, kFailure);
-  EXPECT_EQ(decide("{release_weapon: {zone: -0.2}}", at_share(-0.25)).status, kRunning);
+  EXPECT_EQ(decide("{release_weapon: {zone: 0.8}}", at_share(0.85)).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 0.8}}", at_share(0.75)).status, kRunning);
 }
 
 TEST(ReleaseWeapon, TakesTheMissileWithTheShortestReachThatWillDo) {
@@ -60,65 +60,65 @@ TEST(ReleaseWeapon, TakesTheMissileWithTheShortestReachThatWillDo) {
 TEST(ReleaseWeapon, DoesNotShootInsideTheLeastRange) {
   Desk desk;
   desk.track({150, 0, 0});
-  EXPECT_EQ(decide("{release_weapon: {zone: 1}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{release_weapon: {zone: 2}}", desk).status, kFailure);
 }
 
 TEST(ReleaseWeapon, NeedsTheTargetNearTheNose) {
-  Desk desk = at_share(-0.3);
+  Desk desk = at_share(0.7);
   desk.own = model::test::flying(desk.own.position, 0.6, 250);
   EXPECT_EQ(decide("{release_weapon: {off_boresight: 0.7 rad}}", desk).status, kRunning);
   EXPECT_EQ(decide("{release_weapon: {off_boresight: 0.5 rad}}", desk).status, kFailure);
 }
 
 TEST(ReleaseWeapon, NeedsAFreshTrack) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.tracks.tracks[0].time -= 5;
   EXPECT_EQ(decide("{release_weapon: {max_age: 6 s}}", desk).status, kRunning);
   EXPECT_EQ(decide("{release_weapon: {max_age: 4 s}}", desk).status, kFailure);
 }
 
 TEST(ReleaseWeapon, FailsWithoutMissiles) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.stores = {};
   EXPECT_EQ(decide(kRelease, desk).status, kFailure);
 }
 
 TEST(ReleaseWeapon, WaitsWhileAReleaseIsUnderWay) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   model::weapon::begin_release(desk.stores, kMedium, library().missiles[kMedium], TrackId{1},
                                desk.time);
   EXPECT_EQ(decide("{release_weapon: {ripple: 4}}", desk).status, kFailure);
 }
 
 TEST(ReleaseWeapon, ShootsFastEnoughWhereTheTargetCanEscape) {
-  const std::string fast = "{release_weapon: {zone: 1, least_mach: 0.85}}";
-  Desk desk = at_share(0.6);
+  const std::string fast = "{release_weapon: {zone: 2, least_mach: 0.85}}";
+  Desk desk = at_share(1.6);
   desk.own.mach = 0.84;
   const Decided slow = decide(fast, desk);
   EXPECT_EQ(slow.status, kFailure);
   desk.own.mach = 0.86;
   EXPECT_EQ(decide(fast, desk).status, kRunning);
-  desk = at_share(-0.1);
+  desk = at_share(0.9);
   desk.own.mach = 0.5;
   EXPECT_EQ(decide(fast, desk).status, kRunning) << "it can not escape";
 }
 
 TEST(ReleaseWeapon, KeepsItsFPole) {
-  const Desk desk = at_share(0.6);
+  const Desk desk = at_share(1.6);
   const State s = desk.state();
   const double pole = f_pole(s, s.seen[0], library().missiles[kMedium]);
   EXPECT_GT(pole, 0);
   EXPECT_LT(pole, s.seen[0].range);
   const auto at = [](double f_pole) {
-    return "{release_weapon: {zone: 1, least_f_pole: " + std::to_string(f_pole) + " m}}";
+    return "{release_weapon: {zone: 2, least_f_pole: " + std::to_string(f_pole) + " m}}";
   };
   EXPECT_EQ(decide(at(pole - 1), desk).status, kRunning);
   EXPECT_EQ(decide(at(pole + 1), desk).status, kFailure);
-  EXPECT_EQ(decide(at(50e3), at_share(-0.1)).status, kRunning) << "it can not escape";
+  EXPECT_EQ(decide(at(50e3), at_share(0.9)).status, kRunning) << "it can not escape";
 }
 
 TEST(ReleaseWeapon, LetsItsMissilesArriveBeforeTheNextOne) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.agent.shots[0] = {
       .since = desk.time - 5, .until = desk.time + 10, .track = TrackId{1}, .store = kMedium};
   EXPECT_EQ(decide("{release_weapon: {ripple: 1}}", desk).status, kFailure);
@@ -127,7 +127,7 @@ TEST(ReleaseWeapon, LetsItsMissilesArriveBeforeTheNextOne) {
 }
 
 TEST(ReleaseWeapon, LooksWhatItsMissileDidBeforeTheNextOne) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.agent.shots[0] = {.until = desk.time, .track = TrackId{1}, .store = kMedium};
   const std::string look = "{release_weapon: {assess: 4 s}}";
   // who is dead is not seen again
@@ -144,7 +144,7 @@ TEST(ReleaseWeapon, LooksWhatItsMissileDidBeforeTheNextOne) {
 }
 
 TEST(ReleaseWeapon, LooksWhatAMatesMissileDid) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.in_flight(4, 2);
   Pilot pilot("{release_weapon: {assess: 4 s}}");
   desk.tracks.tracks[0].shot_by = 1U << 3;
@@ -160,13 +160,13 @@ TEST(ReleaseWeapon, LooksWhatAMatesMissileDid) {
 }
 
 TEST(ReleaseWeapon, ShootsAtASecondTargetWhileTheFirstMissileFlies) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.agent.shots[0] = {.until = desk.time + 10, .track = TrackId{77}, .store = kMedium};
   EXPECT_EQ(decide("{release_weapon: {ripple: 1}}", desk).status, kRunning);
 }
 
 TEST(ReleaseWeapon, HoldsFireWhileAMatesMissileIsOnItsWay) {
-  Desk desk = at_share(0.3);
+  Desk desk = at_share(1.3);
   desk.in_flight(4, 2);
   desk.tracks.tracks[0].shot_by = 1U << 3;
   EXPECT_EQ(decide(kRelease, desk).status, kFailure);
@@ -177,7 +177,7 @@ TEST(ReleaseWeapon, HoldsFireWhileAMatesMissileIsOnItsWay) {
 }
 
 TEST(ReleaseWeapon, LeavesTheFirstShotToANearerMateForAWhile) {
-  Desk desk = at_share(0.3);
+  Desk desk = at_share(1.3);
   desk.in_flight(2, 2);
   desk.datalink.members[0].position = desk.own.position + Vec3{4000, 5000, 0};
   desk.tracks.tracks[0].targeted_by = 1;
@@ -191,7 +191,7 @@ TEST(ReleaseWeapon, LeavesTheFirstShotToANearerMateForAWhile) {
 }
 
 TEST(ReleaseWeapon, GoesFirstIfItIsNearer) {
-  Desk desk = at_share(0.3);
+  Desk desk = at_share(1.3);
   desk.in_flight(2, 2);
   desk.datalink.members[0].position = desk.own.position - Vec3{5000, 0, 0};
   desk.tracks.tracks[0].targeted_by = 1;
@@ -210,7 +210,7 @@ TEST(ReleaseWeapon, DoesNotShootAHeatSeekerPastAFriend) {
 }
 
 TEST(ReleaseWeapon, DoesNotSendAMissileWhereNobodyKnowsTheTarget) {
-  Desk desk = at_share(0.2);
+  Desk desk = at_share(1.2);
   desk.tracks.tracks[0].position_sigma = 900;
   EXPECT_EQ(decide("{release_weapon: {max_error: 1000 m}}", desk).status, kRunning);
   EXPECT_EQ(decide("{release_weapon: {max_error: 800 m}}", desk).status, kFailure);
@@ -244,8 +244,8 @@ TEST(ReleaseWeapon, KeepsAwayFromFriendsByTheErrorOfTheTrackToo) {
 }
 
 TEST(ReleaseWeapon, MindsAFriendWhereTheActiveSeekerWillLook) {
-  const std::string release = "{release_weapon: {zone: 1, clear_turn: 1}}";
-  Desk desk = at_share(0.9);
+  const std::string release = "{release_weapon: {zone: 2, clear_turn: 1}}";
+  Desk desk = at_share(1.9);
   const double range = desk.tracks.tracks[0].position.x;
   const double switches_on = library().missiles[kMedium].seeker.activation_range;
   ASSERT_GT(range, switches_on + 15e3);
@@ -278,7 +278,7 @@ RC_GTEST_PROP(ReleaseWeapon, NeverShootsAtAnybodyButAConfirmedHostile, ()) {
   for (int i = *rc::gen::inRange(1, 10); i > 0; --i)
     any_track(desk);
   desk.agent.target = TrackId{*rc::gen::inRange(0U, 10U)};
-  const Decided d = decide("{release_weapon: {zone: 1, off_boresight: 3 rad}}", desk);
+  const Decided d = decide("{release_weapon: {zone: 2, off_boresight: 3 rad}}", desk);
   RC_CLASSIFY(d.status == kRunning, "shoots");
   if (!d.action().release)
     return;
