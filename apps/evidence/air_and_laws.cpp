@@ -57,8 +57,13 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "LookErrors.FallWithTheRootOfTheSignalDownToTheirFloors");
   law("jammer", "radar.md", "burn-through range", "radar equation, one way and two way",
       "BurnThrough.IsWhereTheEchoIsAsGoodAsWithoutJammingAtTheOldRange");
-  law("jammer", "radar.md", "directions without ranges, later shots, home on jam", "definition",
-      "Jamming.MakesThemShootLaterAndStillHit");
+  law("jammer", "radar.md", "directions without ranges until burn-through", "definition",
+      "Jamming.HidesTheRangeUntilTheEchoBurnsThrough");
+  law("jammer", "radar.md", "a missile homes on jam", "definition",
+      "Homing.HomesOnTheJammingWhereTheEchoDrownsInItAndKeepsTheBelievedRange");
+  law("irst", "radar.md", "range by aspect and throttle, chance of detection",
+      "inverse square, normal law; OLS-27 as commonly published (not seen)",
+      "Infrared.FindsWithEvenOddsWhereTheSquareRootOfTheIntensitySays");
   law("tracks", "tracks.md", "NEES and NIS of targets that fly straight and turn",
       "Bar-Shalom (not seen)",
       "Consistency.HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects");

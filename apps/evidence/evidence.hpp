@@ -29,5 +29,6 @@ struct Evidence {
 [[nodiscard]] Evidence of_air_and_laws(const std::string& home);
 [[nodiscard]] Evidence of_flight(const std::string& home);
 [[nodiscard]] Evidence of_missiles(const std::string& home);
+[[nodiscard]] Evidence of_sensors(const std::string& home);
 
 }  // namespace eyrie::evidence

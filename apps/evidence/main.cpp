@@ -17,8 +17,8 @@ namespace {
 using namespace eyrie::evidence;
 
 /// What has something to show. A new one is a line here.
-constexpr Evidence (*kTopics[])(const std::string& home) = {of_air_and_laws, of_flight,
-                                                            of_missiles};
+constexpr Evidence (*kTopics[])(const std::string& home) = {of_air_and_laws, of_flight, of_missiles,
+                                                            of_sensors};
 
 std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -9,19 +9,21 @@ namespace eyrie {
 /// What a draw is for. The numbers are part of every recorded run: a new purpose takes a new
 /// number, an old one keeps its own for ever. At most 255.
 enum class Stream : std::uint8_t {
-  radar = 0,          ///< is the target detected in this look?
-  radar_noise = 1,    ///< error of a measurement
-  seeker = 2,         ///< a missile's own sensor
-  lethality = 4,      ///< does the warhead kill?
-  iff = 5,            ///< is the interrogation answered?
-  visual = 6,         ///< is it seen by eye?
-  gun = 7,            ///< dispersion and hits of a burst
-  behavior = 8,       ///< choices of a pilot
-  rwr = 9,            ///< error of a bearing
-  datalink = 10,      ///< is the message lost?
-  visual_noise = 16,  ///< error of a pilot's estimate
-  decoy = 17,         ///< does a seeker go for a decoy?
-  test = 255,         ///< for tests and examples
+  radar = 0,            ///< is the target detected in this look?
+  radar_noise = 1,      ///< error of a measurement
+  seeker = 2,           ///< a missile's own sensor
+  lethality = 4,        ///< does the warhead kill?
+  iff = 5,              ///< is the interrogation answered?
+  visual = 6,           ///< is it seen by eye?
+  gun = 7,              ///< dispersion and hits of a burst
+  behavior = 8,         ///< choices of a pilot
+  rwr = 9,              ///< error of a bearing
+  datalink = 10,        ///< is the message lost?
+  visual_noise = 16,    ///< error of a pilot's estimate
+  decoy = 17,           ///< does a seeker go for a decoy?
+  infrared = 18,        ///< is it found by infrared search?
+  infrared_noise = 19,  ///< error of such a direction
+  test = 255,           ///< for tests and examples
 };
 
 /// Random numbers for one purpose of one player in one step: a pure function of its arguments, so

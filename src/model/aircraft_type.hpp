@@ -27,14 +27,16 @@ struct AircraftType {
   flight::Dynamics dynamics = flight::Dynamics::point_mass;
   Signature signature;
   InfraredSignature infrared;
-  std::optional<std::string> radar, rwr, visual, iff, datalink, tracker, gun, dispenser, jammer;
+  std::optional<std::string> radar, irst, rwr, visual, iff, datalink, tracker, gun, dispenser,
+      jammer;
   std::optional<std::uint16_t> rounds;  ///< in the drum of the gun, if not as many as its type has
   std::vector<StationFit> stations;
 
   /// Indices into the shelves of the Library: the names above, looked up.
   struct Indices {
     std::uint16_t airframe = 0;
-    std::optional<std::uint16_t> radar, rwr, visual, iff, datalink, tracker, gun, dispenser, jammer;
+    std::optional<std::uint16_t> radar, irst, rwr, visual, iff, datalink, tracker, gun, dispenser,
+        jammer;
   };
   Indices index;
 
@@ -50,6 +52,7 @@ struct AircraftType {
         param("signature", &A::signature, "how big it looks to radar and eye"),
         param("infrared", &A::infrared, "how bright it is to an infrared seeker"),
         param("radar", &A::radar, "its radar"),
+        param("irst", &A::irst, "its infrared search and track"),
         param("rwr", &A::rwr, "its radar warning receiver"),
         param("visual", &A::visual, "the eyes of its crew"),
         param("iff", &A::iff, "its interrogator"),

@@ -15,6 +15,7 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
   };
   look("radars", library.radars, "scan_rate", &Radar::scan_rate);
   look("radars", library.radars, "track_rate", &Radar::track_rate);
+  look("irsts", library.irsts, "rate", &Irst::rate);
   look("rwr", library.rwrs, "search_rate", &Rwr::search_rate);
   look("rwr", library.rwrs, "seeker_rate", &Rwr::seeker_rate);
   look("visual", library.visuals, "rate", &Visual::rate);

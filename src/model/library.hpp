@@ -9,6 +9,7 @@
 #include "model/flight/guidance.hpp"
 #include "model/frames.hpp"
 #include "model/jamming.hpp"
+#include "model/sensor/infrared.hpp"
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/visual.hpp"
@@ -23,7 +24,7 @@ namespace eyrie::model {
 // what stands on the shelves
 using datalink::Datalink;
 using flight::Airframe, flight::Route, flight::RouteEnd, flight::Waypoint;
-using sensor::Iff, sensor::Radar, sensor::Rwr, sensor::Visual;
+using sensor::Iff, sensor::Irst, sensor::Radar, sensor::Rwr, sensor::Visual;
 using track::Tracker;
 using vehicle::VehicleType;
 using weapon::Dispenser, weapon::GunType, weapon::MissileType;
@@ -72,6 +73,7 @@ struct Library {
   Environment environment;
   Shelf<Airframe> airframes;
   Shelf<Radar> radars;
+  Shelf<Irst> irsts;
   Shelf<Rwr> rwrs;
   Shelf<Visual> visuals;
   Shelf<Iff> iffs;

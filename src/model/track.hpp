@@ -17,6 +17,7 @@ enum TrackSource : std::uint8_t {
   kFromVisual = 2,
   kFromDatalink = 4,
   kFromTruth = 8,  ///< privileged state
+  kFromInfrared = 16,
 };
 
 /// Uncertainty of position and velocity along one axis: the covariance of a two-state filter.

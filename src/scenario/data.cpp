@@ -184,6 +184,7 @@ void DataLoader::complete(Model& model, const Value& document) {
       model.index.airframe = *frame;
   if constexpr (requires { model.index.radar; }) {
     part<model::Radar>(model.index.radar, model.radar, document.where_of("radar"));
+    part<model::Irst>(model.index.irst, model.irst, document.where_of("irst"));
     part<model::Rwr>(model.index.rwr, model.rwr, document.where_of("rwr"));
     part<model::Iff>(model.index.iff, model.iff, document.where_of("iff"));
     part<model::Tracker>(model.index.tracker, model.tracker, document.where_of("tracker"));

@@ -23,6 +23,7 @@ inline constexpr std::tuple kKindsOfModels{
     KindOfModel{"vehicles", "vehicle", &model::Library::vehicles},
     KindOfModel{"airframes", "airframe", &model::Library::airframes},
     KindOfModel{"radars", "radar", &model::Library::radars},
+    KindOfModel{"irsts", "infrared search and track", &model::Library::irsts},
     KindOfModel{"rwr", "radar warning receiver", &model::Library::rwrs},
     KindOfModel{"visual", "visual model", &model::Library::visuals},
     KindOfModel{"iff", "iff", &model::Library::iffs},

@@ -79,6 +79,7 @@ TEST(Data, ReadsEveryShippedFile) {
   for (const auto& [kind, shelf] :
        std::map<std::string_view, std::size_t>{{"airframes", data.library.airframes.size()},
                                                {"radars", data.library.radars.size()},
+                                               {"irsts", data.library.irsts.size()},
                                                {"rwr", data.library.rwrs.size()},
                                                {"visual", data.library.visuals.size()},
                                                {"iff", data.library.iffs.size()},

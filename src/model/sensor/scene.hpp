@@ -46,6 +46,7 @@ class Nearest {
 struct SensorSuite {
   const Signature* signature = nullptr;
   const Radar* radar = nullptr;
+  const Irst* irst = nullptr;
   const Rwr* rwr = nullptr;
   const Visual* visual = nullptr;
   const Iff* iff = nullptr;
@@ -54,7 +55,7 @@ struct SensorSuite {
   const track::Tracker* tracker = nullptr;  ///< always there
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
   std::uint32_t scan_steps = 1, track_steps = 1, rwr_steps = 1, seeker_steps = 1;
-  std::uint32_t visual_steps = 1, upkeep_steps = 1, datalink_steps = 1;
+  std::uint32_t irst_steps = 1, visual_steps = 1, upkeep_steps = 1, datalink_steps = 1;
 };
 
 /// What everybody may read in perceive and act: the truth as the last move left it.
@@ -66,6 +67,7 @@ struct Scene {
   std::span<const PlayerId> ids;
   std::span<const Fit> fit;
   std::span<const Kinematics> kinematics;
+  std::span<const flight::Propulsion> propulsion;
   std::span<const Emission> emission;
   std::span<const PlayerId> missile_ids;
   std::span<const Kinematics> missile_kinematics;
@@ -118,6 +120,9 @@ void track_target(const Scene& scene, Self& self);
 
 /// The eyes: aircraft become tracks, missiles become threats.
 void look_around(const Scene& scene, Self& self);
+
+/// One frame of the infrared search.
+void search_infrared(const Scene& scene, Self& self);
 
 /// The warning receiver: radars, then missile seekers.
 void listen_for_radars(const Scene& scene, Self& self);

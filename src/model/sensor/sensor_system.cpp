@@ -27,6 +27,7 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   const auto& index = type.index;
   suite.signature = &type.signature;
   suite.radar = chosen(library.radars, index.radar);
+  suite.irst = chosen(library.irsts, index.irst);
   suite.rwr = chosen(library.rwrs, index.rwr);
   suite.visual = chosen(library.visuals, index.visual);
   suite.iff = chosen(library.iffs, index.iff);
@@ -40,6 +41,8 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
     suite.scan_steps = steps(suite.radar->scan_rate);
     suite.track_steps = steps(suite.radar->track_rate);
   }
+  if (suite.irst != nullptr)
+    suite.irst_steps = steps(suite.irst->rate);
   if (suite.rwr != nullptr) {
     suite.rwr_steps = steps(suite.rwr->search_rate);
     suite.seeker_steps = steps(suite.rwr->seeker_rate);
@@ -97,6 +100,8 @@ void perceive_one(const Scene& scene, Self& self) {
     else
       use_radar(scene, self, upkeep_due);
   }
+  if (suite.irst != nullptr && !privileged && due(scene.step, self.id, suite.irst_steps))
+    search_infrared(scene, self);
   if (suite.visual != nullptr && !privileged && due(scene.step, self.id, suite.visual_steps))
     look_around(scene, self);
   if (suite.rwr != nullptr && due(scene.step, self.id, suite.rwr_steps))
@@ -139,6 +144,7 @@ Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) co
           .ids = world.ids(aircraft_.table),
           .fit = world.rows(aircraft_.fit),
           .kinematics = world.rows(aircraft_.kinematics),
+          .propulsion = world.rows(aircraft_.propulsion),
           .emission = world.rows(aircraft_.emission),
           .missile_ids = world.ids(missiles_.table),
           .missile_kinematics = world.rows(missiles_.kinematics),

@@ -98,8 +98,13 @@ void stamp(Track& track, const Contact& contact, double time) {
     ++track.hits;
 }
 
-/// Variance of a contact across its line, where a mode is: a bearing alone is as wide there as the
-/// mode is far.
+/// Variance of a contact along its line: what a bearing alone knows there it has said at birth.
+double along_variance(const Contact& contact) {
+  constexpr double kNothing = 1e18;  // m^2
+  return contact.bearing_only ? kNothing : contact.sigma_along * contact.sigma_along;
+}
+
+/// Variance across, where a mode is: a bearing alone is as wide there as the mode is far.
 double across_variance(const Mode& mode, const Contact& contact) {
   if (!contact.bearing_only)
     return contact.sigma_across * contact.sigma_across;
@@ -116,7 +121,7 @@ struct Residual {
   Surprise surprise;
 };
 Residual residual_of(const Mode& mode, const Contact& contact) {
-  const double along_total = mode.along.position + contact.sigma_along * contact.sigma_along;
+  const double along_total = mode.along.position + along_variance(contact);
   const double across_total = mode.across.position + across_variance(mode, contact);
   const Vec3 apart = contact.position - mode.position;
   const double ahead = dot(apart, contact.line);
@@ -138,7 +143,7 @@ Residual residual_of(const Mode& mode, const Contact& contact) {
 /// A mode after a contact: position along and across the line of sight, then the speed along it.
 Surprise update(Mode& mode, const Contact& contact) {
   const Residual r = residual_of(mode, contact);
-  const Gains a = update_position(mode.along, contact.sigma_along * contact.sigma_along);
+  const Gains a = update_position(mode.along, along_variance(contact));
   const Gains b = update_position(mode.across, across_variance(mode, contact));
   mode.position += a.position * r.along + b.position * r.across;
   mode.velocity += a.velocity * r.along + b.velocity * r.across;

@@ -271,5 +271,28 @@ RC_GTEST_PROP(Associate, UsesEachTrackOnceAndDoesNotDependOnTheOrderOfContacts, 
   }
 }
 
+TEST(Filter, LearnsNothingAlongTheLineFromBearingsAlone) {
+  const Tracker tracker{.motion = {.straight_time = 1e9, .turn_time = 0.1}};
+  Contact bearing{.position = {20e3, 0, 0},
+                  .line = {1, 0, 0},
+                  .range = 20e3,
+                  .sigma_along = 11.5e3,
+                  .sigma_across = 40};
+  bearing.bearing_only = true;
+  Track track = first_track(tracker, bearing, 0);
+  const auto unsure = [](const Prediction& p) { return std::sqrt(p.along.position); };
+  double before = 0;
+  for (int look = 1; look <= 20; ++look) {
+    const double time = 2.0 * look;
+    const Prediction p = predict(track, tracker, {}, time);
+    EXPECT_GT(unsure(p), before) << look;
+    before = unsure(p);
+    filter(track, p, bearing, time);
+  }
+  const Prediction now = predict(track, tracker, {}, 40);
+  EXPECT_GT(unsure(now), 11e3);
+  EXPECT_LT(std::sqrt(now.across.position), 40) << "but across it does";
+}
+
 }  // namespace
 }  // namespace eyrie::model::track

@@ -6,7 +6,7 @@
 namespace eyrie::model::track {
 namespace {
 
-constexpr std::uint8_t kOwnSensors = kFromRadar | kFromVisual;
+constexpr std::uint8_t kOwnSensors = kFromRadar | kFromVisual | kFromInfrared;
 
 double range_of(const Track& track, const TrackContext& context) {
   return norm(position_at(track, context.time) - context.ownship.position);
