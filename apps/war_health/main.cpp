@@ -16,8 +16,9 @@ namespace {
 using namespace eyrie;
 using debrief::Health;
 
-Health over_seeds(const std::string& file, const std::string& home, std::uint64_t seeds) {
-  const auto scenario = scenario::load({file, {}}, scenario::Source::disk(home));
+Health over_seeds(const std::string& file, const std::string& home, std::uint64_t seeds,
+                  const std::vector<std::string>& sets = {}) {
+  const auto scenario = scenario::load({file, sets}, scenario::Source::disk(home));
   std::vector<Health> of(seeds);
   std::atomic<std::uint64_t> next = 0;
   std::vector<std::thread> workers;
@@ -126,6 +127,82 @@ std::vector<Measure> measures() {
                    }});
   return all;
 }
+
+/// What defenses are worth against one missile: kills per shot of duels, and by how many points
+/// each changes them.
+void print_effects(const std::string& file, const std::string& home, std::uint64_t seeds) {
+  struct Defense {
+    std::string name;
+    std::vector<std::string> sets;
+    std::string effect;   ///< of what it has more than `without`
+    std::size_t without;  ///< index
+  };
+  const std::string tree = "red.flights.bogey.tree=";
+  const std::vector<Defense> defenses{
+      {"flies on", {tree + "fly_on"}, "", 0},
+      {"notch alone",
+       {tree + "notches", "trees.notches.winner_takes_all.1.notch.dispense=none"},
+       "the notch",
+       0},
+      {"notch, chaff", {tree + "notches"}, "chaff in the notch", 1},
+      {"drag", {tree + "drags"}, "the drag", 0},
+      {"last ditch alone",
+       {tree + "breaks", "trees.breaks.winner_takes_all.1.last_ditch.dispense=none"},
+       "the last ditch",
+       0},
+      {"last ditch, chaff", {tree + "breaks"}, "chaff in the last ditch", 4},
+      {"as veterans: notch, last ditch, chaff", {tree + "evades"}, "what veterans do", 0},
+      {"leaves at 1.1 r_ne", {tree + "leaves"}, "leaving", 0}};
+  constexpr std::array kRanges{6, 9, 12, 15, 18};  // nmi
+  std::vector<std::array<debrief::Share, kRanges.size()>> flown(defenses.size());
+  for (std::size_t i = 0; i < defenses.size(); ++i)
+    for (std::size_t k = 0; k < kRanges.size(); ++k) {
+      std::vector<std::string> sets = defenses[i].sets;
+      sets.push_back(
+          fmt::format("trees.shooter.per_field.sequence.has_target.within={} nmi", kRanges[k]));
+      const Health h = over_seeds(file, home, seeds, sets);
+      flown[i][k] = {h.killed, h.missiles};
+    }
+
+  fmt::print("\n| kills per shot of {} duels, shot at |", seeds);
+  for (const int range : kRanges)
+    fmt::print(" {} nmi |", range);
+  fmt::print("\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
+  for (std::size_t i = 0; i < defenses.size(); ++i) {
+    fmt::print("| {} |", defenses[i].name);
+    for (const debrief::Share& one : flown[i])
+      fmt::print(" {} |", share(one.count, one.n));
+    fmt::print("\n");
+  }
+  for (std::size_t i = 1; i < defenses.size(); ++i) {
+    fmt::print("| effect of {}, points |", defenses[i].effect);
+    for (std::size_t k = 0; k < kRanges.size(); ++k) {
+      const debrief::Share &with = flown[i][k], &without = flown[defenses[i].without][k];
+      const auto [low, high] = debrief::interval_of_difference(with, without);
+      fmt::print(" {:+.0f} ({:+.0f} to {:+.0f}) |", 100 * (with.value() - without.value()),
+                 100 * low, 100 * high);
+    }
+    fmt::print("\n");
+  }
+}
+
+void print_table(const std::vector<std::string>& files, const std::string& home,
+                 std::uint64_t seeds) {
+  std::string head = fmt::format("| {} seeds each |", seeds), line = "| --- |";
+  std::vector<Health> flown;
+  for (const std::string& file : files) {
+    flown.push_back(over_seeds(file, home, seeds));
+    head += fmt::format(" {} |", file);
+    line += " ---: |";
+  }
+  fmt::print("{}\n{}\n", head, line);
+  for (const Measure& measure : measures()) {
+    fmt::print("| {} |", measure.what);
+    for (const Health& health : flown)
+      fmt::print(" {} |", measure.value(health));
+    fmt::print("\n");
+  }
+}
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,24 +211,18 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: war_health HOME SEEDS SCENARIO...\n");
     return 2;
   }
-  std::string head = fmt::format("| {} seeds each |", seeds), line = "| --- |";
-  std::vector<Health> flown;
   try {
     model::weapon::kept_zones().take(scenario::launch_zones(argv[1]));
-    for (int i = 3; i < argc; ++i) {
-      flown.push_back(over_seeds(argv[i], argv[1], seeds));
-      head += fmt::format(" {} |", argv[i]);
-      line += " ---: |";
-    }
+    std::vector<std::string> missions, duels;
+    for (int i = 3; i < argc; ++i)
+      (std::string_view(argv[i]).ends_with("duel_defense.yaml") ? duels : missions)
+          .emplace_back(argv[i]);
+    if (!missions.empty())
+      print_table(missions, argv[1], seeds);
+    for (const std::string& file : duels)
+      print_effects(file, argv[1], seeds);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;
-  }
-  fmt::print("{}\n{}\n", head, line);
-  for (const Measure& measure : measures()) {
-    fmt::print("| {} |", measure.what);
-    for (const Health& health : flown)
-      fmt::print(" {} |", measure.value(health));
-    fmt::print("\n");
   }
 }

@@ -37,13 +37,15 @@ class Meter final : public sim::Observer {
       health_.turned += p.pursuit.turned();
       health_.gained += p.pursuit.gained();
     }
-    for (const auto& [id, shot] : shots_)
+    for (const auto& [id, shot] : shots_) {
+      health_.killed += shot.killed;
       if (shot.zone >= 0) {
         auto& bin = health_.by_zone[std::min(static_cast<std::size_t>(shot.zone / Health::kBin),
                                              Health::kBins - 1)];
         ++bin.shots;
         bin.kills += shot.killed;
       }
+    }
     return std::move(health_);
   }
 
@@ -255,6 +257,7 @@ void Health::add(const Health& o) {
     by_zone[i].kills += o.by_zone[i].kills;
   }
   missiles += o.missiles;
+  killed += o.killed;
   at_the_dead += o.at_the_dead;
   fratricides += o.fratricides;
   engagements += o.engagements;
@@ -299,6 +302,12 @@ Interval interval_of(std::uint64_t count, std::uint64_t n) {
   const double middle = (p + spread / 2) / (1 + spread);
   const double half = z / (1 + spread) * std::sqrt(p * (1 - p) / total + spread / total / 4);
   return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
+}
+
+Interval interval_of_difference(const Share& one, const Share& other) {
+  const Interval a = interval_of(one.count, one.n), b = interval_of(other.count, other.n);
+  const double p = one.value(), q = other.value();
+  return {p - q - std::hypot(p - a.low, b.high - q), p - q + std::hypot(a.high - p, q - b.low)};
 }
 
 }  // namespace eyrie::debrief

@@ -47,6 +47,7 @@ struct Health {
   // shots
   std::vector<float> launch_mach;
   std::array<Bin, kBins> by_zone{};  ///< by range at launch over r_ne
+  std::uint64_t killed = 0;          ///< missiles that killed whom they were shot at
   std::uint64_t missiles = 0, at_the_dead = 0, fratricides = 0;
   // pilots
   std::uint64_t engagements = 0;     ///< pilots who took a target at all
@@ -73,5 +74,16 @@ struct Interval {
   double low = 0, high = 1;
 };
 [[nodiscard]] Interval interval_of(std::uint64_t count, std::uint64_t n);
+
+/// So many of so many.
+struct Share {
+  std::uint64_t count = 0, n = 0;
+  [[nodiscard]] double value() const {
+    return n ? static_cast<double>(count) / static_cast<double>(n) : 0;
+  }
+};
+/// Interval of what a share is more than another one (Newcombe, Statistics in Medicine 17 (1998)
+/// 873, method 10, 95 %): from -1 to 1.
+[[nodiscard]] Interval interval_of_difference(const Share& one, const Share& other);
 
 }  // namespace eyrie::debrief

@@ -44,5 +44,12 @@ TEST(Interval, IsWilsons) {
   EXPECT_EQ(interval_of(0, 0).high, 1);
 }
 
+/// Newcombe's own example, 56 of 70 against 48 of 80, method 10.
+TEST(Interval, OfADifferenceIsNewcombes) {
+  const Interval known = interval_of_difference({56, 70}, {48, 80});
+  EXPECT_NEAR(known.low, 0.0524, 1e-4);
+  EXPECT_NEAR(known.high, 0.3339, 1e-4);
+}
+
 }  // namespace
 }  // namespace eyrie::debrief
