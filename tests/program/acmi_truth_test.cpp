@@ -116,7 +116,7 @@ TEST(AcmiTruth, PointsWhereItFliesAndBanksIntoTheTurn) {
     }
   }
   EXPECT_GT(looked, 2000u);
-  EXPECT_GT(turning, 200u);
+  EXPECT_GT(turning, 100u);
   EXPECT_GT(banked_into_it, turning * 9 / 10);
   EXPECT_GT(climbing, 20u);
   EXPECT_GT(nose_follows, climbing * 9 / 10);

@@ -43,7 +43,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
         R"(\n \d\d:\d\d\.\d  eagle\d     commit on bogey\d, \d+\.\d nmi\n)",
         R"(\n \d\d:\d\d\.\d  eagle\d     fox 3 on bogey\d, \d+\.\d nmi \(AIM-120\)\n)",
         R"(\n \d\d:\d\d\.\d  bogey\d     defending: )",
-        R"(\n \d\d:\d\d\.\d  eagle\d     splash bogey\d \()",
+        R"(\n \d\d:\d\d\.\d  \w+\d     splash \w+\d \()",
         R"(\n \d\d:\d\d\.\d  eagle1     eagle flight: ingress\n)", R"(eagle flight: bvr\n)",
         R"(eagle flight: egress\n)", R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
     EXPECT_TRUE(has(ran.out, line)) << line;

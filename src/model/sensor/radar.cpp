@@ -3,24 +3,25 @@
 
 #include <algorithm>
 
+#include "model/clutter.hpp"
+
 namespace eyrie::model::sensor {
 namespace {
 
-/// How much of the echo is left beside the ground clutter, in [0, 1]. A pulse Doppler radar rejects
-/// the main-lobe clutter together with everything that has its Doppler shift, that is, everything
-/// whose own speed along the line of sight is near zero. It only matters when the beam behind the
-/// target meets the ground. Stimson, Introduction to Airborne Radar, 2nd ed., ch. 24.
-double clear_of_clutter(const Radar& radar, const Kinematics& own, const Kinematics& other,
-                        const Vec3& unit) {
+/// The share of an echo that has the Doppler shift of the main-lobe clutter, in [0, 1]: of whatever
+/// moves slowly along the line of sight over the ground, when the beam behind it meets the ground.
+/// Stimson, Introduction to Airborne Radar, 2nd ed., ch. 24.
+double in_clutter(const Radar& radar, const Kinematics& own, const Kinematics& other,
+                  const Vec3& unit) {
   const double dip = std::sqrt(2 * std::max(own.altitude, 0.0) / (kRadioEarth * kEarthRadius));
   const double half_beam = radar.beam_width / 2;  // rad; small, so sine and angle are the same
   const double looking_down = smooth_step(dip - half_beam, dip + half_beam, dot(unit, own.down));
   if (looking_down == 0)
-    return 1;
+    return 0;
   const double speed = std::fabs(dot(other.velocity, unit));
   const double outside = smooth_step(radar.notch_speed - radar.notch_edge,
                                      radar.notch_speed + radar.notch_edge, speed);
-  return 1 - looking_down * (1 - outside);
+  return looking_down * (1 - outside);
 }
 
 }  // namespace
@@ -59,8 +60,18 @@ double mean_echo(const Radar& radar, const Detector& detector, const Kinematics&
     return 0;
   const Vec3 unit = sight / range;
   const double cos_aspect = -dot(normalized(other.velocity, other.north), unit);
-  return detector.signal_to_noise(range2, radar_cross_section(signature, cos_aspect)) *
-         clear_of_clutter(radar, own, other, unit);
+  const double section = radar_cross_section(signature, cos_aspect);
+  const double signal = detector.signal_to_noise(range2, section);
+  const double share = in_clutter(radar, own, other, unit);
+  if (share == 0)
+    return signal;
+  // what is in the clutter competes with it and with the noise
+  const LookDown look{.altitude = own.altitude,
+                      .sine = dot(unit, own.down),
+                      .beam = radar.beam_width,
+                      .cell = radar.range_cell};
+  const double over_clutter = signal_to_clutter(look, section, range);
+  return signal * (1 - share * signal / (signal + over_clutter));
 }
 
 LookErrors errors_of(const Radar& radar, RadarMode mode, double signal_to_noise) {

@@ -175,6 +175,19 @@ TEST(Notch, HidesABeamingTargetOnlyWhenLookingDown) {
   EXPECT_GT(looking_down(radar, 0, 8000), 0.9) << "nothing but sky behind it";
 }
 
+/// Below a radar at 8 km a beaming target's echo of 10 m2 stands over the ground's by the fourth
+/// power of the altitude over how far below it is.
+TEST(Notch, HidesNobodyWhoOutshinesTheGround) {
+  const Radar radar{.beam_width = radians(2.4), .range_cell = 150};
+  const auto beaming = [&](double below) {
+    Kinematics other = flying({5e3, 0, below - 8000}, kPi / 2, 250);
+    other.velocity = {0, 250, 0};
+    return detection_probability(radar, flying({0, 0, -8000}, 0, 250), sphere(10), other);
+  };
+  EXPECT_LT(beaming(3000), 0.1);
+  EXPECT_GT(beaming(500), 0.9);
+}
+
 TEST(Notch, ClosesSmoothlyAndAlikeForComingAndGoing) {
   const Radar radar{.notch_speed = 50, .notch_edge = 10};
   double before = 0;

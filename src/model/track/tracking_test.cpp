@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/datalink/datalink.hpp"
+#include "model/environment.hpp"
 #include "model/sensor/radar.hpp"
 #include "support/model/flying.hpp"
 

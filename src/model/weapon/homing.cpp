@@ -76,7 +76,8 @@ SeekerView view_of(const Kinematics& k) {
   return {.position = k.position,
           .velocity = k.velocity,
           .axis = normalized(k.velocity, k.north),
-          .down = k.down};
+          .down = k.down,
+          .altitude = k.altitude};
 }
 
 /// A radar searches where it believes the target, an infrared seeker along its last line of sight.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/seeker.hpp"
 
+#include "model/clutter.hpp"
+
 namespace eyrie::model::weapon {
 
 namespace {
@@ -12,6 +14,9 @@ void update_target(const SeekerView& view, double range, double time, MissileSta
                           range * cross(state.sight_rate, state.sight);
   state.target_time = time;
 }
+
+/// 13 dB: 90 % of the looks at a steady echo for one false alarm in a million (Albersheim).
+constexpr double kSeenThrough = 20;
 
 }  // namespace
 
@@ -29,9 +34,15 @@ bool visible(const SeekerType& seeker, const SeekerView& view, const LineOfSight
     return false;
   if (norm2(los.rate) > seeker.greatest_rate * seeker.greatest_rate)
     return false;
-  const bool looks_down = dot(los.direction, view.down) > 0;
-  return seeker.kind != SeekerKind::radar || !looks_down ||
-         std::fabs(dot(velocity, los.direction)) >= seeker.notch_speed;
+  const double sine = dot(los.direction, view.down);
+  if (seeker.kind != SeekerKind::radar || sine <= 0 ||
+      std::fabs(dot(velocity, los.direction)) >= seeker.notch_speed)
+    return true;
+  const LookDown look{.altitude = view.altitude,
+                      .sine = sine,
+                      .beam = seeker.field_of_view,
+                      .cell = seeker.range_gate};
+  return signal_to_clutter(look, signature, los.range) >= kSeenThrough;
 }
 
 SeekerLook measure(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,

@@ -10,10 +10,11 @@ namespace eyrie::model::weapon {
 
 /// Where a seeker is and where its missile points.
 struct SeekerView {
-  Vec3 position;       ///< m
-  Vec3 velocity;       ///< m/s
-  Vec3 axis{1, 0, 0};  ///< unit vector: nose of the missile
-  Vec3 down{0, 0, 1};  ///< unit vector
+  Vec3 position;        ///< m
+  Vec3 velocity;        ///< m/s
+  Vec3 axis{1, 0, 0};   ///< unit vector: nose of the missile
+  Vec3 down{0, 0, 1};   ///< unit vector
+  double altitude = 0;  ///< m; 0: nothing is seen through the ground's echo
 };
 
 /// How far it sees a signature (m^2 or W/sr), m: the fourth root for an active radar (two-way range
@@ -22,7 +23,8 @@ struct SeekerView {
 
 /// Whether the seeker can rest on something at `los` that moves with `velocity` and shows
 /// `signature`: range, gimbal, rate of the line of sight and, for a radar that looks down, the
-/// notch. A missile looks down when the line of sight points below the horizontal.
+/// notch: what is in it has to stand out of the ground's echo by 13 dB, as of noise (clutter.hpp).
+/// A missile looks down when the line of sight points below the horizontal.
 [[nodiscard]] bool visible(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,
                            const Vec3& velocity, double signature);
 

@@ -49,6 +49,22 @@ TEST(AcquisitionRange, EndsAtTheGreatest) {
   EXPECT_DOUBLE_EQ(acquisition_range(infrared(), 0), 0);
 }
 
+/// 8 km high and 17 degrees down, 30 m2 on the beam outshine the ground by 13 dB within 4.2 km.
+TEST(Visible, SeesANearTargetThroughTheGroundsEcho) {
+  SeekerType seeker = radar();
+  seeker.field_of_view = 0.2;
+  seeker.range_gate = 150;
+  const auto beaming = [&](double range, double altitude) {
+    SeekerView view = kView;
+    view.altitude = altitude;
+    const Vec3 velocity{0, 250, 0}, place = range * Vec3{0.9539392, 0, 0.3};
+    return visible(seeker, view, line_of_sight(place, velocity - view.velocity), velocity, 30);
+  };
+  EXPECT_FALSE(beaming(4.4e3, 8e3));
+  EXPECT_TRUE(beaming(4.0e3, 8e3));
+  EXPECT_FALSE(beaming(4.0e3, 4e3)) << "nearer to the ground";
+}
+
 TEST(Visible, NeedsRangeAndGimbal) {
   const Vec3 coming{-300, 0, 0};
   EXPECT_TRUE(sees(radar(), {13e3, 0, -10}, coming, 5));
