@@ -9,10 +9,10 @@
 namespace eyrie::pilot {
 namespace {
 
-/// How much of the target's velocity is believed, 0 to 1: half when it is known to a fifth of the
+/// How much of the target's velocity is believed, 0 to 1: half when it is known to an eighth of the
 /// own speed. Who leads a target of unknown velocity turns with every look.
 double trust(const State& s, const Seen& target) {
-  const double unsure = 5 * static_cast<double>(target.track->velocity_sigma);
+  const double unsure = 8 * static_cast<double>(target.track->velocity_sigma);
   return s.own.speed * s.own.speed / (s.own.speed * s.own.speed + unsure * unsure);
 }
 

@@ -75,7 +75,7 @@ class Pursue final : public Maneuver {
   double level_range_ = si(15, "nmi");
   double behind_ = si(1, "nmi");
   double gun_range_ = 2500;
-  double dead_band_ = si(8, "deg");
+  double dead_band_ = si(10, "deg");
   double far_load_factor_ = 2;
   double crank_ = 0;
   double separation_ = si(500, "ft");

@@ -141,7 +141,7 @@ TEST(Pursue, LeadsATargetAsFarAsItsVelocityIsKnown) {
   desk.track({40e3, 0, 0}, kPi / 2, 200);  // crosses to the right
   const double known = *decide("pursue", desk).action().heading;
   EXPECT_NEAR(std::sin(known), 200.0 / 250, 1e-3);
-  desk.tracks.tracks[0].velocity_sigma = 50;  // a fifth of the own speed
+  desk.tracks.tracks[0].velocity_sigma = 31.25;  // an eighth of the own speed
   EXPECT_NEAR(std::sin(*decide("pursue", desk).action().heading), 100.0 / 250, 1e-3);
   desk.tracks.tracks[0].velocity_sigma = 1000;
   EXPECT_NEAR(*decide("pursue", desk).action().heading, 0, 0.01);
