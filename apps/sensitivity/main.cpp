@@ -17,7 +17,6 @@
 #include "debrief/health.hpp"
 #include "design.hpp"
 #include "judgement.hpp"
-#include "model/weapon/kept_zones.hpp"
 
 namespace {
 using namespace eyrie;
@@ -251,7 +250,6 @@ int main(int argc, char** argv) {
   }
   try {
     const std::string home = argv[1];
-    model::weapon::kept_zones().take(scenario::launch_zones(home));
     const std::vector<Judgement> all = judgements(home);
     fmt::print(stderr, "{} judgements\n", all.size());
     Kept kept(argv[2]);

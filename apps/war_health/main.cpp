@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "debrief/health.hpp"
-#include "model/weapon/kept_zones.hpp"
 
 namespace {
 using namespace eyrie;
@@ -212,7 +211,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    model::weapon::kept_zones().take(scenario::launch_zones(argv[1]));
     std::vector<std::string> missions, duels;
     for (int i = 3; i < argc; ++i)
       (std::string_view(argv[i]).ends_with("duel_defense.yaml") ? duels : missions)

@@ -17,7 +17,8 @@ namespace eyrie::scenario {
 class Source {
  public:
   /// Reads from the disk; names in data/ are looked up below `home`. `allowed` are folders that
-  /// includes may stand in besides those of confine_to_folder_of().
+  /// includes may stand in besides those of confine_to_folder_of(). The launch zones of data/zones
+  /// are taken, so none of them is flown again.
   [[nodiscard]] static Source disk(std::string home, std::vector<std::string> allowed = {});
   /// Serves only these texts: a replay must not read what has changed on the disk since.
   [[nodiscard]] static Source bundle(std::map<std::string, std::string> files);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "model/weapon/kept_zones.hpp"
 #include "scenario/source.hpp"
 
 namespace eyrie::scenario {
@@ -88,6 +89,7 @@ class Disk final : public Source::Folders {
 }  // namespace
 
 Source Source::disk(std::string home, std::vector<std::string> allowed) {
+  model::weapon::kept_zones().take(launch_zones(home));
   Source s;
   s.folders_ = std::make_shared<Disk>(std::move(home), std::move(allowed));
   return s;
