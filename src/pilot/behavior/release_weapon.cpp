@@ -22,6 +22,9 @@ const char* ReleaseWeapon::why_not(const State& s, const Seen& target,
     if (least_f_pole_ > 0 && f_pole(s, target, missile) < least_f_pole_)
       return "the target would be too near when the missile arrives";
   }
+  // a mate close ahead may turn before the missile has flown past him
+  if (friend_in_line(s, {nose_of(s.own), 10, si(1, "nmi"), si(45, "deg")}))
+    return "a friend is close before the nose";
   return friend_in_basket(s, target, missile,
                           {.half_angle = clear_cone_, .beyond = clear_radius_, .turn = clear_turn_})
              ? "a friend may be where the seeker will look"

@@ -227,6 +227,17 @@ Desk friend_at(double share, const Vec3& from_target) {
   return desk;
 }
 
+TEST(ReleaseWeapon, ShootsPastNoMateWhoIsCloseBeforeTheNose) {
+  const char* far = "{release_weapon: {zone: 1, clear_turn: 0}}";
+  for (const double off : {35.0, 55.0}) {
+    Desk desk = friend_at(0.2, {0, 50e3, 0});
+    desk.in_flight(2, 1);
+    desk.datalink.members[1].position =
+        desk.own.position + 800.0 * Vec3{std::cos(off * kDegree), std::sin(off * kDegree), 0};
+    EXPECT_EQ(decide(far, desk).status, off < 45 ? kFailure : kRunning) << off;
+  }
+}
+
 TEST(ReleaseWeapon, LeavesATargetAloneWhileAFriendIsBesideIt) {
   const char* far = "{release_weapon: {clear_radius: 1 nmi, clear_cone: 0, clear_turn: 0}}";
   const char* near = "{release_weapon: {clear_radius: 1400 m, clear_cone: 0, clear_turn: 0}}";
