@@ -59,6 +59,9 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "BurnThrough.IsWhereTheEchoIsAsGoodAsWithoutJammingAtTheOldRange");
   law("jammer", "radar.md", "directions without ranges until burn-through", "definition",
       "Jamming.HidesTheRangeUntilTheEchoBurnsThrough");
+  law("jammer", "radar.md", "a missile sees less far under stand-off noise",
+      "radar equation, one way and two way",
+      "Homing.SeesLessFarUnderTheNoiseOfAJammerThatStandsOff");
   law("jammer", "radar.md", "a missile homes on jam", "definition",
       "Homing.HomesOnTheJammingWhereTheEchoDrownsInItAndKeepsTheBelievedRange");
   law("irst", "radar.md", "range by aspect and throttle, chance of detection",

@@ -51,6 +51,15 @@ struct Jammer {
   return density * antenna_gain(beam_width) * kArea / (kNoise * range_squared);
 }
 
+/// Gain of an antenna aside of its middle over that in its middle, one way: a Gaussian beam (half
+/// of the power half a beam width aside), and its side lobes (dB below the middle). `cos_off`:
+/// cosine of the angle.
+[[nodiscard]] inline double off_beam(double beam_width, double side_lobes, double cos_off) {
+  const double off2 = 2 * (1 - std::fmin(cos_off, 1.0));  // the angle squared, where it is small
+  return std::fmax(math::exp2(-4 * off2 / (beam_width * beam_width)),
+                   math::pow(10, -side_lobes / 10));
+}
+
 /// Jamming that much over the receiver's own noise (-ln of a false alarm rate of 1e-6) shows as a
 /// strobe: a direction without a range.
 inline constexpr double kStrobe = 13.815510557964274;

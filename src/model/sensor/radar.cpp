@@ -125,10 +125,4 @@ Contact strobe(Contact contact, const Vec3& own, double farthest) {
   return contact;
 }
 
-double off_beam(const Radar& radar, double cos_off) {
-  const double width2 = radar.beam_width * radar.beam_width;
-  const double off2 = 2 * (1 - std::min(cos_off, 1.0));  // the angle squared, where it is small
-  return std::max(math::exp2(-4 * off2 / width2), math::pow(10, -radar.side_lobes / 10));
-}
-
 }  // namespace eyrie::model::sensor

@@ -204,10 +204,6 @@ struct LookErrors {
 /// The direction of whoever jams, as `contact` has it; the range is anywhere within `farthest` (m).
 [[nodiscard]] Contact strobe(Contact contact, const Vec3& own, double farthest);
 
-/// Gain of the antenna aside of its middle over that in its middle, one way: a Gaussian beam (half
-/// of the power half a beam width aside), and its side lobes. `cos_off`: cosine of the angle.
-[[nodiscard]] double off_beam(const Radar& radar, double cos_off);
-
 /// Const and shared by every aircraft that carries it. Everybody carries a transponder.
 struct Iff {
   double range = si(100, "nmi");  ///< m

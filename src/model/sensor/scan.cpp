@@ -58,7 +58,8 @@ class Jamming {
   [[nodiscard]] double noise_along(const Vec3& sight) const {
     double noise = 1;
     for (const Jam& jam : items())
-      noise += jam.noise * off_beam(radar_, dot(normalized(sight, jam.unit), jam.unit));
+      noise += jam.noise * off_beam(radar_.beam_width, radar_.side_lobes,
+                                    dot(normalized(sight, jam.unit), jam.unit));
     return noise;
   }
   [[nodiscard]] std::span<const Jam> items() const { return {items_.data(), count_}; }

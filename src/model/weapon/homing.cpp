@@ -25,22 +25,54 @@ double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& dire
   return radiant_intensity(type.infrared, cos_aspect, propulsion[row].throttle);
 }
 
+namespace {
+
+/// dB: the first side lobe of a round antenna whose field falls off to its edge with the square of
+/// the radius is 24.6 dB below its middle (Skolnik, Introduction to Radar Systems; not seen).
+constexpr double kSideLobes = 24.6;
+
+/// What the jammer of aircraft `row` puts into a seeker that points at it, over the receiver's own
+/// noise; nothing in one of its own side.
+double jamming_of(const SeekerType& seeker, const SeekerView& view, const TargetScene& scene,
+                  std::size_t row) {
+  const Emission& emission = scene.emission[row];
+  if (emission.jamming <= 0 || (view.side != Side::none && emission.side == view.side))
+    return 0;
+  return jamming_to_noise(emission.jamming, seeker.field_of_view,
+                          norm2(scene.kinematics[row].position - view.position));
+}
+
+/// Noise of all jammers in a seeker that points along `direction`, over the receiver's own.
+double jamming_along(const SeekerType& seeker, const SeekerView& view, const TargetScene& scene,
+                     const Vec3& direction) {
+  double noise = 0;
+  for (std::size_t row = 0; row < scene.emission.size(); ++row)
+    if (const double loud = jamming_of(seeker, view, scene, row); loud > 0) {
+      const Vec3 apart = scene.kinematics[row].position - view.position;
+      noise += loud * off_beam(seeker.field_of_view, kSideLobes,
+                               dot(normalized(apart, direction), direction));
+    }
+  return noise;
+}
+
+}  // namespace
+
 std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
                                 const TargetScene& scene, std::uint32_t row) {
   const Kinematics& target = scene.kinematics[row];
   const Vec3 apart = target.position - view.position;
   const LineOfSight los = line_of_sight(apart, target.velocity - view.velocity);
   Detected seen{.row = row, .id = scene.ids[row], .los = los};
-  const double noise =
-      seeker.kind == SeekerKind::radar && !scene.emission.empty()
-          ? jamming_to_noise(scene.emission[row].jamming, seeker.field_of_view, norm2(apart))
-          : 0;
+  const bool jams = seeker.kind == SeekerKind::radar && scene.library.jammers.size() != 0;
   // range goes with the fourth root of echo over noise
-  const double signature = scene.signature(seeker.kind, row, los.direction) / (1 + noise);
+  double signature = scene.signature(seeker.kind, row, los.direction);
+  if (jams)
+    signature /= 1 + jamming_along(seeker, view, scene, los.direction);
   if (visible(seeker, view, los, target.velocity, signature))
     return seen;
   // a jammer shines as far as one likes, and has no notch
-  seen.on_jam = noise > kStrobe && visible(seeker, view, los, 1e6 * los.direction, 1e12);
+  seen.on_jam = jams && jamming_of(seeker, view, scene, row) > kStrobe &&
+                visible(seeker, view, los, 1e6 * los.direction, 1e12);
   return seen.on_jam ? std::optional(seen) : std::nullopt;
 }
 
@@ -72,12 +104,13 @@ std::optional<Detected> search(const SeekerType& seeker, const SeekerView& view,
 
 namespace {
 
-SeekerView view_of(const Kinematics& k) {
+SeekerView view_of(const Kinematics& k, Side side) {
   return {.position = k.position,
           .velocity = k.velocity,
           .axis = normalized(k.velocity, k.north),
           .down = k.down,
-          .altitude = k.altitude};
+          .altitude = k.altitude,
+          .side = side};
 }
 
 /// A radar searches where it believes the target, an infrared seeker along its last line of sight.
@@ -122,7 +155,7 @@ bool switch_on(const MissileType& type, const Kinematics& k, double time, Missil
 std::optional<Detected> look(const MissileType& type, const Kinematics& k, double time,
                              const TargetScene& scene, Draw noise, MissileState& state) {
   const SeekerType& seeker = type.seeker;
-  const SeekerView view = view_of(k);
+  const SeekerView view = view_of(k, state.side);
 
   // whom it rests on already
   if (state.locked != 0) {
@@ -174,7 +207,7 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
   const Dispenser& model = scene.library.dispensers[*dispenser];
   const auto& thrown = scene.decoys[row].thrown;
   const Kinematics& target = scene.kinematics[row];
-  const SeekerView view = view_of(k);
+  const SeekerView view = view_of(k, state.side);
   const auto los_of = [&](const DecoyNow& now) {
     return line_of_sight(now.position - k.position, now.velocity - k.velocity);
   };

@@ -47,7 +47,7 @@ struct Detected {
 };
 
 /// Whether the seeker can rest on aircraft `row`, and how it sees it then: by its echo, by its
-/// heat, or, where that drowns in its jamming, a radar by the jamming (home on jam).
+/// heat, or, where that drowns in jamming, a radar by the jamming of that aircraft (home on jam).
 [[nodiscard]] std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view,
                                               const TargetScene& scene, std::uint32_t row);
 

@@ -10,11 +10,12 @@ namespace eyrie::model::weapon {
 
 /// Where a seeker is and where its missile points.
 struct SeekerView {
-  Vec3 position;        ///< m
-  Vec3 velocity;        ///< m/s
-  Vec3 axis{1, 0, 0};   ///< unit vector: nose of the missile
-  Vec3 down{0, 0, 1};   ///< unit vector
-  double altitude = 0;  ///< m; 0: nothing is seen through the ground's echo
+  Vec3 position;           ///< m
+  Vec3 velocity;           ///< m/s
+  Vec3 axis{1, 0, 0};      ///< unit vector: nose of the missile
+  Vec3 down{0, 0, 1};      ///< unit vector
+  double altitude = 0;     ///< m; 0: nothing is seen through the ground's echo
+  Side side = Side::none;  ///< whose jammers leave it alone
 };
 
 /// How far it sees a signature (m^2 or W/sr), m: the fourth root for an active radar (two-way range
