@@ -8,9 +8,8 @@
 namespace eyrie::model::datalink {
 namespace {
 
-std::array<float, 3> narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
+using track::narrow;
+using track::widen;
 
 /// A track counts as held by the own sensors for so long after their last contact (s).
 constexpr double kHeld = 5;
@@ -85,10 +84,6 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
 }
 
 namespace {
-
-Vec3 widen(const std::array<float, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
 
 /// Slack for sums of binary fractions when a time is compared with a delay (s).
 constexpr double kClockSlack = 1e-9;

@@ -6,13 +6,6 @@
 namespace eyrie::model::track {
 namespace {
 
-std::array<float, 3> narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-Vec3 widen(const std::array<float, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
 float worst_sigma(double a, double b) {
   return static_cast<float>(std::sqrt(std::max(a, b)));
 }
@@ -74,8 +67,8 @@ void store(Track& track, const Mode& straight, const Mode& turning, const Vec3& 
   const Mode both = mixture(straight, turning, line);
   track.position = both.position;
   track.velocity = both.velocity;
-  track.along = track::narrow(straight.along);
-  track.across = track::narrow(straight.across);
+  track.along = narrow(straight.along);
+  track.across = narrow(straight.across);
   track.turning = {.along = narrow_turning(turning.along),
                    .across = narrow_turning(turning.across),
                    .position = narrow(turning.position - straight.position),
@@ -194,14 +187,14 @@ Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ow
   const Vec3 aside = widen(track.turning.position), faster = widen(track.turning.velocity);
   Mode straight{.position = track.position - turns * aside,
                 .velocity = track.velocity - turns * faster,
-                .along = track::widen(track.along),
-                .across = track::widen(track.across),
+                .along = widen(track.along),
+                .across = widen(track.across),
                 .probability = 1 - turns};
   Mode turning{.position = straight.position + aside,
                .velocity = straight.velocity + faster,
                .acceleration = widen(track.turning.acceleration),
-               .along = track::widen(track.turning.along),
-               .across = track::widen(track.turning.across),
+               .along = widen(track.turning.along),
+               .across = widen(track.turning.across),
                .probability = turns};
 
   // as the line of sight lies now
@@ -375,8 +368,8 @@ void refresh_sigmas(Track& track, const Tracker& tracker, double time, Interval&
                                             turns * later_velocity(turning, ahead.turning) +
                                             begun * later_velocity(begins, ahead.turning));
   };
-  take(track::widen(track.along), track::widen(track.turning.along));
-  take(track::widen(track.across), track::widen(track.turning.across));
+  take(widen(track.along), widen(track.turning.along));
+  take(widen(track.across), widen(track.turning.across));
 
   // and the spread of their means
   const Vec3 faster =

@@ -66,6 +66,14 @@ struct AxisState {
           static_cast<float>(c.acceleration)};
 }
 
+/// As it stands in rows.
+[[nodiscard]] constexpr std::array<float, 3> narrow(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+[[nodiscard]] constexpr Vec3 widen(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
 /// a + weight * b, member by member.
 [[nodiscard]] constexpr AxisState plus(const AxisState& a, double weight, const AxisState& b) {
   return {a.position + weight * b.position,
