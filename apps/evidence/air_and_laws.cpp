@@ -59,6 +59,14 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "BurnThrough.IsWhereTheEchoIsAsGoodAsWithoutJammingAtTheOldRange");
   law("jammer", "radar.md", "directions without ranges until burn-through", "definition",
       "Jamming.HidesTheRangeUntilTheEchoBurnsThrough");
+  law("jammer", "radar.md", "J/S of a repeater", "G lambda^2 / (4 pi sigma)",
+      "PullOff.OfARepeaterIsTheEchoOfASectionThatIsItsGainTimesLambdaSquaredOverFourPi");
+  law("jammer", "radar.md", "a lock follows a pull-off, breaks, is acquired anew",
+      "Neri (1991, not seen); a t^2 / 2",
+      "PulledRadar.FollowsTheFalseEchoLosesTheLockWhenThatStopsAndAcquiresAnew");
+  law("jammer", "radar.md", "a seeker follows a pull-off, and finds its target again",
+      "Neri (1991, not seen); a t^2 / 2",
+      "PulledSeeker.FollowsTheFalseEchoLosesItWhenThatStopsAndFindsTheTargetAgain");
   law("jammer", "radar.md", "a missile sees less far under stand-off noise",
       "radar equation, one way and two way",
       "Homing.SeesLessFarUnderTheNoiseOfAJammerThatStandsOff");

@@ -43,5 +43,27 @@ TEST(BurnThrough, FallsWithTheRootOfTheJammersPowerAndGrowsWithTheRootOfTheCross
   EXPECT_EQ(burn_through(150e3, 0), 150e3);
 }
 
+/// By hand: 60 dB, 9 cm^2 and 4 pi make 18.6 dB over 1 m^2.
+TEST(PullOff, OfARepeaterIsTheEchoOfASectionThatIsItsGainTimesLambdaSquaredOverFourPi) {
+  const PullOff pull;
+  EXPECT_NEAR(10 * std::log10(pull.section()), 60 - 30.46 - 10.99, 0.01);
+  EXPECT_NEAR((PullOff{.gain = 70}.section()) / pull.section(), 10, 1e-12);
+}
+
+TEST(PullOff, MovesAwayWithItsAccelerationAndBeginsAnew) {
+  PullOff pull{.acceleration = 20, .walk_time = 8, .pause_time = 4};
+  EXPECT_EQ(pull.phase(0), 0);
+  EXPECT_EQ(pull.phase(7), 7);
+  EXPECT_FALSE(pull.phase(8));
+  EXPECT_FALSE(pull.phase(23.9));
+  EXPECT_EQ(pull.phase(26), 2);
+  EXPECT_EQ(pull.at(8).range, 640);
+  EXPECT_EQ(pull.at(8).speed, 160);
+  pull.gates = Gates::range;
+  EXPECT_EQ(pull.at(8).speed, 0);
+  pull.gates = Gates::speed;
+  EXPECT_EQ(pull.at(8).range, 0);
+}
+
 }  // namespace
 }  // namespace eyrie::model

@@ -29,6 +29,10 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
   for (std::size_t i = 0; i < library.datalinks.size(); ++i)
     if (const std::string_view problem = library.datalinks[i].problem(); !problem.empty())
       problems.push_back({"datalinks", library.datalinks.name(i), "delay", std::string(problem)});
+  for (std::size_t i = 0; i < library.jammers.size(); ++i)
+    if (library.jammers[i].power <= 0 && !library.jammers[i].pull_off)
+      problems.push_back({"jammers", library.jammers.name(i), "power",
+                          "it radiates neither noise nor false echoes (pull_off)"});
   return problems;
 }
 

@@ -53,7 +53,7 @@ TEST(Columns, HandOutRowsOfTheirTopic) {
   EXPECT_TRUE(world.canonical());
 }
 
-TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStep) {
+TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStepOrThatDoesNothing) {
   Library library;
   Radar odd;
   odd.track_rate = 7;
@@ -61,14 +61,18 @@ TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStep) {
   library.radars.add("odd", odd);
   library.visuals.add("eyes", {});
   library.datalinks.add("slow", {.rate = 1, .delay = 3});
+  library.jammers.add("noise", {.power = 1});
+  library.jammers.add("deceiver", {.pull_off = PullOff{}});
+  library.jammers.add("dead", {});
   const auto problems = problems_of(library, 0.02);
-  ASSERT_EQ(problems.size(), 2u);
+  ASSERT_EQ(problems.size(), 3u);
   EXPECT_EQ(problems[0].kind, "radars");
   EXPECT_EQ(problems[0].model, "odd");
   EXPECT_EQ(problems[0].parameter, "track_rate");
   EXPECT_NE(problems[0].problem.find("7 Hz"), std::string::npos) << problems[0].problem;
   EXPECT_EQ(problems[1].model, "slow");
   EXPECT_EQ(problems[1].parameter, "delay");
+  EXPECT_EQ(problems[2].model, "dead");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/units.hpp"
 #include "support/flight.hpp"
 
@@ -60,6 +62,49 @@ TEST(Jamming, HidesTheRangeUntilTheEchoBurnsThrough) {
   EXPECT_GT(clear[4], si(50, "nmi"));
   EXPECT_LT(jammed[4], 0.6 * clear[4]);
   EXPECT_GT(jammed[8], 0) << "even odds are at 21 km";
+}
+
+/// What the bogeys' jammers do to the locks of eagles whose radars lock within 40 nmi, in some
+/// seeds.
+struct Locks {
+  int pulled = 0;    ///< times that the gates were taken along for more than 6 s
+  int broken = 0;    ///< of these, those that ended without a lock, or with that on another track
+  int regained = 0;  ///< and those that ended on the echo
+};
+Locks locks_against(const std::string& jammer) {
+  Locks result;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Flight f(load_scenario("jamming", {"data.aircraft.jamming_su27.jammer=" + jammer,
+                                       "data.radars={far_lock: {base: apg63, lock_range: 40 nmi}}",
+                                       "data.aircraft.locking_f15c={base: f15c, radar: far_lock}",
+                                       "blue.flights.eagle.aircraft=locking_f15c"}),
+             seed);
+    std::array<TrackId, 2> pulled{};
+    for (int tenth = 3000; tenth < 7000; ++tenth) {
+      f.fly_until(tenth / 10.0);
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto row = f.row(i == 0 ? "eagle1" : "eagle2");
+        if (!row)
+          continue;
+        const auto& radar = f.world().rows(f.scenario->aircraft.radar)[*row];
+        const TrackId on = radar.locked ? radar.designated : TrackId{};
+        const bool far = on && radar.pulled > 6;
+        result.pulled += far && !pulled[i];
+        if (pulled[i] && !far)
+          ++(on == pulled[i] ? result.regained : result.broken);
+        pulled[i] = far ? on : TrackId{};
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Jamming, PullsTheGatesOfLocksOffAndBreaksThem) {
+  const Locks deceived = locks_against("deceiver"), clear = locks_against("null");
+  EXPECT_GT(deceived.pulled, 5);
+  EXPECT_GE(deceived.broken, deceived.pulled - 2) << "a locked eagle may be shot down";
+  EXPECT_EQ(deceived.regained, 0) << "the echo is too far from the gates";
+  EXPECT_EQ(clear.pulled, 0);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ struct RadarState {
   TrackId designated{};       ///< the track that the scan follows
   PlayerId locked{};          ///< whose echo the range gate rests on in track mode
   RadarMode mode = RadarMode::off;
-  std::uint8_t reserved[7] = {};
+  std::uint8_t reserved[3] = {};
+  float pulled = 0;  ///< s of the pull-off (jamming.hpp) that the gates have followed; 0: the echo
 
   static constexpr auto fields() {
     using R = RadarState;
@@ -37,7 +38,8 @@ struct RadarState {
         field("scan_azimuth", &R::scan_azimuth, "rad"),
         field("scan_elevation", &R::scan_elevation, "rad"), field("lock_time", &R::lock_time, "s"),
         field("search_until", &R::search_until, "s"), field("designated", &R::designated),
-        field("locked", &R::locked), field("mode", &R::mode), field("reserved", &R::reserved));
+        field("locked", &R::locked), field("mode", &R::mode), field("reserved", &R::reserved),
+        field("pulled", &R::pulled, "s"));
   }
 };
 

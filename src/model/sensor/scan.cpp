@@ -88,16 +88,28 @@ struct Looking {
         jamming(scene, self) {}
 };
 
-/// The S/N of row `j` in this look, if it is detected.
+/// Mean S/N of an echo in one look, with what jams.
+double mean_of(const Self& self, const Looking& looking, const Signature& signature,
+               const Kinematics& other) {
+  const double mean =
+      mean_echo(*self.suite.radar, looking.detector, self.kinematics, signature, other);
+  return mean <= 0 || looking.jamming.items().empty()
+             ? mean
+             : mean / looking.jamming.noise_along(other.position - self.kinematics.position);
+}
+
+/// The S/N of row `j` in this look, if it is detected; `mean` is that of its echo, or of a false
+/// one.
 std::optional<double> detected(const Scene& scene, const Self& self, const Looking& looking,
-                               std::size_t j) {
-  double mean = mean_echo(*self.suite.radar, looking.detector, self.kinematics,
-                          *scene.suite(j).signature, scene.kinematics[j]);
+                               std::size_t j, double mean) {
   if (mean <= 0)
     return std::nullopt;
-  if (!looking.jamming.items().empty())
-    mean /= looking.jamming.noise_along(scene.kinematics[j].position - self.kinematics.position);
   return looking.detector.echo(mean, scene.draw(self.id, Stream::radar, scene.ids[j]).uniform());
+}
+std::optional<double> detected(const Scene& scene, const Self& self, const Looking& looking,
+                               std::size_t j) {
+  return detected(scene, self, looking, j,
+                  mean_of(self, looking, *scene.suite(j).signature, scene.kinematics[j]));
 }
 
 void lose_lock(const Scene& scene, Self& self) {
@@ -132,6 +144,50 @@ void acquire(const Scene& scene, Self& self, const Looking& looking) {
   }
   if (!best.items().empty())
     self.radar.locked = scene.ids[best.items()[0].row];
+  self.radar.pulled = 0;
+}
+
+/// m/s^2, 9 g: the gates of a lock leave room for a target that turns like that between two looks.
+constexpr double kTurnInGate = 88;
+
+/// What the gates of a lock rest on in this look: the echo of row `j`, or, if that is stronger or
+/// alone in them, the false one of its jammer. The gates stay where they are while they are empty.
+std::optional<double> in_gates(const Scene& scene, Self& self, const Looking& looking,
+                               std::size_t j, FalseEcho& off) {
+  const Jammer* jammer = scene.suite(j).jammer;
+  if (jammer == nullptr || !jammer->pull_off || scene.fit[j].side == self.fit.side)
+    return detected(scene, self, looking, j);
+  const Radar& radar = *self.suite.radar;
+  const PullOff& pull = *jammer->pull_off;
+  const double dt = 1 / radar.track_rate;
+  const FalseEcho gates = pull.at(static_cast<double>(self.radar.pulled));
+  const auto inside = [&](const FalseEcho& echo) {
+    return std::fabs(echo.range - gates.range) <= radar.range_cell + kTurnInGate * dt * dt / 2 &&
+           std::fabs(echo.speed - gates.speed) <= radar.speed_cell + kTurnInGate * dt;
+  };
+  const Kinematics& target = scene.kinematics[j];
+  const double mean = inside({}) ? mean_of(self, looking, *scene.suite(j).signature, target) : 0.0;
+  if (const auto phase = pull.phase(scene.time); phase && inside(pull.at(*phase))) {
+    const FalseEcho echo = pull.at(*phase);
+    const double section = pull.section();
+    Kinematics there = target;
+    there.velocity +=
+        echo.speed * normalized(target.position - self.kinematics.position, self.kinematics.north);
+    const double stronger = mean_of(
+        self, looking, {.rcs_front = section, .rcs_side = section, .rcs_rear = section}, there);
+    if (stronger > mean) {
+      const auto seen = detected(scene, self, looking, j, stronger);
+      if (seen) {
+        self.radar.pulled = static_cast<float>(*phase);
+        off = echo;
+      }
+      return seen;
+    }
+  }
+  const auto seen = detected(scene, self, looking, j, mean);
+  if (seen)
+    self.radar.pulled = 0;
+  return seen;
 }
 
 }  // namespace
@@ -221,12 +277,13 @@ void track_target(const Scene& scene, Self& self) {
 
   // the range gate rests on one echo; it is there, or the lock lives on memory for a while
   std::optional<double> signal_to_noise, jam;
+  FalseEcho off;
   const auto row = self.radar.locked ? scene.world.row(scene.table, self.radar.locked)
                                      : std::optional<std::uint32_t>{};
   if (row) {
     const Vec3 sight = scene.kinematics[*row].position - self.kinematics.position;
     if (within_gimbal(looking.antenna, sight, norm2(sight))) {
-      signal_to_noise = detected(scene, self, looking, *row);
+      signal_to_noise = in_gates(scene, self, looking, *row, off);
       jam = looking.jamming.strobe_of(*row);
     }
   }
@@ -235,6 +292,10 @@ void track_target(const Scene& scene, Self& self) {
     const Axes level = level_axes(self.kinematics, self.kinematics.heading);
     Contact contact = contact_with(scene, self, *row, RadarMode::track,
                                    signal_to_noise.value_or(jam.value_or(0)), level);
+    contact.sigma_across *= 1 + off.range / contact.range;
+    contact.range += off.range;
+    contact.position += off.range * contact.line;
+    contact.speed_along += off.speed;
     if (!signal_to_noise)
       contact = strobe(contact, self.kinematics.position, radar.instrumented_range);
     track::update(self.tracks, self.context(scene.time), std::span(&contact, 1));

@@ -108,6 +108,91 @@ TEST(JammedRadar, KeepsALockOnTheStrobe) {
   EXPECT_GT(track->position_sigma, 2 * before) << "but its range is no longer measured";
 }
 
+/// An eagle that has locked a bogey 20 nmi ahead, whose repeater pulls from 28 s to 36 s.
+struct PulledWar : JammedWar {
+  explicit PulledWar(const PullOff& pull) : JammedWar(20 * kMile) {
+    models.jammers = {};
+    models.jammers.add("deceiver", {.pull_off = pull});
+    build();
+    give_jammer(bogey);
+    fly(20);
+    lock_anew();
+  }
+  RadarState& radar() { return row(aircraft.radar, eagle); }
+  /// The latest of the bogey.
+  const Track& latest() {
+    const Track* found = track_of(eagle, bogey);
+    for (const Track& track : tracks(eagle).tracks)
+      if (track.truth == bogey && track.sensed_time > found->sensed_time)
+        found = &track;
+    return *found;
+  }
+  void lock_anew() {
+    row(aircraft.request, eagle).target = latest().id;
+    row(aircraft.request, eagle).radar_lock = 1;
+  }
+  /// m beyond the bogey, and m/s faster away than it, that the latest track is.
+  std::pair<double, double> pulled() {
+    const Kinematics& other = row(aircraft.kinematics, bogey);
+    return {latest().position.x + (time() - latest().time) * latest().velocity.x - other.position.x,
+            latest().velocity.x - other.velocity.x};
+  }
+  double time() { return static_cast<double>(world->step()) * 0.02; }
+};
+constexpr PullOff kPull{.acceleration = 20, .walk_time = 8, .pause_time = 20};
+
+TEST(PulledRadar, FollowsTheFalseEchoLosesTheLockWhenThatStopsAndAcquiresAnew) {
+  PulledWar war(kPull);
+  war.fly(7.9);
+  ASSERT_EQ(war.radar().locked, war.bogey);
+  EXPECT_EQ(war.radar().pulled, 0);
+  EXPECT_NEAR(war.pulled().first, 0, 100);
+  war.fly(8);
+  EXPECT_EQ(war.radar().locked, war.bogey) << "as it believes";
+  EXPECT_NEAR(war.radar().pulled, 7.9, 0.2);
+  EXPECT_NEAR(war.pulled().first, 20 * 7.9 * 7.9 / 2, 60);
+  EXPECT_NEAR(war.pulled().second, 20 * 7.9, 20);
+  war.fly(3);
+  EXPECT_EQ(war.radar().mode, RadarMode::search) << "its memory is 2 s";
+  war.fly(4);
+  war.lock_anew();
+  war.fly(2);
+  EXPECT_EQ(war.radar().mode, RadarMode::track);
+  EXPECT_EQ(war.radar().locked, war.bogey);
+  EXPECT_EQ(war.radar().pulled, 0);
+  EXPECT_NEAR(war.pulled().first, 0, 100);
+}
+
+TEST(PulledRadar, RestsOnTheEchoOfATargetThatOutshinesItsRepeater) {
+  for (const double gain : {50.0, 52.0}) {  // 7.2 and 11.3 m^2; the tail has 8
+    PullOff pull = kPull;
+    pull.gain = gain;
+    PulledWar war(pull);
+    war.fly(15.9);
+    EXPECT_EQ(war.radar().pulled > 0, gain > 51) << gain;
+    war.fly(3);
+    EXPECT_EQ(war.radar().mode == RadarMode::track, gain < 51) << gain;
+  }
+}
+
+TEST(PulledRadar, RestsOnTheEchoIfThatIsPulledFasterThanItsGatesCanFollow) {
+  // from one look to the next 0.2 s: a filter of 3 m/s and 9 g, so 103 m/s^2
+  for (const double acceleration : {95.0, 110.0}) {
+    PullOff pull = kPull;
+    pull.acceleration = acceleration;
+    PulledWar war(pull);
+    war.fly(15.9);
+    EXPECT_EQ(war.radar().pulled > 7, acceleration < 100) << acceleration;
+  }
+}
+
+TEST(PulledRadar, IsNotPulledByItsOwnSide) {
+  PulledWar war(kPull);
+  war.row(war.aircraft.fit, war.bogey).side = Side::blue;
+  war.fly(15.9);
+  EXPECT_EQ(war.radar().pulled, 0);
+}
+
 TEST(Jammer, MayWaitUntilARadarTracksIt) {
   JammedWar war(20 * kMile);
   war.models.jammers = {};

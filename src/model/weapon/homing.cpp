@@ -122,6 +122,45 @@ SearchVolume search_volume(const MissileType& type, const Kinematics& k, double 
   return {.direction = normalized(place - k.position, state.sight), .place = place};
 }
 
+/// What the gates of a radar seeker rest on: the echo of aircraft `row`, or, if that is stronger or
+/// alone in them, the false one of its jammer. They are where range and closing speed are believed.
+struct InGates {
+  std::optional<Detected> seen;
+  bool pulled_off = false;  ///< somebody pulls, or has pulled: what is not seen is not at hand
+};
+InGates in_gates(const SeekerType& seeker, const SeekerView& view, const TargetScene& scene,
+                 std::uint32_t row, double time, const MissileState& state) {
+  InGates result{.seen = look_at(seeker, view, scene, row)};
+  const auto& index = scene.library.aircraft[scene.fit[row].type].index.jammer;
+  if (seeker.kind != SeekerKind::radar || !index || !scene.library.jammers[*index].pull_off ||
+      (view.side != Side::none && scene.fit[row].side == view.side) ||
+      (result.seen && result.seen->on_jam))
+    return result;
+  result.pulled_off = true;
+  const PullOff& pull = *scene.library.jammers[*index].pull_off;
+  const double believed = norm(believed_position(state, time) - view.position);
+  const auto inside = [&](const LineOfSight& los) {
+    return std::fabs(los.range - believed) <= seeker.range_gate / 2 &&
+           std::fabs(los.closing - state.closing_speed) <= seeker.doppler_gate / 2;
+  };
+  if (result.seen && !inside(result.seen->los))
+    result.seen = std::nullopt;
+  const auto phase = pull.phase(time);
+  if (!phase)
+    return result;
+  const Kinematics& target = scene.kinematics[row];
+  const FalseEcho off = pull.at(*phase);
+  LineOfSight los = line_of_sight(target.position - view.position, target.velocity - view.velocity);
+  los.range += off.range;
+  los.closing -= off.speed;
+  const double section = pull.section() / (1 + jamming_along(seeker, view, scene, los.direction));
+  if (inside(los) &&
+      (!result.seen || pull.section() > scene.signature(SeekerKind::radar, row, los.direction)) &&
+      visible(seeker, view, los, target.velocity + off.speed * los.direction, section))
+    result.seen = Detected{.row = row, .id = scene.ids[row], .los = los};
+  return result;
+}
+
 /// One look at what is seen. Range and closing speed of a jammer stay what was believed of it.
 SeekerLook measured(const SeekerType& seeker, const SeekerView& view, const Detected& seen,
                     double time, Draw noise, const MissileState& state) {
@@ -160,12 +199,15 @@ std::optional<Detected> look(const MissileType& type, const Kinematics& k, doubl
   // whom it rests on already
   if (state.locked != 0) {
     const auto row = std::lower_bound(scene.ids.begin(), scene.ids.end(), state.seen);
-    if (row != scene.ids.end() && *row == state.seen)
-      if (const auto seen =
-              look_at(seeker, view, scene, static_cast<std::uint32_t>(row - scene.ids.begin()))) {
-        follow(seeker, view, measured(seeker, view, *seen, time, noise, state), time, state);
+    if (row != scene.ids.end() && *row == state.seen) {
+      const InGates gates = in_gates(
+          seeker, view, scene, static_cast<std::uint32_t>(row - scene.ids.begin()), time, state);
+      if (gates.seen)
+        follow(seeker, view, measured(seeker, view, *gates.seen, time, noise, state), time, state);
+      state.locked = gates.seen ? 1 : 0;
+      if (gates.seen || gates.pulled_off)
         return std::nullopt;
-      }
+    }
     state.locked = 0;
   }
 

@@ -119,6 +119,70 @@ TEST_F(Homing, SeesLessFarUnderTheNoiseOfAJammerThatStandsOff) {
   }
 }
 
+/// A missile that looks 50 times a second at an enemy whose repeater pulls for 4 s, then no more.
+struct Pulled {
+  Range range;
+  PlayerId enemy;
+  Missile m;
+  explicit Pulled(double gain) : range(1, deceived(gain)) {
+    range.add({0, 0, -8000}, 0, 250);
+    enemy = range.add({9000, 0, -8100}, kPi, 250, Side::red);
+    const Kinematics& k = target();
+    m = missile(range, kMedium, {.position = k.position, .velocity = k.velocity, .truth = enemy});
+  }
+  static Library deceived(double gain) {
+    Library library = Range::standard();
+    AircraftType fighter = library.aircraft[0];
+    fighter.index.jammer = library.jammers.add(
+        "deceiver",
+        {.pull_off = PullOff{.gain = gain, .acceleration = 40, .walk_time = 4, .pause_time = 60}});
+    library.aircraft = {};
+    library.aircraft.add("fighter", fighter);
+    return library;
+  }
+  Kinematics& target() { return range.row(range.aircraft().kinematics, enemy); }
+  void look_at_step(std::uint64_t step) {
+    if (step > 0) {
+      target().position += 0.02 * target().velocity;
+      m.k.position += 0.02 * m.k.velocity;
+    }
+    const TargetScene scene = TargetScene::of(range.world(), range.aircraft(), range.library());
+    (void)look(range.library().missiles[kMedium], m.k, 0.02 * static_cast<double>(step), scene,
+               Draw(1, PlayerId{9}, Stream::seeker, step), m.state);
+  }
+  /// m, how far behind the target it believes it, and m/s, how much slower it believes to close.
+  std::pair<double, double> off() {
+    const Vec3 apart = target().position - m.k.position;
+    const double closing = dot(m.k.velocity - target().velocity, normalized(apart, {}));
+    return {norm(m.state.target_position - m.k.position) - norm(apart),
+            closing - m.state.closing_speed};
+  }
+};
+
+TEST(PulledSeeker, FollowsTheFalseEchoLosesItWhenThatStopsAndFindsTheTargetAgain) {
+  Pulled pulled(60);
+  for (std::uint64_t step = 0; step < 200; ++step)
+    pulled.look_at_step(step);
+  EXPECT_EQ(pulled.m.state.locked, 1);
+  EXPECT_NEAR(pulled.off().first, 40 * 3.98 * 3.98 / 2, 60);
+  EXPECT_NEAR(pulled.off().second, 40 * 3.98, 12);
+  pulled.look_at_step(200);
+  EXPECT_EQ(pulled.m.state.locked, 0) << "nothing is in its gates";
+  pulled.look_at_step(201);
+  EXPECT_EQ(pulled.m.state.locked, 1);
+  EXPECT_NEAR(pulled.off().first, 0, 60);
+  EXPECT_NEAR(pulled.off().second, 0, 12);
+}
+
+TEST(PulledSeeker, RestsOnATargetThatOutshinesItsRepeater) {
+  Pulled pulled(40);  // 0.7 m^2
+  for (std::uint64_t step = 0; step <= 200; ++step) {
+    pulled.look_at_step(step);
+    ASSERT_EQ(pulled.m.state.locked, 1) << step;
+    ASSERT_NEAR(pulled.off().first, 0, 75) << step;
+  }
+}
+
 TEST_F(Homing, OnJammingHasNoNotch) {
   range.add({0, 0, -8000}, 0, 250);
   const PlayerId enemy =
