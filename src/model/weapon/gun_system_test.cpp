@@ -68,7 +68,7 @@ TEST(GunSystem, HitsAsOftenAsTheModelSays) {
   std::uint32_t rounds = 0;
   double damage = 0, expected = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Chase chase(800, seed);
+    Chase chase(600, seed);
     // red survives whatever happens, so that every round is counted
     chase.trigger(true);
     for (int step = 0; step < 10; ++step) {
