@@ -73,9 +73,12 @@ inline std::vector<Judgement> judgements(const std::string& home) {
 }
 
 /// Every number of it times a factor. Whole numbers without a unit stay whole and change by one at
-/// least; rates become such that fit the step (50 Hz).
+/// least; 0, a share of which there is none, becomes 0 and a fifth; rates become such that fit the
+/// step (50 Hz).
 inline std::string scaled(const std::string& value, double factor) {
   const bool rate = value.ends_with(" Hz");
+  if (value == "0")
+    return factor < 1 ? "0" : fmt::format("{:.10g}", factor - 1);
   const bool counts = value.find_first_not_of("0123456789") == std::string::npos;
   const auto rounded = [&](double number) {  // away from what it is
     const double whole = std::round(number * factor);

@@ -3,6 +3,7 @@
 /// [judgement] at 0.8 or 1.2 of what it is, all at the same time, in the combinations of a balanced
 /// design, and prints one table: each run tells of every value. What is flown is kept in a file, so
 /// that the next start goes on from there. usage: sensitivity HOME KEPT SEEDS SCENARIO...
+/// SCENARIO: FILE[,PATH=VALUE]..., and behind a + only the values that no mission before it reads.
 #include <atomic>
 #include <deque>
 #include <exception>
@@ -50,6 +51,8 @@ using Scores = std::vector<double>;
 /// Red losses less blue ones, and both together: what is the same on both sides shows there.
 constexpr const char* kOutcomes[] = {"red - blue losses", "red + blue losses"};
 constexpr std::size_t kCount = std::size(kOutcomes);
+/// Seeds of a mission with few values, which has few rows, for each of one with all of them.
+constexpr std::size_t kMoreSeeds = 8;
 void fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
          double* outcomes) {
   const debrief::Health health = debrief::measure(scenario, seed);
@@ -110,28 +113,46 @@ class Kept {
   std::ofstream file_;
 };
 
+/// What an argument asks for.
+struct Mission {
+  explicit Mission(std::string argument) : only_new(argument.starts_with('+')) {
+    std::istringstream words(argument.substr(only_new ? 1 : 0));
+    std::getline(words, request.file, ',');
+    name = std::filesystem::path(request.file).stem().string();
+    for (std::string set; std::getline(words, set, ','); name += ", " + set)
+      request.sets.push_back(set);
+  }
+  bool only_new;
+  std::string name;
+  scenario::LoadRequest request;
+};
+
 /// One mission: the values that it reads, and what each of them does.
 class Study {
  public:
-  Study(std::string home, std::string file, std::size_t seeds, Kept& kept,
-        const std::vector<Judgement>& all)
+  /// Takes what it studies out of `left` where that is all that it looks at.
+  Study(std::string home, Mission mission, std::size_t seeds, Kept& kept,
+        const std::vector<Judgement>& all, std::set<const Judgement*>& left)
       : home_(std::move(home)),
-        file_(std::move(file)),
-        seeds_(seeds),
+        mission_(std::move(mission)),
+        seeds_(mission_.only_new ? kMoreSeeds * seeds : seeds),
         kept_(kept),
-        base_(kCount * seeds) {
-    const auto scenario = scenario::load({file_, {}}, scenario::Source::disk(home_));
-    on_all_cores(seeds, [&](std::size_t k) { ::fly(scenario, k + 1, &base_[kCount * k]); });
+        base_(kCount * seeds_) {
+    const auto scenario = scenario::load(mission_.request, scenario::Source::disk(home_));
+    on_all_cores(seeds_, [&](std::size_t k) { ::fly(scenario, k + 1, &base_[kCount * k]); });
     for (const bool costly : {true, false})  // launch zones are flown anew for a changed missile
       for (const Judgement& j : all)
-        if (scenario->files.contains(j.file) && is_costly(j) == costly)
+        if (scenario->files.contains(j.file) && is_costly(j) == costly &&
+            (!mission_.only_new || left.contains(&j)))
           values_.push_back(&j);
+    for (const Judgement* j : values_)
+      left.erase(j);
     std::string id;  // what was kept belongs to these runs
     for (const double score : base_)
       id += fmt::format("{} ", score);
     for (const Judgement* j : values_)
       id += j->name + j->now;
-    id_ = fmt::format("{} {:x}", file_, std::hash<std::string>{}(id));
+    id_ = fmt::format("{} {:x}", mission_.name, std::hash<std::string>{}(id));
   }
 
   void fly() {
@@ -155,7 +176,7 @@ class Study {
           ::fly(scenario, k + 1, &row.scores[kCount * k]);
         kept_.keep(key, row.scores);
       }
-      fmt::print(stderr, "\r{}: {} of {} rows ", file_, ++done, rows_.size());
+      fmt::print(stderr, "\r{}: {} of {} rows ", mission_.name, ++done, rows_.size());
     };
     on_all_cores(design.plots(), [&](std::size_t plot) {
       for (std::size_t i = 0; i < in_plot; ++i)
@@ -171,11 +192,15 @@ class Study {
     return mean_of(by_seed, false);
   }
   [[nodiscard]] std::size_t runs() const { return rows_.size() * seeds_; }
+  [[nodiscard]] const Mission& mission() const { return mission_; }
+  [[nodiscard]] bool reads(const Judgement& j) const {
+    return std::find(values_.begin(), values_.end(), &j) != values_.end();
+  }
   /// From 0.8 to 1.2; "" of what the mission does not read.
   [[nodiscard]] std::string effect(const Judgement& j, std::size_t outcome) const {
-    const auto place = std::find(values_.begin(), values_.end(), &j);
-    if (place == values_.end())
+    if (!reads(j))
       return "";
+    const auto place = std::find(values_.begin(), values_.end(), &j);
     Scores by_seed(seeds_);
     for (const Row& row : rows_)
       for (std::size_t k = 0; k < seeds_; ++k)
@@ -215,7 +240,7 @@ class Study {
       for (const auto& [name, text] : texts)
         source.add(name, text);
       try {
-        return scenario::load({file_, {}}, std::move(source));
+        return scenario::load(mission_.request, std::move(source));
       } catch (const ConfigError& e) {
         bool found = false;
         for (const Diagnostic& wrong : e.diagnostics().sorted())
@@ -232,13 +257,62 @@ class Study {
     }
   }
 
-  std::string home_, file_, id_;
+  std::string home_;
+  Mission mission_;
+  std::string id_;
   std::size_t seeds_;
   Kept& kept_;
   Scores base_;
   std::vector<const Judgement*> values_;
   std::vector<Row> rows_;
 };
+
+/// A table of what every mission that is studied whole says of each value, and one of the rest.
+void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) {
+  std::string runs = "Runs:", head, line, now, rest;
+  for (const Study& study : studies) {
+    const std::string& name = study.mission().name;
+    runs += fmt::format(" {} of {},", study.runs(), name);
+    if (study.mission().only_new)
+      for (const Judgement& j : all)
+        rest += study.reads(j) ? fmt::format("\n| {} | {} | {} | {} | {} |", j.name, j.now, name,
+                                             study.effect(j, 0), study.effect(j, 1))
+                               : "";
+    else
+      for (std::size_t o = 0; o < kCount; ++o) {
+        head += fmt::format(" {}: {} |", name, kOutcomes[o]);
+        line += " ---: |";
+        now += fmt::format(" {} |", study.as_it_is(o));
+      }
+  }
+  runs.back() = '.';
+  fmt::print("{}\n\n", runs);
+  fmt::print(
+      "| from 0.8 to 1.2 of | now |{}\n| --- | ---: |{}\n| none: the mission as it is | |{}\n",
+      head, line, now);
+  std::string unread;
+  for (const Judgement& j : all) {
+    std::string cells;
+    bool whole = false;
+    for (const Study& study : studies)
+      if (!study.mission().only_new) {
+        whole |= study.reads(j);
+        for (std::size_t o = 0; o < kCount; ++o)
+          cells += fmt::format(" {} |", study.effect(j, o));
+      }
+    if (whole)
+      fmt::print("| {} | {} |{}\n", j.name, j.now, cells);
+    else if (std::none_of(studies.begin(), studies.end(), [&](auto& s) { return s.reads(j); }))
+      unread += fmt::format("{} {}", unread.empty() ? "" : ",", j.name);
+  }
+  if (!rest.empty())
+    fmt::print(
+        "\n| from 0.8 to 1.2 of | now | mission | {} | {} |\n| --- | ---: | --- | ---: | ---: "
+        "|{}\n",
+        kOutcomes[0], kOutcomes[1], rest);
+  if (!unread.empty())
+    fmt::print("\nNo mission here reads{}.\n", unread);
+}
 
 }  // namespace
 
@@ -253,30 +327,13 @@ int main(int argc, char** argv) {
     const std::vector<Judgement> all = judgements(home);
     fmt::print(stderr, "{} judgements\n", all.size());
     Kept kept(argv[2]);
+    std::set<const Judgement*> left;  // nobody has studied them yet
+    for (const Judgement& j : all)
+      left.insert(&j);
     std::deque<Study> studies;
-    std::string head = "| from 0.8 to 1.2 of |", line = "| --- |",
-                now = "| none: the mission as it is |";
-    std::string runs = "Runs: ";
-    for (int i = 4; i < argc; ++i) {
-      Study& study = studies.emplace_back(home, argv[i], seeds, kept, all);
-      study.fly();
-      for (std::size_t o = 0; o < kCount; ++o) {
-        head +=
-            fmt::format(" {}: {} |", std::filesystem::path(argv[i]).stem().string(), kOutcomes[o]);
-        line += " ---: |";
-        now += fmt::format(" {} |", study.as_it_is(o));
-      }
-      runs += fmt::format("{}{} of {}", i > 4 ? ", " : "", study.runs(), argv[i]);
-    }
-    fmt::print("{}\n\n{} now |\n{} ---: |\n{} |", runs, head, line, now);
-    for (const Judgement& j : all) {
-      fmt::print("\n| {} |", j.name);
-      for (const Study& study : studies)
-        for (std::size_t o = 0; o < kCount; ++o)
-          fmt::print(" {} |", study.effect(j, o));
-      fmt::print(" {} |", j.now);
-    }
-    fmt::print("\n");
+    for (int i = 4; i < argc; ++i)
+      studies.emplace_back(home, Mission(argv[i]), seeds, kept, all, left).fly();
+    print(studies, all);
   } catch (const std::exception& e) {
     fmt::print(stderr, "{}\n", e.what());
     return 2;

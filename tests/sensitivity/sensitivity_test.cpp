@@ -53,6 +53,8 @@ TEST(Judgements, AreScaledToValuesThatMayBe) {
   EXPECT_EQ(scaled("[1.15, 0.5]", 0.8), "[0.92, 0.4]");
   EXPECT_EQ(scaled("60", 0.8), "48");
   EXPECT_EQ(scaled("2", 1.2), "3") << "a count stays whole, and changes";
+  EXPECT_EQ(scaled("0", 1.2), "0.2");
+  EXPECT_EQ(scaled("0", 0.8), "0");
   EXPECT_EQ(scaled("10 Hz", 0.8), "8.333333333 Hz") << "every sixth step, not every fifth";
 }
 
