@@ -16,15 +16,17 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
   for (const auto& t : kTable) {
     const model::Air air = model::standard_air(t.altitude);
     const auto row = [&](const char* what, double here, double published) {
-      out.rows.push_back({.model = "atmosphere",
-                          .page = "atmosphere.md",
-                          .claim = std::string(what) + " at " +
-                                   std::to_string(static_cast<int>(t.altitude / 1000)) + " km",
-                          .here = here,
-                          .published = published,
-                          .tolerance = 2e-4,
-                          .source = "U.S. Standard Atmosphere 1976, table I (from memory)",
-                          .test = "StandardAir.ReproducesThePublishedTableToThePrintedDigits"});
+      out.rows.push_back(
+          {.model = "atmosphere",
+           .page = "atmosphere.md",
+           .claim = std::string(what) + " at " +
+                    std::to_string(static_cast<int>(t.altitude / 1000)) + " km",
+           .here = here,
+           .published = published,
+           .tolerance = 2e-4,
+           .source =
+               "U.S. Standard Atmosphere 1976 (seen as quoted: Mechanical Engineers' Handbook)",
+           .test = "StandardAir.ReproducesThePublishedTableToThePrintedDigits"});
     };
     row("temperature, K", air.temperature, t.temperature);
     row("pressure, Pa", air.pressure, t.pressure);
@@ -44,7 +46,7 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "PointMass.KeepsItsEnergyInAnyIdealManeuver");
   law("point_mass", "flight.md", "rate and radius of level turns", "closed form",
       "PointMass.TurnsAtTheRateAndRadiusOfTheClosedForm");
-  law("point_mass", "flight.md", "fuel flow at part power", "Raymer, ch. 13 (not seen)",
+  law("point_mass", "flight.md", "fuel flow at part power", "JSBSim, FGTurbine (seen)",
       "Engine.BurnsMorePerThrustAtPartPower");
   law("autopilot", "flight.md", "place in formation, both dynamics", "the paper",
       "AutopilotModes.FollowTheLeadIntoTheWallFormation");
@@ -76,14 +78,15 @@ Evidence of_air_and_laws(const std::string& /*home*/) {
       "inverse square, normal law; OLS-27 as commonly published (not seen)",
       "Infrared.FindsWithEvenOddsWhereTheSquareRootOfTheIntensitySays");
   law("tracks", "tracks.md", "NEES and NIS of targets that fly straight and turn",
-      "Bar-Shalom (not seen)",
+      "Bar-Shalom et al. (2001), 5.4 (seen as quoted)",
       "Consistency.HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects");
   law("rwr", "radar.md", "one-way range of what is heard", "radar equation",
       "EmissionFigure.IsTheOneWayRangeOfTheRadarsOwnReceiver");
   law("visual", "radar.md", "acquisition of a head-on approach",
       "Andrews, MIT Lincoln Laboratory ATC-151 (6.1 seen, values from memory)",
       "AcquisitionProbability.OfAHeadOnApproachIsTheClosedFormOfTheReport");
-  law("tracks", "tracks.md", "Mahalanobis distance is chi-square", "Bar-Shalom (not seen)",
+  law("tracks", "tracks.md", "Mahalanobis distance is chi-square",
+      "Bar-Shalom et al. (2001), 5.4 (seen as quoted)",
       "Filter.MakesTheMahalanobisDistanceChiSquare");
   law("datalink", "datalink.md", "delay and loss as said", "closed form",
       "Datalink.LosesAsManyMessagesAsItSays");

@@ -188,7 +188,7 @@ Evidence of_sensors(const std::string& home) {
   out.rows.push_back({.model = "tracks",
                       .page = "tracks.md",
                       .claim = "not too sure of a straight flight that might turn",
-                      .source = "chi-square; Bar-Shalom (not seen)",
+                      .source = "chi-square; Bar-Shalom et al. (2001), 5.4 (seen as quoted)",
                       .test = "Consistency.IsNotTooSureOfAStraightFlightThatMightTurn",
                       .plot = "track_nees"});
   return out;
