@@ -21,9 +21,8 @@ struct Engine {
   double afterburner_tsfc = si(1.6, "lb/lbf/h");  ///< kg/N/s
   double military_tsfc_mach = 1.0 / 3;
   double afterburner_tsfc_mach = 0.16875;
-  Table1 part_power{
-      {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1},
-      {0.1, 0.2619, 0.3104, 0.3642, 0.4267, 0.4985, 0.5798, 0.6708, 0.7712, 0.8810, 1}};
+  Table1 part_power{{0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1},
+                    {0, 0.1557, 0.2728, 0.3731, 0.4643, 0.5511, 0.6363, 0.7222, 0.8106, 0.9028, 1}};
   double idle_flow = 0;   ///< kg/s
   double spool_time = 4;  ///< s
   double light_time = 2;  ///< s
@@ -68,7 +67,7 @@ struct Engine {
   /// TSFC = (C1 + C2 M) sqrt(theta), Mattingly, Heiser & Pratt, Aircraft Engine Design, 2nd ed.
   /// (2002), eq. 3.12, with C1 given at sea level and C2 / C1 as *_tsfc_mach (0.3 / 0.9 and
   /// 0.27 / 1.6 in eq. 3.55a, b). Below military power it falls as `part_power` says; by default
-  /// 0.1 + 0.24 x^0.2 + 0.66 x^1.8 of the share x of thrust: Raymer, Aircraft Design, ch. 13
+  /// x (0.84 + (1 - sqrt(x))^2) / 0.84 of the share x of thrust: turbines of JSBSim
   /// (docs/models/flight.md). Between military power and full afterburner it is linear in the
   /// throttle. theta: temperature over sea-level temperature.
   [[nodiscard]] double flow_of(const Thrust& available, double throttle, double mach,
