@@ -135,6 +135,8 @@ class Meter final : public sim::Observer {
         dead_.insert(e.who);
         break;
       case EventKind::defend:
+        if (!e.whom)
+          break;  // turns from a fighter
         ++health_.defenses;
         if (const auto shot = shots_.find(e.whom); shot != shots_.end())
           health_.for_others += shot->second.target != e.who && !seeks(world, e.whom, e.who);

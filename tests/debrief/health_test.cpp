@@ -19,9 +19,10 @@ class Counts final : public sim::Observer {
   void observe(const sim::World&, const sim::StepInfo&,
                std::span<const sim::Event> events) override {
     for (const sim::Event& e : events)
-      ++of[record::kind_of(e)];
+      if (const EventKind kind = record::kind_of(e); kind != EventKind::defend || e.whom)
+        ++of[kind];
   }
-  std::map<EventKind, std::uint64_t> of;
+  std::map<EventKind, std::uint64_t> of;  ///< of defenses those against missiles
 };
 
 TEST(Health, CountsWhatTheEventsOfTheRunSay) {
