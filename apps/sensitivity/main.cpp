@@ -52,26 +52,13 @@ using Scores = std::vector<double>;
 constexpr const char* kOutcomes[] = {"red - blue losses", "red + blue losses"};
 constexpr std::size_t kCount = std::size(kOutcomes);
 /// Seeds of a mission with few values, which has few rows, for each of one with all of them.
-constexpr std::size_t kMoreSeeds = 8;
+constexpr std::size_t kMoreSeeds = 4;
 void fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
          double* outcomes) {
   const debrief::Health health = debrief::measure(scenario, seed);
   const auto blue = static_cast<double>(health.lost[0]), red = static_cast<double>(health.lost[1]);
   outcomes[0] = red - blue;
   outcomes[1] = red + blue;
-}
-
-/// "-0.12 ± 0.20": a mean with its 95 % interval (Student's t); bold if 0 is outside.
-std::string mean_of(const Scores& of, bool is_effect) {
-  const double n = static_cast<double>(of.size());
-  const double mean = std::accumulate(of.begin(), of.end(), 0.0) / n;
-  double squares = 0;
-  for (const double x : of)
-    squares += (x - mean) * (x - mean);
-  // t of n - 1 degrees of freedom, to 2 % from n = 10
-  const double half = (1.96 + 2.4 / (n - 1)) * std::sqrt(squares / n / (n - 1));
-  return fmt::format("{0}{1:+.2f} ± {2:.2f}{0}", is_effect && std::fabs(mean) > half ? "**" : "",
-                     mean, half);
 }
 
 /// What was flown, by a key: a line of a file each, whole if it ends in a full stop.
@@ -119,7 +106,8 @@ struct Mission {
     std::istringstream words(argument.substr(only_new ? 1 : 0));
     std::getline(words, request.file, ',');
     name = std::filesystem::path(request.file).stem().string();
-    for (std::string set; std::getline(words, set, ','); name += ", " + set)
+    for (std::string set; std::getline(words, set, ',');
+         name += ", " + set.substr(set.find('=') + 1))
       request.sets.push_back(set);
   }
   bool only_new;
@@ -185,31 +173,47 @@ class Study {
     fmt::print(stderr, "\n");
   }
 
-  [[nodiscard]] std::string as_it_is(std::size_t outcome) const {
-    Scores by_seed(seeds_);
-    for (std::size_t k = 0; k < seeds_; ++k)
-      by_seed[k] = base_[kCount * k + outcome];
-    return mean_of(by_seed, false);
+  /// Of all runs.
+  [[nodiscard]] double mean(std::size_t outcome) const {
+    double sum = 0;
+    for (const Row& row : rows_)
+      for (std::size_t k = 0; k < seeds_; ++k)
+        sum += row.scores[kCount * k + outcome];
+    return sum / static_cast<double>(runs());
+  }
+  /// Half the 95 % interval of an effect. The design gives those of all values the same variance:
+  /// their scatter over the seeds is taken together.
+  [[nodiscard]] double half(std::size_t outcome) const {
+    double squares = 0;
+    const auto n = static_cast<double>(seeds_);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const Scores by_seed = effects(i, outcome);
+      const double mean = std::accumulate(by_seed.begin(), by_seed.end(), 0.0) / n;
+      for (const double x : by_seed)
+        squares += (x - mean) * (x - mean);
+    }
+    const double freedom = static_cast<double>(values_.size()) * (n - 1);
+    return (1.96 + 2.4 / freedom) * std::sqrt(squares / freedom / n);  // Student's t, to 2 % from 9
   }
   [[nodiscard]] std::size_t runs() const { return rows_.size() * seeds_; }
   [[nodiscard]] const Mission& mission() const { return mission_; }
   [[nodiscard]] bool reads(const Judgement& j) const {
     return std::find(values_.begin(), values_.end(), &j) != values_.end();
   }
-  /// From 0.8 to 1.2; "" of what the mission does not read.
+  /// "-0.12", from 0.8 to 1.2; bold if 0 is outside of its interval, "" of what is not studied.
   [[nodiscard]] std::string effect(const Judgement& j, std::size_t outcome) const {
     if (!reads(j))
       return "";
-    const auto place = std::find(values_.begin(), values_.end(), &j);
-    Scores by_seed(seeds_);
-    for (const Row& row : rows_)
-      for (std::size_t k = 0; k < seeds_; ++k)
-        by_seed[k] += 2 * row.signs[static_cast<std::size_t>(place - values_.begin())] *
-                      row.scores[kCount * k + outcome] / static_cast<double>(rows_.size());
+    const Scores by_seed = effects(
+        static_cast<std::size_t>(std::find(values_.begin(), values_.end(), &j) - values_.begin()),
+        outcome);
+    const double mean =
+        std::accumulate(by_seed.begin(), by_seed.end(), 0.0) / static_cast<double>(seeds_);
     const Scores* refused = kept_.find(refused_key(j));
-    return mean_of(by_seed, true) + (refused == nullptr     ? ""
-                                     : refused->front() > 0 ? " (to 1)"
-                                                            : " (from 1)");
+    return fmt::format("{0}{1:+.2f}{0}{2}", std::fabs(mean) > half(outcome) ? "**" : "", mean,
+                       refused == nullptr     ? ""
+                       : refused->front() > 0 ? " (to 1)"
+                                              : " (from 1)");
   }
 
  private:
@@ -217,6 +221,15 @@ class Study {
     std::vector<int> signs{};  ///< of the values
     Scores scores{};
   };
+  /// From 0.8 to 1.2 of a value, by seed.
+  [[nodiscard]] Scores effects(std::size_t value, std::size_t outcome) const {
+    Scores by_seed(seeds_);
+    for (const Row& row : rows_)
+      for (std::size_t k = 0; k < seeds_; ++k)
+        by_seed[k] += 2 * row.signs[value] * row.scores[kCount * k + outcome] /
+                      static_cast<double>(rows_.size());
+    return by_seed;
+  }
   [[nodiscard]] std::string refused_key(const Judgement& j) const {
     return id_ + " refused " + j.name;
   }
@@ -267,6 +280,12 @@ class Study {
   std::vector<Row> rows_;
 };
 
+/// "[1.45, ..., 0.40]" of a long list.
+std::string brief(const std::string& now) {
+  const std::size_t first = now.find(", "), last = now.rfind(", ");
+  return first == last ? now : now.substr(0, first) + ", ..." + now.substr(last);
+}
+
 /// A table of what every mission that is studied whole says of each value, and one of the rest.
 void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) {
   std::string runs = "Runs:", head, line, now, rest;
@@ -275,21 +294,21 @@ void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) 
     runs += fmt::format(" {} of {},", study.runs(), name);
     if (study.mission().only_new)
       for (const Judgement& j : all)
-        rest += study.reads(j) ? fmt::format("\n| {} | {} | {} | {} | {} |", j.name, j.now, name,
-                                             study.effect(j, 0), study.effect(j, 1))
+        rest += study.reads(j) ? fmt::format("\n| {} | {} | {} | {} ± {:.2f} | {} ± {:.2f} |",
+                                             j.name, brief(j.now), name, study.effect(j, 0),
+                                             study.half(0), study.effect(j, 1), study.half(1))
                                : "";
     else
       for (std::size_t o = 0; o < kCount; ++o) {
-        head += fmt::format(" {}: {} |", name, kOutcomes[o]);
+        head += fmt::format(" {}: {}, ± {:.2f} |", name, kOutcomes[o], study.half(o));
         line += " ---: |";
-        now += fmt::format(" {} |", study.as_it_is(o));
+        now += fmt::format(" {:+.2f} |", study.mean(o));
       }
   }
   runs.back() = '.';
   fmt::print("{}\n\n", runs);
-  fmt::print(
-      "| from 0.8 to 1.2 of | now |{}\n| --- | ---: |{}\n| none: the mission as it is | |{}\n",
-      head, line, now);
+  fmt::print("| from 0.8 to 1.2 of | now |{}\n| --- | ---: |{}\n| mean of all runs | |{}\n", head,
+             line, now);
   std::string unread;
   for (const Judgement& j : all) {
     std::string cells;
@@ -301,7 +320,7 @@ void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) 
           cells += fmt::format(" {} |", study.effect(j, o));
       }
     if (whole)
-      fmt::print("| {} | {} |{}\n", j.name, j.now, cells);
+      fmt::print("| {} | {} |{}\n", j.name, brief(j.now), cells);
     else if (std::none_of(studies.begin(), studies.end(), [&](auto& s) { return s.reads(j); }))
       unread += fmt::format("{} {}", unread.empty() ? "" : ",", j.name);
   }
