@@ -68,8 +68,10 @@ std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view
   double signature = scene.signature(seeker.kind, row, los.direction);
   if (jams)
     signature /= 1 + jamming_along(seeker, view, scene, los.direction);
-  if (visible(seeker, view, los, target.velocity, signature))
+  if (visible(seeker, view, los, target.velocity, signature)) {
+    seen.reach = acquisition_range(seeker, signature);
     return seen;
+  }
   // a jammer shines as far as one likes, and has no notch
   seen.on_jam = jams && jamming_of(seeker, view, scene, row) > kStrobe &&
                 visible(seeker, view, los, 1e6 * los.direction, 1e12);
@@ -157,14 +159,18 @@ InGates in_gates(const SeekerType& seeker, const SeekerView& view, const TargetS
   if (inside(los) &&
       (!result.seen || pull.section() > scene.signature(SeekerKind::radar, row, los.direction)) &&
       visible(seeker, view, los, target.velocity + off.speed * los.direction, section))
-    result.seen = Detected{.row = row, .id = scene.ids[row], .los = los};
+    result.seen = Detected{.row = row,
+                           .id = scene.ids[row],
+                           .los = los,
+                           .reach = acquisition_range(seeker, section)};
   return result;
 }
 
 /// One look at what is seen. Range and closing speed of a jammer stay what was believed of it.
 SeekerLook measured(const SeekerType& seeker, const SeekerView& view, const Detected& seen,
-                    double time, Draw noise, const MissileState& state) {
-  SeekerLook look = measure(seeker, view, seen.los, noise);
+                    double time, Draw noise, MissileState& state) {
+  SeekerLook look =
+      measure(seeker, view, seen.los, seen.reach, time - state.sight_time, state.glint, noise);
   if (seen.on_jam) {
     const LineOfSight believed = line_of_sight(believed_position(state, time) - view.position,
                                                state.target_velocity - view.velocity);
@@ -289,7 +295,10 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
     state.decoy = state.locked = 0;
     return DecoyLook::none;
   }
-  follow(seeker, view, measure(seeker, view, los_of(*now), noise), time, state);
+  const SeekerLook look =
+      measure(seeker, view, los_of(*now), acquisition_range(seeker, now->signature),
+              time - state.sight_time, state.glint, noise);
+  follow(seeker, view, look, time, state);
   return result;
 }
 

@@ -43,6 +43,7 @@ struct Detected {
   std::uint32_t row = 0;  ///< of the aircraft table
   PlayerId id;
   LineOfSight los;
+  double reach = std::numeric_limits<double>::infinity();  ///< m, at which it is just detected
   bool on_jam = false;  ///< by its jamming: a direction, and no more
 };
 

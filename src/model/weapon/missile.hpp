@@ -202,6 +202,7 @@ struct MissileState {
   Vec3 sight{1, 0, 0};        ///< unit vector: filtered line of sight of the seeker at sight_time
   Vec3 sight_rate{};          ///< rad/s, its angular velocity
   double sight_time = 0;      ///< s, last look that saw something
+  Vec3 glint{};               ///< m, across the line of sight: the target's apparent center
   double closing_speed = 0;   ///< m/s, as the seeker measures or assumes it
   Vec3 wanted{};              ///< m/s^2, acceleration that guidance asks for
   Vec3 lift{};                ///< m/s^2, aerodynamic acceleration across the flight path
@@ -226,8 +227,9 @@ struct MissileState {
         field("target_velocity", &M::target_velocity, "m/s"),
         field("target_time", &M::target_time, "s"), field("sight", &M::sight),
         field("sight_rate", &M::sight_rate, "rad/s"), field("sight_time", &M::sight_time, "s"),
-        field("closing_speed", &M::closing_speed, "m/s"), field("wanted", &M::wanted, "m/s2"),
-        field("lift", &M::lift, "m/s2"), field("launch_time", &M::launch_time, "s"),
+        field("glint", &M::glint, "m"), field("closing_speed", &M::closing_speed, "m/s"),
+        field("wanted", &M::wanted, "m/s2"), field("lift", &M::lift, "m/s2"),
+        field("launch_time", &M::launch_time, "s"),
         field("next_fuze_scan", &M::next_fuze_scan, "s"), field("shooter", &M::shooter),
         field("intended", &M::intended), field("track", &M::track), field("seen", &M::seen),
         field("type", &M::type), field("side", &M::side), field("active", &M::active),

@@ -7,6 +7,9 @@ namespace eyrie::model::weapon {
 
 namespace {
 
+/// Errors are as stated from 20 dB above the S/N of detection on: ten times its amplitude.
+constexpr double kNearAmplitude = 10;
+
 /// The target's place and speed as the seeker knows them now.
 void update_target(const SeekerView& view, double range, double time, MissileState& state) {
   state.target_position = view.position + range * state.sight;
@@ -46,21 +49,30 @@ bool visible(const SeekerType& seeker, const SeekerView& view, const LineOfSight
 }
 
 SeekerLook measure(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,
-                   Draw noise) {
+                   double reach, double dt, Vec3& glint, Draw noise) {
   const bool radar = seeker.kind == SeekerKind::radar;
   SeekerLook look{.direction = los.direction,
                   .range = los.range,
                   .closing = radar ? los.closing : norm(view.velocity)};
-  // the target is no point: its bright center wanders, which is an angle that grows with 1 / range
-  const double glint = seeker.glint / std::max(los.range, 1.0);
-  const double sigma = std::sqrt(seeker.angle_noise * seeker.angle_noise + glint * glint);
-  if (sigma > 0) {
+  const double share = los.range / reach;
+  const double faint = std::max(kNearAmplitude * share * share, 1.0);
+  const double angle = faint * seeker.angle_noise;
+  if (angle > 0 || seeker.glint > 0) {
     const Vec3 level = normalized(cross(view.down, los.direction), Vec3{1, 0, 0});
     const Vec3 upright = cross(los.direction, level);
-    const double outwards = dot(level, view.axis) > 0 ? -sigma : sigma;
-    const double a = outwards * noise.normal();
-    const double b = sigma * noise.normal();
-    look.direction = normalized(los.direction + a * level + b * upright, los.direction);
+    const double outwards = dot(level, view.axis) > 0 ? -1 : 1;
+    const auto aside = [&](double sigma) {
+      const double a = outwards * sigma * noise.normal();
+      const double b = sigma * noise.normal();
+      return a * level + b * upright;
+    };
+    // the target is no point: its bright center wanders, which is an angle that grows with 1 /
+    // range
+    const double kept = math::exp(-dt / seeker.glint_time);
+    glint = kept * perpendicular(glint, los.direction) +
+            aside(seeker.glint * std::sqrt(1 - kept * kept));
+    look.direction =
+        normalized(los.direction + aside(angle) + glint / std::max(los.range, 1.0), los.direction);
   }
   if (radar && seeker.range_noise > 0)
     look.range = std::max(los.range + seeker.range_noise * noise.normal(), 0.0);

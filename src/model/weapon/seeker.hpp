@@ -32,13 +32,20 @@ struct SeekerView {
 /// One look's measurement of what is at `los`, with errors. The error to the side is counted
 /// outwards from the nose, so that a mirrored scene gives the mirrored measurement for the same
 /// draw. An infrared seeker takes its own speed for the closing speed; its range is not to be used.
+///
+/// Angles err with one over the root of S/N (Barton; docs/models/missile.md), which falls with R^-4
+/// from what it is at `reach` (m, acquisition_range() of what is looked at), and no less than
+/// stated; range and closing speed, which rest on the pulse and the filter bank, as stated. `glint`
+/// (m, across the line of sight) is where the apparent center was `dt` s ago and goes on to where
+/// it is: a Gauss-Markov process of first order.
 struct SeekerLook {
   Vec3 direction{1, 0, 0};  ///< unit vector
   double range = 0;         ///< m
   double closing = 0;       ///< m/s
 };
 [[nodiscard]] SeekerLook measure(const SeekerType& seeker, const SeekerView& view,
-                                 const LineOfSight& los, Draw noise);
+                                 const LineOfSight& los, double reach, double dt, Vec3& glint,
+                                 Draw noise);
 
 /// Begins to follow: the filter starts at the measurement and at the line-of-sight rate that was
 /// expected (rad/s).

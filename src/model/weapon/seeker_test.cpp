@@ -36,6 +36,13 @@ bool sees(const SeekerType& seeker, const Vec3& place, const Vec3& velocity, dou
                  signature);
 }
 
+/// A look at something bright whose center has had time to wander.
+SeekerLook look_once(const SeekerType& seeker, const SeekerView& view, const LineOfSight& los,
+                     const Draw& noise) {
+  Vec3 glint;
+  return measure(seeker, view, los, 1e9, 100, glint, noise);
+}
+
 TEST(AcquisitionRange, GrowsWithTheFourthRootForRadarAndTheSquareRootForInfrared) {
   EXPECT_DOUBLE_EQ(acquisition_range(radar(), 5), 14e3);
   EXPECT_NEAR(acquisition_range(radar(), 5.0 / 16), 7e3, 1e-9);
@@ -96,7 +103,7 @@ TEST(Measure, IsExactWithoutNoise) {
   SeekerType seeker = radar();
   seeker.angle_noise = seeker.range_noise = seeker.closing_noise = 0;
   const LineOfSight los = line_of_sight({8e3, 1e3, 500}, {-900, 100, 0});
-  const SeekerLook look = measure(seeker, kView, los, Draw(1, PlayerId{1}, Stream::seeker, 0));
+  const SeekerLook look = look_once(seeker, kView, los, Draw(1, PlayerId{1}, Stream::seeker, 0));
   EXPECT_EQ(look.direction, los.direction);
   EXPECT_DOUBLE_EQ(look.range, los.range);
   EXPECT_DOUBLE_EQ(look.closing, los.closing);
@@ -111,7 +118,7 @@ TEST(Measure, HasTheStatedNoise) {
   constexpr int kLooks = 20000;
   for (int i = 0; i < kLooks; ++i) {
     const Draw noise(3, PlayerId{7}, Stream::seeker, static_cast<std::uint64_t>(i));
-    const SeekerLook look = measure(seeker, kView, los, noise);
+    const SeekerLook look = look_once(seeker, kView, los, noise);
     const double off = angle_between(look.direction, los.direction);
     angle2 += off * off;
     range2 += (look.range - los.range) * (look.range - los.range);
@@ -129,10 +136,49 @@ TEST(Measure, WandersWithTheGlintOfANearTarget) {
   double off2 = 0;
   const LineOfSight los = line_of_sight({400, 50, 20}, {-900, 100, 0});
   for (std::uint64_t i = 0; i < 5000; ++i) {
-    const SeekerLook look = measure(seeker, kView, los, Draw(3, PlayerId{7}, Stream::seeker, i));
+    const SeekerLook look = look_once(seeker, kView, los, Draw(3, PlayerId{7}, Stream::seeker, i));
     off2 += norm2(los.range * (look.direction - los.direction));
   }
   EXPECT_NEAR(std::sqrt(off2 / 5000 / 2), 3, 0.1);
+}
+
+TEST(Measure, ErrsWithTheSquareOfRangeWhereTheSignalIsFaint) {
+  SeekerType seeker = radar();
+  seeker.angle_noise = 1e-3;
+  const auto sigma = [&](double range) {
+    double off2 = 0;
+    const LineOfSight los = line_of_sight({range, 0, -50}, {-900, 0, 0});
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+      Vec3 glint;
+      const Draw noise(4, PlayerId{7}, Stream::seeker, i);
+      off2 +=
+          norm2(measure(seeker, kView, los, 14e3, 0.02, glint, noise).direction - los.direction);
+    }
+    return std::sqrt(off2 / 5000 / 2);
+  };
+  EXPECT_NEAR(sigma(14e3), 10e-3, 0.3e-3);  // 20 dB less signal: ten times the error
+  EXPECT_NEAR(sigma(7e3), 2.5e-3, 0.08e-3);
+  EXPECT_NEAR(sigma(2e3), 1e-3, 0.03e-3);
+}
+
+TEST(Measure, WandersOverATime) {
+  SeekerType seeker = radar();
+  seeker.angle_noise = 0;
+  seeker.glint = 3;
+  seeker.glint_time = 0.2;
+  const LineOfSight los = line_of_sight({4000, 0, -50}, {-900, 0, 0});
+  Vec3 glint;
+  double square = 0, product = 0;  // a first-order Gauss-Markov process: sigma^2 exp(-t / T)
+  constexpr int kLag = 10;         // looks of 0.02 s: one time constant
+  std::array<Vec3, kLag> past{};
+  for (std::uint64_t i = 0; i < 60000; ++i) {
+    (void)measure(seeker, kView, los, 1e9, 0.02, glint, Draw(5, PlayerId{7}, Stream::seeker, i));
+    square += norm2(glint) / 2;
+    product += dot(glint, past[i % kLag]) / 2;
+    past[i % kLag] = glint;
+  }
+  EXPECT_NEAR(std::sqrt(square / 60000), 3, 0.1);
+  EXPECT_NEAR(product / square, std::exp(-1.0), 0.03);
 }
 
 TEST(Measure, OfAMirroredSceneIsTheMirroredMeasurement) {
@@ -140,16 +186,17 @@ TEST(Measure, OfAMirroredSceneIsTheMirroredMeasurement) {
   const auto mirror = [](const Vec3& v) { return Vec3{v.x, -v.y, v.z}; };
   const Vec3 apart{8e3, 1e3, 500}, drift{-900, 100, 0};
   const Draw noise(3, PlayerId{7}, Stream::seeker, 9);
-  const SeekerLook right = measure(seeker, kView, line_of_sight(apart, drift), noise);
+  const SeekerLook right = look_once(seeker, kView, line_of_sight(apart, drift), noise);
   const SeekerLook left =
-      measure(seeker, kView, line_of_sight(mirror(apart), mirror(drift)), noise);
+      look_once(seeker, kView, line_of_sight(mirror(apart), mirror(drift)), noise);
   EXPECT_EQ(left.direction, mirror(right.direction));
   EXPECT_NE(right.direction, line_of_sight(apart, drift).direction);
 }
 
 TEST(Measure, OfAnInfraredSeekerTakesTheOwnSpeedForTheClosingSpeed) {
   const LineOfSight los = line_of_sight({5e3, 0, 0}, {-400, 0, 0});
-  const SeekerLook look = measure(infrared(), kView, los, Draw(1, PlayerId{1}, Stream::seeker, 0));
+  const SeekerLook look =
+      look_once(infrared(), kView, los, Draw(1, PlayerId{1}, Stream::seeker, 0));
   EXPECT_DOUBLE_EQ(look.closing, 700);
 }
 
@@ -158,11 +205,12 @@ MissileState followed(const SeekerType& seeker, double seconds, Vec3 place, cons
                       const Vec3& first_rate) {
   MissileState state;
   SeekerView view = kView;
+  Vec3 glint;
   for (int step = 0; step <= std::lround(seconds * 50); ++step) {
     const double time = step / 50.0;
     const LineOfSight los = line_of_sight(place - view.position, velocity - view.velocity);
     const Draw noise(5, PlayerId{2}, Stream::seeker, static_cast<std::uint64_t>(step));
-    const SeekerLook look = measure(seeker, view, los, noise);
+    const SeekerLook look = measure(seeker, view, los, 1e9, 0.02, glint, noise);
     if (step == 0)
       start_following(state, look, first_rate, time);
     follow(seeker, view, look, time, state);

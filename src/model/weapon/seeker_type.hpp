@@ -24,8 +24,9 @@ struct SeekerType {
   double gimbal = 0.9;             ///< rad, off the axis of the missile
   double greatest_rate = 0.5;      ///< rad/s, of the line of sight, that it can follow
   double look_rate = 50;           ///< Hz
-  double angle_noise = 1e-3;       ///< rad, 1 sigma of each of two angles in one look
+  double angle_noise = 1e-3;       ///< rad, 1 sigma of each of two angles in one look, near
   double glint = 0;                ///< m, 1 sigma: how far the target's apparent center wanders
+  double glint_time = 0.1;         ///< s, in which it does
   double range_noise = 10;         ///< m, 1 sigma (radar)
   double closing_noise = 2;        ///< m/s, 1 sigma (radar)
   double filter_time = 0.1;        ///< s, time constant of the line-of-sight filter
@@ -59,9 +60,12 @@ struct SeekerType {
               "fastest turn of the line of sight that it can follow"),
         param("look_rate", &S::look_rate, "Hz", positive(1000), "measurements per second"),
         param("angle_noise", &S::angle_noise, "rad", range(0, 1),
-              "one standard deviation of each angle in one look"),
+              "one standard deviation of each angle in one look at a signal 20 dB above "
+              "detection or more; farther away it grows with the square of range"),
         param("glint", &S::glint, "m", range(0, 100),
               "one standard deviation of the target's apparent center along each of two axes"),
+        param("glint_time", &S::glint_time, "s", positive(60),
+              "time in which the apparent center forgets where it was (correlation 1/e)"),
         param("range_noise", &S::range_noise, "m", range(0, 10e3),
               "radar: one standard deviation in one look"),
         param("closing_noise", &S::closing_noise, "m/s", range(0, 1000),
