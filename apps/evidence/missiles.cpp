@@ -4,6 +4,7 @@
 
 #include "evidence.hpp"
 #include "load.hpp"
+#include "model/weapon/engagement.hpp"
 #include "model/weapon/flyout.hpp"
 
 namespace eyrie::evidence {
@@ -25,6 +26,28 @@ std::vector<Point> flown(const MissileType& type, double altitude, double second
     fly(type, air, {}, {0, 0, 1}, i * kStep, kStep, {0, 0, -kGravity}, flyout);
   }
   return points;
+}
+
+/// The single-lag guidance system under noise: closed forms against flights through seeker, filter,
+/// guidance and autopilot.
+void noise_rows(std::vector<Row>& rows) {
+  const NoisyApproach ideal;
+  const auto add = [&](const char* claim, const SeekerType& errors, double unit, double published) {
+    rows.push_back({.model = "seeker",
+                    .page = "missile.md",
+                    .claim = claim,
+                    .here = spread_of_miss({.errors = errors}) / unit,
+                    .published = published,
+                    .source = "adjoint of the single-lag system, Zarchan, ch. 3 and 6 (not seen)",
+                    .test = "Noise.MissesAsASingleLagDoes"});
+  };
+  add("gain 4, one lag T: miss under white glint Φ, in √(Φ/T)",
+      {.angle_noise = 0, .glint = 3, .glint_time = 1e-3}, 3 * std::sqrt(ideal.step / ideal.lag),
+      std::sqrt(93.0 / 32));
+  add("the same: under glint σ that wanders in T, in σ",
+      {.angle_noise = 0, .glint = 3, .glint_time = ideal.lag}, 3, std::sqrt(147.0 / 128));
+  add("the same: under white angle noise Φ, in V_c √(Φ T)", {.angle_noise = 1e-3},
+      1e-3 * ideal.closing * std::sqrt(ideal.step * ideal.lag), std::sqrt(5.0 / 16));
 }
 
 double highest(const std::vector<Point>& points) {
@@ -77,6 +100,7 @@ Evidence of_missiles(const std::string& home) {
              .plot = plot->file});
     }
   }
+  noise_rows(out.rows);
   out.plots = {low, high};
   return out;
 }

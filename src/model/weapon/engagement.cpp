@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/engagement.hpp"
 
-#include "model/weapon/flyout.hpp"
+#include "model/weapon/seeker.hpp"
 
 namespace eyrie::model::weapon {
 
@@ -143,6 +143,72 @@ EngagementResult engage(const MissileType& type, const Atmosphere& atmosphere,
       break;
   }
   return result;
+}
+
+namespace {
+
+/// m, across the line of sight.
+Vec3 noisy_miss(const MissileType& type, const NoisyApproach& a, std::uint64_t seed) {
+  constexpr double kAltitude = 8000, kTargetSpeed = 300;
+  const Air air = Atmosphere{}.at(kAltitude);
+  const Vec3 velocity{-kTargetSpeed, 0, 0};
+  Vec3 place{10 * a.lag * a.closing, 0, -kAltitude};
+  Flyout missile{.position = {0, 0, -kAltitude},
+                 .velocity = {a.closing - kTargetSpeed, 0, 0},
+                 .lift = {0, 0, -kGravity}};
+  MissileState state;
+  for (std::uint64_t step = 0;; ++step) {
+    const double time = static_cast<double>(step) * a.step;
+    const LineOfSight truth = line_of_sight(place - missile.position, velocity - missile.velocity);
+    const SeekerView view{.position = missile.position,
+                          .velocity = missile.velocity,
+                          .axis = normalized(missile.velocity, {1, 0, 0}),
+                          .down = kDown,
+                          .altitude = kAltitude};
+    if (step == 0)
+      start_following(state, {truth.direction, truth.range, truth.closing}, {}, time);
+    constexpr double kBright = 1e9;  // m, where it would just be seen: S/N is high all the way
+    const Draw noise(seed, PlayerId{1}, Stream::seeker, step);
+    follow(type.seeker, view,
+           measure(type.seeker, view, truth, kBright, a.step, state.glint, noise), time, state);
+    const LineOfSight seen{.direction = sight_at(state, time),
+                           .rate = state.sight_rate,
+                           .closing = state.closing_speed};
+    fly(type, air, {}, kDown, 0, a.step, steer(type.guidance, seen, missile.velocity, kDown),
+        missile);
+    place += a.step * velocity;
+    const Vec3 before = truth.range * truth.direction, after = place - missile.position;
+    const ClosestApproach nearest = closest_approach(before, (after - before) / a.step, 0, a.step);
+    if (nearest.time < a.step)
+      return perpendicular(nearest.separation, {1, 0, 0});
+  }
+}
+
+}  // namespace
+
+double spread_of_miss(const NoisyApproach& a) {
+  MissileType type;
+  type.motor.mass = Table1::constant(100);
+  type.motor.thrust = Table1::constant(0);
+  type.aero.reference_area = 0.02;
+  type.aero.drag_power_on = type.aero.drag_power_off = Table1::constant(1e-9);
+  type.aero.induced_drag = Table1::constant(0);
+  type.aero.greatest_lift = Table1::constant(1e6);
+  type.aero.greatest_load_factor = 1e6;
+  type.guidance.navigation_gain = a.gain;
+  type.guidance.autopilot_lag = a.lag;
+  type.seeker = a.errors;
+  type.seeker.range_noise = type.seeker.closing_noise = 0;
+  type.seeker.filter_time = 0.005;
+  constexpr int kFlights = 400;
+  double squares = 0;
+  Vec3 sum;
+  for (std::uint64_t seed = 1; seed <= kFlights; ++seed) {
+    const Vec3 miss = noisy_miss(type, a, seed);
+    squares += norm2(miss);
+    sum += miss;
+  }
+  return std::sqrt((squares - norm2(sum) / kFlights) / (2 * kFlights));
 }
 
 }  // namespace eyrie::model::weapon
