@@ -56,6 +56,7 @@ SeekerLook measure(const SeekerType& seeker, const SeekerView& view, const LineO
                   .closing = radar ? los.closing : norm(view.velocity)};
   const double share = los.range / reach;
   const double faint = std::max(kNearAmplitude * share * share, 1.0);
+  look.faint = faint;
   const double angle = faint * seeker.angle_noise;
   if (angle > 0 || seeker.glint > 0) {
     const Vec3 level = normalized(cross(view.down, los.direction), Vec3{1, 0, 0});
@@ -96,7 +97,8 @@ void follow(const SeekerType& seeker, const SeekerView& view, const SeekerLook& 
     const Vec3 expected = sight_at(state, time);
     const Vec3 residual = look.direction - expected;
     // critically damped: both poles at theta
-    const double theta = math::exp(-dt / seeker.filter_time);
+    const double errors_over_turns = look.faint * std::sqrt(look.faint);
+    const double theta = math::exp(-dt / (seeker.filter_time * std::sqrt(errors_over_turns)));
     const double alpha = 1 - theta * theta;
     const double beta = (1 - theta) * (1 - theta);
     state.sight = normalized(expected + alpha * residual, expected);

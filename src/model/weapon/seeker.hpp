@@ -42,6 +42,7 @@ struct SeekerLook {
   Vec3 direction{1, 0, 0};  ///< unit vector
   double range = 0;         ///< m
   double closing = 0;       ///< m/s
+  double faint = 1;         ///< by how much its errors are greater than those of a bright target
 };
 [[nodiscard]] SeekerLook measure(const SeekerType& seeker, const SeekerView& view,
                                  const LineOfSight& los, double reach, double dt, Vec3& glint,
@@ -55,6 +56,10 @@ void start_following(MissileState& state, const SeekerLook& look, const Vec3& ex
 /// Brings a measurement into the line-of-sight filter, a critically damped alpha-beta filter on the
 /// unit vector (Brookner, Tracking and Kalman Filtering Made Easy, sec. 1.2.6), and a
 /// radar's range and closing speed into the believed place of the target.
+/// The filter's time constant is that of a Kalman filter of constant velocity: it grows with the
+/// root of the errors (range squared) over how fast a maneuver turns the line of sight (one over
+/// range), from filter_time on (Kalata, The tracking index, IEEE Trans. AES 20 (1984) 174, not
+/// seen).
 void follow(const SeekerType& seeker, const SeekerView& view, const SeekerLook& look, double time,
             MissileState& state);
 

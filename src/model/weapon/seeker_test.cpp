@@ -161,6 +161,22 @@ TEST(Measure, ErrsWithTheSquareOfRangeWhereTheSignalIsFaint) {
   EXPECT_NEAR(sigma(2e3), 1e-3, 0.03e-3);
 }
 
+TEST(Follow, SmoothsAFaintSignalLonger) {
+  const SeekerType seeker = radar();
+  MissileState bright, faint;
+  const SeekerLook first{.range = 9000};
+  start_following(bright, first, {}, 0);
+  start_following(faint, first, {}, 0);
+  SeekerLook aside{.direction = normalized(Vec3{1, 0.01, 0}, {}), .range = 9000};
+  follow(seeker, kView, aside, 0.02, bright);
+  aside.faint = 9;
+  follow(seeker, kView, aside, 0.02, faint);
+  // three times as far: nine times the errors, a third of the turn of a maneuver.
+  // alpha = 1 - theta^2, and the logarithm of theta goes with 1 over the time constant
+  const auto theta = [](const MissileState& s) { return std::sqrt(1 - s.sight.y / 0.01); };
+  EXPECT_NEAR(std::log(theta(faint)), std::log(theta(bright)) / std::sqrt(27.0), 1e-4);
+}
+
 TEST(Measure, WandersOverATime) {
   SeekerType seeker = radar();
   seeker.angle_noise = 0;
