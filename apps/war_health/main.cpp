@@ -137,6 +137,7 @@ void print_effects(const std::string& file, const std::string& home, std::uint64
     std::size_t without;  ///< index
   };
   const std::string tree = "red.flights.bogey.tree=";
+  const std::string tows = "red.flights.bogey.aircraft=towing_mig29";
   const std::vector<Defense> defenses{
       {"flies on", {tree + "fly_on"}, "", 0},
       {"notch alone",
@@ -151,7 +152,12 @@ void print_effects(const std::string& file, const std::string& home, std::uint64
        0},
       {"last ditch, chaff", {tree + "breaks"}, "chaff in the last ditch", 4},
       {"as veterans: notch, last ditch, chaff", {tree + "evades"}, "what veterans do", 0},
-      {"leaves at 1.1 r_ne", {tree + "leaves"}, "leaving", 0}};
+      {"leaves at 1.1 r_ne", {tree + "leaves"}, "leaving", 0},
+      {"flies on, tows a decoy", {tree + "fly_on", tows}, "the towed decoy", 0},
+      {"notch alone, tows a decoy",
+       {tree + "notches", "trees.notches.winner_takes_all.1.notch.dispense=none", tows},
+       "the towed decoy in the notch",
+       1}};
   constexpr std::array kRanges{6, 9, 12, 15, 18};  // nmi
   std::vector<std::array<debrief::Share, kRanges.size()>> flown(defenses.size());
   for (std::size_t i = 0; i < defenses.size(); ++i)

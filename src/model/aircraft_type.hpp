@@ -61,7 +61,7 @@ struct AircraftType {
         param("gun", &A::gun, "its gun"),
         param("rounds", &A::rounds, range(1, 10e3),
               "in the drum of its gun, where that is not what the gun's type says"),
-        param("dispenser", &A::dispenser, "its dispenser of chaff and flares"),
+        param("dispenser", &A::dispenser, "its dispenser of chaff, flares and towed decoys"),
         param("jammer", &A::jammer, "its jammer"),
         param("stations", &A::stations, "what hangs under it, station by station")};
   }

@@ -23,7 +23,8 @@ enum class EventKind : std::uint16_t {
   gun_burst,        ///< who fired the gun at whom; values: rounds, range, hits
   detonation,       ///< missile who's fuze fired near whom; values: miss distance, kill
                     ///< probability, draw
-  timeout,          ///< missile who ended without a fuze; values: MissileEnd, time of flight
+  timeout,          ///< missile who ended at no aircraft, whom it flew at or whose towed decoy
+                    ///< it met; values: MissileEnd, time of flight
   hit,              ///< who (shooter) hit whom; values: damage, miss distance; detail = missile,
                     ///< or 0 for the gun
   kill,             ///< who (shooter) killed whom; detail = missile, or 0 for the gun

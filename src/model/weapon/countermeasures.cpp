@@ -17,6 +17,7 @@ Decoys loaded(const Dispenser& dispenser) {
   Decoys decoys;
   decoys.chaff = dispenser.chaff;
   decoys.flares = dispenser.flares;
+  decoys.towed = dispenser.towed;
   return decoys;
 }
 
@@ -76,6 +77,26 @@ double seduction(const SeekerType& seeker, double decoy, double aircraft) {
   if (decoy <= 0)
     return 0;
   return (1 - seeker.decoy_rejection) * decoy / (decoy + std::max(aircraft, 0.0));
+}
+
+std::optional<Vec3> towed_at(const Dispenser& dispenser, const Decoys& decoys, const Vec3& velocity,
+                             double time) {
+  if (decoys.towed == 0 || time < decoys.tow_time)
+    return std::nullopt;
+  return -dispenser.tow_length * normalized(velocity, {});
+}
+
+TwoEchoes seen_together(const SeekerType& seeker, const Vec3& apart, const Vec3& offset,
+                        double decoy, double aircraft) {
+  const double range = norm(apart);
+  const Vec3 line = apart / std::max(range, 1.0);
+  const double along = dot(offset, line);
+  const double beam = seeker.field_of_view * range;
+  if (std::fabs(along) <= seeker.range_gate / 2 && norm2(offset - along * line) <= beam * beam) {
+    const double both = decoy + aircraft;
+    return {.shift = (both > 0 ? decoy / both : 0) * offset, .signature = both};
+  }
+  return decoy > aircraft ? TwoEchoes{offset, decoy} : TwoEchoes{{}, aircraft};
 }
 
 }  // namespace eyrie::model::weapon

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Chaff and flares: what a dispenser throws out, and how it looks to a seeker.
+/// \file  Chaff, flares and towed decoys: what a dispenser throws out, and how it looks to a
+/// seeker.
 #include "model/command.hpp"
 #include "model/environment.hpp"
 #include "model/weapon/seeker_type.hpp"
@@ -21,9 +22,13 @@ struct Dispenser {
   double flare_rise = 0.3;                ///< s, time constant
   double flare_life = 4;                  ///< s, burning time
   double flare_slowing = 2.4;             ///< s, time constant of its speed
+  std::uint16_t towed = 0;                ///< decoys on a line when loaded; one is out at a time
+  double tow_length = 100;                ///< m
+  double towed_section = 50;              ///< m^2, of an echo as strong as what it sends back
+  double tow_time = 10;                   ///< s, until the next is out
 
   static constexpr std::string_view type_name = "dispenser";
-  static constexpr std::string_view help = "a dispenser of chaff and flares";
+  static constexpr std::string_view help = "a dispenser of chaff, flares and towed decoys";
   static constexpr auto params() {
     using D = Dispenser;
     return std::tuple{
@@ -42,7 +47,14 @@ struct Dispenser {
         param("flare_rise", &D::flare_rise, "s", positive(60), "time constant of its ignition"),
         param("flare_life", &D::flare_life, "s", positive(600), "burning time"),
         param("flare_slowing", &D::flare_slowing, "s", positive(60),
-              "time constant with which a flare loses its aircraft's speed")};
+              "time constant with which a flare loses its aircraft's speed"),
+        param("towed", &D::towed, range(0, 100),
+              "decoys on a line when loaded; one at a time is out, from the beginning"),
+        param("tow_length", &D::tow_length, "m", positive(1000), "length of the line"),
+        param("towed_section", &D::towed_section, "m2", range(0, 10e3),
+              "radar cross section of an echo as strong as what the towed repeater sends back"),
+        param("tow_time", &D::tow_time, "s", range(0, 600),
+              "from the loss of a towed decoy until the next is out")};
   }
 };
 
@@ -69,15 +81,17 @@ inline constexpr std::size_t kMaxDecoys = 8;
 struct Decoys {
   std::array<Decoy, kMaxDecoys> thrown{};  ///< a ring
   double ready_time = 0;                   ///< s: no cartridge before
+  double tow_time = 0;                     ///< s: none is towed before
   std::uint16_t chaff = 0, flares = 0;     ///< cartridges left
   std::uint16_t next = 0;                  ///< place in the ring
-  std::uint16_t reserved = 0;
+  std::uint16_t towed = 0;                 ///< left, with that on the line
 
   static constexpr auto fields() {
     using D = Decoys;
     return field_list(field("thrown", &D::thrown), field("ready_time", &D::ready_time, "s"),
-                      field("chaff", &D::chaff), field("flares", &D::flares),
-                      field("next", &D::next), field("reserved", &D::reserved));
+                      field("tow_time", &D::tow_time, "s"), field("chaff", &D::chaff),
+                      field("flares", &D::flares), field("next", &D::next),
+                      field("towed", &D::towed));
   }
 };
 [[nodiscard]] Decoys loaded(const Dispenser& dispenser);
@@ -112,5 +126,21 @@ struct Apart {
 /// in what the seeker sees, which is where the centroid of two unresolved sources lies (Schleher,
 /// Electronic Warfare in the Information Age, ch. 4), times the chance that it does not reject it.
 [[nodiscard]] double seduction(const SeekerType& seeker, double decoy, double aircraft);
+
+/// m, from an aircraft that flies with `velocity` (m/s) to the decoy that it tows; nothing while
+/// none is out.
+[[nodiscard]] std::optional<Vec3> towed_at(const Dispenser& dispenser, const Decoys& decoys,
+                                           const Vec3& velocity, double time);
+
+/// An aircraft and the repeater behind it as one radar seeker has them: `apart` (m) from the seeker
+/// to the aircraft, `offset` (m) from there to the decoy, cross sections in m^2. While they are in
+/// one range gate and one beam it sees the centroid of their powers, and both; resolved, the
+/// stronger.
+struct TwoEchoes {
+  Vec3 shift{};  ///< m, from the aircraft to where the seeker sees it
+  double signature = 0;
+};
+[[nodiscard]] TwoEchoes seen_together(const SeekerType& seeker, const Vec3& apart,
+                                      const Vec3& offset, double decoy, double aircraft);
 
 }  // namespace eyrie::model::weapon

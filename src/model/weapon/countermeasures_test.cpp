@@ -101,6 +101,35 @@ TEST(Seduction, IsTheShareOfThePowerLessWhatIsRejected) {
   EXPECT_EQ(seduction({}, 0, 0), 0);
 }
 
+TEST(TowedAt, IsBehindTheAircraftOneAfterTheOther) {
+  const Dispenser d{.towed = 2, .tow_length = 100};
+  Decoys decoys = loaded(d);
+  EXPECT_EQ(*towed_at(d, decoys, {0, 250, 0}, 0), (Vec3{0, -100, 0}));
+  decoys.tow_time = 30;
+  EXPECT_FALSE(towed_at(d, decoys, {0, 250, 0}, 29.9));
+  EXPECT_TRUE(towed_at(d, decoys, {0, 250, 0}, 30));
+  decoys.towed = 0;
+  EXPECT_FALSE(towed_at(d, decoys, {0, 250, 0}, 40));
+}
+
+TEST(SeenTogether, IsTheCentroidUntilGateOrBeamResolvesThemAndThenTheStronger) {
+  const SeekerType seeker{.field_of_view = 0.2, .range_gate = 150};
+  const Vec3 across{0, 100, 0}, along{100, 0, 0};
+  const auto at = [&](double range, const Vec3& offset, double decoy) {
+    return seen_together(seeker, {range, 0, 0}, offset, decoy, 10);
+  };
+  EXPECT_EQ(at(8000, across, 30).shift, 0.75 * across);
+  EXPECT_DOUBLE_EQ(at(8000, across, 30).signature, 40);
+  // 0.2 rad of beam are 100 m at 500 m
+  EXPECT_EQ(at(510, across, 30).shift, 0.75 * across);
+  EXPECT_EQ(at(490, across, 30).shift, across);
+  EXPECT_EQ(at(490, across, 9).shift, Vec3{});
+  EXPECT_DOUBLE_EQ(at(490, across, 9).signature, 10);
+  // along the line half a gate of 150 m is between them
+  EXPECT_EQ(at(8000, along, 30).shift, along);
+  EXPECT_EQ(at(8000, along, 9).shift, Vec3{});
+}
+
 /// A missile of a kind at an aircraft that crosses, above it, or comes; with or without decoys from
 /// 3 s before it would be there. Kills of so many shots.
 struct Shots {
@@ -109,7 +138,8 @@ struct Shots {
   double range = 8000;
   bool throws = false;
   int shots = 60;
-  int kills = 0, fell = 0;
+  double towed = 0;  ///< m^2, of a decoy on a line; 0: none
+  int kills = 0, fell = 0, met = 0;
 
   void fly() {
     for (int seed = 1; seed <= shots; ++seed) {
@@ -117,7 +147,8 @@ struct Shots {
       AircraftType type;
       type.stations = {{"medium", 1}, {"short", 1}};
       type.index.gun = 0;
-      type.index.dispenser = library.dispensers.add("dispenser", {});
+      type.index.dispenser = library.dispensers.add(
+          "dispenser", {.towed = static_cast<std::uint16_t>(towed > 0), .towed_section = towed});
       type.signature = {.rcs_front = 5, .rcs_side = 30, .rcs_rear = 8};
       Shelf<AircraftType> shelf;
       shelf.add("fighter", type);
@@ -141,6 +172,11 @@ struct Shots {
       });
       kills += !sky.alive(red);
       fell += sky.count(E::decoyed) > 0;
+      for (const sim::Event& e : sky.all(E::timeout))
+        met += e.values[0] == float(MissileEnd::decoy) && e.whom == red;
+      if (towed > 0 && sky.alive(red) && met > 0) {
+        EXPECT_LE(sky.row(sky.aircraft().decoys, red).towed, 1);
+      }
     }
   }
 };
@@ -155,6 +191,57 @@ TEST(Chaff, SavesWhoFliesOnTheBeamAndNobodyElse) {
   EXPECT_GT(beam_chaff.fell, 40);
   EXPECT_EQ(hot_chaff.fell, 0) << "its own speed tells it from a cloud that stands in the air";
   EXPECT_EQ(hot_chaff.kills, hot.kills);
+}
+
+TEST(TowedDecoy, IsHitInTheAircraftsPlaceWhereItIsStronger) {
+  Shots none, strong{.towed = 300}, weak{.towed = 1}, heat{.store = kShort, .range = 2500},
+      heat_towed{.store = kShort, .range = 2500, .towed = 300};
+  for (Shots* s : {&none, &strong, &weak, &heat, &heat_towed})
+    s->fly();
+  EXPECT_GT(none.kills, 32);
+  EXPECT_EQ(strong.kills, 0);
+  EXPECT_GT(strong.met, 50);
+  EXPECT_NEAR(weak.kills, none.kills, 12) << "a thirtieth of the echo from the side";
+  EXPECT_EQ(weak.met, 0);
+  EXPECT_EQ(heat_towed.kills, heat.kills) << "an infrared seeker does not see it";
+}
+
+TEST(TowedDecoy, OfTheStrengthOfTheAircraftLetsMostMissilesPassBetween) {
+  Shots between{.towed = 30};
+  between.fly();
+  EXPECT_LT(between.kills, 15) << "a beam of 12 degrees resolves 100 m half a second before";
+}
+
+TEST(TowedDecoy, IsFollowedByTheNextAfterItsTime) {
+  Library library = Range::standard();
+  AircraftType type;
+  type.stations = {{"medium", 1}, {"medium", 1}};
+  type.index.gun = 0;
+  type.index.dispenser =
+      library.dispensers.add("dispenser", {.towed = 2, .towed_section = 300, .tow_time = 12});
+  type.signature = {.rcs_front = 5, .rcs_side = 30, .rcs_rear = 8};
+  Shelf<AircraftType> shelf;
+  shelf.add("fighter", type);
+  library.aircraft = shelf;
+  Range sky(1, std::move(library));
+  const PlayerId blue = sky.add({0, 0, -6000}, 0, 280);
+  const PlayerId red = sky.add({8000, 0, -7500}, kPi / 2, 250, Side::red);
+  Decoys& decoys = sky.row(sky.aircraft().decoys, red);
+  decoys = loaded(sky.library().dispensers[0]);
+  sky.run(60, [&] {
+    if (sky.count(E::launch) == 0)
+      sky.shoot(blue, red, kMedium);
+    else
+      sky.hold_fire(blue);
+    return sky.count(E::timeout) > 0;
+  });
+  ASSERT_EQ(sky.count(E::timeout), 1U);
+  const Decoys& left = sky.row(sky.aircraft().decoys, red);
+  EXPECT_EQ(left.towed, 1);
+  EXPECT_NEAR(left.tow_time, sky.time() + 12, 0.1);
+  const Dispenser& d = sky.library().dispensers[0];
+  EXPECT_FALSE(towed_at(d, left, {250, 0, 0}, sky.time()));
+  EXPECT_TRUE(towed_at(d, left, {250, 0, 0}, sky.time() + 12.1));
 }
 
 TEST(Flares, SaveFromAnInfraredMissileAsItsRejectionLets) {

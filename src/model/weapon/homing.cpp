@@ -6,14 +6,15 @@
 namespace eyrie::model::weapon {
 
 TargetScene TargetScene::of(const sim::World& world, const AircraftColumns& columns,
-                            const Library& library) {
+                            const Library& library, double time) {
   return {.ids = world.ids(columns.table),
           .kinematics = world.rows(columns.kinematics),
           .fit = world.rows(columns.fit),
           .propulsion = world.rows(columns.propulsion),
           .decoys = world.rows(columns.decoys),
           .emission = world.rows(columns.emission),
-          .library = library};
+          .library = library,
+          .time = time};
 }
 
 double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& direction) const {
@@ -23,6 +24,14 @@ double TargetScene::signature(SeekerKind kind, std::size_t row, const Vec3& dire
   if (kind == SeekerKind::radar)
     return radar_cross_section(type.signature, cos_aspect);
   return radiant_intensity(type.infrared, cos_aspect, propulsion[row].throttle);
+}
+
+std::optional<TargetScene::Towed> TargetScene::towed(std::size_t row) const {
+  if (decoys.empty() || decoys[row].towed == 0)
+    return std::nullopt;
+  const Dispenser& dispenser = library.dispensers[*library.aircraft[fit[row].type].index.dispenser];
+  const auto offset = towed_at(dispenser, decoys[row], kinematics[row].velocity, time);
+  return offset ? std::optional(Towed{*offset, dispenser.towed_section}) : std::nullopt;
 }
 
 namespace {
@@ -61,11 +70,17 @@ std::optional<Detected> look_at(const SeekerType& seeker, const SeekerView& view
                                 const TargetScene& scene, std::uint32_t row) {
   const Kinematics& target = scene.kinematics[row];
   const Vec3 apart = target.position - view.position;
-  const LineOfSight los = line_of_sight(apart, target.velocity - view.velocity);
-  Detected seen{.row = row, .id = scene.ids[row], .los = los};
-  const bool jams = seeker.kind == SeekerKind::radar && scene.library.jammers.size() != 0;
-  // range goes with the fourth root of echo over noise
+  LineOfSight los = line_of_sight(apart, target.velocity - view.velocity);
   double signature = scene.signature(seeker.kind, row, los.direction);
+  const bool radar = seeker.kind == SeekerKind::radar;
+  if (const auto tow = radar ? scene.towed(row) : std::nullopt) {
+    const TwoEchoes both = seen_together(seeker, apart, tow->offset, tow->section, signature);
+    los = line_of_sight(apart + both.shift, target.velocity - view.velocity);
+    signature = both.signature;
+  }
+  Detected seen{.row = row, .id = scene.ids[row], .los = los};
+  const bool jams = radar && scene.library.jammers.size() != 0;
+  // range goes with the fourth root of echo over noise
   if (jams)
     signature /= 1 + jamming_along(seeker, view, scene, los.direction);
   if (visible(seeker, view, los, target.velocity, signature)) {
@@ -159,10 +174,8 @@ InGates in_gates(const SeekerType& seeker, const SeekerView& view, const TargetS
   if (inside(los) &&
       (!result.seen || pull.section() > scene.signature(SeekerKind::radar, row, los.direction)) &&
       visible(seeker, view, los, target.velocity + off.speed * los.direction, section))
-    result.seen = Detected{.row = row,
-                           .id = scene.ids[row],
-                           .los = los,
-                           .reach = acquisition_range(seeker, section)};
+    result.seen = Detected{
+        .row = row, .id = scene.ids[row], .los = los, .reach = acquisition_range(seeker, section)};
   return result;
 }
 

@@ -21,13 +21,21 @@ struct TargetScene {
   std::span<const Decoys> decoys;
   std::span<const Emission> emission;
   const Library& library;
+  double time = 0;  ///< s
 
   [[nodiscard]] static TargetScene of(const sim::World& world, const AircraftColumns& columns,
-                                      const Library& library);
+                                      const Library& library, double time);
 
   /// Radar cross section (m^2) or radiant intensity (W/sr) of aircraft `row` seen along `direction`
   /// (unit vector from the observer to it).
   [[nodiscard]] double signature(SeekerKind kind, std::size_t row, const Vec3& direction) const;
+
+  /// The decoy that aircraft `row` tows.
+  struct Towed {
+    Vec3 offset;         ///< m, from the aircraft
+    double section = 0;  ///< m^2
+  };
+  [[nodiscard]] std::optional<Towed> towed(std::size_t row) const;
 };
 
 /// Where a seeker searches.

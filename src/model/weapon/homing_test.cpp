@@ -39,7 +39,9 @@ Library jammed() {
 
 struct Homing : ::testing::Test {
   Range range{1, jammed()};
-  TargetScene scene() { return TargetScene::of(range.world(), range.aircraft(), range.library()); }
+  TargetScene scene() {
+    return TargetScene::of(range.world(), range.aircraft(), range.library(), 0);
+  }
   Track track_of(PlayerId whom) {
     const Kinematics& k = range.row(range.aircraft().kinematics, whom);
     return {.position = k.position, .velocity = k.velocity, .id = TrackId{1}, .truth = whom};
@@ -146,7 +148,7 @@ struct Pulled {
       target().position += 0.02 * target().velocity;
       m.k.position += 0.02 * m.k.velocity;
     }
-    const TargetScene scene = TargetScene::of(range.world(), range.aircraft(), range.library());
+    const TargetScene scene = TargetScene::of(range.world(), range.aircraft(), range.library(), 0);
     (void)look(range.library().missiles[kMedium], m.k, 0.02 * static_cast<double>(step), scene,
                Draw(1, PlayerId{9}, Stream::seeker, step), m.state);
   }

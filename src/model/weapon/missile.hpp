@@ -188,9 +188,10 @@ enum class MissileEnd : std::uint8_t {
   speed,   ///< slower than the least speed at which it can be steered
   time,    ///< its battery is empty
   lost,    ///< saw nothing for longer than it remembers and destroyed itself
+  decoy,   ///< its fuze worked at the towed decoy of whom it saw
 };
 constexpr auto names_of(MissileEnd) {
-  return names_from_zero<MissileEnd>("none", "ground", "speed", "time", "lost");
+  return names_from_zero<MissileEnd>("none", "ground", "speed", "time", "lost", "decoy");
 }
 
 /// The memory of one missile. It knows what it was told by its shooter and what its seeker saw,

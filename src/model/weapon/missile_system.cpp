@@ -45,6 +45,19 @@ std::optional<Victim> fuze_scan(const Warhead& warhead, const Kinematics& k,
   return victim;
 }
 
+/// Whether a missile passes the towed decoy of aircraft `row` in this step, within its fuze's
+/// range.
+bool passes_decoy(const Warhead& warhead, const Kinematics& k, const TargetScene& scene,
+                  std::size_t row, double dt) {
+  const auto tow = scene.towed(row);
+  if (!tow)
+    return false;
+  const Kinematics& target = scene.kinematics[row];
+  const Passage pass =
+      passage(target.position + tow->offset - k.position, target.velocity - k.velocity, dt);
+  return pass.passing && pass.nearest.distance <= warhead.fuze_range;
+}
+
 }  // namespace
 
 MissileSystem::MissileSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
@@ -62,7 +75,7 @@ void MissileSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::
   const auto ids = world.ids(missiles_.table);
   const auto states = world.rows(missiles_.state);
   const auto kinematics = world.rows(missiles_.kinematics);
-  const TargetScene scene = TargetScene::of(world, aircraft_, *library_);
+  const TargetScene scene = TargetScene::of(world, aircraft_, *library_, info.time());
   const double time = info.time();
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
@@ -156,9 +169,8 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
   const auto ids = world.ids(missiles_.table);
   const auto states = world.rows(missiles_.state);
   const auto kinematics = world.rows(missiles_.kinematics);
-  const auto aircraft_ids = world.ids(aircraft_.table);
-  const auto aircraft = std::as_const(world).rows(aircraft_.kinematics);
   const double time = info.time() + info.dt;  // where everybody is now
+  const TargetScene scene = TargetScene::of(world, aircraft_, *library_, time);
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     MissileState& state = states[i];
@@ -168,8 +180,8 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
 
     // fuze
     if (age >= type.warhead.arming_time && time >= state.next_fuze_scan)
-      if (const auto victim = fuze_scan(type.warhead, k, aircraft, time, info.dt, state)) {
-        const PlayerId whom = aircraft_ids[victim->row];
+      if (const auto victim = fuze_scan(type.warhead, k, scene.kinematics, time, info.dt, state)) {
+        const PlayerId whom = scene.ids[victim->row];
         const double miss = victim->nearest.distance;
         const double pk = kill_probability(type.warhead, miss);
         Draw draw(info.seed, ids[i], Stream::lethality, info.step);
@@ -192,10 +204,15 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
       }
 
     // the end without it
-    if (const MissileEnd end = end_of(type, k, state, time); end != MissileEnd::none)
+    MissileEnd end = end_of(type, k, state, time);
+    if (const auto row = world.row(aircraft_.table, state.seen);
+        row && age >= type.warhead.arming_time &&
+        passes_decoy(type.warhead, k, scene, *row, info.dt))
+      end = MissileEnd::decoy;
+    if (end != MissileEnd::none)
       out.emit({.kind = EventKind::timeout,
                 .who = ids[i],
-                .whom = state.intended,
+                .whom = end == MissileEnd::decoy ? state.seen : state.intended,
                 .place = k.position,
                 .values = {static_cast<float>(end), static_cast<float>(age)}});
   }

@@ -42,7 +42,7 @@ struct SeekerLook {
   Vec3 direction{1, 0, 0};  ///< unit vector
   double range = 0;         ///< m
   double closing = 0;       ///< m/s
-  double faint = 1;         ///< by how much its errors are greater than those of a bright target
+  double faint = 1;         ///< by how much its angles err more than those of a bright target
 };
 [[nodiscard]] SeekerLook measure(const SeekerType& seeker, const SeekerView& view,
                                  const LineOfSight& los, double reach, double dt, Vec3& glint,

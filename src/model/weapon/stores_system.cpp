@@ -66,8 +66,9 @@ void StoresSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
     const MissileType& missile = library_->missiles[type];
     if (!can_release(stores[i], type, time))
       continue;
-    if (missile.locks_before_launch() && !locked_on(missile.seeker, own, ids[i], *target, time,
-                                                    TargetScene::of(world, aircraft_, *library_)))
+    if (missile.locks_before_launch() &&
+        !locked_on(missile.seeker, own, ids[i], *target, time,
+                   TargetScene::of(world, aircraft_, *library_, time)))
       continue;
     begin_release(stores[i], type, missile, request.shoot_at, time);
     const double range = norm(position_at(*target, time) - own.position);
@@ -102,6 +103,21 @@ void StoresSystem::commit(sim::World& world, const sim::StepInfo& info,
   for (const sim::Event& event : events)
     if (event.kind == EventKind::eject)
       launch(world, info, event, context);
+    else if (event.kind == EventKind::timeout &&
+             event.values[0] == static_cast<float>(MissileEnd::decoy))
+      lose_towed(world, info.time() + info.dt, event.whom);
+}
+
+void StoresSystem::lose_towed(sim::World& world, double time, PlayerId who) const {
+  const auto row = world.row(aircraft_.table, who);
+  if (!row)
+    return;
+  const auto& index = library_->aircraft[world.rows(aircraft_.fit)[*row].type].index.dispenser;
+  Decoys& decoys = world.rows(aircraft_.decoys)[*row];
+  if (!index || decoys.towed == 0 || time < decoys.tow_time)
+    return;  // two missiles may reach it in one step
+  --decoys.towed;
+  decoys.tow_time = time + library_->dispensers[*index].tow_time;
 }
 
 void StoresSystem::launch(sim::World& world, const sim::StepInfo& info, const sim::Event& eject,

@@ -27,6 +27,7 @@ class StoresSystem final : public sim::System {
               sim::CommitContext& context) const;
   void dispense(sim::World& world, const sim::StepInfo& info, std::size_t row,
                 sim::Outbox& out) const;
+  void lose_towed(sim::World& world, double time, PlayerId who) const;
 
   AircraftColumns aircraft_;
   MissileColumns missiles_;
