@@ -18,6 +18,7 @@
 #include "debrief/health.hpp"
 #include "design.hpp"
 #include "judgement.hpp"
+#include "model/weapon/kept_zones.hpp"
 
 namespace {
 using namespace eyrie;
@@ -346,6 +347,15 @@ int main(int argc, char** argv) {
     const std::vector<Judgement> all = judgements(home);
     fmt::print(stderr, "{} judgements\n", all.size());
     Kept kept(argv[2]);
+    const std::filesystem::path zones = argv[2] + std::string(".zones");
+    std::filesystem::create_directories(zones);
+    const auto file = [zones](std::uint64_t key) { return zones / fmt::format("{:016x}", key); };
+    model::weapon::kept_zones().use(
+        {.load = [file](std::uint64_t key) { return text_of(file(key)); },
+         .save =
+             [file](std::uint64_t key, std::string_view zone) {
+               std::ofstream(file(key), std::ios::binary) << zone;
+             }});
     std::set<const Judgement*> left;  // nobody has studied them yet
     for (const Judgement& j : all)
       left.insert(&j);
