@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cerrno>
 
+#include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 
 namespace eyrie::disk {
+namespace fs = std::filesystem;
 namespace {
 constexpr std::size_t kBuffer = 1 << 16;
 }
@@ -148,11 +150,39 @@ FileRead read_file(const std::string& path, std::size_t limit) {
   if (path.find('\0') != path.npos)
     return refused(ENOENT);
   const int file = files().open(AT_FDCWD, path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY, 0);
-  if (file < 0)
-    return refused(errno);
+  if (file < 0) {
+    FileRead none = refused(errno);
+    if (none.missing)
+      none.problem += nearest_file(path);
+    return none;
+  }
   FileRead read = read_open(file, limit);
   files().close(file);
   return read;
+}
+
+std::string nearest_file(const fs::path& missing, const fs::path& asker) {
+  constexpr std::size_t kMost = 10'000;
+  std::error_code failed;
+  const fs::path path = fs::absolute(missing, failed).lexically_normal();
+  const fs::path other = fs::absolute(asker, failed).lexically_normal();
+  fs::path folder = path.parent_path();
+  int deep = 0;  // folders between the one that exists and the file
+  for (; !fs::is_directory(folder, failed) && folder.has_relative_path(); ++deep)
+    folder = folder.parent_path();
+  std::vector<std::string> names;
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied,
+                                      failed);
+  for (std::size_t seen = 0; !failed && at != end(at) && seen < kMost; ++seen) {
+    if (at.depth() == deep) {
+      at.disable_recursion_pending();
+      if (at->path() != other && at->is_regular_file(failed))
+        names.push_back(at->path().lexically_relative(folder).generic_string());
+    }
+    at.increment(failed);
+  }
+  std::sort(names.begin(), names.end());
+  return did_you_mean(path.lexically_relative(folder).generic_string(), names);
 }
 
 }  // namespace eyrie::disk

@@ -4,6 +4,7 @@
 /// one of a stranger.
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -60,5 +61,11 @@ struct FileRead {
 /// bytes; nothing is waited for. The problem is words to stand behind "file: ", such as "is a
 /// folder, not a file".
 [[nodiscard]] FileRead read_file(const std::string& path, std::size_t limit);
+
+/// "; did you mean 'x'?" for the file nearest to one that is not there, or "": of those that stand
+/// as many folders below the last folder of its path that exists; x is named from there, and is
+/// not `asker`.
+[[nodiscard]] std::string nearest_file(const std::filesystem::path& missing,
+                                       const std::filesystem::path& asker = {});
 
 }  // namespace eyrie::disk

@@ -148,7 +148,8 @@ class Includer {
                                    ? fmt::format("{} is outside the folder of the scenario and "
                                                  "the installation; --allow-include DIR allows it",
                                                  quote_path(file))
-                                   : "cannot read " + quote_path(file));
+                                   : "cannot read " + quote_path(file) +
+                                         source_.nearest(file, std::string(from.file.text())));
       return {};
     }
     const std::size_t before = diagnostics_.count();

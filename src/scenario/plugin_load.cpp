@@ -42,17 +42,6 @@ std::vector<std::string> model_problems(const Registrar& added, const Source& so
   return problems;
 }
 
-/// The nearest shared library in the folder of one that is not there.
-std::string nothing_there(const fs::path& path) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(path.parent_path(), ignored))
-    if (entry.path().extension() == ".so")
-      names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  return "there is no such file" + did_you_mean(path.filename().string(), names);
-}
-
 std::string demangled(const std::string& symbol) {
   int failed = 0;
   const std::unique_ptr<char, decltype(&std::free)> name(
@@ -118,7 +107,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
   std::error_code failed;
   const fs::path file = fs::weakly_canonical(path, failed);
   if (failed || !fs::exists(file, failed))
-    return {nothing_there(fs::absolute(path, failed))};
+    return {"there is no such file" + disk::nearest_file(path)};
   for (const PluginFile& known : files_)
     if (known.path == file)
       return {};

@@ -32,6 +32,16 @@ bool Source::is_outside(const std::string& name) const {
   return folders_ && !files_.contains(name) && folders_->is_outside(name);
 }
 
+std::string Source::nearest(const std::string& name, const std::string& asker) const {
+  if (folders_)
+    return folders_->nearest(name, asker);
+  std::vector<std::string> names;
+  for (const auto& [there, text] : files_)
+    if (there != asker)
+      names.push_back(there);
+  return did_you_mean(name, names);
+}
+
 std::optional<std::string> Source::read(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
     return known->second;

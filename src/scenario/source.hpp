@@ -29,6 +29,8 @@ class Source {
   void confine_to_folder_of(const std::string& file);
   /// Whether that is why there is no text.
   [[nodiscard]] bool is_outside(const std::string& name) const;
+  /// "; did you mean 'x'?" for a file that is not there and that the file `asker` names, or "".
+  [[nodiscard]] std::string nearest(const std::string& name, const std::string& asker) const;
 
   /// The text of a file, or nothing when it is missing, unreadable, outside or no file. Of a file
   /// larger than kLargest only so much that a parser sees that it is too large.
@@ -64,6 +66,8 @@ class Source {
     virtual void confine_to_folder_of(const std::string& file) = 0;
     [[nodiscard]] virtual bool is_outside(const std::string& name) const = 0;
     [[nodiscard]] virtual std::optional<std::string> read(const std::string& name) const = 0;
+    [[nodiscard]] virtual std::string nearest(const std::string& name,
+                                              const std::string& asker) const = 0;
     /// The names of the YAML files in a folder below home, without their ending.
     [[nodiscard]] virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
   };

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "disk/sink.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "scenario/source.hpp"
 
@@ -58,6 +59,10 @@ class Disk final : public Source::Folders {
       return std::nullopt;
     text.resize(static_cast<std::size_t>(in.gcount()));
     return text;
+  }
+
+  std::string nearest(const std::string& name, const std::string& asker) const override {
+    return disk::nearest_file(place_of(name), asker);
   }
 
   std::vector<std::string> names_in(const std::string& folder) const override {

@@ -65,6 +65,23 @@ TEST_F(Includes, AreReadWhereTheyMayStand) {
             "eyrie: --allow-include 'gone': there is no such folder\n");
 }
 
+TEST_F(Includes, ThatAreMisspelledNameTheNearestFile) {
+  folder_.write("mine/pack/pilots.yaml", "trees: {extra: navigate}\n");
+  struct Case {
+    std::string include, shown, meant;
+  };
+  for (const Case& c : {Case{"naer.yaml", "mine/naer.yaml", "near.yaml"},
+                        Case{"[near.yaml, pack/pilot.yml]", "mine/pack/pilot.yml", "pilots.yaml"},
+                        Case{"pakc/pilots.yaml", "mine/pakc/pilots.yaml", "pack/pilots.yaml"}}) {
+    const Ran ran = validate(c.include);
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.err, "mine/x.yaml:21:" + std::string(c.include[0] == '[' ? "22" : "10") +
+                           ": cannot read '" + c.shown + "'; did you mean '" + c.meant + "'?\n");
+  }
+  EXPECT_EQ(validate("y.yaml").err, "mine/x.yaml:21:10: cannot read 'mine/y.yaml'\n")
+      << "a file does not include itself";
+}
+
 TEST_F(Includes, OfAnAllowedFolderStayInTheRun) {
   folder_.write("mine/x.yaml", kSmallScenario + "include: ../other/trees.yaml\n");
   EXPECT_EQ(run_program(folder_, {"fly", "mine/x.yaml", "--out", "r"}).code, 2);
