@@ -26,6 +26,11 @@ struct Target {
   bool turns = false;
 
   void fly(const Motion& motion, double dt, Draw d) {
+    change(motion, dt, d);
+    keep_on(motion, dt, d);
+  }
+  /// Begins or ends a turn, as the chain says of an interval.
+  void change(const Motion& motion, double dt, Draw& d) {
     const Interval ahead = interval(motion, dt);
     if (turns ? d.chance(ahead.ends) : d.chance(ahead.begins)) {
       turns = !turns;
@@ -33,6 +38,8 @@ struct Target {
       if (turns)
         acceleration = motion.maneuver * Vec3{d.normal(), d.normal(), d.normal()};
     }
+  }
+  void keep_on(const Motion& motion, double dt, Draw& d) {
     position += dt * velocity;
     if (turns) {
       velocity += dt * acceleration;
@@ -108,8 +115,10 @@ struct Consistency {
   int beyond = 0;   ///< NEES above its 99.9 % point
   int looks = 0;
 };
-Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32_t runs) {
-  constexpr double kFrame = 4, kFine = 0.25;
+enum class Turns { at_looks, any_time };  ///< when they begin and end
+Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32_t runs,
+                        Turns turns = Turns::any_time, double frame_time = 4) {
+  const double fine_time = frame_time / 16;
   constexpr int kFrames = 30, kSettled = 8;
   Consistency all;
   for (std::uint32_t run = 0; run < runs; ++run) {
@@ -117,7 +126,7 @@ Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32
     Target target{{100e3, 5e3, test::kHigh}, {-240, 30, 0}, {}, false};
     Track track;
     for (int frame = 0; frame < kFrames; ++frame) {
-      const double time = frame * kFrame;
+      const double time = frame * frame_time;
       const auto step = static_cast<std::uint64_t>(frame);
       const Contact c = desk.contact(time, target.position, target.velocity, 1, draw(run, step, 1));
       if (frame == 0) {
@@ -144,8 +153,12 @@ Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32
           ++all.looks;
         }
       }
-      for (int fine = 0; fine < static_cast<int>(kFrame / kFine); ++fine)
-        target.fly(truth, kFine, draw(run, step * 100 + static_cast<std::uint64_t>(fine), 2));
+      for (int fine = 0; fine < 16; ++fine) {
+        Draw d = draw(run, step * 100 + static_cast<std::uint64_t>(fine), 2);
+        if (turns == Turns::any_time || fine == 0)
+          target.change(truth, turns == Turns::any_time ? fine_time : frame_time, d);
+        target.keep_on(truth, fine_time, d);
+      }
     }
   }
   all.nees /= all.looks;
@@ -166,12 +179,23 @@ TEST(Consistency, HoldsOfTargetsThatFlyStraightIfTheTrackerKnowsThat) {
 }
 
 TEST(Consistency, HoldsOfTargetsThatFlyStraightAndTurnAsTheTrackerExpects) {
-  // Two models stand for all the histories of turns that there may have been: the errors have
-  // longer tails than a normal law, so the bounds are a sixth wide.
-  const Consistency c = consistency({}, Motion{}, 1000);
+  // The tracker's chain changes at looks, and so do these targets: NIS at 99 % of chi-square with
+  // 4 * 1000 degrees of freedom. Two models stand for all the histories of turns that there may
+  // have been in 4 s, so the errors have longer tails than a normal law: NEES within a sixth.
+  const Consistency c = consistency({}, Motion{}, 1000, Turns::at_looks);
   EXPECT_NEAR(c.nees, 6, 1);
-  EXPECT_NEAR(c.nis, 4, 4.0 / 6);
+  EXPECT_NEAR(c.nis, 4, 0.23);
   EXPECT_LT(c.beyond, 0.03 * c.looks);
+}
+
+TEST(Consistency, ReckonsTurnsThatBeginBetweenLooksFromTheLookBefore) {
+  // A turn that has lasted a part of the interval only has moved the target less than foretold.
+  const Consistency far = consistency({}, Motion{}, 1000);
+  EXPECT_NEAR(far.nees, 6, 1);
+  EXPECT_LT(far.nis, 4);
+  EXPECT_GT(far.nis, 4 * 0.8);
+  // At four looks a second that is nothing: NEES at 99 % of chi-square with 6 * 1000.
+  EXPECT_NEAR(consistency({}, Motion{}, 1000, Turns::any_time, 0.25).nees, 6, 0.28);
 }
 
 TEST(Consistency, IsNotTooSureOfAStraightFlightThatMightTurn) {
