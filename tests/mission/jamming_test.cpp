@@ -9,6 +9,10 @@
 namespace eyrie::test {
 namespace {
 
+PlayerId shooter_of(const Happened& launch) {
+  return PlayerId{static_cast<std::uint32_t>(launch.event.detail)};
+}
+
 /// What the eagles believe of the range of the nearer bogey, 1-sigma (m), and how far it is.
 std::pair<double, double> knowledge(const Flight& f) {
   const auto row = f.row("eagle1").value();
@@ -62,6 +66,32 @@ TEST(Jamming, HidesTheRangeUntilTheEchoBurnsThrough) {
   EXPECT_GT(clear[4], si(50, "nmi"));
   EXPECT_LT(jammed[4], 0.6 * clear[4]);
   EXPECT_GT(jammed[8], 0) << "even odds are at 21 km";
+}
+
+/// They shoot at what they could reach in the clear (33 km), between the chance echoes and the even
+/// odds: so jamming costs them no time, but they wait until they know the range.
+TEST(Jamming, IsNotShotAtBeforeTheRangeIsKnown) {
+  int shots = 0;
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    Flight f(load_scenario("jamming"), seed);
+    std::optional<Happened> shot;
+    for (int tenth = 3000; tenth < 7000 && !(shot = f.log.first(EventKind::launch)); ++tenth)
+      f.fly_until(tenth / 10.0);
+    const auto shooter = shot ? f.row(f.scenario->roster.name(shooter_of(*shot))) : std::nullopt;
+    const auto bogey = shot ? f.row(f.scenario->roster.name(shot->event.whom)) : std::nullopt;
+    if (!shooter || !bogey || f.scenario->roster.name(shooter_of(*shot)).starts_with("bogey"))
+      continue;
+    ++shots;
+    const auto& file = f.world().rows(f.scenario->aircraft.tracks)[*shooter];
+    const auto places = f.world().rows(f.scenario->aircraft.kinematics);
+    const auto track = std::find_if(file.tracks.begin(), file.tracks.end(),
+                                    [&](const auto& t) { return t.truth == shot->event.whom; });
+    ASSERT_NE(track, file.tracks.end());
+    const double range = norm(places[*bogey].position - places[*shooter].position);
+    EXPECT_LT(static_cast<double>(track->position_sigma), 0.05 * range) << seed;
+    EXPECT_NEAR(norm(track->position - places[*shooter].position), range, 0.1 * range) << seed;
+  }
+  EXPECT_GE(shots, 3);
 }
 
 /// What the bogeys' jammers do to the locks of eagles whose radars lock within 40 nmi, in some

@@ -46,6 +46,7 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
   EXPECT_TRUE(says(ran.out, R"(\n        break_turn +failed: no missile is known to come\n)"));
   EXPECT_TRUE(says(
       ran.out, R"(\n  heading +97 deg +follow_lead +voted 20 against 10 \(navigate 123 deg\)\n)"));
+  // which of the two it is, is the sort's choice: pilot/sort_test.cpp
   EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey\d\): identity hostile, range)"));
 }
 
