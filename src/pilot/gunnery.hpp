@@ -38,14 +38,10 @@ bool any_friend(const State& s, const Holds& holds) {
     if (seen.track->identity == model::Identity::friendly &&
         holds(Friend{seen.ned, s.velocity_of(seen), 2.0 * seen.track->position_sigma}))
       return true;
-  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
-    const model::Mate& mate = s.datalink.members[i];
-    if (i != s.datalink.self && mate.alive && mate.reported &&
-        holds(Friend{to_ned(s.own, position_at(mate, s.time) - s.own.position),
-                     to_ned(s.own, {mate.velocity[0], mate.velocity[1], mate.velocity[2]})}))
-      return true;
-  }
-  return false;
+  return any_mate(s.datalink, [&](const model::Mate& mate) {
+    return holds(Friend{to_ned(s.own, position_at(mate, s.time) - s.own.position),
+                        to_ned(s.own, velocity_of(mate))});
+  });
 }
 
 /// Whether a friend is believed to be in it: a mate by datalink or a track identified as friendly.

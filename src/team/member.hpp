@@ -35,9 +35,7 @@ concept MemberState = requires(const S& s, const Leader& leader) {
 [[nodiscard]] inline std::optional<Leader> heard(const model::Mate& mate, double time) {
   if (!mate.reported)
     return std::nullopt;
-  return Leader{position_at(mate, time),
-                {static_cast<double>(mate.velocity[0]), static_cast<double>(mate.velocity[1]),
-                 static_cast<double>(mate.velocity[2])}};
+  return Leader{position_at(mate, time), velocity_of(mate)};
 }
 
 /// The own rank among the living: the next in rank takes over when a lead dies. Before the datalink

@@ -176,16 +176,11 @@ Contact reported(const Mate& mate, const track::TrackContext& context) {
 bool may_be_mate(const track::Prediction& place, const DatalinkState& state,
                  const track::TrackContext& context) {
   const double gate = context.tracker.gate;
-  for (std::uint32_t i = 0; i < state.count; ++i) {
-    const Mate& mate = state.members[i];
-    if (i == state.self || !mate.alive || !mate.reported)
-      continue;
+  return any_mate(state, [&](const Mate& mate) {
     const Contact contact = reported(mate, context);
-    if (norm2(contact.position - place.position) <= track::reach2(context.tracker, contact) &&
-        track::match(place, contact).deviations2() <= gate * gate)
-      return true;
-  }
-  return false;
+    return norm2(contact.position - place.position) <= track::reach2(context.tracker, contact) &&
+           track::match(place, contact).deviations2() <= gate * gate;
+  });
 }
 
 Track remote_track(const SharedTrack& shared, const track::TrackContext& context,
@@ -331,7 +326,7 @@ void recognize_mate(TrackFile& file, const track::TrackContext& context, const M
   Track& track = file.tracks[index];
   const double speed_slack = kSpeedSlack + kRecognized * static_cast<double>(track.velocity_sigma);
   if (norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
-      norm(track.velocity - widen(mate.velocity)) <= speed_slack &&
+      norm(track.velocity - velocity_of(mate)) <= speed_slack &&
       track.identity == Identity::unknown)
     track::identify(track, Identity::friendly, context);
 }

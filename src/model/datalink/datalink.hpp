@@ -127,12 +127,23 @@ struct DatalinkState {
   return nullptr;
 }
 
+/// m/s, as of its last message.
+[[nodiscard]] constexpr Vec3 velocity_of(const Mate& mate) {
+  return {mate.velocity[0], mate.velocity[1], mate.velocity[2]};
+}
 /// Where a mate is believed to be at `time` (s); needs Mate::reported.
 [[nodiscard]] constexpr Vec3 position_at(const Mate& mate, double time) {
-  const double dt = time - mate.time;
-  return mate.position + Vec3{dt * static_cast<double>(mate.velocity[0]),
-                              dt * static_cast<double>(mate.velocity[1]),
-                              dt * static_cast<double>(mate.velocity[2])};
+  return mate.position + (time - mate.time) * velocity_of(mate);
+}
+
+/// Whether `holds` of any other member that is believed alive and has said where it is.
+template <class Holds>
+constexpr bool any_mate(const DatalinkState& state, const Holds& holds) {
+  for (std::uint32_t i = 0; i < state.count; ++i)
+    if (const Mate& mate = state.members[i];
+        i != state.self && mate.alive && mate.reported && holds(mate))
+      return true;
+  return false;
 }
 
 /// Const and shared by the members of a flight.

@@ -57,16 +57,12 @@ namespace {
 /// Who stands in the direction in which a mate says he is will be the mate.
 void know_mate(const Self& self, const Irst& irst, double time, Contact& contact) {
   const double edge = self.suite.tracker->gate * irst.sigma_angle;
-  for (std::uint32_t i = 0; i < self.datalink.count; ++i) {
-    const datalink::Mate& mate = self.datalink.members[i];
-    if (i == self.datalink.self || !mate.alive || !mate.reported)
-      continue;
+  contact.mate = datalink::any_mate(self.datalink, [&](const datalink::Mate& mate) {
     const Vec3 sight = datalink::position_at(mate, time) - self.kinematics.position;
-    if (norm2(normalized(sight, {}) - contact.line) > edge * edge)
-      continue;
-    contact.mate = true;
+    return norm2(normalized(sight, {}) - contact.line) <= edge * edge;
+  });
+  if (contact.mate)
     contact.identity = Identity::friendly;
-  }
 }
 
 }  // namespace

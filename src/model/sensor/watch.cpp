@@ -93,15 +93,13 @@ void find_mates(const Scene& scene, const Self& self, const Eyes& eyes,
                 std::span<Contact> contacts) {
   std::array<Vec3, kMaxFlight> sights;
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < self.datalink.count; ++i) {
-    const datalink::Mate& mate = self.datalink.members[i];
-    if (i == self.datalink.self || !mate.alive || !mate.reported)
-      continue;
+  datalink::any_mate(self.datalink, [&](const datalink::Mate& mate) {
     const Vec3 sight = datalink::position_at(mate, scene.time) - eyes.position;
     if (const double range = norm(sight);
         range > 0 && in_view(*self.suite.visual, eyes, sight / range))
       sights[count++] = sight;
-  }
+    return false;
+  });
   while (count > 0) {
     double best = self.suite.tracker->gate * self.suite.tracker->gate;
     Contact* found = nullptr;

@@ -190,15 +190,11 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   for (const Seen& seen : s.tracks_seen())
     if (seen.track->confirmed)
       look(seen.ned, s.velocity_of(seen));
-  for (std::uint32_t i = 0; i < s.datalink.count; ++i) {
-    const model::Mate& mate = s.datalink.members[i];
-    if (i == s.datalink.self || !mate.alive || !mate.reported)
-      continue;
-    const Vec3 velocity{static_cast<double>(mate.velocity[0]),
-                        static_cast<double>(mate.velocity[1]),
-                        static_cast<double>(mate.velocity[2])};
-    look(to_ned(s.own, position_at(mate, s.time) - s.own.position), to_ned(s.own, velocity));
-  }
+  any_mate(s.datalink, [&](const model::Mate& mate) {
+    look(to_ned(s.own, position_at(mate, s.time) - s.own.position),
+         to_ned(s.own, velocity_of(mate)));
+    return false;
+  });
   if (!pass)
     return fails(t, "nobody comes too near");
   // away from where he will be, as seen along the own path; to the right if that says nothing
