@@ -16,6 +16,10 @@ constexpr double kSilence = 1;
 /// degrees a second (data/visual), which at 4 s may still be a miss by 800 m, at 8 s by 3 km.
 constexpr double kSeenTime = 4;
 
+/// s: that a seeker rests on a mate is believed for so long, as long as a missile is remembered:
+/// the mate's hard turn often deafens him, and seekers seldom change their targets.
+constexpr double kMates = 4;
+
 const Seen* nearest_hostile(const State& s) {
   const Seen* nearest = nullptr;
   for (const Seen& seen : s.tracks_seen())
@@ -48,7 +52,8 @@ std::optional<double> time_to_go(const State& s, const model::InboundMissile& mi
   if (missile.arrival > 0)
     return std::max(missile.arrival - s.time, 0.0);
   if (missile.has_position)
-    return std::max(missile.range / kMissileClosing - (s.time - missile.position_time), 0.0);
+    return std::max(
+        missile.range / model::sensor::kMissileClosing - (s.time - missile.position_time), 0.0);
   return std::nullopt;
 }
 
@@ -60,7 +65,8 @@ const model::InboundMissile* inbound(const State& s, double within) {
     const auto left = time_to_go(s, missile);
     const bool believed =
         missile.arrival > 0 ? s.time - missile.time <= kSilence : left && *left <= kSeenTime;
-    if (believed && *left <= least && (first == nullptr || *left < least)) {
+    const bool mates = missile.at_mate > 0 && s.time - missile.at_mate <= kMates;
+    if (believed && !mates && *left <= least && (first == nullptr || *left < least)) {
       first = &s.threats.missiles[i];
       least = *left;
     }

@@ -7,11 +7,6 @@
 
 namespace eyrie::pilot {
 
-/// m/s, the closing speed that is reckoned with for a missile that is only seen: nobody measures
-/// it. A medium-range missile after burnout does about 700 m/s, its target 250 ([judgement]:
-/// docs/models/missile.md has the flights).
-inline constexpr double kMissileClosing = 1000;
-
 /// s until a missile is here: as its signal grows, or else by its range as it is seen. Nothing if
 /// neither is known.
 [[nodiscard]] std::optional<double> time_to_go(const State& state,
@@ -20,7 +15,8 @@ inline constexpr double kMissileClosing = 1000;
 /// The missile that is here first, among those believed to come for this aircraft: known to be here
 /// within `within` s, and heard in the last second. One that is only seen counts in its last 4 s.
 /// One whose signal does not grow as it would if it came here is for somebody else
-/// (model::sensor::time_to_go). Null if there is none.
+/// (model::sensor::time_to_go), and so is one that a mate hears better than his place explains
+/// (model::sensor::rests_on_mate). Null if there is none.
 [[nodiscard]] const model::InboundMissile* inbound(const State& state, double within);
 
 /// The radar that tracks this aircraft, the one heard first; null if none does.

@@ -31,6 +31,10 @@ TEST(MissileInbound, IsTrueOfOneThatIsHereSoonOnly) {
   desk.threats.missiles[0].arrival = desk.time + 9;
   EXPECT_FALSE(holds("{missile_inbound: {within: 8 s}}", desk));
   EXPECT_TRUE(holds("{missile_inbound: {within: 10 s}}", desk));
+  desk.threats.missiles[0].at_mate = desk.time - 1;
+  EXPECT_FALSE(holds("{missile_inbound: {within: 10 s}}", desk)) << "it rests on a mate";
+  desk.threats.missiles[0].at_mate = desk.time - 5;
+  EXPECT_TRUE(holds("{missile_inbound: {within: 10 s}}", desk)) << "he has not said so since";
 }
 
 TEST(Spiked, NeedsARadarThatTracks) {

@@ -140,7 +140,7 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
       const double value = column.all.at(column.next++);
       for (const debrief::Value& flown : decision->nodes[node].action)
         if (flown.name == name && flown.number) {
-          ASSERT_NEAR(value, *flown.number, 1.001e-3) << name;  // a step, and rounding
+          ASSERT_NEAR(value, *flown.number, 1.501e-3) << name;  // or moved on from an equal
           ++compared;
         }
     }

@@ -80,6 +80,9 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
   message.track_count = static_cast<std::uint32_t>(std::min(count, kSharedTracks));
   for (std::uint32_t i = 0; i < message.track_count; ++i)
     message.tracks[i] = share(tracks.tracks[merits[i].index], own, tracker);
+  EYRIE_ASSERT(own.seekers.size() <= kSharedSeekers);
+  std::copy(own.seekers.begin(), own.seekers.end(), message.seekers.begin());
+  message.seeker_count = static_cast<std::uint32_t>(own.seekers.size());
   ++sent.sent;
 }
 

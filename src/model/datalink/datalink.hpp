@@ -12,6 +12,7 @@ namespace eyrie::model::datalink {
 
 inline constexpr std::size_t kSharedTracks = 4;
 inline constexpr std::size_t kMessages = 4;
+inline constexpr std::size_t kSharedSeekers = 4;
 
 /// What the sender says about one of its tracks, as bits of SharedTrack::engagement.
 enum TrackEngagement : std::uint8_t {
@@ -42,6 +43,19 @@ struct SharedTrack {
   }
 };
 
+/// A missile seeker that the sender hears, at the time of the message.
+struct SharedSeeker {
+  PlayerId emitter{};        ///< fingerprint of its pulse train
+  float faintness = 0;       ///< as RwrWarning::faintness
+  float faintness_rate = 0;  ///< 1/s
+
+  static constexpr auto fields() {
+    using S = SharedSeeker;
+    return field_list(field("emitter", &S::emitter), field("faintness", &S::faintness),
+                      field("faintness_rate", &S::faintness_rate, "Hz"));
+  }
+};
+
 /// What one aircraft tells its flight.
 struct DatalinkMessage {
   double time = 0;                  ///< s, when it was sent and what it describes
@@ -49,15 +63,17 @@ struct DatalinkMessage {
   std::array<float, 3> velocity{};  ///< m/s
   float fuel = 0;                   ///< kg
   std::array<SharedTrack, kSharedTracks> tracks{};
+  std::array<SharedSeeker, kSharedSeekers> seekers{};
   std::uint32_t track_count = 0;
-  std::uint8_t reserved[4] = {};
+  std::uint32_t seeker_count = 0;
 
   static constexpr auto fields() {
     using D = DatalinkMessage;
     return field_list(field("time", &D::time, "s"), field("position", &D::position, "m"),
                       field("velocity", &D::velocity, "m/s"), field("fuel", &D::fuel, "kg"),
-                      field("tracks", &D::tracks), field("track_count", &D::track_count),
-                      field("reserved", &D::reserved));
+                      field("tracks", &D::tracks), field("seekers", &D::seekers),
+                      field("track_count", &D::track_count),
+                      field("seeker_count", &D::seeker_count));
   }
 };
 
@@ -175,12 +191,13 @@ struct Datalink {
 
 /// What one aircraft says about itself.
 struct OwnReport {
-  double time = 0;                   ///< s
-  Vec3 position{};                   ///< m
-  Vec3 velocity{};                   ///< m/s
-  double fuel = 0;                   ///< kg
-  TrackId target{};                  ///< none if none
-  std::span<const TrackId> shot_at;  ///< tracks with an own missile on its way
+  double time = 0;                          ///< s
+  Vec3 position{};                          ///< m
+  Vec3 velocity{};                          ///< m/s
+  double fuel = 0;                          ///< kg
+  TrackId target{};                         ///< none if none
+  std::span<const TrackId> shot_at;         ///< tracks with an own missile on its way
+  std::span<const SharedSeeker> seekers{};  ///< at most kSharedSeekers
 };
 
 /// Puts one message into the own ring: the own report, the target, what was shot at, and then the

@@ -27,6 +27,25 @@ void tell(const Self& self, const RwrWarning& warning) {
        .values = {static_cast<float>(warning.kind), static_cast<float>(warning.bearing)}});
 }
 
+/// What a mate hears of the seekers that are heard here, too: on whom of the two each rests.
+void compare_seekers(const Scene& scene, Self& self, const datalink::Mate& mate,
+                     const datalink::DatalinkMessage& message) {
+  const Kinematics& own = self.kinematics;
+  const Vec3 path =
+      position_at(mate, scene.time - kLevelAge) - (own.position - kLevelAge * own.velocity);
+  const Vec3 offset{dot(path, own.north), dot(path, own.east), dot(path, own.down)};
+  for (std::uint32_t i = 0; i < message.seeker_count; ++i) {
+    const datalink::SharedSeeker& theirs = message.seekers[i];
+    const RwrWarning* ours = find(self.rwr, theirs.emitter);
+    if (ours == nullptr ||
+        !rests_on_mate(*ours, theirs, scene.time - message.time, offset, scene.time))
+      continue;
+    for (std::uint32_t k = 0; k < self.threats.count; ++k)
+      if (self.threats.missiles[k].emitter == theirs.emitter)
+        self.threats.missiles[k].at_mate = scene.time;
+  }
+}
+
 }  // namespace
 
 void listen_for_radars(const Scene& scene, Self& self) {
@@ -114,6 +133,7 @@ void read_datalink(const Scene& scene, Self& self) {
     if (message != nullptr) {
       datalink::fuse(self.tracks, context, *message, state, i);
       datalink::recognize_mate(self.tracks, context, mate);
+      compare_seekers(scene, self, mate, *message);
     }
   }
   if (datalink != nullptr)

@@ -105,6 +105,51 @@ std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
   return left;
 }
 
+namespace {
+
+/// s: what was heard longer ago than this is no level to compare.
+constexpr double kFresh = 1;
+
+bool comparable(const RwrWarning& w, double time) {
+  return w.kind == EmissionKind::missile_seeker && w.looks >= 5 && time - w.time <= kFresh;
+}
+
+double carried_on(const RwrWarning& w, double time) {
+  return w.faintness + (time - w.time) * w.faintness_rate;
+}
+
+}  // namespace
+
+std::size_t share(const RwrState& state, double time,
+                  std::array<datalink::SharedSeeker, datalink::kSharedSeekers>& seekers) {
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < state.count && count < seekers.size(); ++i)
+    if (const RwrWarning& w = state.warnings[i]; comparable(w, time))
+      seekers[count++] = {.emitter = w.emitter,
+                          .faintness = static_cast<float>(carried_on(w, time)),
+                          .faintness_rate = static_cast<float>(w.faintness_rate)};
+  return count;
+}
+
+bool rests_on_mate(const RwrWarning& own, const datalink::SharedSeeker& theirs, double age,
+                   const Vec3& offset, double time) {
+  // 0.3 dB: twice the error of the difference of two such lines there, and some for the distance
+  constexpr double kLouder = 1.035;
+  // s: of a signal that says nothing of the kind, and of one that just begins
+  constexpr double kLeast = 4, kMost = 15;
+  const double mine = carried_on(own, time - kLevelAge);
+  const double mates = static_cast<double>(theirs.faintness) +
+                       (age - kLevelAge) * static_cast<double>(theirs.faintness_rate);
+  if (!comparable(own, time) || mine <= 0 || mates <= 0)
+    return false;
+  const double left =
+      own.faintness_rate < 0 ? std::clamp(mine / -own.faintness_rate, kLeast, kMost) : kMost;
+  const double range = kMissileClosing * left;
+  const auto [sine, cosine] = math::sin_cos(own.bearing);
+  const double mates_range = norm(range * Vec3{cosine, sine, 0} - offset);
+  return mine * mates_range > kLouder * mates * range;
+}
+
 RwrWarning warn(const Rwr& rwr, const RwrAntenna& antenna, const Kinematics& own,
                 const Emission& emission, double strength, PlayerId emitter, double time,
                 Draw draw) {

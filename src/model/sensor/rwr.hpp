@@ -3,8 +3,8 @@
 /// \file  Radar warning receiver.
 #include "core/describe.hpp"
 #include "core/draw.hpp"
+#include "model/datalink/datalink.hpp"
 #include "model/emission.hpp"
-#include "model/kinematics.hpp"
 
 namespace eyrie::model::sensor {
 
@@ -117,6 +117,28 @@ struct RwrAntenna {
 /// comes at speed V, sees a value that does not fall far below 4.32 d / (beam width V): he leaves
 /// the beam as it comes near.
 [[nodiscard]] std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr);
+
+/// m/s, the closing speed that is reckoned with for a missile: nobody measures it. A medium-range
+/// missile after burnout does about 700 m/s, its target 250 ([judgement]: docs/models/missile.md
+/// has the flights).
+inline constexpr double kMissileClosing = 1000;
+
+/// The seekers heard in the last second, each carried on to `time` (s), for a message to mates;
+/// gives how many.
+std::size_t share(const RwrState& state, double time,
+                  std::array<datalink::SharedSeeker, datalink::kSharedSeekers>& seekers);
+
+/// s, how old the levels are that are compared: a straight line through looks is surest in their
+/// middle.
+inline constexpr double kLevelAge = 1;
+
+/// Whether a mate hears a seeker louder than he would if it rested on this aircraft or on neither:
+/// levels fall as 1/range and off the middle of the beam, so who of two hears it fainter than his
+/// distance explains is farther off the middle. `offset` is where the mate was (m, north-east-down
+/// from here) kLevelAge ago, `theirs` what he heard `age` s ago. Never true on both sides; two
+/// nearer to each other than the noise of the levels tells apart stay in doubt.
+[[nodiscard]] bool rests_on_mate(const RwrWarning& own, const datalink::SharedSeeker& theirs,
+                                 double age, const Vec3& offset, double time);
 
 /// Puts a warning on the display; bearing and level go into the filters of what it has there. True
 /// if the emitter is new there or has become more urgent. When the display is full the least urgent

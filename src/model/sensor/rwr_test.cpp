@@ -228,9 +228,13 @@ struct Approach {
     double least = 0, first = 0, worst = 0;
   };
   [[nodiscard]] Reckoned listen(double limit) const {
-    Reckoned reckoned;
     RwrState state;
-    for (int look = 0; look * 0.2 * kClosing < from; ++look) {
+    return listen(limit, 0, state);
+  }
+  /// Until it is so many s to go; `state` is the display then.
+  Reckoned listen(double limit, double until, RwrState& state) const {
+    Reckoned reckoned;
+    for (int look = 0; (look * 0.2 + until) * kClosing < from; ++look) {
       const double time = 0.2 * look, left = from / kClosing - time;
       const Vec3 target{-250 * time, 0, -9000};
       const Kinematics own = flying(target + Vec3{-behind, aside, 0}, 0, 250);
@@ -292,6 +296,64 @@ TEST(TimeToGo, IsKnownInTimeAndTellsOnesOwnMissileFromAMates) {
   RecordProperty("missed", static_cast<int>(kDraws) - own);
   RecordProperty("false", mates);
   RecordProperty("false_behind", trailing);
+}
+
+/// Two mates abreast, the seeker on the first: whether each finds that it rests on the other, so
+/// many s before it is there.
+struct Doubts {
+  bool target = false, mate = false;
+};
+Doubts doubts(double aside, double left, std::uint64_t seed) {
+  RwrState targets, mates;
+  (void)Approach{.seed = 2 * seed}.listen(8, left, targets);
+  (void)Approach{.aside = aside, .seed = 2 * seed + 1}.listen(8, left, mates);
+  const double time = targets.warnings[0].time;
+  std::array<datalink::SharedSeeker, datalink::kSharedSeekers> said;
+  Doubts found;
+  if (share(mates, time, said) == 1)
+    found.target = rests_on_mate(targets.warnings[0], said[0], 0, {0, aside, 0}, time);
+  if (mates.count == 1 && share(targets, time, said) == 1)
+    found.mate = rests_on_mate(mates.warnings[0], said[0], 0, {0, -aside, 0}, time);
+  return found;
+}
+
+TEST(RestsOnMate, FollowsFromTheLevelsOfBoth) {
+  constexpr std::uint64_t kDraws = 1000;
+  for (const double aside : {300.0, 450.0, 600.0}) {
+    int wrong = 0, right = 0, both = 0;
+    for (std::uint64_t seed = 1; seed <= kDraws; ++seed) {
+      const Doubts found = doubts(aside, 7, seed);
+      wrong += found.target;
+      right += found.mate;
+      both += found.target && found.mate;
+    }
+    EXPECT_LE(wrong, 0.01 * kDraws) << aside;
+    EXPECT_GE(right, (aside < 400 ? 0.35 : 0.97) * kDraws) << aside;
+    EXPECT_EQ(both, 0);
+    RecordProperty("right_at_" + std::to_string(static_cast<int>(aside)), right);
+    RecordProperty("wrong_at_" + std::to_string(static_cast<int>(aside)), wrong);
+  }
+}
+
+TEST(RestsOnMate, AllowsForWhoIsNearerAndLeavesMatesSideBySideInDoubt) {
+  const auto heard = [](double faintness) {
+    return RwrWarning{.bearing = 0,
+                      .faintness = faintness,
+                      .faintness_rate = -faintness / 8,
+                      .kind = EmissionKind::missile_seeker,
+                      .looks = 15};
+  };
+  const auto said = [](double faintness) {
+    return datalink::SharedSeeker{.faintness = static_cast<float>(faintness),
+                                  .faintness_rate = -0.05F};
+  };
+  // 8 s to go are 8 km: a mate 2 km nearer hears it by 3 in 4 as faint, whoever it rests on
+  EXPECT_FALSE(rests_on_mate(heard(0.4), said(0.3), 0, {2000, 0, 0}, 0));
+  EXPECT_TRUE(rests_on_mate(heard(0.4), said(0.28), 0, {2000, 0, 0}, 0));
+  EXPECT_FALSE(rests_on_mate(heard(0.4), said(0.39), 0, {0, 100, 0}, 0)) << "within the errors";
+  RwrWarning old = heard(0.4);
+  old.time = -2;
+  EXPECT_FALSE(rests_on_mate(old, said(0.28), 0, {2000, 0, 0}, 0)) << "heard too long ago";
 }
 
 TEST(Forget, TakesOldWarningsOffTheDisplayAndLeavesNoTrace) {

@@ -211,13 +211,16 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
     for (const weapon::MissileState& missile : all.missile_state)
       if (missile.shooter == id && count < kToldShots)
         shots[count++] = missile.track;
+    std::array<datalink::SharedSeeker, datalink::kSharedSeekers> seekers;
+    const std::size_t heard = share(rwr[i], all.time, seekers);
     datalink::transmit(sent[i],
                        {.time = all.time,
                         .position = all.kinematics[i].position,
                         .velocity = all.kinematics[i].velocity,
                         .fuel = propulsion[i].fuel,
                         .target = request[i].target,
-                        .shot_at = std::span(shots).first(count)},
+                        .shot_at = std::span(shots).first(count),
+                        .seekers = std::span(seekers).first(heard)},
                        tracks[i], *suite.tracker);
   }
 }

@@ -308,5 +308,30 @@ TEST(SensorSystem, TellsPrivilegedPlayersOfMissilesAimedAtThemOnly) {
   EXPECT_EQ(war.told(EventKind::missile_warning, eagle1, missile), 1);
 }
 
+TEST(SensorSystem, MatesFindOutOnWhichOfThemASeekerRests) {
+  AirWar war;
+  const PlayerId eagle1 = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId eagle2 = war.add(Side::blue, flying({0, 500, kHigh}, 0, 250));
+  war.build();
+  const PlayerId missile = war.launch({}, Side::red, flying({14e3, 0, kHigh}, kPi, 950), eagle1);
+  while (war.world->step() < 350) {  // 7 s; it is here in 4.7 s then
+    const Vec3 from = war.world->rows(war.missiles.kinematics)[0].position;
+    war.world->rows(war.missiles.emission)[0] = {
+        .position = from,
+        .boresight = normalized(war.row(war.aircraft.kinematics, eagle1).position - from, {}),
+        .cos_half_angle = math::cos(radians(6)),
+        .figure = emission_figure(14e3, 5),
+        .kind = EmissionKind::missile_seeker,
+        .side = Side::red};
+    war.fly(0.02);
+  }
+  const InboundMissile mine = war.row(war.aircraft.threats, eagle1).missiles[0];
+  const InboundMissile mates = war.row(war.aircraft.threats, eagle2).missiles[0];
+  EXPECT_EQ(mine.emitter, missile);
+  EXPECT_EQ(mates.emitter, missile);
+  EXPECT_EQ(mine.at_mate, 0);
+  EXPECT_GT(mates.at_mate, 5);
+}
+
 }  // namespace
 }  // namespace eyrie::model::sensor

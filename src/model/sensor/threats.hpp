@@ -21,6 +21,7 @@ struct InboundMissile {
   double first_time = 0;          ///< s, first perceived
   double position_time = 0;       ///< s, when elevation and range were taken; needs has_position
   double arrival = 0;             ///< s, when it will be here as its signal grows; 0: not known
+  double at_mate = 0;             ///< s, when a mate was last found to be whom it rests on; or 0
   PlayerId truth{};               ///< for scoring and debrief only
   PlayerId emitter{};             ///< fingerprint of its seeker; none if it was not heard yet
   std::uint8_t has_position = 0;  ///< 1: elevation and range are known
@@ -34,10 +35,10 @@ struct InboundMissile {
                       field("elevation", &I::elevation, "rad"), field("range", &I::range, "m"),
                       field("time", &I::time, "s"), field("first_time", &I::first_time, "s"),
                       field("position_time", &I::position_time, "s"),
-                      field("arrival", &I::arrival, "s"), field("truth", &I::truth),
-                      field("emitter", &I::emitter), field("has_position", &I::has_position),
-                      field("closing", &I::closing), field("sources", &I::sources),
-                      field("reserved", &I::reserved));
+                      field("arrival", &I::arrival, "s"), field("at_mate", &I::at_mate, "s"),
+                      field("truth", &I::truth), field("emitter", &I::emitter),
+                      field("has_position", &I::has_position), field("closing", &I::closing),
+                      field("sources", &I::sources), field("reserved", &I::reserved));
   }
 };
 
