@@ -201,15 +201,17 @@ class Study {
   [[nodiscard]] bool reads(const Judgement& j) const {
     return std::find(values_.begin(), values_.end(), &j) != values_.end();
   }
+  [[nodiscard]] double mean_effect(const Judgement& j, std::size_t outcome) const {
+    const Scores by_seed = effects(
+        static_cast<std::size_t>(std::find(values_.begin(), values_.end(), &j) - values_.begin()),
+        outcome);
+    return std::accumulate(by_seed.begin(), by_seed.end(), 0.0) / static_cast<double>(seeds_);
+  }
   /// "-0.12", from 0.8 to 1.2; bold if 0 is outside of its interval, "" of what is not studied.
   [[nodiscard]] std::string effect(const Judgement& j, std::size_t outcome) const {
     if (!reads(j))
       return "";
-    const Scores by_seed = effects(
-        static_cast<std::size_t>(std::find(values_.begin(), values_.end(), &j) - values_.begin()),
-        outcome);
-    const double mean =
-        std::accumulate(by_seed.begin(), by_seed.end(), 0.0) / static_cast<double>(seeds_);
+    const double mean = mean_effect(j, outcome);
     const Scores* refused = kept_.find(refused_key(j));
     return fmt::format("{0}{1:+.2f}{0}{2}", std::fabs(mean) > half(outcome) ? "**" : "", mean,
                        refused == nullptr     ? ""
@@ -311,20 +313,23 @@ void print(const std::deque<Study>& studies, const std::vector<Judgement>& all) 
   fmt::print("| from 0.8 to 1.2 of | now |{}\n| --- | ---: |{}\n| mean of all runs | |{}\n", head,
              line, now);
   std::string unread;
+  std::multimap<double, std::string> lines;  // the largest effect first, in intervals
   for (const Judgement& j : all) {
     std::string cells;
-    bool whole = false;
+    double largest = -1;
     for (const Study& study : studies)
-      if (!study.mission().only_new) {
-        whole |= study.reads(j);
-        for (std::size_t o = 0; o < kCount; ++o)
-          cells += fmt::format(" {} |", study.effect(j, o));
+      for (std::size_t o = 0; o < kCount && !study.mission().only_new; ++o) {
+        cells += fmt::format(" {} |", study.effect(j, o));
+        if (study.reads(j))
+          largest = std::max(largest, std::fabs(study.mean_effect(j, o)) / study.half(o));
       }
-    if (whole)
-      fmt::print("| {} | {} |{}\n", j.name, brief(j.now), cells);
+    if (largest >= 0)
+      lines.emplace(-largest, fmt::format("| {} | {} |{}\n", j.name, brief(j.now), cells));
     else if (std::none_of(studies.begin(), studies.end(), [&](auto& s) { return s.reads(j); }))
       unread += fmt::format("{} {}", unread.empty() ? "" : ",", j.name);
   }
+  for (const auto& [_, row] : lines)
+    fmt::print("{}", row);
   if (!rest.empty())
     fmt::print(
         "\n| from 0.8 to 1.2 of | now | mission | {} | {} |\n| --- | ---: | --- | ---: | ---: "
