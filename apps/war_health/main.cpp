@@ -61,6 +61,31 @@ std::string share(std::uint64_t count, std::uint64_t n) {
                      100 * ratio(static_cast<double>(count), static_cast<double>(n)), 100 * low,
                      100 * high);
 }
+/// "+5 (-2 to 12)": points that a share is more than another one, with their 95 % interval.
+std::string difference(const debrief::Share& one, const debrief::Share& other) {
+  const auto [low, high] = debrief::interval_of_difference(one, other);
+  return fmt::format("{:+.0f} ({:+.0f} to {:+.0f})", 100 * (one.value() - other.value()), 100 * low,
+                     100 * high);
+}
+/// Of all pairs of ranges the one whose farther shots kill most surely more than the nearer ones,
+/// in points. The interval is that of a pair that was not chosen, so it calls rather too much a
+/// rise than too little.
+std::string greatest_rise(const Health& h) {
+  double surest = -2;
+  std::string text = "-";
+  for (std::size_t far = 1; far < Health::kBins; ++far)
+    for (std::size_t near = 0; near < far; ++near) {
+      const debrief::Share one{h.by_zone[far].kills, h.by_zone[far].shots},
+          other{h.by_zone[near].kills, h.by_zone[near].shots};
+      if (one.n == 0 || other.n == 0 || debrief::interval_of_difference(one, other).low <= surest)
+        continue;
+      surest = debrief::interval_of_difference(one, other).low;
+      text = fmt::format("{} from {:.1f} to {:.1f}", difference(one, other),
+                         static_cast<double>(near) * Health::kBin,
+                         static_cast<double>(far) * Health::kBin);
+    }
+  return text;
+}
 
 /// A line of the table: what is measured, and how it reads.
 struct Measure {
@@ -124,6 +149,7 @@ std::vector<Measure> measures() {
                                                     100 * ratio(d(bin.shots), shots))
                                       : "-";
                    }});
+  all.push_back({"kills per shot, the greatest rise with the range", greatest_rise});
   return all;
 }
 
@@ -181,12 +207,8 @@ void print_effects(const std::string& file, const std::string& home, std::uint64
   }
   for (std::size_t i = 1; i < defenses.size(); ++i) {
     fmt::print("| effect of {}, points |", defenses[i].effect);
-    for (std::size_t k = 0; k < kRanges.size(); ++k) {
-      const debrief::Share &with = flown[i][k], &without = flown[defenses[i].without][k];
-      const auto [low, high] = debrief::interval_of_difference(with, without);
-      fmt::print(" {:+.0f} ({:+.0f} to {:+.0f}) |", 100 * (with.value() - without.value()),
-                 100 * low, 100 * high);
-    }
+    for (std::size_t k = 0; k < kRanges.size(); ++k)
+      fmt::print(" {} |", difference(flown[i][k], flown[defenses[i].without][k]));
     fmt::print("\n");
   }
 }
