@@ -33,7 +33,7 @@ constexpr double kFarthest = 250e3;  // m, nothing reaches farther
 constexpr double kStep = 1.4;        // factor between two ranges of a search
 constexpr double kFarTolerance = 1.04, kNearTolerance = 1.1;  // factors, of a range that is found
 constexpr EmploymentZone kFirstGuess{.r_max = 40e3, .r_min = 1e3};
-constexpr double kVersion = 3;  // of what Search does: raise it when that changes
+constexpr double kVersion = 4;  // of what Search does: raise it when that changes
 
 /// rad, off the boresight that the table goes to: what must be seen before launch is in the gimbal.
 double farthest_off(const MissileType& type) {
@@ -59,6 +59,7 @@ GridCell place(const std::array<double, N>& axis, double x) {
 constexpr std::array kKeepsCourse{Escape::none};
 constexpr std::array kRuns{Escape::run};
 constexpr std::array kEscapes{Escape::beam, Escape::dive};
+constexpr std::array kAnyEscape{Escape::run, Escape::beam, Escape::dive};
 
 /// Searches the ranges of one situation by flying.
 class Search {
@@ -95,10 +96,10 @@ class Search {
     return bisected(good, bad, kFarTolerance);
   }
 
-  /// The shortest range up to `longest` (m, which succeeds) from which on every range succeeds,
-  /// searched from `guess` (m).
-  double nearest(double longest, double guess) {
-    escapes_ = kKeepsCourse;
+  /// The shortest range up to `longest` (m, which succeeds) from which on every range succeeds
+  /// whichever of these the target does, searched from `guess` (m).
+  double nearest(std::span<const Escape> escapes, double longest, double guess) {
+    escapes_ = escapes;
     if (succeeds(least_))
       return least_;
     double good = std::clamp(guess, least_, longest);
@@ -148,7 +149,10 @@ EmploymentZone search_zone(Search search, const EmploymentZone& guess) {
     return {};
   zone.r_tr = search.farthest(kRuns, zone.r_max);
   zone.r_ne = zone.r_tr > 0 ? search.farthest(kEscapes, zone.r_tr) : 0;
-  zone.r_min = search.nearest(zone.r_max, guess.r_min);
+  zone.r_min = search.nearest(kKeepsCourse, zone.r_max, guess.r_min);
+  // nobody escapes between r_min and r_ne: a turn from near may be more than the missile can follow
+  if (zone.r_ne > zone.r_min)
+    zone.r_min = std::max(zone.r_min, search.nearest(kAnyEscape, zone.r_ne, zone.r_min));
   return zone;
 }
 

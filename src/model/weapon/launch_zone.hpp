@@ -26,7 +26,8 @@ struct EmploymentZone {
   double r_max = 0;  ///< reaches a target that keeps its course
   double r_tr = 0;   ///< reaches it even if it turns away at launch and runs
   double r_ne = 0;  ///< no escape: reaches it whatever it does of these, a beam and a dive (Escape)
-  double r_min = 0;  ///< nearer, it can not arm, turn or stay clear in time
+  double r_min =
+      0;  ///< nearer, it can not arm, turn or stay clear in time; nobody escapes up to r_ne
 
   [[nodiscard]] bool possible() const { return r_max > r_min; }
   /// m: so many times r_ne, which is what a kill depends on, and r_max at most.
