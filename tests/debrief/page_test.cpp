@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  What is in the debrief page is what the explainer says.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <map>
@@ -10,6 +9,7 @@
 #include "debrief/decision.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
+#include "support/packed.hpp"
 #include "support/recorded.hpp"
 
 namespace eyrie::page {
@@ -17,31 +17,10 @@ namespace {
 
 using nlohmann::json;
 
-std::string unpacked(const std::string& base64) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string packed;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : base64) {
-    if (c == '=')
-      break;
-    bits = bits << 6 | static_cast<std::uint32_t>(digits.find(c));
-    if ((count += 6) >= 8)
-      packed.push_back(static_cast<char>(bits >> (count -= 8) & 255));
-  }
-  std::string out(64 << 20, '\0');
-  uLongf size = out.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
-                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
-            Z_OK);
-  out.resize(size);
-  return out;
-}
-
 /// The page's data, read again.
 class Reader {
  public:
-  explicit Reader(const std::string& base64) : all_(unpacked(base64)) {
+  explicit Reader(const std::string& base64) : all_(test::unpacked(base64)) {
     std::size_t length = 0;
     for (int i = 3; i >= 0; --i)
       length = length << 8 | static_cast<unsigned char>(all_[static_cast<std::size_t>(i)]);

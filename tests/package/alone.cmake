@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The library of behaviors by itself: below WORK a project adds the folder EYRIE and builds with it; what that installs is
 # found by the same project again. Neither may look for what ubf has no use for.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
-  if(NOT code EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${out}")
-  endif()
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/command.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 set(without)

@@ -2,14 +2,7 @@
 # Installs BUILD into a fresh folder below WORK, builds the project beside this file against that and compares what its
 # programs print with EXAMPLES/*.txt. The installed program flies from its own data, and what PAGE tells its reader to type
 # is done word for word.
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE out)
-  if(NOT code EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\n${out}")
-  endif()
-  set(output "${out}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/command.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 set(prefix ${WORK}/home/eyrie)

@@ -2,11 +2,11 @@
 /// \file  `eyrie playground` writes its folder, or nothing. What the page in it does is shown by
 /// viewer/test/playground.test.ts.
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "support/packed.hpp"
 #include "support/program.hpp"
 
 namespace eyrie::test {
@@ -19,24 +19,7 @@ using Names = std::vector<std::string>;
 std::string part_of(const std::string& page, const std::string& type) {
   const std::string tag = "<script type=\"application/x-eyrie-" + type + "\">";
   const std::size_t begin = page.find(tag) + tag.size();
-  const std::string base64 = page.substr(begin, page.find('<', begin) - begin);
-  std::string packed;
-  std::uint32_t bits = 0;
-  int have = 0;
-  for (const char c : base64.substr(0, base64.find('='))) {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    bits = bits << 6 | static_cast<std::uint32_t>(kDigits.find(c));
-    if ((have += 6) >= 8)
-      packed.push_back(static_cast<char>(bits >> (have -= 8)));
-  }
-  std::string out(std::size_t{4} << 20, '\0');
-  uLongf size = out.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
-                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
-            Z_OK);
-  out.resize(size);
-  return out;
+  return unpacked(page.substr(begin, page.find('<', begin) - begin));
 }
 
 TEST(Playground, CarriesEveryTextOfTheInstallationAndItsSchema) {
