@@ -88,7 +88,8 @@ double misfit(const Visual& visual, const Contact& seen, const Vec3& sight) {
 }
 
 /// Who stands where a mate says he is will be the mate: of all pairs within the gate the nearest
-/// first, if the cockpit lets the pilot see that place.
+/// first, if the cockpit lets the pilot see that place. (Of tracks, which know their errors along
+/// and across, datalink::recognize_mate() says the same.)
 void find_mates(const Scene& scene, const Self& self, const Eyes& eyes,
                 std::span<Contact> contacts) {
   std::array<Vec3, kMaxFlight> sights;

@@ -24,7 +24,7 @@ struct LaunchSituation {
 /// maneuvers contains the one before. All 0 where no launch succeeds.
 struct EmploymentZone {
   double r_max = 0;  ///< reaches a target that keeps its course
-  double r_tr = 0;   ///< reaches it even if it turns away at launch and runs
+  double r_tr = 0;   ///< turn and run: reaches it even so; for comparison, no behavior reads it
   double r_ne = 0;  ///< no escape: reaches it whatever it does of these, a beam and a dive (Escape)
   double r_min =
       0;  ///< nearer, it can not arm, turn or stay clear in time; nobody escapes up to r_ne

@@ -16,8 +16,9 @@ constexpr auto names_of(Pursuit) {
 /// Goes after the chosen target (pilot/sort.hpp). Fails without one.
 ///
 /// With `crank`, while an own missile is on its way to the target, it keeps the target that far off
-/// the nose instead: that lowers the closure and still lets the radar support the missile. Mates of
-/// a better rank have the right of way: nearer than `separation` to one, it goes above or below.
+/// the nose instead, as the paper's pilots do: closure is less and the radar still supports the
+/// missile. (The behavior `crank` heeds the gimbal and the seeker, too.) Mates of a better rank
+/// have the right of way: nearer than `separation` to one, it goes above or below.
 ///
 /// It keeps its energy (pilot/fight.hpp): near `least_mach` it turns no harder than full power
 /// sustains, and below it neither climbs nor pulls until it is faster. Beyond `level_range` a new
