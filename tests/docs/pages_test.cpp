@@ -3,13 +3,16 @@
 /// tests beside this file, where it is compiled and run.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
+#include "scenario/scenario.hpp"
 
 namespace eyrie {
 namespace {
@@ -70,6 +73,32 @@ TEST(Pages, TheirCodeIsCompiledAndRun) {
   code_is_compiled("docs/howto/add-a-behavior.md", "tests/docs/add_a_behavior_test.cpp");
   code_is_compiled("docs/howto/add-an-arbiter.md", "tests/docs/add_an_arbiter_test.cpp");
   code_is_compiled("docs/howto/write-a-plugin.md", "tests/plugins/good.cpp");
+}
+
+/// What a page tells its reader to type sets what is there.
+TEST(Pages, TheirScenariosTakeWhatTheySet) {
+  const std::regex fly(R"(eyrie fly (\w+) ?(.*))"), set(R"(--set ([^\s'`]+(?:'[^']*')?))");
+  int taken = 0;
+  for (const char* page : {"README.md", "docs/howto/write-a-scenario.md",
+                           "docs/howto/explain-a-decision.md", "docs/howto/keep-a-run.md"}) {
+    std::istringstream lines(read(page));
+    std::smatch found;
+    for (std::string line; std::getline(lines, line);) {
+      const bool flies = std::regex_search(line, found, fly);
+      const std::string file = flies ? "scenarios/" + found[1].str() + ".yaml" : "";
+      if (!std::filesystem::exists(file))
+        continue;
+      std::vector<std::string> sets;
+      const std::string options = found[2];
+      for (std::sregex_iterator s(options.begin(), options.end(), set), end; s != end; ++s) {
+        sets.push_back((*s)[1]);
+        std::erase(sets.back(), '\'');
+      }
+      EXPECT_NO_THROW((void)scenario::load({file, sets}, scenario::Source::disk("."))) << line;
+      taken += static_cast<int>(sets.size());
+    }
+  }
+  EXPECT_GE(taken, 4);
 }
 
 TEST(Pages, EveryTreeInTheReferenceBuilds) {
