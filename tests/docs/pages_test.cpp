@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -99,6 +100,30 @@ TEST(Pages, TheirScenariosTakeWhatTheySet) {
     }
   }
   EXPECT_GE(taken, 4);
+}
+
+TEST(Pages, NameFilesThatAreThere) {
+  namespace fs = std::filesystem;
+  std::set<std::string> sources;
+  for (const char* folder : {"src", "tests", "apps", "bench"})
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      sources.insert(entry.path().filename());
+  const std::regex name(R"(`((?:\w+/)[\w./-]+|\w+\.[ch]pp)`)");
+  const std::regex ours("(src|apps|bench|data|docs|scenarios|tests|tools)/.*");
+  std::vector<std::string> pages{"README.md", "docs/architecture.md", "docs/formats.md"};
+  for (const auto& entry : fs::directory_iterator("docs/models"))
+    if (entry.path().extension() == ".md")
+      pages.push_back(entry.path());
+  for (const std::string& page : pages) {
+    const std::string text = read(page);
+    for (std::sregex_iterator n(text.begin(), text.end(), name), end; n != end; ++n) {
+      const std::string file = (*n)[1];
+      EXPECT_TRUE(file.find('/') == file.npos    ? sources.contains(file)
+                  : std::regex_match(file, ours) ? fs::exists(file)
+                                                 : true)
+          << page << ": " << file;
+    }
+  }
 }
 
 TEST(Pages, EveryTreeInTheReferenceBuilds) {
