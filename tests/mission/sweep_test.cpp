@@ -205,6 +205,73 @@ TEST(SweepPaper, FliesSixPrivilegedAgentsOfOneTree) {
   EXPECT_EQ(friends_hit(f), 0);
 }
 
+/// Each behavior leads for the paper's own reason (Roberson et al., III.C.3), as the truth has it.
+TEST(SweepPaper, FliesEachPhaseForThePapersReason) {
+  const auto scenario = load_scenario("sweep_paper");
+  const auto& columns = scenario->aircraft;
+  constexpr double kDetected = si(40, "nmi"), kDanger = si(2, "nmi"), kLate = 300;
+  std::map<std::string, int> led;
+  int far = 0, near = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Flight f(scenario, seed);
+    std::size_t looked = 0;
+    while (f.mission.step()) {
+      const sim::World& world = f.world();
+      const auto ids = world.ids(columns.table);
+      const auto k = world.rows(columns.kinematics);
+      const auto command = world.rows(columns.command);
+      const auto agents = world.rows(scenario->pilots.agent);
+      for (; looked < f.log.all().size(); ++looked) {
+        const Happened& h = f.log.all()[looked];
+        const auto row = world.row(columns.table, h.event.who);
+        const auto missile = world.row(scenario->missiles.table, h.event.whom);
+        if (h.kind() != EventKind::defend || !row || !missile)
+          continue;
+        const double range =
+            norm(world.rows(scenario->missiles.kinematics)[*missile].position - k[*row].position);
+        if (h.event.values[0] == 1) {  // turns into the missile and climbs
+          ++far;
+          EXPECT_GT(range, kDanger - kLate);
+          EXPECT_GT(command[*row].altitude, k[*row].altitude);
+        } else {  // breaks, nose low
+          ++near;
+          EXPECT_LT(range, kDanger + kLate);
+          EXPECT_LT(command[*row].altitude, k[*row].altitude);
+        }
+      }
+      if (world.step() % 50 != 0)
+        continue;
+      for (std::size_t i = 0; i < ids.size(); ++i) {
+        const auto& tree = (*scenario->trees)[agents[i].tree];
+        if (agents[i].ticks == 0 || agents[i].node >= tree.size())
+          continue;
+        const std::string type(tree.node(agents[i].node).type());
+        ++led[type];
+        double nearest = 1e9;
+        for (std::size_t j = 0; j < ids.size(); ++j)
+          if (side_of(*scenario, ids[i]) != side_of(*scenario, ids[j]))
+            nearest = std::min(nearest, norm(k[j].position - k[i].position));
+        if (type == "pursue") {
+          EXPECT_LT(nearest, kDetected + kLate) << f.time();
+        }
+        if (type == "navigate" || type == "follow_lead") {  // told within a second
+          EXPECT_GT(nearest, kDetected - 2 * kLate) << f.time();
+        }
+        if (type == "egress") {
+          EXPECT_TRUE(nearest == 1e9 ||
+                      f.tally.side(scenario->roster.find(ids[i])->side).losses >= 2)
+              << f.time();
+        }
+      }
+    }
+  }
+  EXPECT_GT(far, 6);
+  EXPECT_GT(near, 6);
+  for (const char* phase : {"navigate", "follow_lead", "pursue", "break_turn", "egress"})
+    EXPECT_GT(led[phase], 0) << phase;
+}
+
 /// The sides differ in nothing but where they come from, so of n runs that one of them loses each
 /// loses n/2 give or take chance. (Kills of one run hang together: who is fewer loses more.)
 TEST(SweepEven, IsBalancedOverSeeds) {
