@@ -18,6 +18,14 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
                .time = lead.flight_time};
 }
 
+const char* why_no_gun(const State& s, const Seen* target, double max_age) {
+  if (!target || !target->hostile())
+    return "no hostile target";
+  if (s.time - target->track->time > max_age)
+    return "the target is out of sight";
+  return s.gun.rounds == 0 || !s.type.index.gun ? "no rounds" : nullptr;
+}
+
 bool friend_in_line(const State& s, const LineOfFire& line) {
   const Vec3 direction = normalized(line.direction, {1, 0, 0});
   const double cosine = math::cos(line.half_angle);

@@ -17,6 +17,10 @@ struct Sight {
 /// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.
 [[nodiscard]] std::optional<Sight> gun_sight(const State& state, const Seen& target);
 
+/// Why no gun is fired at the target, null if it may be: it has to be known as hostile and seen
+/// within `max_age` (s), for where it was, another one may be now.
+[[nodiscard]] const char* why_no_gun(const State& state, const Seen* target, double max_age);
+
 /// A cone from the ownship along `direction` (NED), cut off at two distances.
 struct LineOfFire {
   Vec3 direction;

@@ -26,11 +26,9 @@ Status Snapshot::tick(const Tick& t, Proposal& out) const {
   constexpr double kBeyond = 1000;  // m, rounds fly on
   const State& s = t.state;
   const Seen* target = s.target();
-  if (!target || !target->hostile())
-    return fails(t, "no hostile target");
-  const auto sight = s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
-  if (!sight)
-    return fails(t, "no rounds");
+  if (const char* why = why_no_gun(s, target, max_age_))
+    return fails(t, why);
+  const auto sight = gun_sight(s, *target);
   if (target->range > within_)
     return fails(t, "the target is too far");
   // the aim point, and its way across the nose

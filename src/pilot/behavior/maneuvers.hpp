@@ -44,6 +44,8 @@ class Snapshot final : public Maneuver {
         std::tuple{param("within", &S::within_, "m", range(50, 5000), "fires no farther"),
                    param("wait", &S::wait_, "s", range(0, 20), "for the target to pass the nose"),
                    param("ahead", &S::ahead_, "s", range(0, 5), "fires so long before it does"),
+                   param("max_age", &S::max_age_, "s", range(0, 60),
+                         "not at a target that nobody has seen for longer"),
                    param("clear_cone", &S::clear_cone_, "rad", range(0, 0.5),
                          "no friend may be within this angle of the line of fire")});
   }
@@ -53,6 +55,7 @@ class Snapshot final : public Maneuver {
   double within_ = 800;
   double wait_ = 1.5;
   double ahead_ = 0.2;
+  double max_age_ = 2;
   double clear_cone_ = si(3, "deg");
 };
 

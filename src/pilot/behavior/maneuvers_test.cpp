@@ -93,6 +93,11 @@ TEST(Snapshot, LeavesASteadyTargetAlone) {
   desk.tracks.tracks[0].position = desk.own.position + Vec3{500, -300, 0};
   EXPECT_EQ(decide("snapshot", desk).status, kRunning);
   EXPECT_EQ(decide("{snapshot: {within: 400 m}}", desk).status, kFailure);
+  EXPECT_EQ(decide("{snapshot: {max_age: 1 s}}", desk).status, kRunning);
+  desk.tracks.tracks[0].time -= 1.1;
+  desk.tracks.tracks[0].position -= 1.1 * desk.tracks.tracks[0].velocity;  // still seems to pass
+  EXPECT_EQ(decide("{snapshot: {max_age: 1 s}}", desk).status, kFailure) << "out of sight";
+  EXPECT_EQ(decide("snapshot", desk).status, kRunning);
   desk.gun.rounds = 0;
   EXPECT_EQ(decide("snapshot", desk).status, kFailure);
 }

@@ -25,10 +25,8 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
     m = {};
     return fails(t, why);
   };
-  if (!target || !target->hostile())
-    return holds_fire("no hostile target");
-  if (s.gun.rounds == 0 || !s.type.index.gun)
-    return holds_fire("no rounds");
+  if (const char* why = why_no_gun(s, target, max_age_))
+    return holds_fire(why);
   const model::GunType& gun = s.library.guns[*s.type.index.gun];
   const double reach = range_.value_or(gun.greatest_range);
   if (target->range > reach)

@@ -13,8 +13,8 @@ struct BurstMemory {
 
 /// Pulls the trigger while the nose is on the place where the rounds will meet the target, and
 /// keeps it there. Fires in bursts; between two of them it goes on aiming. Fails when the target is
-/// too far or not in the sight, without gun or rounds, while a friend is in the line of fire, and
-/// at anyone not identified as hostile.
+/// too far, out of sight or not in the gun's, without gun or rounds, while a friend is in the line
+/// of fire, and at anyone not identified as hostile.
 class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
  public:
   static constexpr std::string_view type_name = "shoot_gun";
@@ -29,6 +29,8 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
               "largest angle between the nose and the lead point; null: the gun's aim cone"),
         param("burst", &G::burst_, "s", range(0.05, 60), "longest burst"),
         param("pause", &G::pause_, "s", range(0, 60), "between two bursts"),
+        param("max_age", &G::max_age_, "s", range(0, 60),
+              "not at a target that nobody has seen for longer"),
         param("clear_cone", &G::clear_cone_, "rad", range(0, 0.5),
               "no friend may be within this angle of the line of fire"),
         param("clear_beyond", &G::clear_beyond_, "m", range(0, 10e3),
@@ -47,6 +49,7 @@ class ShootGun final : public ubf::WithMemory<Behavior, BurstMemory> {
   std::optional<double> range_, tolerance_;
   double burst_ = 1;
   double pause_ = 0.5;
+  double max_age_ = 2;
   double clear_cone_ = si(3, "deg");
   double clear_beyond_ = 1000;
   double speed_ = si(450, "kt");

@@ -48,6 +48,17 @@ TEST(ShootGun, HasNothingToShootWithoutRoundsOrGun) {
   EXPECT_EQ(decide(kGun, desk).status, kFailure);
 }
 
+TEST(ShootGun, FiresAtNobodyWhoIsOutOfSight) {
+  Desk desk = astern();
+  model::Track& he = desk.tracks.tracks[0];
+  he.time -= 1.9;
+  he.position -= 1.9 * he.velocity;  // believed where he was
+  EXPECT_EQ(decide(kGun, desk).status, kRunning);
+  he.time -= 0.2;
+  he.position -= 0.2 * he.velocity;
+  EXPECT_EQ(decide(kGun, desk).status, kFailure) << "a mate may be there by now";
+}
+
 TEST(ShootGun, FiresInBursts) {
   Pilot pilot("{shoot_gun: {burst: 1 s, pause: 0.5 s}}");
   Desk desk = astern();
