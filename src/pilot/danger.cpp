@@ -64,7 +64,7 @@ const model::InboundMissile* inbound(const State& s, double within) {
     const model::InboundMissile& missile = s.threats.missiles[i];
     const auto left = time_to_go(s, missile);
     const bool believed =
-        missile.arrival > 0 ? s.time - missile.time <= kSilence : left && *left <= kSeenTime;
+        s.time - missile.time <= kSilence && left && (missile.arrival > 0 || *left <= kSeenTime);
     const bool mates = missile.at_mate > 0 && s.time - missile.at_mate <= kMates;
     if (believed && !mates && *left <= least && (first == nullptr || *left < least)) {
       first = &s.threats.missiles[i];

@@ -13,8 +13,8 @@ namespace eyrie::pilot {
                                                const model::InboundMissile& missile);
 
 /// The missile that is here first, among those believed to come for this aircraft: known to be here
-/// within `within` s, and heard in the last second. One that is only seen counts in its last 4 s.
-/// One whose signal does not grow as it would if it came here is for somebody else
+/// within `within` s, and heard or seen in the last second. One that is only seen counts in its
+/// last 4 s. One whose signal does not grow as it would if it came here is for somebody else
 /// (model::sensor::time_to_go), and so is one that a mate hears better than his place explains
 /// (model::sensor::rests_on_mate). Null if there is none.
 [[nodiscard]] const model::InboundMissile* inbound(const State& state, double within);

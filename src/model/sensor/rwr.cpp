@@ -94,7 +94,8 @@ std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
   constexpr double kTolerated = 0.1;
   constexpr double kNepersPerDecibel = 0.1151292546497023;  // ln(10) / 20
   const double n = std::min<int>(warning.looks, kRememberedLooks);
-  if (warning.kind != EmissionKind::missile_seeker || n < 3 || warning.faintness_rate >= 0)
+  if (warning.kind != EmissionKind::missile_seeker || n < kRememberedLooks ||
+      warning.faintness_rate >= 0)
     return std::nullopt;
   const double left = std::max(warning.faintness, 0.0) / -warning.faintness_rate;
   // the slope of a straight line through n points with equal errors, one look apart

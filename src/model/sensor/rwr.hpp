@@ -111,8 +111,9 @@ struct RwrAntenna {
                               double time, Draw draw);
 
 /// s from the last look until a missile's seeker is here, if it comes straight here with the speed
-/// that it has: the faintness, which is in proportion to its range, is gone then. Nothing while the
-/// error of the estimate is beyond 10 %, and for one that goes away. Who is
+/// that it has: the faintness, which is in proportion to its range, is gone then. Nothing before
+/// the line has all its looks (3 s), for a beam that just swings over grows, too; while the
+/// error of the estimate is beyond 10 %; and for one that goes away. Who is
 /// aside of a beam that rests on a mate, d metres from the line between him and the emitter that
 /// comes at speed V, sees a value that does not fall far below 4.32 d / (beam width V): he leaves
 /// the beam as it comes near.

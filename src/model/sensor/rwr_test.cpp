@@ -265,6 +265,12 @@ TEST(TimeToGo, IsRightWithoutErrorsForWhomTheSeekerRestsOn) {
   EXPECT_LT(approach.listen(8).worst, 1e-6);
 }
 
+TEST(TimeToGo, IsNotToldBeforeTheLineHasAllItsLooks) {
+  const double from = 9 * Approach::kClosing;
+  EXPECT_NEAR(Approach({.rwr = {.sigma_level = 0}, .from = from}).listen(20).first, 9 - 2.8, 1e-6)
+      << "the first of 15 looks at 5 Hz counts";
+}
+
 TEST(TimeToGo, OfAMatesMissileNeverFallsBelowItsLaw) {
   for (const double aside : {500.0, 800.0, 1100.0}) {
     const Approach approach{.rwr = {.sigma_level = 0}, .aside = aside};
