@@ -56,15 +56,15 @@ void listen_for_radars(const Scene& scene, Self& self) {
   Nearest<kMaxWarnings> heard(kMaxWarnings);
   for (std::size_t j = 0; j < scene.emission.size(); ++j)
     if (j != self.row)
-      if (const auto strength = hear(rwr, antenna, scene.emission[j]))
-        if (const double d = demerit(scene.emission[j], *strength);
+      if (const double strength = hear(rwr, antenna, scene.emission[j]); strength > 0)
+        if (const double d = demerit(scene.emission[j], strength);
             heard.wants(d) &&
             !beyond_horizon(self.kinematics, scene.emission[j], scene.kinematics[j].altitude))
           heard.offer({d, static_cast<std::uint32_t>(j)});
 
   for (const Candidate& c : heard.items()) {
     const PlayerId emitter = scene.ids[c.row];
-    const double strength = hear(rwr, antenna, scene.emission[c.row]).value_or(1);
+    const double strength = hear(rwr, antenna, scene.emission[c.row]);
     const RwrWarning warning = warn(rwr, antenna, self.kinematics, scene.emission[c.row], strength,
                                     emitter, scene.time, scene.draw(self.id, Stream::rwr, emitter));
     if (show(self.rwr, warning))
@@ -80,12 +80,12 @@ void listen_for_seekers(const Scene& scene, Self& self) {
   ThreatUpdate threats(self.threats, kThreatRules, scene.time);
   for (std::size_t m = 0; m < scene.missile_emission.size(); ++m) {
     const Emission& emission = scene.missile_emission[m];
-    const auto strength = hear(rwr, antenna, emission);
-    if (!strength ||
+    const double strength = hear(rwr, antenna, emission);
+    if (strength == 0 ||
         beyond_horizon(self.kinematics, emission, scene.missile_kinematics[m].altitude))
       continue;
     const PlayerId emitter = scene.missile_ids[m];
-    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, *strength, emitter,
+    const RwrWarning warning = warn(rwr, antenna, self.kinematics, emission, strength, emitter,
                                     scene.time, scene.draw(self.id, Stream::rwr, emitter));
     show(self.rwr, warning);
     if (self.fit.privileged != 0)

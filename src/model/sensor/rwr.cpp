@@ -26,33 +26,31 @@ RwrAntenna aim(const Rwr& rwr, const Kinematics& own, Side side) {
           .side = side};
 }
 
-std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna, const Emission& emission) {
+double hear(const Rwr& rwr, const RwrAntenna& antenna, const Emission& emission) {
   if (emission.kind == EmissionKind::none || (rwr.hides_friends && emission.side == antenna.side))
-    return std::nullopt;
+    return 0;
   const Vec3 path = antenna.position - emission.position;
   const double range2 = norm2(path);
   const double reach2 = emission.figure * emission.figure * antenna.sensitivity;
   if (range2 > reach2 || range2 <= 0)
-    return std::nullopt;
+    return 0;
 
   // inside the cone of the beam?
   const double along = dot(path, emission.boresight), edge = emission.cos_half_angle;
   if (along < 0 ? edge > 0 || along * along > edge * edge * range2
                 : edge > 0 && along * along < edge * edge * range2)
-    return std::nullopt;
+    return 0;
 
   // inside the coverage of the antennas, which turn with the wings?
   const double off_plane = dot(path, antenna.body.down);
   if (off_plane * off_plane > antenna.sin_coverage * antenna.sin_coverage * range2)
-    return std::nullopt;
+    return 0;
 
   // down by 3 dB at the edge of a beam that rests
   double strength = reach2 / range2;
   if (emission.kind != EmissionKind::search && edge < 1)
     strength *= math::exp2(-(1 - std::min(along / std::sqrt(range2), 1.0)) / (1 - edge));
-  if (strength < 1)
-    return std::nullopt;
-  return strength;
+  return strength < 1 ? 0 : strength;
 }
 
 namespace {
@@ -93,8 +91,8 @@ void filter_level(RwrWarning& known, const RwrWarning& look) {
 std::optional<double> time_to_go(const RwrWarning& warning, const Rwr& rwr) {
   constexpr double kTolerated = 0.1;
   constexpr double kNepersPerDecibel = 0.1151292546497023;  // ln(10) / 20
-  const double n = std::min<int>(warning.looks, kRememberedLooks);
-  if (warning.kind != EmissionKind::missile_seeker || n < kRememberedLooks ||
+  constexpr double n = kRememberedLooks;
+  if (warning.kind != EmissionKind::missile_seeker || warning.looks < kRememberedLooks ||
       warning.faintness_rate >= 0)
     return std::nullopt;
   const double left = std::max(warning.faintness, 0.0) / -warning.faintness_rate;

@@ -94,14 +94,13 @@ struct RwrAntenna {
 };
 [[nodiscard]] RwrAntenna aim(const Rwr& rwr, const Kinematics& own, Side side);
 
-/// Power of an emission at the receiver over the least it hears, or nothing if it is not heard:
-/// too far, not in the beam, outside the antenna coverage, a friend, or radio silence. A beam that
-/// rests falls off from its middle to its edge, where it has half its power, like a Gaussian one:
-/// 12 dB times the square of the angle over the beam width (Skolnik, Introduction to Radar Systems,
+/// Power of an emission at the receiver over the least it hears, or 0 if it is not heard: too far,
+/// not in the beam, outside the antenna coverage, a friend, or radio silence. A beam that rests
+/// falls off from its middle to its edge, where it has half its power, like a Gaussian one: 12 dB
+/// times the square of the angle over the beam width (Skolnik, Introduction to Radar Systems,
 /// 3rd ed., sec. 9.2); one that sweeps passes with its middle. The horizon is left to the caller,
 /// who asks only for what is worth showing.
-[[nodiscard]] std::optional<double> hear(const Rwr& rwr, const RwrAntenna& antenna,
-                                         const Emission& emission);
+[[nodiscard]] double hear(const Rwr& rwr, const RwrAntenna& antenna, const Emission& emission);
 
 /// The warning that an emission heard with `strength` gives: a bearing with error, in the steps of
 /// the display, and a level with error. The error of the bearing is counted outwards from the nose,

@@ -130,21 +130,32 @@ void absorb(Track& into, const Track& from, bool from_is_better, const TrackCont
   confirm_if_due(into, context);
 }
 
+/// Where a track is now, and the square of how far off it may be.
+struct Place {
+  Vec3 position;
+  double variance;
+};
+Place place_of(const Track& track, double time) {
+  const auto sigma = static_cast<double>(track.position_sigma);
+  return {position_at(track, time), sigma * sigma};
+}
+
 /// Farther apart than this no two tracks can be one: cheap, and true of nearly all pairs.
-bool far_apart(const Track& a, const Track& b, const TrackContext& context) {
-  const double gate = context.tracker.merge_gate;
-  const auto sigma = [](const Track& t) { return static_cast<double>(t.position_sigma); };
-  const double variance = sigma(a) * sigma(a) + sigma(b) * sigma(b);
-  return norm2(position_at(a, context.time) - position_at(b, context.time)) >
-         gate * gate * variance * (1 + 1e-6);
+bool far_apart(const Place& a, const Place& b, double gate) {
+  return norm2(a.position - b.position) > gate * gate * (a.variance + b.variance) * (1 + 1e-6);
 }
 
 /// Needs sigmas of now.
 void merge_duplicates(TrackFile& file, const TrackContext& context, Interval& ahead) {
+  std::array<Place, kMaxTracks> places;
+  for (std::size_t i = 0; i < file.count; ++i)
+    places[i] = place_of(file.tracks[i], context.time);
+
   for (std::size_t i = 0; i + 1 < file.count; ++i)
     for (std::size_t j = i + 1; j < file.count;) {
       Track &older = file.tracks[i], &newer = file.tracks[j];
-      if (!may_be_one(older, newer, context) || far_apart(older, newer, context)) {
+      if (far_apart(places[i], places[j], context.tracker.merge_gate) ||
+          !may_be_one(older, newer, context)) {
         ++j;
         continue;
       }
@@ -160,6 +171,8 @@ void merge_duplicates(TrackFile& file, const TrackContext& context, Interval& ah
       refresh_sigmas(older, context.tracker, context.time, ahead);
       newer.confirmed = 0;  // it is not lost, it lives on in the older one
       drop(file, j, context);
+      std::copy(places.begin() + j + 1, places.begin() + file.count + 1, places.begin() + j);
+      places[i] = place_of(older, context.time);
     }
 }
 
