@@ -148,6 +148,25 @@ TEST(AreaClear, DoesNotMindFriendsAndWhatIsFar) {
   EXPECT_FALSE(holds("{area_clear: {within: 70 nmi, for: 0 s}}", desk));
 }
 
+TEST(AreaClear, StartsAnewWhenSomebodyAims) {
+  Desk desk;
+  Pilot pilot("{area_clear: {within: 50 nmi, for: 20 s}}");
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 20;
+  desk.threat(1);
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "a missile comes from a place nobody sees";
+  desk.threats.count = 0;
+  desk.rwr.count = 1;
+  desk.rwr.warnings[0].kind = model::EmissionKind::track;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure) << "a radar rests on this aircraft";
+  desk.rwr.warnings[0].kind = model::EmissionKind::search;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 19.9;
+  EXPECT_EQ(pilot.decide(desk).status, kFailure);
+  desk.time += 0.1;
+  EXPECT_EQ(pilot.decide(desk).status, kSuccess);
+}
+
 TEST(Threatened, HoldsWhileAMissileIsPerceived) {
   Desk desk;
   EXPECT_FALSE(holds("threatened", desk));
