@@ -2,7 +2,6 @@
 #pragma once
 /// \file  What a pilot may ask about himself and about the situation.
 #include "model/weapon/stores.hpp"
-#include "pilot/danger.hpp"
 #include "pilot/sort.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
@@ -107,12 +106,12 @@ struct ClearSince {
   std::uint32_t reserved = 0;
 };
 
-/// No hostile and no unknown track inside a radius for some time, and nobody who aims at this
-/// aircraft: no radar that tracks it, no missile perceived.
+/// No hostile and no unknown track inside a radius for some time, and no missile perceived. A radar
+/// that is heard does not count: nobody knows how far it is.
 struct AreaClear final : ubf::WithMemory<Condition, ClearSince> {
   static constexpr std::string_view type_name = "area_clear";
   static constexpr std::string_view help =
-      "nobody but friends within a range, and nobody who aims here, for some time";
+      "nobody but friends within a range, and no missile perceived, for some time";
   static constexpr auto params() {
     return std::tuple{param("within", &AreaClear::within, "m", range(0, 1e6), "from here"),
                       param("for", &AreaClear::duration, "s", range(0, 3600),
@@ -121,7 +120,7 @@ struct AreaClear final : ubf::WithMemory<Condition, ClearSince> {
   [[nodiscard]] bool holds(const Tick& t) const override {
     ClearSince& m = memory(t);
     const auto tracks = t.state.tracks_seen();
-    if (t.state.threats.count > 0 || spike(t.state) != nullptr ||
+    if (t.state.threats.count > 0 ||
         std::any_of(tracks.begin(), tracks.end(),
                     [&](const Seen& seen) { return seen.suspect() && seen.range <= within; })) {
       m = {};
