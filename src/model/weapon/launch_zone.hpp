@@ -20,18 +20,29 @@ struct LaunchSituation {
   double off_boresight = 0;  ///< rad in [0, pi]: shooter's velocity to line of sight
 };
 
+/// A range of the zone, as a shot doctrine names it.
+enum class ZoneRange : std::uint8_t { r_ne, r_tr, r_max };
+constexpr auto names_of(ZoneRange) {
+  return names_from_zero<ZoneRange>("r_ne", "r_tr", "r_max");
+}
+
 /// Ranges in m from the shooter to the target at launch; r_ne <= r_tr <= r_max, for each set of
 /// maneuvers contains the one before. All 0 where no launch succeeds.
 struct EmploymentZone {
   double r_max = 0;  ///< reaches a target that keeps its course
-  double r_tr = 0;   ///< turn and run: reaches it even so; for comparison, no behavior reads it
+  double r_tr = 0;   ///< turn and run: reaches it even so
   double r_ne = 0;  ///< no escape: reaches it whatever it does of these, a beam and a dive (Escape)
   double r_min =
       0;  ///< nearer, it can not arm, turn or stay clear in time; nobody escapes up to r_ne
 
   [[nodiscard]] bool possible() const { return r_max > r_min; }
-  /// m: so many times r_ne, which is what a kill depends on, and r_max at most.
-  [[nodiscard]] double range_at(double of_r_ne) const { return std::min(of_r_ne * r_ne, r_max); }
+  [[nodiscard]] double operator[](ZoneRange of) const {
+    return of == ZoneRange::r_ne ? r_ne : of == ZoneRange::r_tr ? r_tr : r_max;
+  }
+  /// m: so many times one of the ranges, and r_max at most.
+  [[nodiscard]] double range_at(double share, ZoneRange of) const {
+    return std::min(share * (*this)[of], r_max);
+  }
 };
 
 /// One player at launch: local frame, m and m/s; altitude in m.

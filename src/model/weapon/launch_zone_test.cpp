@@ -128,11 +128,13 @@ TEST(LaunchZone, IsTheSameForAnyNumberOfWorkers) {
   EXPECT_TRUE(fly_zone(prepared_short(), 3) == *prepared_short().zone.table());
 }
 
-TEST(EmploymentZone, IsMeasuredInNoEscapeRangesUpToTheGreatest) {
+TEST(EmploymentZone, IsMeasuredInSharesOfARangeUpToTheGreatest) {
   const EmploymentZone zone{.r_max = 40e3, .r_tr = 16e3, .r_ne = 12e3, .r_min = 1e3};
-  EXPECT_DOUBLE_EQ(zone.range_at(0.5), 6e3);
-  EXPECT_DOUBLE_EQ(zone.range_at(1.5), 18e3);
-  EXPECT_DOUBLE_EQ(zone.range_at(4), 40e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(0.5, ZoneRange::r_ne), 6e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(1.5, ZoneRange::r_ne), 18e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(4, ZoneRange::r_ne), 40e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(0.5, ZoneRange::r_tr), 8e3);
+  EXPECT_DOUBLE_EQ(zone.range_at(0.5, ZoneRange::r_max), 20e3);
 }
 
 TEST(LaunchZone, OfAnInfraredMissileEndsWhereItsSeekerDoes) {

@@ -12,7 +12,7 @@ namespace eyrie::pilot {
 const char* ReleaseWeapon::why_not(const State& s, const Seen& target,
                                    const model::MissileType& missile,
                                    const model::weapon::EmploymentZone& zone) const {
-  if (!zone.possible() || target.range > zone.range_at(zone_))
+  if (!zone.possible() || target.range > zone.range_at(zone_, of_))
     return "the target is in no missile's zone";
   if (target.range < zone.r_min)
     return "the target is too near";
@@ -49,7 +49,7 @@ ReleaseWeapon::Choice ReleaseWeapon::choose_store(const State& s, const Seen& ta
     if (!sees || !knows || !model::weapon::can_release(s.stores, store, s.time))
       continue;
     const model::weapon::EmploymentZone zone = missile.zone.at(situation);
-    const double reach = zone.range_at(zone_);
+    const double reach = zone.range_at(zone_, of_);
     if (best.store && reach >= best_reach)
       continue;
     if (const char* why = why_not(s, target, missile, zone)) {

@@ -17,7 +17,7 @@ struct HoldMemory {
 /// of a missile on board, of several the one with the shortest reach. Never at a track that is not
 /// identified as hostile. Fails when there is nothing to shoot, and says why.
 ///
-/// When: `zone` says how far out, which is also how probable a kill has to be
+/// When: `zone` and `of` say how far out, which is also how probable a kill has to be
 /// (docs/models/missile.md); `least_mach` how fast it must be, and `least_f_pole` how far away it
 /// will be when the missile arrives. Both are asked for only where the target can escape: inside
 /// the no-escape range it shoots as it is.
@@ -39,10 +39,12 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
     return std::tuple{
         param("vote", &R::vote_, range(0, 1000), "how strongly"),
         param("zone", &R::zone_, range(0.1, 5),
-              "how far out it shoots, in multiples of the no-escape range (r_ne), and no farther "
-              "than "
-              "r_max: the fewer the more probable a kill; 1.4: who turns away only when he hears "
-              "the seeker is just reached"),
+              "how far out it shoots, in multiples of a range of the zone, and no farther than "
+              "r_max: the fewer the more probable a kill; 1.4 of r_ne: who turns away only when he "
+              "hears the seeker is just reached"),
+        param("of", &R::of_,
+              "r_ne, r_tr or r_max: the range that no escape, turning away at launch, or keeping "
+              "its course leaves the target in reach"),
         param("least_mach", &R::least_mach_, range(0, 3),
               "own Mach number at which it shoots beyond the no-escape range"),
         param("least_f_pole", &R::least_f_pole_, "m", range(0, 100e3),
@@ -104,6 +106,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
 
   float vote_ = 60;
   double zone_ = 1.4;
+  model::weapon::ZoneRange of_ = model::weapon::ZoneRange::r_ne;
   double least_mach_ = 0;
   double least_f_pole_ = 0;
   double off_boresight_ = si(40, "deg");

@@ -10,19 +10,19 @@ namespace eyrie::pilot {
 namespace {
 
 using namespace pilot::testing;
+using model::weapon::ZoneRange;
 
 const std::string kRelease = "{release_weapon: {vote: 60, zone: 1.4, patience: 8 s}}";
 
-/// A hostile ahead, coming closer, at a depth of the medium missile's zone: 1 is its no-escape
-/// range, 0.5 where it is reached though it turns away, 1 its greatest range.
-Desk at_share(double share) {
+/// A hostile ahead, coming closer, at a share of a range of the medium missile's zone.
+Desk at_share(double share, ZoneRange of = ZoneRange::r_ne) {
   Desk desk;
   desk.track({60e3, 0, 0});
   double range = 60e3;
   for (int i = 0; i < 20; ++i) {  // the zone hardly depends on the range: this converges at once
     const State s = desk.state();
     const model::weapon::EmploymentZone zone = s.zone(kMedium, s.seen[0]);
-    range = zone.range_at(share);
+    range = zone.range_at(share, of);
     desk.tracks.tracks[0].position = desk.own.position + Vec3{range, 0, 0};
   }
   return desk;
@@ -36,6 +36,14 @@ TEST(ReleaseWeapon, ShootsInsideTheZone) {
   EXPECT_EQ(d.action().target, TrackId{1});
   EXPECT_EQ(d.proposal.vote, 60);
   EXPECT_FALSE(d.action().heading.has_value());
+}
+
+TEST(ReleaseWeapon, ShootsAtAShareOfTheRangeThatItIsTold) {
+  for (const auto& [of, range] : names_of(ZoneRange{})) {
+    const std::string release = "{release_weapon: {zone: 0.9, of: " + std::string(of) + "}}";
+    EXPECT_EQ(decide(release, at_share(0.88, range)).status, kRunning) << of;
+    EXPECT_EQ(decide(release, at_share(0.92, range)).status, kFailure) << of;
+  }
 }
 
 TEST(ReleaseWeapon, ShootsNoEarlierThanItsParameterSays) {
