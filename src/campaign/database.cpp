@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/database.hpp"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <limits>
+
+#include "core/diagnostics.hpp"
+#include "disk/file_system.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// The operating system's words where it was its call that failed.
+[[noreturn]] void fail(sqlite3* database) {
+  const char* path = sqlite3_db_filename(database, nullptr);
+  const int code = sqlite3_errcode(database);
+  const int error = code == SQLITE_FULL    ? ENOSPC
+                    : code == SQLITE_IOERR ? sqlite3_system_errno(database)
+                                           : 0;
+  throw disk::Failed(fmt::format("{}: {}", quote_path(path ? path : ""),
+                                 error ? disk::words_of(error) : sqlite3_errmsg(database)));
+}
+
+}  // namespace
+
+void Statement::Finalize::operator()(sqlite3_stmt* statement) const {
+  sqlite3_finalize(statement);
+}
+void Statement::reset() {
+  sqlite3_reset(statement_.get());  // repeats what step() has thrown
+}
+void Statement::bind(int index, double value) {
+  sqlite3_bind_double(statement_.get(), index, value);
+}
+void Statement::bind(int index, std::int64_t value) {
+  sqlite3_bind_int64(statement_.get(), index, value);
+}
+void Statement::bind(int index, std::string_view text) {
+  if (sqlite3_bind_text64(statement_.get(), index, text.data(), text.size(), SQLITE_TRANSIENT,
+                          SQLITE_UTF8) != SQLITE_OK)
+    fail(sqlite3_db_handle(statement_.get()));
+}
+bool Statement::step() {
+  switch (sqlite3_step(statement_.get())) {
+    case SQLITE_ROW:
+      return true;
+    case SQLITE_DONE:
+      reset();
+      return false;
+    default:
+      fail(sqlite3_db_handle(statement_.get()));
+  }
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(statement_.get(), column);
+}
+double Statement::number(int column) const {
+  return is_null(column) ? std::numeric_limits<double>::quiet_NaN()
+                         : sqlite3_column_double(statement_.get(), column);
+}
+std::string Statement::text(int column) const {
+  const auto* text = sqlite3_column_text(statement_.get(), column);
+  return {reinterpret_cast<const char*>(text),
+          static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
+}
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+int Statement::columns() const {
+  return sqlite3_column_count(statement_.get());
+}
+std::string Statement::column_name(int column) const {
+  return sqlite3_column_name(statement_.get(), column);
+}
+
+void Database::Close::operator()(sqlite3* database) const {
+  sqlite3_close_v2(database);  // statements may live on
+}
+
+Database::Database(const std::string& path, Access access) {
+  constexpr int kWait = 10'000;  // ms, for another process
+  const int flags = access == Access::read    ? SQLITE_OPEN_READONLY
+                    : access == Access::write ? SQLITE_OPEN_READWRITE
+                                              : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  sqlite3* opened = nullptr;
+  const int result = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+  database_.reset(opened);
+  if (!opened)
+    throw std::bad_alloc();
+  if (result != SQLITE_OK)
+    throw disk::Failed(fmt::format("cannot open {}: {}", quote_path(path), sqlite3_errmsg(opened)));
+  sqlite3_busy_timeout(opened, kWait);
+  // a process that is killed loses nothing that was committed; readers and the writer do not wait
+  if (access != Access::read)
+    run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON");
+}
+
+Statement Database::prepare(std::string_view sql) {
+  sqlite3_stmt* statement = nullptr;
+  if (sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
+                         nullptr) != SQLITE_OK)
+    fail(database_.get());
+  return Statement(statement);
+}
+
+void Database::run(const std::string& sql) {
+  if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+    fail(database_.get());
+}
+
+std::string sql_name(std::string_view name) {
+  std::string text = "\"";
+  for (const char c : name)
+    text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+}  // namespace eyrie::campaign

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  SQLite, with nothing added but ownership and exceptions.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace eyrie::campaign {
+
+/// A prepared statement. What fails throws disk::Failed.
+class Statement {
+ public:
+  /// Fills in every parameter, and begins anew.
+  template <class... T>
+  Statement& with(const T&... values) {
+    reset();
+    int index = 0;
+    (bind(++index, values), ...);
+    return *this;
+  }
+  void reset();
+  /// Parameters count from 1. NaN is NULL.
+  void bind(int index, double value);
+  void bind(int index, std::int64_t value);
+  void bind(int index, std::uint64_t value) { bind(index, static_cast<std::int64_t>(value)); }
+  void bind(int index, std::string_view text);
+  /// False when there is no further row; the statement can be used again then.
+  bool step();
+
+  // of the row; columns count from 0
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double number(int column) const;  ///< NaN for NULL
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] int columns() const;
+  [[nodiscard]] std::string column_name(int column) const;
+
+ private:
+  friend class Database;
+  explicit Statement(sqlite3_stmt* statement) : statement_(statement) {}
+  struct Finalize {
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+};
+
+class Database {
+ public:
+  enum class Access { create, write, read };
+  /// Throws disk::Failed if there is none, or none can be made. One that is being written is read
+  /// as it was at the last commit.
+  Database(const std::string& path, Access access);
+
+  [[nodiscard]] Statement prepare(std::string_view sql);
+  /// Statements without a result.
+  void run(const std::string& sql);
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+  };
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+/// A name as SQL writes it, whatever stands in it.
+[[nodiscard]] std::string sql_name(std::string_view name);
+
+}  // namespace eyrie::campaign

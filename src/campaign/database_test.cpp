@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/database.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "disk/file_system.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+using Access = Database::Access;
+
+TEST(Database, GivesBackWhatWasPutIn) {
+  const test::TempFolder folder;
+  Database database(folder / "x.db", Access::create);
+  database.run("CREATE TABLE t (i INTEGER, x REAL, s TEXT)");
+  Statement put = database.prepare("INSERT INTO t VALUES (?, ?, ?)");
+  put.with(std::int64_t{-7}, 0.1, "a'b\"").step();
+  put.with(std::uint64_t{8}, std::nan(""), "").step();
+  Statement all = Database(folder / "x.db", Access::read).prepare("SELECT * FROM t ORDER BY i");
+  ASSERT_TRUE(all.step());
+  EXPECT_EQ(all.integer(0), -7);
+  EXPECT_EQ(all.number(1), 0.1);
+  EXPECT_EQ(all.text(2), "a'b\"");
+  ASSERT_TRUE(all.step());
+  EXPECT_TRUE(all.is_null(1));
+  EXPECT_TRUE(std::isnan(all.number(1)));
+  EXPECT_FALSE(all.step());
+}
+
+TEST(Database, ThatIsNotThereIsNotMade) {
+  const test::TempFolder folder;
+  for (const Access access : {Access::read, Access::write})
+    EXPECT_THROW(Database(folder / "none.db", access), disk::Failed);
+  EXPECT_TRUE(folder.everything().empty());
+}
+
+TEST(Database, ThatIsFullSaysSo) {
+  const test::TempFolder folder;
+  Database database(folder / "x.db", Access::create);
+  database.run("CREATE TABLE t (s TEXT); PRAGMA max_page_count=4");
+  Statement put = database.prepare("INSERT INTO t VALUES (?)");
+  try {
+    put.with(std::string(100'000, 'x')).step();
+    FAIL() << "there was room";
+  } catch (const disk::Failed& e) {
+    EXPECT_NE(std::string(e.what()).find("No space left on device"), std::string::npos) << e.what();
+  }
+  put.with("small").step();
+}
+
+TEST(Database, NamesColumnsWhateverTheyAreCalled) {
+  const test::TempFolder folder;
+  Database database(folder / "x.db", Access::create);
+  for (const std::string name : {"select", "a\"b", "trees.bvr/x.vote", "a); DROP TABLE t; --"}) {
+    database.run("DROP TABLE IF EXISTS t; CREATE TABLE t (" + sql_name(name) + " REAL)");
+    EXPECT_EQ(database.prepare("SELECT * FROM t").column_name(0), name);
+  }
+}
+
+}  // namespace
+}  // namespace eyrie::campaign
