@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "debrief/health.hpp"
+#include "stats/share.hpp"
 
 namespace {
 using namespace eyrie;
@@ -56,14 +57,14 @@ double ratio(double a, double b) {
 std::string share(std::uint64_t count, std::uint64_t n) {
   if (n == 0)
     return "-";
-  const auto [low, high] = debrief::interval_of(count, n);
+  const auto [low, high] = stats::wilson({count, n});
   return fmt::format("{:.0f} % ({:.0f} to {:.0f})",
                      100 * ratio(static_cast<double>(count), static_cast<double>(n)), 100 * low,
                      100 * high);
 }
 /// "+5 (-2 to 12)": points that a share is more than another one, with their 95 % interval.
-std::string difference(const debrief::Share& one, const debrief::Share& other) {
-  const auto [low, high] = debrief::interval_of_difference(one, other);
+std::string difference(const stats::Share& one, const stats::Share& other) {
+  const auto [low, high] = stats::newcombe(one, other);
   return fmt::format("{:+.0f} ({:+.0f} to {:+.0f})", 100 * (one.value() - other.value()), 100 * low,
                      100 * high);
 }
@@ -75,11 +76,11 @@ std::string greatest_rise(const Health& h) {
   std::string text = "-";
   for (std::size_t far = 1; far < Health::kBins; ++far)
     for (std::size_t near = 0; near < far; ++near) {
-      const debrief::Share one{h.by_zone[far].kills, h.by_zone[far].shots},
+      const stats::Share one{h.by_zone[far].kills, h.by_zone[far].shots},
           other{h.by_zone[near].kills, h.by_zone[near].shots};
-      if (one.n == 0 || other.n == 0 || debrief::interval_of_difference(one, other).low <= surest)
+      if (one.n == 0 || other.n == 0 || stats::newcombe(one, other).low <= surest)
         continue;
-      surest = debrief::interval_of_difference(one, other).low;
+      surest = stats::newcombe(one, other).low;
       text = fmt::format("{} from {:.1f} to {:.1f}", difference(one, other),
                          static_cast<double>(near) * Health::kBin,
                          static_cast<double>(far) * Health::kBin);
@@ -185,7 +186,7 @@ void print_effects(const std::string& file, const std::string& home, std::uint64
        "the towed decoy in the notch",
        1}};
   constexpr std::array kRanges{6, 9, 12, 15, 18};  // nmi
-  std::vector<std::array<debrief::Share, kRanges.size()>> flown(defenses.size());
+  std::vector<std::array<stats::Share, kRanges.size()>> flown(defenses.size());
   for (std::size_t i = 0; i < defenses.size(); ++i)
     for (std::size_t k = 0; k < kRanges.size(); ++k) {
       std::vector<std::string> sets = defenses[i].sets;
@@ -201,7 +202,7 @@ void print_effects(const std::string& file, const std::string& home, std::uint64
   fmt::print("\n| --- | ---: | ---: | ---: | ---: | ---: |\n");
   for (std::size_t i = 0; i < defenses.size(); ++i) {
     fmt::print("| {} |", defenses[i].name);
-    for (const debrief::Share& one : flown[i])
+    for (const stats::Share& one : flown[i])
       fmt::print(" {} |", share(one.count, one.n));
     fmt::print("\n");
   }

@@ -295,21 +295,4 @@ Health measure(const std::shared_ptr<const scenario::Scenario>& scenario, std::u
   return h;
 }
 
-Interval interval_of(std::uint64_t count, std::uint64_t n) {
-  if (!n)
-    return {};
-  constexpr double z = 1.959964;
-  const auto total = static_cast<double>(n);
-  const double p = static_cast<double>(count) / total, spread = z * z / total;
-  const double middle = (p + spread / 2) / (1 + spread);
-  const double half = z / (1 + spread) * std::sqrt(p * (1 - p) / total + spread / total / 4);
-  return {std::max(middle - half, 0.0), std::min(middle + half, 1.0)};
-}
-
-Interval interval_of_difference(const Share& one, const Share& other) {
-  const Interval a = interval_of(one.count, one.n), b = interval_of(other.count, other.n);
-  const double p = one.value(), q = other.value();
-  return {p - q - std::hypot(p - a.low, b.high - q), p - q + std::hypot(a.high - p, q - b.low)};
-}
-
 }  // namespace eyrie::debrief

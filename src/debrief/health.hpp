@@ -69,21 +69,4 @@ struct Health {
 [[nodiscard]] Health measure(const std::shared_ptr<const scenario::Scenario>& scenario,
                              std::uint64_t seed);
 
-/// Interval of a share with that many of `n` (Wilson, 95 %).
-struct Interval {
-  double low = 0, high = 1;
-};
-[[nodiscard]] Interval interval_of(std::uint64_t count, std::uint64_t n);
-
-/// So many of so many.
-struct Share {
-  std::uint64_t count = 0, n = 0;
-  [[nodiscard]] double value() const {
-    return n ? static_cast<double>(count) / static_cast<double>(n) : 0;
-  }
-};
-/// Interval of what a share is more than another one (Newcombe, Statistics in Medicine 17 (1998)
-/// 873, method 10, 95 %): from -1 to 1.
-[[nodiscard]] Interval interval_of_difference(const Share& one, const Share& other);
-
 }  // namespace eyrie::debrief

@@ -35,21 +35,5 @@ TEST(Steadiness, ForgetsWhatWasNotWatched) {
   EXPECT_EQ(pursuit.gained(), 0);
 }
 
-/// Wilson's score interval of 8 of 10, Agresti & Coull, The American Statistician 52 (1998).
-TEST(Interval, IsWilsons) {
-  const Interval known = interval_of(8, 10);
-  EXPECT_NEAR(known.low, 0.4902, 1e-4);
-  EXPECT_NEAR(known.high, 0.9433, 1e-4);
-  EXPECT_EQ(interval_of(0, 20).low, 0);
-  EXPECT_EQ(interval_of(0, 0).high, 1);
-}
-
-/// Newcombe's own example, 56 of 70 against 48 of 80, method 10.
-TEST(Interval, OfADifferenceIsNewcombes) {
-  const Interval known = interval_of_difference({56, 70}, {48, 80});
-  EXPECT_NEAR(known.low, 0.0524, 1e-4);
-  EXPECT_NEAR(known.high, 0.3339, 1e-4);
-}
-
 }  // namespace
 }  // namespace eyrie::debrief

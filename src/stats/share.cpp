@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "stats/share.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace eyrie::stats {
+
+Interval wilson(const Share& share, double confidence) {
+  if (!share.n)
+    return {};
+  const double z = quantile(boost::math::normal(), (1 + confidence) / 2);
+  const auto n = static_cast<double>(share.n);
+  const double p = share.value(), spread = z * z / n;
+  const double middle = (p + spread / 2) / (1 + spread);
+  const double half = z / (1 + spread) * std::sqrt(p * (1 - p) / n + spread / n / 4);
+  return {share.count == 0 ? 0 : std::max(middle - half, 0.0),
+          share.count == share.n ? 1 : std::min(middle + half, 1.0)};
+}
+
+Interval clopper_pearson(const Share& share, double confidence) {
+  const auto yes = static_cast<double>(share.count), no = static_cast<double>(share.n) - yes;
+  const double tail = (1 - confidence) / 2;
+  return {yes > 0 ? quantile(boost::math::beta_distribution(yes, no + 1), tail) : 0,
+          no > 0 ? quantile(complement(boost::math::beta_distribution(yes + 1, no), tail)) : 1};
+}
+
+Interval newcombe(const Share& one, const Share& other, double confidence) {
+  const Interval a = wilson(one, confidence), b = wilson(other, confidence);
+  const double p = one.value(), q = other.value();
+  return {p - q - std::hypot(p - a.low, b.high - q), p - q + std::hypot(a.high - p, q - b.low)};
+}
+
+double mcnemar(std::uint64_t only_one, std::uint64_t only_other) {
+  const boost::math::binomial fair(static_cast<double>(only_one + only_other), 0.5);
+  return std::min(1.0, 2 * cdf(fair, static_cast<double>(std::min(only_one, only_other))));
+}
+
+}  // namespace eyrie::stats
