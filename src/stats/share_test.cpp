@@ -3,27 +3,73 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace eyrie::stats {
 namespace {
 
-void expect_near(const Interval& interval, double low, double high, double error = 5e-9) {
+void expect_share(const Interval& interval, double low, double high, double error = 1e-12) {
   EXPECT_NEAR(interval.low, low, error);
   EXPECT_NEAR(interval.high, high, error);
 }
 
-/// Of 8 of 10, Agresti & Coull, The American Statistician 52 (1998).
-TEST(Wilson, IsAsPublished) {
-  expect_near(wilson({8, 10}), 0.4902, 0.9433, 1e-4);
+// SciPy 1.17: stats.binomtest(k, n).proportion_ci(confidence, method)
+
+TEST(Wilson, IsSciPys) {
+  expect_share(wilson({8, 10}), 0.4901624715366418, 0.9433178485456248);
+  expect_share(wilson({8, 10}, 0.99), 0.4008186965216716, 0.9598688474953836);
+  expect_share(wilson({1, 1000}), 0.00017654637062607809, 0.0056425585979579355);
+  expect_share(wilson({0, 20}), 0, 0.16112515805281935);
 }
 TEST(Wilson, StaysInItsRange) {
   EXPECT_EQ(wilson({0, 20}).low, 0);
   EXPECT_EQ(wilson({20, 20}).high, 1);
-  expect_near(wilson({0, 0}), 0, 1, 0);
+  expect_share(wilson({0, 0}), 0, 1, 0);
+}
+
+TEST(ClopperPearson, IsSciPys) {
+  expect_share(clopper_pearson({8, 10}), 0.4439045376923585, 0.9747892736731665);
+  expect_share(clopper_pearson({8, 10}, 0.99), 0.3517988336951584, 0.9891494906202708);
+  expect_share(clopper_pearson({1, 1000}), 2.5317487491674634e-05, 0.0055589242798499);
+  expect_share(clopper_pearson({0, 20}), 0, 0.16843347098308548);
+  EXPECT_EQ(clopper_pearson({20, 20}).high, 1);
+  expect_share(clopper_pearson({0, 0}), 0, 1, 0);
 }
 
 /// Newcombe's own example, 56 of 70 against 48 of 80, method 10.
 TEST(Newcombe, IsAsPublished) {
-  expect_near(newcombe({56, 70}, {48, 80}), 0.0524, 0.3339, 1e-4);
+  expect_share(newcombe({56, 70}, {48, 80}), 0.0524, 0.3339, 1e-4);
+}
+
+/// statsmodels 0.15: mcnemar([[0, 3], [12, 0]], exact=True)
+TEST(McNemar, IsThatOfStatsmodels) {
+  EXPECT_NEAR(mcnemar(3, 12), 0.03515625, 1e-14);
+  EXPECT_EQ(mcnemar(12, 3), mcnemar(3, 12));
+  EXPECT_EQ(mcnemar(10, 10), 1);
+  EXPECT_EQ(mcnemar(0, 0), 1);
+}
+
+/// How often the interval holds the true share `p`, summed over all that can come of n.
+double exact_coverage(Interval (*interval)(const Share&, double), std::uint64_t n, double p) {
+  double covered = 0, chance = std::pow(1 - p, static_cast<double>(n));
+  for (std::uint64_t k = 0; k <= n; ++k) {
+    const Interval i = interval({k, n}, 0.95);
+    if (i.low <= p && p <= i.high)
+      covered += chance;
+    chance *= static_cast<double>(n - k) / static_cast<double>(k + 1) * p / (1 - p);
+  }
+  return covered;
+}
+
+TEST(Coverage, OfSharesIsWhatTheirIntervalsSay) {
+  for (const std::uint64_t n : {10u, 40u, 100u}) {
+    double wilsons = 0;
+    for (int i = 1; i < 100; ++i) {
+      wilsons += exact_coverage(wilson, n, i / 100.0) / 99;
+      EXPECT_GE(exact_coverage(clopper_pearson, n, i / 100.0), 0.95) << n << " " << i;
+    }
+    EXPECT_NEAR(wilsons, 0.95, 0.006) << n;
+  }
 }
 
 }  // namespace

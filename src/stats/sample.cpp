@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "stats/sample.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace eyrie::stats {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double t_of(std::uint64_t n, double confidence) {
+  const boost::math::students_t student(static_cast<double>(n - 1));
+  return boost::math::quantile(student, (1 + confidence) / 2);
+}
+
+}  // namespace
+
+void Moments::add(double x) {
+  const double before = x - mean_;
+  mean_ += before / static_cast<double>(++n_);
+  squares_ += before * (x - mean_);
+}
+
+void Moments::merge(const Moments& later) {
+  if (!later.n_)
+    return;
+  const auto n = static_cast<double>(n_), m = static_cast<double>(later.n_);
+  const double apart = later.mean_ - mean_;
+  n_ += later.n_;
+  mean_ += apart * m / (n + m);
+  squares_ += later.squares_ + apart * apart * n * m / (n + m);
+}
+
+double Moments::deviation() const {
+  return std::sqrt(variance());
+}
+double Moments::error() const {
+  return n_ ? std::sqrt(variance() / static_cast<double>(n_)) : 0;
+}
+
+Interval t_interval(const Moments& moments, double confidence) {
+  if (moments.n() < 2)
+    return {-kInfinity, kInfinity};
+  const double half = t_of(moments.n(), confidence) * moments.error();
+  return {moments.mean() - half, moments.mean() + half};
+}
+
+double t_test(const Moments& moments) {
+  if (moments.n() < 2 || moments.mean() == 0)
+    return 1;
+  if (moments.error() == 0)
+    return 0;
+  const boost::math::students_t student(static_cast<double>(moments.n() - 1));
+  return 2 * cdf(complement(student, std::abs(moments.mean()) / moments.error()));
+}
+
+void Ratio::add(double over, double under) {
+  const double before = over - over_.mean();
+  over_.add(over);
+  under_.add(under);
+  products_ += before * (under - under_.mean());
+}
+
+std::optional<double> Ratio::value() const {
+  return under_.mean() == 0 ? std::nullopt : std::optional(over_.mean() / under_.mean());
+}
+
+std::optional<Interval> Ratio::fieller(double confidence) const {
+  if (n() < 2)
+    return std::nullopt;
+  // every r for which Student's test of over - r under does not reject 0: a r^2 - 2 b r + c <= 0
+  const double t = t_of(n(), confidence), scale = t * t / static_cast<double>(n());
+  const double covariance = products_ / static_cast<double>(n() - 1);
+  const double y = over_.mean(), x = under_.mean();
+  const double a = x * x - scale * under_.variance(), b = x * y - scale * covariance,
+               c = y * y - scale * over_.variance();
+  if (a <= 0)
+    return std::nullopt;
+  const double root = std::sqrt(std::max(b * b - a * c, 0.0));
+  return Interval{(b - root) / a, (b + root) / a};
+}
+
+std::vector<double> holm(std::span<const double> p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
+  std::vector<double> corrected(p.size());
+  double least = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    least = std::max(least, std::min(1.0, p[order[i]] * static_cast<double>(p.size() - i)));
+    corrected[order[i]] = least;
+  }
+  return corrected;
+}
+
+double quantile(std::span<const double> ascending, double p) {
+  const double at = p * static_cast<double>(ascending.size() - 1), before = std::floor(at);
+  const auto i = static_cast<std::size_t>(before);
+  const double next = ascending[std::min(i + 1, ascending.size() - 1)];
+  return ascending[i] + (at - before) * (next - ascending[i]);
+}
+
+Histogram histogram(std::span<const double> values, std::size_t bins) {
+  Histogram h;
+  if (values.empty() || bins == 0)
+    return h;
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  const double span = *greatest - *least;
+  const bool whole =
+      std::all_of(values.begin(), values.end(), [](double v) { return v == std::floor(v); });
+  if (span == 0 || (whole && span < static_cast<double>(bins))) {
+    h.low = *least - 0.5;
+    bins = static_cast<std::size_t>(span) + 1;
+  } else {
+    h.low = *least;
+    h.width = span / static_cast<double>(bins);
+  }
+  h.counts.resize(bins);
+  for (const double v : values)
+    ++h.counts[std::min(static_cast<std::size_t>((v - h.low) / h.width), bins - 1)];
+  return h;
+}
+
+}  // namespace eyrie::stats
