@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Aircraft that fly into each other.
-#include "model/kinematics.hpp"
+#include "model/row_boxes.hpp"
 
 namespace eyrie::model::flight {
 
@@ -22,26 +22,13 @@ inline constexpr double kCollision = 8;
 template <class Hit>
 void for_each_collision(std::span<const Kinematics> all, std::size_t first, std::size_t last,
                         double duration, const Hit& hit) {
-  constexpr std::size_t kBlock = 256;
-  constexpr float kNear = 500;  // m: nobody comes from farther in a tenth of a second
-  std::array<float, kBlock> x, y;
-  for (std::size_t begin = 0; begin < all.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, all.size() - begin);
-    for (std::size_t k = 0; k < count; ++k) {
-      x[k] = static_cast<float>(all[begin + k].position.x);
-      y[k] = static_cast<float>(all[begin + k].position.y);
-    }
-    for (std::size_t i = first; i < last; ++i) {
-      const auto own_x = static_cast<float>(all[i].position.x);
-      const auto own_y = static_cast<float>(all[i].position.y);
-      for (std::size_t k = 0; k < count; ++k)
-        if (const std::size_t j = begin + k; std::fabs(x[k] - own_x) < kNear &&
-                                             std::fabs(y[k] - own_y) < kNear && j != i &&
-                                             collided(all[j].position - all[i].position,
-                                                      all[j].velocity - all[i].velocity, duration))
+  constexpr double kNear = 500;  // m: nobody comes from farther in a tenth of a second
+  RowBoxes(all).each_pair_within(
+      first, last, kNear * kNear, [&](std::size_t i, std::size_t j, double) {
+        if (j != i && collided(all[j].position - all[i].position, all[j].velocity - all[i].velocity,
+                               duration))
           hit(i, j);
-    }
-  }
+      });
 }
 
 }  // namespace eyrie::model::flight

@@ -3,6 +3,7 @@
 /// \file  What one step of sensing looks at.
 #include "model/columns.hpp"
 #include "model/library.hpp"
+#include "model/row_boxes.hpp"
 #include "model/track/track_file.hpp"
 #include "sim/system.hpp"
 
@@ -77,6 +78,7 @@ struct Scene {
   std::uint64_t step = 0;
   std::uint64_t seed = 0;
   double time = 0;  ///< s
+  const RowBoxes* boxes = nullptr;  ///< of `kinematics`, in perceive
 
   [[nodiscard]] const SensorSuite& suite(std::size_t row) const { return suites[fit[row].type]; }
   [[nodiscard]] Draw draw(PlayerId who, Stream stream, PlayerId about) const {

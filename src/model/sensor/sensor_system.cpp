@@ -158,7 +158,9 @@ Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) co
 
 void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
-  const Scene all = scene(world, info);
+  Scene all = scene(world, info);
+  const RowBoxes boxes(all.kinematics);
+  all.boxes = &boxes;
   const auto request = std::as_const(world).rows(aircraft_.request);
   const auto radar = world.rows(aircraft_.radar);
   const auto tracks = world.rows(aircraft_.tracks);

@@ -125,12 +125,11 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
                        const KnownDirections& known) {
   const double reach2 = self.suite.visual->range * self.suite.visual->range;
   Nearest<kWatched> seen(kWatched);
-  for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
-    const double range2 = norm2(scene.kinematics[j].position - eyes.position);
-    if (range2 <= reach2 && range2 > 0 && j != self.row && seen.wants(range2) &&
+  scene.boxes->each_within(eyes.position, reach2, [&](std::size_t j, double range2) {
+    if (range2 > 0 && j != self.row && seen.wants(range2) &&
         sees(scene, self, eyes, known, j, std::sqrt(range2)))
       seen.offer({range2, static_cast<std::uint32_t>(j)});
-  }
+  });
   if (seen.items().empty())
     return;
 
