@@ -71,7 +71,7 @@ void Columns::add(std::initializer_list<double> row) {
 }
 
 Json Columns::json(ColumnBytes& bytes) const {
-  Json json;
+  Json json = Json::object();  // one made of null ends the program where memory runs out
   for (const auto& [name, column] : columns_)
     json[std::string(name)] = put(bytes, column);
   return json;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include <dirent.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <string_view>
 #include <system_error>
 
 #include "disk/sink.hpp"
@@ -12,6 +16,17 @@
 namespace eyrie::scenario {
 namespace fs = std::filesystem;
 namespace {
+
+/// Of the files there, in no order; std::filesystem's iterator ends the program where memory runs
+/// out.
+std::vector<std::string> names_with(std::string_view end, const fs::path& folder) {
+  std::vector<std::string> names;
+  const std::unique_ptr<DIR, int (*)(DIR*)> open(::opendir(folder.c_str()), ::closedir);
+  while (const dirent* const entry = open ? ::readdir(open.get()) : nullptr)
+    if (const std::string_view name = entry->d_name; name.ends_with(end))
+      names.emplace_back(name);
+  return names;
+}
 
 class Disk final : public Source::Folders {
  public:
@@ -66,11 +81,10 @@ class Disk final : public Source::Folders {
   }
 
   std::vector<std::string> names_in(const std::string& folder) const override {
-    std::vector<std::string> names;
-    std::error_code failed;
-    for (const auto& entry : fs::directory_iterator(fs::path(home_) / folder, failed))
-      if (entry.path().extension() == ".yaml")
-        names.push_back(entry.path().stem().string());
+    constexpr std::string_view kEnd = ".yaml";
+    std::vector<std::string> names = names_with(kEnd, fs::path(home_) / folder);
+    for (std::string& name : names)
+      name.resize(name.size() - kEnd.size());
     return names;
   }
 
@@ -102,14 +116,14 @@ Source Source::disk(std::string home, std::vector<std::string> allowed) {
 
 std::string launch_zones(const std::string& home) {
   std::string all;
-  std::error_code failed;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(home) / "data" / "zones", failed))
-    if (entry.path().extension() == ".zone" && entry.is_regular_file(failed))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const fs::path& path : files) {
-    std::ifstream file(path, std::ios::binary);
+  const fs::path folder = fs::path(home) / "data" / "zones";
+  std::vector<std::string> names = names_with(".zone", folder);
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    std::error_code failed;
+    if (!fs::is_regular_file(folder / name, failed))
+      continue;
+    std::ifstream file(folder / name, std::ios::binary);
     all.append(std::istreambuf_iterator<char>(file), {});
   }
   return all;

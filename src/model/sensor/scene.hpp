@@ -77,7 +77,7 @@ struct Scene {
   std::span<const datalink::DatalinkSent> sent;
   std::uint64_t step = 0;
   std::uint64_t seed = 0;
-  double time = 0;  ///< s
+  double time = 0;                  ///< s
   const RowBoxes* boxes = nullptr;  ///< of `kinematics`, in perceive
 
   [[nodiscard]] const SensorSuite& suite(std::size_t row) const { return suites[fit[row].type]; }
