@@ -23,6 +23,7 @@ enum class Stream : std::uint8_t {
   decoy = 17,           ///< does a seeker go for a decoy?
   infrared = 18,        ///< is it found by infrared search?
   infrared_noise = 19,  ///< error of such a direction
+  design = 20,          ///< of the cells of a campaign
   test = 255,           ///< for tests and examples
 };
 

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/measure.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "campaign/query.hpp"
+#include "core/bind.hpp"
+#include "core/math.hpp"
+#include "core/text.hpp"
+#include "record/story.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// What a measure may say besides `what`, and what it must.
+struct Words {
+  std::string_view may, must;
+};
+Words words_of(What what) {
+  switch (what) {
+    case What::outcome:
+      return {" is ", "is"};
+    case What::end_time:
+      return {};
+    case What::exchange_ratio:
+      return {" who ", "who"};
+    case What::time_in_phase:
+      return {" who phase ", "phase"};
+    case What::event:
+      return {" who whom event if take value ", "event"};
+    case What::decision:
+      return {" who node if take value ", "node"};
+    default:
+      return {" who ", {}};
+  }
+}
+
+std::string_view unit_of(const MeasureSpec& spec) {
+  switch (spec.what) {
+    case What::end_time:
+    case What::time_in_phase:
+      return "s";
+    case What::fuel_left:
+      return "kg";
+    case What::event:
+    case What::decision:
+      return Query::unit(spec);
+    default:
+      return "";
+  }
+}
+
+void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
+  const auto [may, must] = words_of(spec.what);
+  for (const Value::Entry& e : spec.text.entries)
+    if (e.key != "what" && may.find(fmt::format(" {} ", e.key)) == may.npos)
+      diagnostics.error(e.where, fmt::format("{}: '{}' says nothing of {}", spec.name, e.key,
+                                             enum_name(spec.what)));
+  if (!must.empty() && !spec.text.find(must))
+    diagnostics.error(spec.text.where,
+                      fmt::format("{}: {} needs '{}'", spec.name, enum_name(spec.what), must));
+  else if (spec.what == What::event || spec.what == What::decision)
+    Query::check(spec, diagnostics);
+}
+
+class Watcher final : public Watch {
+ public:
+  Watcher(const Measures& measures, const scenario::Scenario& scenario)
+      : measures_(measures), scenario_(scenario), tally_(scenario), flight_(scenario) {
+    Diagnostics wrong;
+    for (const MeasureSpec& spec : measures.specs) {
+      who_.push_back(players_named(scenario, spec, "who", spec.who, wrong));
+      fuel_ |= spec.what == What::fuel_left;
+      queries_.emplace_back();
+      if (spec.what == What::event || spec.what == What::decision)
+        queries_.back().emplace(spec, flight_, wrong);
+      if (spec.what == What::time_in_phase)
+        check_phase(spec, wrong);
+    }
+    if (!wrong.ok())
+      throw ConfigError(wrong);
+    fuels_.resize(scenario.roster.players.size(), math::kNaN);
+  }
+
+  void begin(const sim::World& world, double dt) override { tally_.begin(world, dt); }
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    tally_.observe(world, info, events);
+    flight_.observe(events);
+    for (auto& query : queries_)
+      if (query)
+        query->observe(world, info, events);
+    if (fuel_)
+      for (std::size_t row = 0; row < scenario_.fleets.front()->rows(world); ++row)
+        fuels_[scenario_.fleets.front()->id(world, row).value - 1] =
+            world.rows(scenario_.aircraft.propulsion)[row].fuel;
+  }
+
+  std::span<const double> values(scenario::Outcome outcome, double time) override {
+    values_.resize(measures_.columns.size());
+    for (std::size_t i = 0; i < measures_.specs.size(); ++i) {
+      const Measure& measure = measures_.estimates[i];
+      const auto [value, per] = value_of(i, outcome, time);
+      values_[measure.column] = value;
+      if (measure.kind == Measure::ratio)
+        values_[measure.per] = per;
+    }
+    return values_;
+  }
+
+ private:
+  std::pair<double, double> value_of(std::size_t i, scenario::Outcome outcome, double time) {
+    using Player = record::Tally::OfPlayer;
+    const MeasureSpec& spec = measures_.specs[i];
+    const auto sum = [&](const Players& who, auto count) {
+      double all = 0;
+      for (std::size_t p = 0; p < who.size(); ++p)
+        all += who[p] ? static_cast<double>(count(tally_.players()[p])) : 0;
+      return all;
+    };
+    const auto lost = [](const Player& p) { return p.lost; };
+    const auto kills = [](const Player& p) { return p.kills; };
+    const auto shots = [](const Player& p) { return p.shots; };
+    switch (spec.what) {
+      case What::outcome:
+        return {std::find(spec.is.begin(), spec.is.end(), outcome) != spec.is.end(), 0};
+      case What::end_time:
+        return {time, 0};
+      case What::losses:
+        return {sum(who_[i], lost), 0};
+      case What::kills:
+        return {sum(who_[i], kills), 0};
+      case What::shots:
+        return {sum(who_[i], shots), 0};
+      case What::shots_per_kill:
+        return {sum(who_[i], shots), sum(who_[i], kills)};
+      case What::exchange_ratio:
+        return {sum(enemies_of(scenario_, who_[i]), lost), sum(who_[i], lost)};
+      case What::time_in_phase:
+        return {time_in_phase(spec.phase, who_[i], time), 0};
+      case What::fuel_left:
+        return {fuel_left(who_[i]), 0};
+      case What::event:
+      case What::decision:
+        break;
+    }
+    return {queries_[i]->value(), 0};
+  }
+
+  double time_in_phase(const std::string& phase, const Players& who, double end) const {
+    double all = 0;
+    const auto& flights = scenario_.roster.flights;
+    for (std::uint16_t f = 0; f < flights.size(); ++f) {
+      const auto& members = flights[f].members;
+      if (std::none_of(members.begin(), members.end(),
+                       [&](PlayerId m) { return who[m.value - 1]; }))
+        continue;
+      double left = 0;  // when its last member was gone
+      for (const PlayerId m : members) {
+        const auto& player = tally_.players()[m.value - 1];
+        left = std::max(left, player.lost || player.home ? player.end_time : end);
+      }
+      std::optional<double> since;
+      for (const auto& entered : tally_.phases()) {
+        if (entered.flight != f)
+          continue;
+        if (since)
+          all += entered.time - *since;
+        since = entered.phase == phase ? std::optional(entered.time) : std::nullopt;
+      }
+      all += since ? left - *since : 0;
+    }
+    return all;
+  }
+
+  double fuel_left(const Players& who) const {
+    double all = 0, count = 0;
+    for (std::size_t p = 0; p < who.size(); ++p)
+      if (who[p] && !tally_.players()[p].lost && !std::isnan(fuels_[p])) {
+        all += fuels_[p];
+        ++count;
+      }
+    return count > 0 ? all / count : math::kNaN;
+  }
+
+  void check_phase(const MeasureSpec& spec, Diagnostics& wrong) const {
+    std::vector<std::string> names;
+    for (const auto& fleet : scenario_.fleets)
+      for (const ubf::AnyTree* tree : fleet->trees)
+        for (std::size_t n = 0; n < tree->size(); ++n)
+          if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer())
+            for (const auto& child : node.children())
+              names.emplace_back(child->label());
+    if (std::find(names.begin(), names.end(), spec.phase) == names.end())
+      wrong.error(spec.text.where_of("phase"),
+                  fmt::format("{}: there is no phase {}{}", spec.name, quote(spec.phase),
+                              did_you_mean(spec.phase, names)));
+  }
+
+  const Measures& measures_;
+  const scenario::Scenario& scenario_;
+  record::Tally tally_;
+  Flight flight_;
+  std::vector<Players> who_;                   ///< by measure
+  std::vector<std::optional<Query>> queries_;  ///< by measure
+  bool fuel_ = false;
+  std::vector<double> fuels_, values_;
+};
+
+}  // namespace
+
+Measures read_measures(const Value& map, Diagnostics& diagnostics) {
+  Measures all;
+  if (!map.is_map() || map.entries.empty()) {
+    diagnostics.error(map.where, "measures: expected a map of measures, got " + map.shown());
+    return all;
+  }
+  for (const Value::Entry& e : map.entries) {
+    MeasureSpec spec{.name = e.key, .text = e.value};
+    if (const auto problem = identifier_problem(e.key))
+      diagnostics.error(e.where, *problem);
+    else if (bind(spec, e.value, diagnostics))
+      check(spec, diagnostics);
+    const bool is_ratio = spec.what == What::shots_per_kill || spec.what == What::exchange_ratio;
+    const bool is_share =
+        spec.what == What::outcome ||
+        ((spec.what == What::event || spec.what == What::decision) && spec.take == Take::any);
+    Measure measure{e.key,
+                    is_ratio   ? Measure::ratio
+                    : is_share ? Measure::share
+                               : Measure::mean,
+                    all.columns.size()};
+    all.columns.push_back({is_ratio ? e.key + ".sum" : e.key, std::string(unit_of(spec))});
+    if (is_ratio) {
+      measure.per = all.columns.size();
+      all.columns.push_back({e.key + ".per", ""});
+    }
+    all.estimates.push_back(std::move(measure));
+    all.specs.push_back(std::move(spec));
+  }
+  return all;
+}
+
+std::unique_ptr<Watch> watch(const Measures& measures, const scenario::Scenario& scenario) {
+  return std::make_unique<Watcher>(measures, scenario);
+}
+
+}  // namespace eyrie::campaign

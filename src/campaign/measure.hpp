@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What is counted and measured of each flight of a campaign.
+#include "core/describe.hpp"
+#include "core/value.hpp"
+#include "scenario/mission.hpp"
+
+namespace eyrie::campaign {
+
+/// One number per replicate.
+struct Column {
+  std::string name, unit;  ///< SI
+};
+
+/// What is estimated from columns.
+struct Measure {
+  std::string name;
+  enum Kind : std::uint8_t {
+    share,  ///< of the replicates: the column is 0 or 1
+    mean,   ///< over those to which it applies
+    ratio,  ///< the sum of `column` over the sum of `per`
+  } kind = mean;
+  std::size_t column = 0, per = 0;
+};
+
+/// What a measure is about.
+enum class What : std::uint8_t {
+  outcome,         ///< share: the flight ended as one of `is`
+  end_time,        ///< s
+  losses,          ///< players of `who` that were lost
+  kills,           ///< by `who`
+  shots,           ///< by `who`
+  shots_per_kill,  ///< ratio
+  exchange_ratio,  ///< losses of the other sides per loss of `who`
+  time_in_phase,   ///< s, that the flights of `who` spent in `phase`, added up
+  fuel_left,       ///< kg, mean over the aircraft of `who` at home or alive at the end
+  event,           ///< every event of that kind
+  decision,        ///< every decision that a node of that label or type led
+};
+constexpr auto names_of(What) {
+  return names_from_zero<What>("outcome", "end_time", "losses", "kills", "shots", "shots_per_kill",
+                               "exchange_ratio", "time_in_phase", "fuel_left", "event", "decision");
+}
+
+/// What is made of the events or decisions of one flight.
+enum class Take : std::uint8_t { any, count, first, last, sum, least, most };
+constexpr auto names_of(Take) {
+  return names_from_zero<Take>("any", "count", "first", "last", "sum", "least", "most");
+}
+
+/// A measure as the file gives it.
+struct MeasureSpec {
+  static constexpr std::string_view type_name = "measure";
+  static constexpr std::string_view help = "what is counted or measured of each flight";
+  static constexpr auto params() {
+    using M = MeasureSpec;
+    return std::tuple{param("what", &M::what, "what it is about").required(),
+                      param("is", &M::is, "outcomes that count").items(1, 6),
+                      param("who", &M::who, "a side, flight or player; not given: everybody"),
+                      param("whom", &M::whom, "to whom it is done, likewise"),
+                      param("phase", &M::phase, "name of a phase"),
+                      param("event", &M::event, "kind of the events"),
+                      param("node", &M::node, "label or type of the node that led the decisions"),
+                      param("if", &M::condition, "only those of which this is true"),
+                      param("take", &M::take, "what is made of all in one flight"),
+                      param("value", &M::value, "what is taken of each; not given: its time")};
+  }
+  std::string name;
+  Value text;  ///< where all this stands
+  What what = What::end_time;
+  std::vector<scenario::Outcome> is;
+  std::string who, whom, phase, event, node, condition;
+  Take take = Take::count;
+  std::string value;
+};
+
+/// All measures of a campaign.
+struct Measures {
+  std::vector<MeasureSpec> specs;
+  std::vector<Column> columns;     ///< by measure, in its order
+  std::vector<Measure> estimates;  ///< one per spec
+};
+[[nodiscard]] Measures read_measures(const Value& map, Diagnostics& diagnostics);
+
+/// Watches one flight, from its first step to its end.
+class Watch : public sim::Observer {
+ public:
+  /// By column; NaN where it does not apply. To be called once, after finish(); `time` (s) is when
+  /// the flight ended.
+  [[nodiscard]] virtual std::span<const double> values(scenario::Outcome outcome, double time) = 0;
+};
+
+/// Throws ConfigError if the scenario has nobody of that name, no such phase or node.
+/// Both must outlive it.
+[[nodiscard]] std::unique_ptr<Watch> watch(const Measures& measures,
+                                           const scenario::Scenario& scenario);
+
+}  // namespace eyrie::campaign

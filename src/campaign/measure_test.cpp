@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/measure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/yaml.hpp"
+#include "record/names.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+Measures measures(const std::string& text) {
+  Diagnostics diagnostics;
+  Measures all = read_measures(parse_yaml(text, "m.yaml", diagnostics), diagnostics);
+  EXPECT_TRUE(diagnostics.ok()) << diagnostics.text();
+  return all;
+}
+
+const scenario::Scenario& sweep() {
+  static const auto kSweep =
+      scenario::load({.file = "scenarios/sweep.yaml"}, scenario::Source::disk("."));
+  return *kSweep;
+}
+
+/// What happened, by itself.
+struct Log final : sim::Observer {
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    const PlayerId lead{1};
+    time = info.time() + info.dt;
+    for (const sim::Event& e : events)
+      if (record::kind_of(e) == model::EventKind::launch)
+        launches.push_back(e);
+    const auto found = sweep().find(world, lead);
+    if (found && found->fleet.leader(world, found->row) == "pursue") {
+      first_pursuit = std::min(first_pursuit, time);
+      altitude = found->fleet.motion(world, found->row).altitude;
+    }
+  }
+  std::vector<sim::Event> launches;
+  double time = 0, first_pursuit = 1e9, altitude = 0;
+};
+
+std::map<std::string, double> flown(const Measures& all, Log& log) {
+  const auto watcher = watch(all, sweep());
+  scenario::Mission mission(std::shared_ptr<const scenario::Scenario>(&sweep(), [](const auto*) {}),
+                            1);
+  mission.run().attach(*watcher);
+  mission.run().attach(log);
+  mission.fly();
+  const auto values = watcher->values(mission.outcome(), mission.run().time());
+  std::map<std::string, double> by_name;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    by_name[all.columns[i].name] = values[i];
+  return by_name;
+}
+
+TEST(Measures, AreWhatHappenedInTheFlight) {
+  Log log;
+  const auto v = flown(measures(R"(
+home: {what: outcome, is: [blue_home]}
+lost: {what: outcome, is: [blue_lost, time]}
+end: {what: end_time}
+red: {what: losses, who: red}
+blue: {what: losses, who: eagle}
+kills: {what: kills, who: blue}
+economy: {what: shots_per_kill, who: blue}
+exchange: {what: exchange_ratio, who: red}
+bvr: {what: time_in_phase, phase: bvr, who: eagle}
+fuel: {what: fuel_left, who: blue}
+gone: {what: fuel_left, who: bogey}
+launches: {what: event, event: launch}
+first: {what: event, event: launch, who: blue, take: first, value: range}
+shots: {what: event, event: launch, who: blue, take: sum, value: range}
+far: {what: event, event: launch, if: range > 500 nmi, take: any}
+none: {what: event, event: launch, if: range > 500 nmi, take: last}
+nearest: {what: event, event: launch, whom: red, take: least, value: enemy_range}
+pursuit: {what: decision, node: pursue, who: eagle1, take: first}
+height: {what: decision, node: pursue, who: eagle1, take: last, value: altitude}
+pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
+)"),
+                       log);
+  EXPECT_EQ(v.at("home"), 1);
+  EXPECT_EQ(v.at("lost"), 0);
+  EXPECT_DOUBLE_EQ(v.at("end"), log.time);
+  EXPECT_EQ(v.at("red"), 2);
+  EXPECT_EQ(v.at("blue"), 0);
+  EXPECT_EQ(v.at("kills"), 2);
+  EXPECT_EQ(v.at("economy.per"), 2);
+  EXPECT_EQ(v.at("exchange.sum"), 0);
+  EXPECT_EQ(v.at("exchange.per"), 2);
+  EXPECT_NEAR(v.at("bvr"), 209.0, 0.1) << "5:47.6 to 8:56.5 and 10:39.3 to 10:59.4, as `fly` says";
+  EXPECT_GT(v.at("fuel"), 1000);
+  EXPECT_TRUE(std::isnan(v.at("gone")));
+  ASSERT_GE(log.launches.size(), 3U);
+  EXPECT_EQ(v.at("launches"), static_cast<double>(log.launches.size()));
+  double first = 0, sum = 0, count = 0;
+  for (const sim::Event& e : log.launches)
+    if (e.detail <= 4) {
+      first = first > 0 ? first : e.values[0];
+      sum += e.values[0];
+      ++count;
+    }
+  EXPECT_EQ(v.at("economy.sum"), count) << "no gun was fired";
+  EXPECT_EQ(v.at("first"), first);
+  EXPECT_EQ(v.at("shots"), sum);
+  EXPECT_EQ(v.at("far"), 0);
+  EXPECT_TRUE(std::isnan(v.at("none")));
+  EXPECT_LE(v.at("nearest"), first + 1000) << "the nearest enemy is hardly farther than the target";
+  EXPECT_EQ(v.at("pursuit"), log.first_pursuit);
+  EXPECT_NEAR(v.at("height"), log.altitude, 50) << "at the last decision, not at the last step";
+  EXPECT_EQ(v.at("pressed"), 0);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    static_cast<void>(watch(measures(text), sweep()));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Measures, NameWhomAScenarioHas) {
+  EXPECT_EQ(refusal("m: {what: losses, who: eagel}"),
+            "m.yaml:1:24: m: there is no side, flight or player 'eagel'; did you mean 'eagle'?");
+  EXPECT_EQ(refusal("m: {what: event, event: hit, whom: bogey3}"),
+            "m.yaml:1:36: m: there is no side, flight or player 'bogey3'; did you mean 'bogey'?");
+  EXPECT_EQ(refusal("m: {what: time_in_phase, phase: bvrr}"),
+            "m.yaml:1:33: m: there is no phase 'bvrr'; did you mean 'bvr'?");
+  EXPECT_EQ(refusal("m: {what: decision, node: persue}"),
+            "m.yaml:1:27: m: no tree has a node 'persue'; did you mean 'pursue'?");
+}
+
+}  // namespace
+}  // namespace eyrie::campaign

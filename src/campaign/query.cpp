@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/query.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/math.hpp"
+#include "record/names.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+using ubf::StateFieldInfo;
+
+Unit unit_of_value(std::string_view name) {
+  if (name == "range" || name == "miss")
+    return "m";
+  if (name == "age" || name == "flight_time")
+    return "s";
+  if (name == "bearing")
+    return "rad";
+  return name == "fuel" ? Unit("kg") : Unit();
+}
+
+struct OfPlayer {
+  StateFieldInfo own, whom;
+};
+/// What a player shows at the time, in the order in which Query::field reads it.
+constexpr std::array kOfPlayer = [] {
+  const auto one = [](std::string_view own, std::string_view whom, Unit unit) {
+    return OfPlayer{{.name = own, .unit = unit, .help = {}},
+                    {.name = whom, .unit = unit, .help = {}}};
+  };
+  return std::array{one("altitude", "whom.altitude", "m"),
+                    one("speed", "whom.speed", "m/s"),
+                    one("mach", "whom.mach", {}),
+                    one("fuel", "whom.fuel", "kg"),
+                    one("missile_range", "whom.missile_range", "m"),
+                    one("enemy_range", "whom.enemy_range", "m")};
+}();
+
+model::EventKind kind_named(std::string_view name) {
+  for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
+    if (model::event_name(static_cast<model::EventKind>(k)) == name)
+      return static_cast<model::EventKind>(k);
+  return model::EventKind::none;
+}
+
+/// Its own values, the time, who's, whom's.
+std::vector<StateFieldInfo> fields_of(const MeasureSpec& spec) {
+  std::vector<StateFieldInfo> fields;
+  if (spec.what == What::decision)
+    fields.push_back({.name = "vote", .unit = {}, .help = {}});
+  for (const std::string_view name : model::event_values(kind_named(spec.event)))
+    fields.push_back({.name = name, .unit = unit_of_value(name), .help = {}});
+  fields.push_back({.name = "time", .unit = "s", .help = {}});
+  for (const OfPlayer& of : kOfPlayer)
+    fields.push_back(of.own);
+  if (spec.what == What::event)
+    for (const OfPlayer& of : kOfPlayer)
+      fields.push_back(of.whom);
+  return fields;
+}
+
+/// Which field is taken; the number of fields if there is no such.
+std::size_t value_of(const MeasureSpec& spec, std::span<const StateFieldInfo> fields) {
+  const std::string_view name = spec.value.empty() ? "time" : std::string_view(spec.value);
+  return static_cast<std::size_t>(
+      std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; }) -
+      fields.begin());
+}
+
+std::optional<std::vector<ubf::detail::Instruction>> condition_of(
+    const MeasureSpec& spec, std::span<const StateFieldInfo> fields, Diagnostics& diagnostics) {
+  const Value* const text = spec.text.find("if");
+  ubf::FieldNames names;
+  return text ? ubf::parse_expression(*text, fields, names, diagnostics)
+              : std::optional(std::vector<ubf::detail::Instruction>());
+}
+
+/// How far the nearest of some is, of which `counts`; NaN if none does.
+template <class Column, class Counts>
+void nearest(const sim::World& world, Column column, const Vec3& from, Counts counts,
+             double& range) {
+  const auto motions = world.rows(column);
+  for (std::size_t i = 0; i < motions.size(); ++i)
+    if (counts(i))
+      range = std::fmin(range, norm(motions[i].position - from));
+}
+
+double of_player(const scenario::Scenario& s, const sim::World& world, PlayerId who,
+                 std::size_t field) {
+  const auto found = s.find(world, who);
+  if (!found)
+    return math::kNaN;
+  const model::Kinematics& k = found->fleet.motion(world, found->row);
+  double range = math::kNaN;
+  switch (field) {
+    case 0:
+      return k.altitude;
+    case 1:
+      return k.speed;
+    case 2:
+      return k.mach;
+    case 3:
+      return found->fleet.gauges(world, found->row).fuel.value_or(math::kNaN);
+    case 4: {
+      const auto missiles = world.rows(s.missiles.state);
+      nearest(
+          world, s.missiles.kinematics, k.position,
+          [&](std::size_t i) { return missiles[i].intended == who || missiles[i].seen == who; },
+          range);
+      return range;
+    }
+    default:
+      for (const auto& fleet : s.fleets)
+        if (fleet->agents)
+          nearest(
+              world, fleet->kinematics, k.position,
+              [&](std::size_t i) {
+                return s.roster.find(fleet->id(world, i))->side != s.roster.find(who)->side;
+              },
+              range);
+      return range;
+  }
+}
+
+}  // namespace
+
+Players players_named(const scenario::Scenario& scenario, const MeasureSpec& spec,
+                      std::string_view key, const std::string& name, Diagnostics& diagnostics) {
+  const scenario::Roster& roster = scenario.roster;
+  Players meant;
+  std::vector<std::string> names{"blue", "red"};
+  for (const auto& flight : roster.flights)
+    names.push_back(flight.name);
+  for (const auto& player : roster.players) {
+    names.push_back(player.name);
+    meant.push_back(name.empty() || player.name == name ||
+                    roster.flights[player.flight].name == name ||
+                    scenario::side_name(player.side) == name);
+  }
+  if (std::find(meant.begin(), meant.end(), true) == meant.end())
+    diagnostics.error(spec.text.where_of(key),
+                      fmt::format("{}: there is no side, flight or player {}{}", spec.name,
+                                  quote(name), did_you_mean(name, names)));
+  return meant;
+}
+
+Players enemies_of(const scenario::Scenario& scenario, const Players& who) {
+  const auto& players = scenario.roster.players;
+  Players enemies(who.size(), true);
+  for (std::size_t i = 0; i < who.size(); ++i)
+    for (std::size_t j = 0; who[i] && j < who.size(); ++j)
+      if (players[j].side == players[i].side)
+        enemies[j] = false;
+  return enemies;
+}
+
+void Flight::observe(std::span<const sim::Event> events) {
+  for (const sim::Event& e : events)
+    if (record::kind_of(e) == model::EventKind::launch) {
+      const std::size_t i = e.who.value - scenario.roster.players.size() - 1;
+      shooters_.resize(std::max(shooters_.size(), i + 1));
+      shooters_[i] = PlayerId{e.detail};
+    }
+}
+
+PlayerId Flight::player(PlayerId id) const {
+  const std::size_t players = scenario.roster.players.size();
+  if (id.value <= players)
+    return id;
+  const std::size_t i = id.value - players - 1;
+  return i < shooters_.size() ? shooters_[i] : PlayerId{};
+}
+
+void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
+  if (spec.what == What::event && kind_named(spec.event) == model::EventKind::none) {
+    std::vector<std::string_view> names;
+    for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
+      names.push_back(model::event_name(static_cast<model::EventKind>(k)));
+    diagnostics.error(spec.text.where_of("event"),
+                      fmt::format("{}: there is no event {}{}", spec.name, quote(spec.event),
+                                  did_you_mean(spec.event, names)));
+    return;
+  }
+  const std::vector<StateFieldInfo> fields = fields_of(spec);
+  static_cast<void>(condition_of(spec, fields, diagnostics));
+  std::vector<std::string_view> names;
+  for (const StateFieldInfo& f : fields)
+    names.push_back(f.name);
+  if (value_of(spec, fields) == fields.size())
+    diagnostics.error(spec.text.where_of("value"),
+                      fmt::format("{}: it has no value {}{}", spec.name, quote(spec.value),
+                                  did_you_mean(spec.value, names)));
+  const bool takes_value = spec.take != Take::any && spec.take != Take::count;
+  if (!spec.value.empty() && !takes_value)
+    diagnostics.error(spec.text.where_of("value"),
+                      fmt::format("{}: '{}' takes no value", spec.name, enum_name(spec.take)));
+}
+
+std::string_view Query::unit(const MeasureSpec& spec) {
+  const std::vector<StateFieldInfo> fields = fields_of(spec);
+  const std::size_t value = value_of(spec, fields);
+  const bool plain = spec.take == Take::any || spec.take == Take::count;
+  return plain || value == fields.size() ? "" : fields[value].unit.si_symbol;
+}
+
+Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnostics)
+    : spec_(spec),
+      flight_(flight),
+      who_(players_named(flight.scenario, spec, "who", spec.who, diagnostics)),
+      whom_(players_named(flight.scenario, spec, "whom", spec.whom, diagnostics)),
+      kind_(kind_named(spec.event)),
+      own_values_(spec.what == What::decision ? 1 : model::event_values(kind_).size()) {
+  const std::vector<StateFieldInfo> fields = fields_of(spec);
+  condition_ = *condition_of(spec, fields, diagnostics);
+  value_ = value_of(spec, fields);
+  if (spec.what == What::event)
+    return;
+  ticks_.resize(who_.size());
+  bool known = false;
+  std::vector<std::string> labels;
+  for (const auto& fleet : flight.scenario.fleets)
+    for (auto& of_fleet = nodes_.emplace_back(); const ubf::AnyTree* tree : fleet->trees) {
+      Players& has = of_fleet.emplace_back();
+      for (std::size_t n = 0; n < tree->size(); ++n) {
+        const ubf::AnyNode& node = tree->node(static_cast<ubf::NodeIndex>(n));
+        labels.emplace_back(node.label());
+        has.push_back(node.label() == spec.node || node.type() == spec.node);
+        known |= has.back();
+      }
+    }
+  if (!known)
+    diagnostics.error(spec.text.where_of("node"),
+                      fmt::format("{}: no tree has a node {}{}", spec.name, quote(spec.node),
+                                  did_you_mean(spec.node, labels)));
+}
+
+double Query::field(const Case& c, std::size_t index) const {
+  if (index < own_values_)
+    return c.values[index];
+  if (index == own_values_)
+    return c.time;
+  const std::size_t of = index - own_values_ - 1;
+  return of_player(flight_.scenario, c.world, of < kOfPlayer.size() ? c.who : c.whom,
+                   of % kOfPlayer.size());
+}
+
+void Query::observe(const sim::World& world, const sim::StepInfo& info,
+                    std::span<const sim::Event> events) {
+  const double time = info.time() + info.dt;
+  if (spec_.what == What::decision)
+    return decisions(world, time);
+  const auto meant = [](const Players& players, PlayerId id) {
+    return id && id.value <= players.size() && players[id.value - 1];
+  };
+  for (const sim::Event& e : events) {
+    if (record::kind_of(e) != kind_)
+      continue;
+    const PlayerId who = flight_.player(e.who), whom = flight_.player(e.whom);
+    if (meant(who_, who) && (spec_.whom.empty() || meant(whom_, whom)))
+      take({world, time, who, whom, e.values});
+  }
+}
+
+void Query::decisions(const sim::World& world, double time) {
+  for (std::size_t f = 0; f < nodes_.size(); ++f) {
+    const scenario::Fleet& fleet = *flight_.scenario.fleets[f];
+    for (std::size_t row = 0; row < fleet.rows(world); ++row) {
+      const PlayerId who = fleet.id(world, row);
+      if (!who_[who.value - 1])
+        continue;
+      const team::LastDecision last = fleet.agents->last_decision(world, row);
+      if (std::exchange(ticks_[who.value - 1], last.ticks) == last.ticks ||
+          last.tree >= nodes_[f].size() || last.node >= nodes_[f][last.tree].size() ||
+          !nodes_[f][last.tree][last.node])
+        continue;
+      take({world, time, who, {}, std::span(&last.vote, 1)});
+    }
+  }
+}
+
+void Query::take(const Case& c) {
+  if (!condition_.empty() &&
+      !ubf::detail::run(condition_, [&](std::uint32_t i) { return field(c, i); }))
+    return;
+  if (spec_.take == Take::any || spec_.take == Take::count ||
+      (spec_.take == Take::first && count_)) {
+    ++count_;
+    return;
+  }
+  const double value = field(c, value_);
+  if (std::isnan(value))
+    return;
+  const bool is_first = count_++ == 0;
+  switch (spec_.take) {
+    case Take::sum:
+      result_ += value;
+      break;
+    case Take::least:
+      result_ = is_first ? value : std::min(result_, value);
+      break;
+    case Take::most:
+      result_ = is_first ? value : std::max(result_, value);
+      break;
+    default:
+      result_ = value;
+  }
+}
+
+double Query::value() const {
+  if (spec_.take == Take::any)
+    return count_ > 0;
+  if (spec_.take == Take::count)
+    return count_;
+  return count_ > 0 || spec_.take == Take::sum ? result_ : math::kNaN;
+}
+
+}  // namespace eyrie::campaign

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/bind.hpp"
+#include "core/yaml.hpp"
+#include "disk/sink.hpp"
+#include "scenario/source.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+constexpr std::array<std::string_view, 4> kByHand{"factors", "design", "measures", "stop"};
+
+/// `stop:` as the file gives it.
+struct StopSpec {
+  static constexpr std::string_view type_name = "stop";
+  static constexpr auto params() {
+    using S = StopSpec;
+    constexpr Range kCount = range(2, Spec::kMostReplicates);
+    return std::tuple{
+        param("measure", &S::measure, "name of a measure").required(),
+        param("width", &S::width, "of its interval").required(),
+        param("confidence", &S::confidence, range(0.5, 0.9999), "of its interval"),
+        param("least", &S::least, kCount, "replicates before the first look"),
+        param("most", &S::most, kCount, "replicates of a cell"),
+        param("every", &S::every, range(1, Spec::kMostReplicates), "replicates between two looks")};
+  }
+  std::string measure, width;
+  double confidence = Stopping{}.confidence;
+  std::uint64_t least = Stopping{}.least, most = Stopping{}.most, every = Stopping{}.every;
+};
+
+std::optional<Stopping> read_stop(const Value& map, const Measures& measures,
+                                  Diagnostics& diagnostics) {
+  StopSpec stop;
+  if (!bind(stop, map, diagnostics))
+    return std::nullopt;
+  std::vector<std::string> names;
+  for (const Measure& m : measures.estimates)
+    names.push_back(m.name);
+  const auto found = std::find(names.begin(), names.end(), stop.measure);
+  if (found == names.end()) {
+    diagnostics.error(map.where_of("measure"),
+                      fmt::format("stop: there is no measure {}{}", quote(stop.measure),
+                                  did_you_mean(stop.measure, names)));
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  const Measure& measure = measures.estimates[index];
+  const std::string& symbol = measures.columns[measure.column].unit;
+  const UnitInfo* const unit = measure.kind == Measure::mean ? find_unit(symbol) : nullptr;
+  const Parsed width = parse_quantity(stop.width, unit ? unit->dimension : Dimension::none);
+  if (!width || width.value <= 0)
+    diagnostics.error(map.where_of("width"),
+                      "stop: width: " + (width ? "must be more than 0" : width.error));
+  if (stop.least > stop.most)
+    diagnostics.error(map.where_of("most"),
+                      fmt::format("stop: most: {} is less than least, {}", stop.most, stop.least));
+  return Stopping{index, width.value, stop.confidence, stop.least, stop.most, stop.every};
+}
+
+Design read_design(const Value& value, Diagnostics& diagnostics) {
+  Design design;
+  // a name alone is its kind
+  bind(design, value.is_scalar() ? Value::map({{"kind", value.where, value}}, value.where) : value,
+       diagnostics);
+  return design;
+}
+
+}  // namespace
+
+Spec parse_spec(std::string text, const std::string& file) {
+  Spec spec;
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(text, file, diagnostics);
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+  if (!document.is_map())
+    throw ConfigError({file, 1, 1}, "expected a map, got " + document.shown());
+  bind(spec, document, diagnostics, kByHand);
+  spec.file = file;
+  if (spec.scenario.ends_with(".yaml"))
+    spec.scenario = scenario::relative_to(file, spec.scenario);
+  for (std::string& plugin : spec.plugins)
+    plugin = scenario::relative_to(file, plugin);
+  for (const std::string& set : spec.sets)
+    if (set.find('=') == set.npos)
+      diagnostics.error(document.where_of("set"),
+                        fmt::format("set: expected path=value, got {}", quote(set)));
+  if (const Value* factors = document.find("factors"))
+    spec.factors = read_factors(*factors, diagnostics);
+  if (const Value* measures = document.find("measures"))
+    spec.measures = read_measures(*measures, diagnostics);
+  else
+    diagnostics.error(document.where, "campaign needs 'measures'");
+  const Value* const design = document.find("design");
+  if (design)
+    spec.design = read_design(*design, diagnostics);
+  if (diagnostics.ok())
+    if (const auto problem = problem_of(spec.design, spec.factors))
+      diagnostics.error(document.where_of("design"), "design: " + *problem);
+  if (const Value* stop = document.find("stop")) {
+    spec.stop = read_stop(*stop, spec.measures, diagnostics);
+    if (document.find("replicates"))
+      diagnostics.error(document.where_of("replicates"),
+                        "'stop' says how many replicates there are; leave out 'replicates'");
+  }
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+  spec.text = std::move(text);
+  return spec;
+}
+
+Spec read_spec(const std::string& file) {
+  const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest);
+  if (!read.problem.empty())
+    throw ConfigError({file, 0, 0}, read.problem);
+  return parse_spec(read.bytes, file);
+}
+
+std::vector<Cell> cells_of(const Spec& spec) {
+  return cells_of(spec.design, spec.factors);
+}
+
+std::vector<std::string> sets_of(const Spec& spec, const Cell& cell) {
+  std::vector<std::string> sets = spec.sets;
+  for (std::size_t f = 0; f < spec.factors.size(); ++f)
+    for (std::string& set : spec.factors[f].sets_of(cell.values[f]))
+      sets.push_back(std::move(set));
+  return sets;
+}
+
+void check(const Spec& spec, const Load& load) {
+  const auto try_it = [&](const Cell& cell) {
+    static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
+  };
+  const std::vector<Cell> cells = cells_of(spec);
+  try_it(cells.front());
+  for (std::size_t f = 0; f < spec.factors.size(); ++f) {
+    const Factor& factor = spec.factors[f];
+    std::vector<std::pair<std::string, Location>> values;
+    for (const Level& level : factor.levels)
+      values.emplace_back(level.name, level.where);
+    if (factor.distribution) {
+      // of numbers the least and the greatest
+      const auto less = [&](const Cell& a, const Cell& b) {
+        return std::strtod(a.values[f].c_str(), nullptr) <
+               std::strtod(b.values[f].c_str(), nullptr);
+      };
+      const auto [least, most] = std::minmax_element(cells.begin(), cells.end(), less);
+      values = {{least->values[f], factor.where}, {most->values[f], factor.where}};
+    }
+    for (const auto& [value, where] : values) {
+      Cell cell = cells.front();
+      if (std::exchange(cell.values[f], value) == value)
+        continue;
+      try {
+        try_it(cell);
+      } catch (const ConfigError& error) {
+        Diagnostics all;
+        all.error(where, fmt::format("{}: the scenario refuses {}", factor.name, quote(value)));
+        all.merge(error.diagnostics());
+        throw ConfigError(std::move(all));
+      }
+    }
+  }
+}
+
+}  // namespace eyrie::campaign

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A campaign: what its file says. docs/campaigns.md has the format.
+#include "campaign/design.hpp"
+#include "campaign/measure.hpp"
+
+namespace eyrie::campaign {
+
+/// Each cell is flown until the interval of a measure is narrow enough.
+struct Stopping {
+  std::size_t measure = 0;  ///< index into Spec::measures.estimates
+  double width = 0;         ///< of the whole interval, in SI
+  double confidence = 0.95;
+  std::uint64_t least = 100;   ///< replicates of a cell before it is looked at
+  std::uint64_t most = 10000;  ///< of a cell
+  std::uint64_t every = 50;    ///< replicates from one look to the next
+};
+
+/// After which nothing more is begun.
+struct Budget {
+  static constexpr std::string_view type_name = "budget";
+  static constexpr std::string_view help = "when the campaign ends though it is not complete";
+  static constexpr auto params() {
+    return std::tuple{
+        param("time", &Budget::time, "s", positive(1e9), "on the clock, of all sessions"),
+        param("replicates", &Budget::replicates, range(1, 1e12), "of all cells")};
+  }
+  std::optional<double> time;
+  std::optional<std::uint64_t> replicates;
+};
+
+struct Seeds {
+  static constexpr std::string_view type_name = "seeds";
+  static constexpr std::string_view help = "which seeds are flown";
+  static constexpr auto params() {
+    return std::tuple{
+        param("first", &Seeds::first, range(0, 1e15), "of the first replicate; then one by one"),
+        param("paired", &Seeds::paired,
+              "true: every cell flies the same seeds, so that differences have less noise")};
+  }
+  std::uint64_t first = 1;
+  bool paired = true;
+};
+
+struct Spec {
+  static constexpr std::string_view type_name = "campaign";
+  static constexpr std::string_view help =
+      "many flights of one scenario, and what is asked of them";
+  static constexpr std::uint64_t kMostReplicates = 1'000'000'000;  ///< of a cell
+  static constexpr auto params() {
+    return std::tuple{
+        param("eyrie", &Spec::eyrie, range(1, 1), "version of the file format").required(),
+        param("name", &Spec::name, "what the campaign is called").items(1, 100).required(),
+        param("help", &Spec::help_text, "one line on what it is for").items(0, 500),
+        param("scenario", &Spec::scenario,
+              "a scenario of Eyrie by name, or a file *.yaml beside this one")
+            .required(),
+        param("set", &Spec::sets, "`path=value` for all cells, as `fly --set` takes it"),
+        param("plugins", &Spec::plugins, "files of plug-ins, beside this one"),
+        param("seeds", &Spec::seeds, "which seeds are flown"),
+        param("replicates", &Spec::replicates, range(1, kMostReplicates),
+              "of each cell, if `stop` does not say it"),
+        param("budget", &Spec::budget, "when it ends though it is not complete")};
+  }
+  std::string file, text;
+  int eyrie = 1;
+  std::string name, help_text, scenario;
+  std::vector<std::string> sets, plugins;
+  std::vector<Factor> factors;
+  Design design;
+  Seeds seeds;
+  std::uint64_t replicates = 100;
+  std::optional<Stopping> stop;
+  Measures measures;
+  Budget budget;
+};
+
+/// Throws ConfigError with every mistake that was found.
+[[nodiscard]] Spec read_spec(const std::string& file);
+/// The same of a text that comes from that file.
+[[nodiscard]] Spec parse_spec(std::string text, const std::string& file);
+
+[[nodiscard]] std::vector<Cell> cells_of(const Spec& spec);
+/// Every override of a cell, those of all cells first.
+[[nodiscard]] std::vector<std::string> sets_of(const Spec& spec, const Cell& cell);
+/// How many replicates a cell has at most.
+[[nodiscard]] inline std::uint64_t most_replicates(const Spec& spec) {
+  return spec.stop ? spec.stop->most : spec.replicates;
+}
+/// Paired: the same over all cells; else no seed is flown twice.
+[[nodiscard]] inline std::uint64_t seed_of(const Spec& spec, std::uint64_t cell,
+                                           std::uint64_t replicate) {
+  return spec.seeds.first + replicate + (spec.seeds.paired ? 0 : cell * most_replicates(spec));
+}
+
+using Load =
+    std::function<std::shared_ptr<const scenario::Scenario>(const std::vector<std::string>& sets)>;
+/// Loads the first cell, and for every factor each of its levels, or its least and greatest value,
+/// in place of that of the first cell; the measures are looked for in each. Throws ConfigError that
+/// says which level it was.
+void check(const Spec& spec, const Load& load);
+
+[[nodiscard]] inline std::unique_ptr<Watch> watch(const Spec& spec,
+                                                  const scenario::Scenario& scenario) {
+  return watch(spec.measures, scenario);
+}
+
+}  // namespace eyrie::campaign
