@@ -142,6 +142,19 @@ TEST(Measure, WandersWithTheGlintOfANearTarget) {
   EXPECT_NEAR(std::sqrt(off2 / 5000 / 2), 3, 0.1);
 }
 
+TEST(Measure, LooksInTheMomentOfTheLaunch) {
+  SeekerType seeker = radar();
+  seeker.glint = 3;
+  Vec3 glint;
+  const LineOfSight los = line_of_sight({400, 50, 20}, {-900, 100, 0});
+  for (const double dt : {0.0, -7e-15}) {
+    const Draw noise(3, PlayerId{7}, Stream::seeker, 1);
+    EXPECT_NEAR(norm2(measure(seeker, kView, los, 14e3, dt, glint, noise).direction), 1, 1e-9)
+        << dt;
+    EXPECT_EQ(norm2(glint), 0) << dt;
+  }
+}
+
 TEST(Measure, ErrsWithTheSquareOfRangeWhereTheSignalIsFaint) {
   SeekerType seeker = radar();
   seeker.angle_noise = 1e-3;
