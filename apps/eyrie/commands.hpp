@@ -10,17 +10,24 @@ namespace eyrie::app {
 struct FlyOptions {
   std::string scenario;  ///< file, or the name of one in scenarios/; empty: the sweep
   std::optional<std::uint64_t> seed;
+  std::string seeds;  ///< "1..500": fly all of them instead, and write nothing
   std::vector<std::string> sets, plugins, includes;
-  std::string out;    ///< folder; empty: runs/<scenario>-<seed>
-  std::string until;  ///< quantity; empty: as the scenario says
-  unsigned workers = 1;
-  unsigned paranoid = 0;           ///< workers of the second step; 0: off
-  std::optional<double> realtime;  ///< factor
+  std::string out;                  ///< folder; empty: runs/<scenario>-<seed>
+  std::string until;                ///< quantity; empty: as the scenario says
+  std::optional<unsigned> workers;  ///< 1, with `seeds` all cores
+  unsigned paranoid = 0;            ///< workers of the second step; 0: off
+  std::optional<double> realtime;   ///< factor
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
 };
 
+/// Threads that fly many runs at once: as many as this process may use cores.
+[[nodiscard]] unsigned cores();
+
 int fly(const FlyOptions& options);
+/// With `seeds`; `until` (s) as for a mission.
+int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
+              std::optional<double> until);
 
 struct ValidateOptions {
   std::vector<std::string> files, plugins, includes;

@@ -121,6 +121,8 @@ int fly(const FlyOptions& options) {
       load_scenario(options.scenario, options.sets, options.plugins, options.includes);
   if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
     refuse("--until: {}", *problem);
+  if (!options.seeds.empty())
+    return fly_seeds(options, scenario, until);
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);
 
   listen_for_interrupts();
@@ -137,8 +139,9 @@ int fly(const FlyOptions& options) {
   record::AcmiWriter acmi(*scenario, flight);
   record::RunFileWriter recorder(run, record::run_file_of(*scenario, seed, version_text()));
   record::Story story(*scenario, [&](const record::StoryLine& line) { report.line(line); });
-  scenario::Mission mission(scenario, seed, until,
-                            {.workers = options.workers, .paranoid_workers = options.paranoid});
+  scenario::Mission mission(
+      scenario, seed, until,
+      {.workers = options.workers.value_or(1), .paranoid_workers = options.paranoid});
   for (sim::Observer* o : std::initializer_list<sim::Observer*>{&tally, &csv, &acmi, &recorder})
     mission.run().attach(*o);
   const bool words = !options.json && !options.quiet;

@@ -82,11 +82,14 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_option("--seed", o.seed, "seed of the draws (default: the scenario's)")
       ->check(whole_number());
   fly->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+  auto* seeds = fly->add_option("--seeds", o.seeds,
+                                "fly each of them, 1..500, on all cores, and say how they ended");
   add_plugins(fly, o.plugins, kPluginHelp);
   add_includes(fly, o.includes);
   fly->add_option("--out", o.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", o.until, "stop at this simulated time, such as '10 min'");
-  fly->add_option("--workers", o.workers, "threads that share the step; never the result")
+  fly->add_option("--workers", o.workers,
+                  "threads that share the step, or the seeds; never the result")
       ->check(whole_number(1, 256));
   fly->add_option("--paranoid", o.paranoid,
                   "make every step twice, with this many workers the second time, and compare")
@@ -100,7 +103,12 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
-  fly->add_flag("--json", o.json, "one JSON object on standard output instead of words");
+  fly->add_flag("--json", o.json,
+                "one JSON object on standard output instead of words; with --seeds one a line for "
+                "each, and one for all");
+  for (const char* of_one :
+       {"--seed", "--out", "--paranoid", "--realtime", "--force", "--quiet", "--no-debrief"})
+    seeds->excludes(fly->get_option(of_one));
 }
 
 void add_explain(CLI::App& app, Chosen& chosen) {

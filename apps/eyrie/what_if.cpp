@@ -3,12 +3,15 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "campaign/in_order.hpp"
 #include "commands.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
+#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
+#include "stats/sample.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -56,21 +59,6 @@ void print_outcome_head() {
       "", "outcome", "time", "losses", "shots", "home", "");
 }
 
-/// Mean and standard error of a figure over seeds.
-struct Mean {
-  double sum = 0, squares = 0;
-  std::uint32_t n = 0;
-  void add(double x) {
-    sum += x;
-    squares += x * x;
-    ++n;
-  }
-  [[nodiscard]] double mean() const { return n ? sum / n : 0; }
-  [[nodiscard]] double error() const {
-    return n > 1 ? std::sqrt(std::max(squares - sum * sum / n, 0.0) / (n - 1) / n) : 0;
-  }
-};
-
 /// The same seeds flown both ways: the differences are paired.
 Json over_seeds(const debrief::Recorded& recorded,
                 const std::shared_ptr<const scenario::Scenario>& other, std::uint32_t seeds,
@@ -78,7 +66,7 @@ Json over_seeds(const debrief::Recorded& recorded,
   struct Figure {
     const char* name;
     double (*of)(const debrief::Outcome&);
-    Mean flown{}, other{}, difference{};
+    stats::Moments flown{}, other{}, difference{};
   };
   Figure figures[] = {
       {"blue losses", [](const debrief::Outcome& o) { return double(o.blue.losses); }},
@@ -86,19 +74,26 @@ Json over_seeds(const debrief::Recorded& recorded,
       {"blue shots", [](const debrief::Outcome& o) { return double(o.blue.shots); }},
       {"red shots", [](const debrief::Outcome& o) { return double(o.red.shots); }},
       {"time", [](const debrief::Outcome& o) { return o.time; }}};
-  for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
-    if (!quiet)
-      complain("{}seed {} of {}", Composed{"\r"}, seed, seeds);
-    const auto flown = debrief::outcome_of(recorded.scenario, seed, until);
-    const auto changed = debrief::outcome_of(other, seed, until);
-    for (Figure& figure : figures) {
-      figure.flown.add(figure.of(flown));
-      figure.other.add(figure.of(changed));
-      figure.difference.add(figure.of(changed) - figure.of(flown));
-    }
+  using Both = std::pair<debrief::Outcome, debrief::Outcome>;
+  {
+    Progress progress("seeds", seeds);
+    campaign::in_order<Both>(
+        seeds, cores(),
+        [&](std::uint64_t i) {
+          return Both{debrief::outcome_of(recorded.scenario, i + 1, until),
+                      debrief::outcome_of(other, i + 1, until)};
+        },
+        [&](std::uint64_t i, const Both& both) {
+          for (Figure& figure : figures) {
+            const double flown = figure.of(both.first), changed = figure.of(both.second);
+            figure.flown.add(flown);
+            figure.other.add(changed);
+            figure.difference.add(changed - flown);
+          }
+          progress.at(i + 1);
+          return true;
+        });
   }
-  if (!quiet)
-    complain("{}", Composed{fmt::format("\r{:40}\r", "")});
   Json all = Json::array();
   if (!quiet)
     say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", seeds);

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+/// \file  fly --seeds: one scenario, many flights on all cores.
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "campaign/in_order.hpp"
+#include "campaign/seed_table.hpp"
+#include "command.hpp"
+#include "commands.hpp"
+#include "progress.hpp"
+#include "record/json_text.hpp"
+#include "report.hpp"
+#include "say.hpp"
+#include "scenario/end_guard.hpp"
+#include "scenario/plugin_file.hpp"
+
+namespace eyrie::app {
+namespace {
+
+using campaign::SeedFlown;
+using campaign::SeedTable;
+using Json = nlohmann::ordered_json;
+
+struct Range {
+  std::uint64_t first = 1, last = 0;
+};
+
+/// "1..500", or "500", which is the same.
+Range range_of(const std::string& text) {
+  constexpr std::uint64_t kMost = 1'000'000;
+  Range range;
+  const auto read = [](std::string_view part, std::uint64_t& value) {
+    const auto [end, failed] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return failed == std::errc{} && end == part.data() + part.size();
+  };
+  const std::string_view all = text;
+  const std::size_t dots = all.find("..");
+  const bool good = dots == all.npos ? read(all, range.last)
+                                     : read(all.substr(0, dots), range.first) &&
+                                           read(all.substr(dots + 2), range.last);
+  if (!good || range.last < range.first)
+    refuse("--seeds: '{}' is no range of seeds such as 1..500", text);
+  if (range.last - range.first >= kMost)
+    refuse("--seeds: '{}' are more than {} seeds", text, kMost);
+  return range;
+}
+
+/// What shows one seed.
+std::string command_for(const FlyOptions& options, std::uint64_t seed) {
+  std::string command = "eyrie fly";
+  const auto add = [&](const char* option, const std::string& value) {
+    command += fmt::format("{} {}", option, scenario::shell_word(value));
+  };
+  if (!options.scenario.empty())
+    add("", options.scenario);
+  add(" --seed", std::to_string(seed));
+  for (const std::string& set : options.sets)
+    add(" --set", set);
+  for (const std::string& plugin : options.plugins)
+    add(" --plugin", plugin);
+  for (const std::string& folder : options.includes)
+    add(" --allow-include", folder);
+  if (!options.until.empty())
+    add(" --until", options.until);
+  return command;
+}
+
+Json json_of(const SeedFlown& flown) {
+  const auto side = [](const record::Tally::OfSide& s) {
+    return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
+  };
+  Json json{
+      {"seed", flown.seed},    {"outcome", enum_name(flown.outcome)}, {"time_s", flown.time},
+      {"steps", flown.steps},  {"hash", hash_text(flown.hash)},       {"blue", side(flown.blue)},
+      {"red", side(flown.red)}};
+  if (!flown.fault.empty())
+    json["fault"] = flown.fault;
+  return json;
+}
+
+/// Calls `use` for every outcome that came.
+template <class Use>
+void each_outcome(const SeedTable& seeds, Use use) {
+  for (const auto& [name, outcome] : EnumNames<scenario::Outcome>::names)
+    if (const stats::Share share = seeds.share(outcome); share.count)
+      use(name, share, stats::wilson(share));
+}
+
+Json closing_json(const SeedTable& seeds, const FlyOptions& options) {
+  Json outcomes = Json::array(), estimates = Json::array(), stand_out = Json::array();
+  each_outcome(seeds, [&](auto name, stats::Share share, stats::Interval i) {
+    outcomes.push_back({{"outcome", name},
+                        {"runs", share.count},
+                        {"share", share.value()},
+                        {"low", i.low},
+                        {"high", i.high}});
+  });
+  for (const auto& [name, value, interval] : seeds.estimates()) {
+    estimates.push_back({{"name", name}, {"value", Json(value ? Json(*value) : Json())}});
+    if (interval)
+      estimates.back().update({{"low", interval->low}, {"high", interval->high}});
+  }
+  for (const auto& [seed, why] : seeds.stand_out())
+    stand_out.push_back({{"seed", seed}, {"why", why}, {"command", command_for(options, seed)}});
+  return {{"flown", seeds.flown()}, {"confidence", 0.95},     {"outcomes", outcomes},
+          {"estimates", estimates}, {"stand_out", stand_out}, {"hash", hash_text(seeds.hash())}};
+}
+
+void print_closing(const SeedTable& seeds, const FlyOptions& options) {
+  say("\n{:<26} {:>8} {:>9}   95 % interval\n", "outcome", "runs", "share");
+  each_outcome(seeds, [](auto name, stats::Share share, stats::Interval i) {
+    say("{:<26} {:>8} {:>7.1f} %   {:.1f} to {:.1f} %\n", name, share.count, 100 * share.value(),
+        100 * i.low, 100 * i.high);
+  });
+  say("\n{:<26} {:>18}   95 % interval\n", "", "mean");
+  for (const auto& [name, value, interval] : seeds.estimates())
+    say("{:<26} {:>18}   {}\n", name, value ? fmt::format("{:.2f}", *value) : "-",
+        interval ? fmt::format("{:.2f} to {:.2f}", interval->low, interval->high)
+                 : "has no bounds");
+  say("\nworth a look\n");
+  for (const auto& [seed, why] : seeds.stand_out())
+    say("  {:<30} {}\n", why, command_for(options, seed));
+  say("\nhash of all {}\n", hash_text(seeds.hash()));
+}
+
+/// Whose flight this thread makes: a plug-in that ends the program ends all of them.
+thread_local std::uint64_t seed_in_the_air = 0;
+
+}  // namespace
+
+unsigned cores() {
+  return std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
+}
+
+int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
+              std::optional<double> until) {
+  const Range range = range_of(options.seeds);
+  const std::uint64_t asked = range.last - range.first + 1;
+  listen_for_interrupts();
+  if (!options.json)
+    say("{}: seeds {} to {}\n", scenario->spec.name, range.first, range.last);
+
+  SeedTable seeds;
+  std::uint64_t faults = 0;
+  std::string first_fault;
+  {
+    const scenario::EndGuard guard(1, [&](const std::string& done) {
+      complain("eyrie: {} and ended the program; {} shows it\n", done,
+               command_for(options, seed_in_the_air));
+    });
+    Progress progress("seeds", asked);
+    campaign::in_order<SeedFlown>(
+        asked, options.workers.value_or(cores()),
+        [&](std::uint64_t i) {
+          seed_in_the_air = range.first + i;
+          return campaign::fly_seed(scenario, seed_in_the_air, until, interrupted);
+        },
+        [&](std::uint64_t, SeedFlown&& flown) {
+          if (flown.outcome == scenario::Outcome::stopped)
+            return false;
+          seeds.add(flown);
+          if (!flown.fault.empty() && faults++ == 0)
+            first_fault = fmt::format("seed {}: {}", flown.seed, flown.fault);
+          if (options.json)
+            say("{}\n", Composed{record::json_text(json_of(flown))});
+          progress.at(seeds.flown());
+          return !options.json || lost_output() == 0;
+        });
+  }
+  if (options.json)
+    say("{}\n", Composed{record::json_text(closing_json(seeds, options))});
+  else
+    print_closing(seeds, options);
+  if (interrupted())
+    complain("eyrie: interrupted: {} of {} seeds were flown\n", seeds.flown(), asked);
+  if (faults)
+    complain("eyrie: {} of {} flights ended with a fault, the first {}\n", faults, seeds.flown(),
+             first_fault);
+  return faults ? 1 : 0;
+}
+
+}  // namespace eyrie::app

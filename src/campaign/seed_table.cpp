@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/seed_table.hpp"
+
+#include <algorithm>
+
+namespace eyrie::campaign {
+
+SeedFlown fly_seed(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
+                   std::optional<double> until, bool (*given_up)()) {
+  record::Tally tally(*scenario);
+  sim::Observer* const watching[] = {&tally};
+  const Flown flown = fly(scenario, seed, watching, until, given_up);
+  return {flown, tally.side(model::Side::blue), tally.side(model::Side::red)};
+}
+
+void SeedTable::add(const SeedFlown& flown) {
+  const record::Tally::OfSide &blue = flown.blue, &red = flown.red;
+  const Figures figures{double(blue.losses), double(red.losses), double(blue.shots),
+                        double(red.shots), flown.time};
+  rows_.push_back({flown.seed, figures});
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    figures_[i].add(figures[i]);
+  ++outcomes_[static_cast<std::size_t>(flown.outcome)];
+  exchange_.add(red.losses, blue.losses);
+  blue_kills_.add(blue.kills, blue.shots);
+  red_kills_.add(red.kills, red.shots);
+  if (flown.outcome == scenario::Outcome::fault && !first_fault_)
+    first_fault_ = flown.seed;
+  hash_.word(flown.seed);
+  hash_.word(flown.hash);
+}
+
+std::vector<SeedEstimate> SeedTable::estimates() const {
+  std::vector<SeedEstimate> all;
+  constexpr const char* kNames[] = {"blue losses", "red losses", "blue shots", "red shots",
+                                    "end time, s"};
+  for (std::size_t i = 0; i < figures_.size(); ++i) {
+    all.push_back({kNames[i]});
+    if (flown() > 0)
+      all.back().value = figures_[i].mean();
+    if (flown() > 1)
+      all.back().interval = stats::t_interval(figures_[i]);
+  }
+  const auto add = [&](const char* name, const stats::Ratio& ratio) {
+    all.push_back({name, ratio.value(), ratio.fieller()});
+  };
+  add("red losses per blue loss", exchange_);
+  add("kills per blue shot", blue_kills_);
+  add("kills per red shot", red_kills_);
+  return all;
+}
+
+std::vector<SeedTable::StandsOut> SeedTable::stand_out() const {
+  if (rows_.empty())
+    return {};
+  std::vector<StandsOut> found{{rows_.front().seed, "first"}};
+  // of several alike the first
+  const auto least = [&](const char* why, auto figure) {
+    const auto row = std::min_element(rows_.begin(), rows_.end(), [&](const Row& a, const Row& b) {
+      return figure(a.figures) < figure(b.figures);
+    });
+    found.push_back({row->seed, why});
+  };
+  least("typical", [&](const Figures& of) {
+    double sum = 0;
+    for (std::size_t i = 0; i < of.size(); ++i)
+      if (const double variance = figures_[i].variance(); variance > 0)
+        sum += (of[i] - figures_[i].mean()) * (of[i] - figures_[i].mean()) / variance;
+    return sum;
+  });
+  if (figures_[0].variance() > 0 || figures_[1].variance() > 0) {
+    least("best for blue", [](const Figures& of) { return of[0] - of[1]; });
+    least("worst for blue", [](const Figures& of) { return of[1] - of[0]; });
+  }
+  least("longest", [](const Figures& of) { return -of[4]; });
+  if (first_fault_)
+    found.push_back({*first_fault_, "fault"});
+
+  // a line each
+  std::stable_sort(found.begin(), found.end(),
+                   [](const StandsOut& a, const StandsOut& b) { return a.seed < b.seed; });
+  std::vector<StandsOut> merged;
+  for (StandsOut& one : found)
+    if (merged.empty() || merged.back().seed != one.seed)
+      merged.push_back(std::move(one));
+    else
+      merged.back().why += ", " + one.why;
+  return merged;
+}
+
+}  // namespace eyrie::campaign
