@@ -147,7 +147,7 @@ void in_world(benchmark::State& state, flight::Dynamics dynamics) {
   sim::SchemaBuilder schema;
   const AircraftColumns columns = AircraftColumns::define(schema, aircraft);
   sim::SimulationBuilder builder(schema.build());
-  builder.add<flight::FlightSystem>(columns, library);
+  builder.add<flight::FlightSystem>(columns, library, 5u);
   const auto simulation = builder.build();
   sim::World world = simulation->world(1);
   for (std::uint32_t i = 0; i < aircraft; ++i) {

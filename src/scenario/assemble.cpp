@@ -239,7 +239,7 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                             dt);
   builder.add<model::weapon::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
   builder.add<model::weapon::GunSystem>(scenario.aircraft, scenario.library);
-  builder.add<model::flight::FlightSystem>(scenario.aircraft, scenario.library);
+  builder.add<model::flight::FlightSystem>(scenario.aircraft, scenario.library, decisions.steps);
   builder.add<model::MotionCheck>(scenario.aircraft.table, scenario.aircraft.kinematics);
   builder.add<model::MotionCheck>(scenario.missiles.table, scenario.missiles.kinematics);
   for (const model::weapon::MovingTable& other : others)

@@ -68,7 +68,8 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
         turn_radius(k.speed, level_turn_rate(most, k.speed), airframe.autopilot.heading_time);
     const Guidance wanted =
         guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
-    rows.flying.energy = model.energy(condition, k.speed);
+    if (context.tells_energy)
+      rows.flying.energy = model.energy(condition, k.speed);
     const Controls controls =
         steer(model, k, condition, wanted, load_factor, rows.flying.afterburner);
     model.step(k, rows.propulsion, condition, controls, wind, context.dt);
@@ -77,8 +78,9 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
   return burn(rows.propulsion, context.dt);
 }
 
-FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library)
-    : columns_(columns), library_(std::move(library)) {
+FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library,
+                           std::uint32_t period)
+    : columns_(columns), library_(std::move(library)), period_(period) {
   for (std::size_t i = 0; i < library_->airframes.size(); ++i)
     models_.emplace_back(library_->airframes[i]);
   for (std::size_t i = 0; i < library_->missiles.size(); ++i)
@@ -118,7 +120,8 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
     FlightContext context{.reference = library_->reference,
                           .environment = library_->environment,
                           .time = time,
-                          .dt = info.dt};
+                          .dt = info.dt,
+                          .tells_energy = sim::due(info.step + 1, ids[i], period_)};
     if (fit[i].flight < library_->flights.size())
       context.routes = library_->flights[fit[i].flight].routes;
     if (type.dynamics == Dynamics::point_mass)

@@ -32,6 +32,7 @@ struct FlightContext {
   Load load = {};                      ///< stores on board
   double time = 0;                     ///< s, at the beginning of the step
   double dt = 0;                       ///< s
+  bool tells_energy = true;            ///< Flying::energy is of this step
 };
 
 /// Flies one step as the command asks. True when the tanks ran dry in it.
@@ -42,7 +43,9 @@ struct FlightContext {
 /// ground is at altitude 0 everywhere) or has collided with another one (flight/collision.hpp).
 class FlightSystem final : public sim::System {
  public:
-  FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library);
+  /// Energy is told in the steps that pilots decide after, one in `period`: nobody else asks.
+  FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library,
+               std::uint32_t period);
 
   [[nodiscard]] std::string_view name() const override { return "flight"; }
   [[nodiscard]] TableId table() const override { return columns_.table; }
@@ -60,6 +63,7 @@ class FlightSystem final : public sim::System {
   };
   AircraftColumns columns_;
   std::shared_ptr<const Library> library_;
+  std::uint32_t period_;  ///< steps
   std::vector<Type> types_;
   std::vector<PointMass> models_;  ///< one per airframe
   std::vector<Load> stores_;       ///< one per missile type

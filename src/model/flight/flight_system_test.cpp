@@ -38,6 +38,8 @@ std::shared_ptr<const Library> library() {
   return result;
 }
 
+constexpr std::uint32_t kDeciding = 5;  ///< steps from one decision to the next
+
 struct Sky {
   std::shared_ptr<const Library> models = library();
   AircraftColumns columns;
@@ -48,7 +50,7 @@ struct Sky {
     sim::SchemaBuilder schema;
     columns = AircraftColumns::define(schema, aircraft);
     sim::SimulationBuilder builder(schema.build());
-    builder.add<FlightSystem>(columns, models);
+    builder.add<FlightSystem>(columns, models, kDeciding);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
     for (std::uint32_t i = 0; i < aircraft; ++i) {
@@ -163,6 +165,21 @@ TEST(FlightSystem, FliesSlowerWithStores) {
     scene.simulation->step(*scene.world, work);
   const auto kinematics = scene.world->rows(scene.columns.kinematics);
   EXPECT_LT(kinematics[3].speed, kinematics[1].speed - 5);
+}
+
+TEST(FlightSystem, TellsEnergyInTheStepBeforeEachDecision) {
+  Sky scene(4);
+  sim::Workspace work(*scene.simulation);
+  const auto flying = scene.world->rows(scene.columns.flying);
+  for (int i = 0; i < 40; ++i) {
+    for (Flying& row : flying)
+      row.energy = {};
+    scene.simulation->step(*scene.world, work);
+    for (std::size_t row = 1; row < flying.size(); row += 2)  // those of point_mass
+      EXPECT_EQ(
+          flying[row].energy.available > 0,
+          sim::due(scene.world->step(), scene.world->ids(scene.columns.table)[row], kDeciding));
+  }
 }
 
 TEST(FlightSystem, AllocatesNothing) {

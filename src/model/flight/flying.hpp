@@ -18,7 +18,7 @@ struct NavState {
   }
 };
 
-/// What the wing and the engines allow right now, as a pilot knows it of his aircraft.
+/// What the wing and the engines allow, as a pilot knows it of his aircraft when he decides.
 struct Energy {
   float available = 0;     ///< g, the most that structure and wing give
   float sustained = 0;     ///< g that full power holds without losing speed or height

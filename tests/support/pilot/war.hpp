@@ -58,7 +58,7 @@ class War {
     builder.add<model::weapon::MissileSystem>(aircraft, missiles, library_, kDt);
     builder.add<model::weapon::StoresSystem>(aircraft, missiles, library_);
     builder.add<model::weapon::GunSystem>(aircraft, library_);
-    builder.add<model::flight::FlightSystem>(aircraft, library_);
+    builder.add<model::flight::FlightSystem>(aircraft, library_, 5u);
     builder.add<model::weapon::DamageSystem>(aircraft);
     simulation = builder.build();
     world = std::make_unique<sim::World>(simulation->world(1));
