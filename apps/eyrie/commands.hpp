@@ -34,6 +34,15 @@ struct ValidateOptions {
 };
 int validate(const ValidateOptions& options);
 
+struct CampaignOptions {
+  std::string file;
+  std::vector<std::string> plugins, includes;
+  std::string out;       ///< folder; empty: campaigns/<name>
+  unsigned workers = 0;  ///< 0: one for each core
+  bool resume = false, json = false;
+};
+int campaign(const CampaignOptions& options);
+
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file
   std::string player;

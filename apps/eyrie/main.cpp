@@ -111,6 +111,22 @@ void add_fly(CLI::App& app, Chosen& chosen) {
     seeds->excludes(fly->get_option(of_one));
 }
 
+void add_campaign(CLI::App& app, Chosen& chosen) {
+  CLI::App* campaign = app.add_subcommand(
+      "campaign", "Fly a scenario many times, as a campaign file says, and keep what came of it");
+  CampaignOptions& o = options_of(campaign, app::campaign, chosen);
+  campaign->add_option("file", o.file, "a campaign file: docs/campaigns.md")->required();
+  campaign->add_option("--out", o.out, "folder for the results (default: campaigns/<name>)");
+  campaign->add_flag("--resume", o.resume, "go on where it ended, or was killed");
+  campaign
+      ->add_option("--workers", o.workers,
+                   "flights at a time; never the result (default: one for each core)")
+      ->check(whole_number(1, 1024));
+  campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
+  add_plugins(campaign, o.plugins, kPluginHelp);
+  add_includes(campaign, o.includes);
+}
+
 void add_explain(CLI::App& app, Chosen& chosen) {
   CLI::App* explain =
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
@@ -356,8 +372,8 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", version_text());
   Chosen chosen;
   for (const auto add :
-       {add_fly, add_explain, add_what_if, add_debrief, add_playground, add_export, add_diff,
-        add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
+       {add_fly, add_campaign, add_explain, add_what_if, add_debrief, add_playground, add_export,
+        add_diff, add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
     add(app, chosen);
   const std::span words(argv, static_cast<std::size_t>(argc));
   try {

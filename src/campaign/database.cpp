@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cerrno>
 #include <limits>
 
 #include "core/diagnostics.hpp"
@@ -12,15 +13,14 @@
 namespace eyrie::campaign {
 namespace {
 
-/// The operating system's words where it was its call that failed.
+/// To be called right after what has failed: SQLite keeps no errno of a write.
 [[noreturn]] void fail(sqlite3* database) {
+  const int call = errno, code = sqlite3_errcode(database);
   const char* path = sqlite3_db_filename(database, nullptr);
-  const int code = sqlite3_errcode(database);
-  const int error = code == SQLITE_FULL    ? ENOSPC
-                    : code == SQLITE_IOERR ? sqlite3_system_errno(database)
-                                           : 0;
   throw disk::Failed(fmt::format("{}: {}", quote_path(path ? path : ""),
-                                 error ? disk::words_of(error) : sqlite3_errmsg(database)));
+                                 code == SQLITE_FULL    ? disk::words_of(ENOSPC)
+                                 : code == SQLITE_IOERR ? disk::words_of(call)
+                                                        : sqlite3_errmsg(database)));
 }
 
 }  // namespace

@@ -110,6 +110,7 @@ class Unborn final : public pilot::Behavior {
 };
 
 EYRIE_PLUGIN([](eyrie::scenario::Registrar& registrar) {
+  registered = false;  // a campaign loads its scenario more than once
   registrar.add<Misbehave>();
   registrar.add<Once>();
   registrar.add<Unborn>();

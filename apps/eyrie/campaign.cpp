@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+/// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
+#include "campaign/engine.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "campaign_text.hpp"
+#include "command.hpp"
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "locate.hpp"
+#include "progress.hpp"
+#include "record/json_text.hpp"
+#include "report.hpp"
+#include "say.hpp"
+#include "scenario/plugin_file.hpp"
+
+namespace eyrie::app {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace campaign;
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+/// Plug-ins that the campaign names are opened as those that a scenario names: if they are trusted.
+void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
+  for (const std::string& plugin : spec.plugins) {
+    std::error_code ignored;
+    const auto same = [&](const std::string& other) {
+      return fs::equivalent(plugin, other, ignored);
+    };
+    if (std::any_of(typed.begin(), typed.end(), same))
+      continue;
+    const disk::FileRead read = scenario::read_plugin_file(plugin);
+    const std::string why =
+        scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
+    if (read.problem.empty() && !why.empty())
+      throw ConfigError({spec.file, 0, 0}, fmt::format("plug-in {}: {}", quote_path(plugin),
+                                                       scenario::not_opened(why, plugin)));
+  }
+}
+
+/// What the campaign is flown with: read once, when it begins. From then on nothing on the disk
+/// matters.
+struct Read {
+  std::string scenario;  ///< key in `files`
+  std::map<std::string, std::string> files;
+  Origin origin;
+};
+
+/// Reads everything that any cell needs, and checks it.
+Read read_all(const Spec& spec, const CampaignOptions& options) {
+  Read read;
+  check(spec, [&](const std::vector<std::string>& sets) {
+    auto loaded = load_scenario(spec.scenario, sets, spec.plugins, options.includes);
+    read.scenario = loaded->file;
+    read.files.insert(loaded->files.begin(), loaded->files.end());
+    for (const scenario::PluginFile& plugin : loaded->plugins)
+      read.origin[fs::path(plugin.path).filename()] = hash_text(plugin.hash);
+    return loaded;
+  });
+  // named from the folder of the scenario, wherever that is seen from
+  const std::string folder = fs::path(read.scenario).remove_filename();
+  for (const auto& [name, text] : read.files)
+    read.origin[name.starts_with(folder) ? name.substr(folder.size()) : name] = text;
+  read.origin["the campaign"] = spec.text;
+  read.origin["the program"] = version_text();
+  return read;
+}
+
+Json json_of(const Spec& spec, const Result& r) {
+  Json json{{"cell", r.cell},
+            {"replicate", r.replicate},
+            {"seed", r.flown.seed},
+            {"outcome", enum_name(r.flown.outcome)},
+            {"time_s", r.flown.time},
+            {"steps", r.flown.steps},
+            {"hash", hash_text(r.flown.hash)}};
+  for (std::size_t i = 0; i < r.values.size(); ++i)
+    json["values"][spec.measures.columns[i].name] = r.values[i];
+  if (!r.flown.fault.empty())
+    json["fault"] = r.flown.fault;
+  return json;
+}
+
+/// A crew whose results are also told, a line each.
+class Told final : public Crew {
+ public:
+  Told(const Spec& spec, Crew& crew) : spec_(spec), crew_(crew) {}
+  void fly(std::span<const Batch> batches, const Take& take) override {
+    crew_.fly(batches, [&](Result&& result) {
+      const std::string line = record::json_text(json_of(spec_, result)) + '\n';
+      if (!take(std::move(result)))
+        return false;
+      say("{}", Composed{line});
+      return true;
+    });
+  }
+
+ private:
+  const Spec& spec_;
+  Crew& crew_;
+};
+
+}  // namespace
+
+int campaign(const CampaignOptions& options) {
+  Spec spec = read_spec(options.file);
+  demand_trust(spec, options.plugins);
+  spec.plugins.insert(spec.plugins.end(), options.plugins.begin(), options.plugins.end());
+  const std::vector<Cell> cells = cells_of(spec);
+  const Read read = read_all(spec, options);
+  const Load load = [&](const std::vector<std::string>& sets) {
+    return scenario::load(
+        {.file = read.scenario, .sets = sets, .plugins = spec.plugins, .may_open = trusted()},
+        scenario::Source::bundle(read.files));
+  };
+  const std::string folder =
+      options.out.empty() ? fmt::format("campaigns/{}", file_name_from(spec.name)) : options.out;
+  const unsigned workers =
+      options.workers ? options.workers : std::max(1U, std::thread::hardware_concurrency());
+
+  listen_for_interrupts();
+  Store store(folder, spec, cells, read.origin, options.resume);
+  Threads threads(spec, cells, load, workers, interrupted);
+  Ended ended = Ended::complete;
+  if (options.json) {
+    Told told(spec, threads);
+    ended = run(spec, cells, store, told, [](const Standing&) {});
+  } else {
+    say("{}: {} cells, up to {} replicates each, {} workers; results in {}\n", spec.name,
+        cells.size(), most_replicates(spec), workers, folder);
+    const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
+    std::optional<Progress> progress;
+    ended = run(spec, cells, store, threads, [&](const Standing& standing) {
+      if (!progress)
+        progress.emplace("replicates", standing.most - standing.done + standing.now);
+      if (progress->due())
+        progress->at(standing.now,
+                     fmt::format("cell {}: {} {}", standing.cell, measure.name,
+                                 estimate_text(standing.estimate->estimate(), measure.kind)));
+    });
+  }
+  store.finish();
+  const Summary summary = read_summary(folder);
+  constexpr std::array kEnds{"complete", "interrupted", "at the end of its budget"};
+  const char* const end = kEnds[static_cast<std::size_t>(ended)];
+  if (options.json) {
+    Json json{{"campaign", spec.name}, {"ended", end}, {"hash", summary.hash}, {"folder", folder}};
+    for (const auto& cell : summary.cells)
+      json["replicates"].push_back(cell.replicates);
+    json["faults"] = summary.faults.size();
+    say("{}\n", Composed{record::json_text(json)});
+    return 0;
+  }
+  print_cells(summary);
+  say("\n{} after {}; campaign hash {}; results in {}/{} and {}\n", end,
+      duration_text(store.seconds()), summary.hash, folder, kStoreName, kTableName);
+  if (ended != Ended::complete)
+    say("eyrie campaign {} --out {} --resume goes on\n", scenario::shell_word(options.file),
+        scenario::shell_word(folder));
+  return 0;
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "campaign_text.hpp"
+
+#include "core/text.hpp"
+#include "say.hpp"
+
+namespace eyrie::app {
+namespace {
+
+/// Texts in columns, the first row above the others.
+void print_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i)
+      widths[i] = std::max(widths[i], columns(printable(row[i])));
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += fmt::format("{:<{}}  ", printable(row[i]), widths[i]);
+    say("{}\n", Composed{line.substr(0, line.find_last_not_of(' ') + 1)});
+  }
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+  if (seconds < 90)
+    return fmt::format("{:.0f} s", seconds);
+  if (seconds < 90 * 60)
+    return fmt::format("{:.0f} min", seconds / 60);
+  const auto minutes = static_cast<std::uint64_t>(seconds / 60 + 0.5);
+  return fmt::format("{} h {:02} min", minutes / 60, minutes % 60);
+}
+
+void print_cells(const campaign::Summary& summary) {
+  constexpr std::size_t kMostRows = 50, kMostFaults = 5;
+  std::vector<std::vector<std::string>> rows(1, {"cell"});
+  rows[0].insert(rows[0].end(), summary.factors.begin(), summary.factors.end());
+  rows[0].push_back("n");
+  for (std::size_t m = 0; m < summary.measures.size(); ++m)
+    rows[0].push_back(summary.measures[m].name +
+                      (summary.units[m].empty() ? "" : ", " + summary.units[m]));
+  for (std::size_t c = 0; c < std::min(summary.cells.size(), kMostRows); ++c) {
+    const auto& cell = summary.cells[c];
+    auto& row = rows.emplace_back(1, std::to_string(c));
+    row.insert(row.end(), cell.values.begin(), cell.values.end());
+    row.push_back(std::to_string(cell.replicates));
+    for (std::size_t m = 0; m < summary.measures.size(); ++m)
+      row.push_back(estimate_text(cell.estimates[m], summary.measures[m].kind));
+  }
+  print_table(rows);
+  if (summary.cells.size() > kMostRows)
+    say("... and {} more cells\n", summary.cells.size() - kMostRows);
+  for (std::size_t i = 0; i < std::min(summary.faults.size(), kMostFaults); ++i)
+    say("fault in cell {}: {}\n  {}\n", summary.faults[i].cell, summary.faults[i].what,
+        summary.faults[i].command);
+  if (summary.faults.size() > kMostFaults)
+    say("... and more faults: see the table `faults`\n");
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The results of a campaign on a terminal.
+#include "campaign/summary.hpp"
+
+namespace eyrie::app {
+
+/// "14 s", "3 min", "2 h 05 min"
+[[nodiscard]] std::string duration_text(double seconds);
+
+/// A row per cell with every measure and its interval, and the first faults.
+void print_cells(const campaign::Summary& summary);
+
+}  // namespace eyrie::app

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/store.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <charconv>
+
+#include "core/hash.hpp"
+#include "core/text.hpp"
+#include "disk/output.hpp"
+#include "disk/temporary.hpp"
+#include "record/csv.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+constexpr int kFormat = 1;  ///< of the tables
+
+constexpr const char* kTables = R"(
+CREATE TABLE campaign (name TEXT PRIMARY KEY, value) WITHOUT ROWID;
+CREATE TABLE origin (name TEXT PRIMARY KEY, text TEXT) WITHOUT ROWID;
+CREATE TABLE factors (factor INTEGER PRIMARY KEY, name TEXT);
+CREATE TABLE columns (name TEXT PRIMARY KEY, unit TEXT) WITHOUT ROWID;
+CREATE TABLE measures (measure INTEGER PRIMARY KEY, name TEXT, kind TEXT, of TEXT, per TEXT);
+CREATE TABLE faults (cell INTEGER, replicate INTEGER, seed INTEGER, what TEXT, command TEXT,
+                     PRIMARY KEY (cell, replicate)) WITHOUT ROWID;
+)";
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// Names of columns of a table that has those already: another one where SQL would not tell them
+/// apart.
+std::vector<std::string> distinct(std::vector<std::string> names, std::vector<std::string> taken) {
+  for (std::string& name : names) {
+    while (std::any_of(taken.begin(), taken.end(),
+                       [&](const std::string& t) { return lower(t) == lower(name); }))
+      name += '_';
+    taken.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> factor_names(const Spec& spec) {
+  std::vector<std::string> names;
+  for (const Factor& factor : spec.factors)
+    names.push_back(factor.name);
+  return distinct(names, {"cell", "command"});
+}
+std::vector<std::string> column_names(const Spec& spec) {
+  std::vector<std::string> names;
+  for (const Column& column : spec.measures.columns)
+    names.push_back(column.name);
+  return distinct(names, {"cell", "replicate", "seed", "outcome", "time_s", "steps", "hash"});
+}
+
+/// ", \"a\" REAL, \"b\" REAL"
+std::string declared(const std::vector<std::string>& names, std::string_view type) {
+  std::string text;
+  for (const std::string& name : names)
+    text += fmt::format(", {} {}", sql_name(name), type);
+  return text;
+}
+/// "(?, ?, ?)"
+std::string places(std::size_t n) {
+  return fmt::format("({})", fmt::join(std::vector<std::string_view>(n, "?"), ", "));
+}
+
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("0x{:016x}", hash);
+}
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t hash = 0;
+  std::from_chars(text.data() + 2, text.data() + text.size(), hash, 16);
+  return hash;
+}
+scenario::Outcome outcome_of(std::string_view text) {
+  for (const auto& [name, outcome] : EnumNames<scenario::Outcome>::names)
+    if (name == text)
+      return outcome;
+  return scenario::Outcome::fault;
+}
+
+/// The folder, locked. Parents are made.
+disk::Handle locked(const std::string& path, bool resume) {
+  const disk::Destination place(path, disk::Parents::are_made);
+  const bool made = disk::files().make_folder(place.folder(), place.name().c_str(), 0777) == 0;
+  if (!made && errno != EEXIST)
+    disk::cannot_make(place.path(), errno);
+  disk::Handle folder(
+      disk::files().open(place.folder(), place.name().c_str(), O_RDONLY | O_DIRECTORY, 0));
+  if (!folder)
+    disk::cannot_make(place.path(), errno);
+  std::vector<std::string> names;
+  if (!made && disk::files().list(folder.get(), names) == 0 && !names.empty()) {
+    const bool campaign = std::find(names.begin(), names.end(), kStoreName) != names.end();
+    if (!campaign)
+      throw disk::Refused(
+          fmt::format("{} is there already, and is no campaign", quote_path(place.path())));
+    if (!resume)
+      throw disk::Refused(
+          fmt::format("{} is there already: --resume goes on with it, --out names another folder",
+                      quote_path(place.path())));
+  }
+  if (disk::files().lock(folder.get()) != 0)
+    throw disk::Refused(fmt::format("another process is working on {}", quote_path(place.path())));
+  return folder;
+}
+
+/// The next line of a text, which is taken from it.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+std::string changed(const std::string& name, std::string_view was, std::string_view is) {
+  std::size_t line = 1;
+  std::string_view before, now;
+  do {
+    before = take_line(was);
+    now = take_line(is);
+  } while (before == now && ++line);
+  // of a long line what is around the first difference
+  constexpr std::size_t kAround = 20;
+  const auto same = static_cast<std::size_t>(
+      std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
+  const std::size_t skipped = same > kAround ? same - kAround : 0;
+  return fmt::format("{}, line {}, column {}: was {}, is {}", quote_path(name), line, same + 1,
+                     quote(before.substr(skipped)), quote(now.substr(skipped)));
+}
+
+std::vector<std::string> differences(const Origin& before, const Origin& now) {
+  std::vector<std::string> all;
+  for (const auto& [name, text] : before)
+    if (const auto found = now.find(name); found == now.end())
+      all.push_back(fmt::format("{} is used no more", quote_path(name)));
+    else if (found->second != text)
+      all.push_back(changed(name, text, found->second));
+  for (const auto& item : now)
+    if (!before.contains(item.first))
+      all.push_back(fmt::format("{} was not used", quote_path(item.first)));
+  return all;
+}
+
+}  // namespace
+
+std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed) {
+  std::string text = fmt::format("eyrie fly {}", scenario::shell_word(spec.scenario));
+  for (const std::string& set : sets_of(spec, cell))
+    text += fmt::format(" --set {}", scenario::shell_word(set));
+  for (const std::string& plugin : spec.plugins)
+    text += fmt::format(" --plugin {}", scenario::shell_word(plugin));
+  return fmt::format("{} --seed {}", text, seed);
+}
+
+Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
+             const Origin& origin, bool resume)
+    : spec_(spec),
+      cells_(cells),
+      folder_(folder),
+      lock_(locked(folder, resume)),
+      counts_(cells.size()) {
+  database_.emplace(fmt::format("{}/{}", folder_, kStoreName), Database::Access::create);
+  // whoever was killed before it was begun has left no tables
+  if (database_->prepare("SELECT 1 FROM sqlite_master WHERE name = 'campaign'").step())
+    demand_the_same(origin);
+  else
+    make_tables(origin);
+  Statement counted = database_->prepare("SELECT cell, count(*) FROM replicates GROUP BY cell");
+  while (counted.step())
+    counts_.at(static_cast<std::size_t>(counted.integer(0))) =
+        static_cast<std::uint64_t>(counted.integer(1));
+  put_ = database_->prepare("INSERT INTO replicates VALUES " +
+                            places(kFirstColumn + spec_.measures.columns.size()));
+  put_fault_ = database_->prepare("INSERT INTO faults VALUES " + places(5));
+}
+
+Store::~Store() {
+  try {
+    flush();
+  } catch (const disk::Failed&) {  // whoever could hear it has called flush()
+  }
+}
+
+void Store::make_tables(const Origin& origin) {
+  Database& db = *database_;
+  const auto factors = factor_names(spec_), columns = column_names(spec_);
+  db.run("BEGIN");
+  db.run(kTables);
+  db.run(fmt::format("CREATE TABLE cells (cell INTEGER PRIMARY KEY, command TEXT{})",
+                     declared(factors, "NUMERIC")));
+  db.run(
+      fmt::format("CREATE TABLE replicates (cell INTEGER, replicate INTEGER, seed INTEGER, "
+                  "outcome TEXT, time_s REAL, steps INTEGER, hash TEXT{}, "
+                  "PRIMARY KEY (cell, replicate)) WITHOUT ROWID",
+                  declared(columns, "REAL")));
+  set("format", std::to_string(kFormat));
+  set("name", spec_.name);
+  set("scenario", spec_.scenario);
+  set("seconds", "0");
+  const auto fill = [&](const char* table, std::size_t n, const auto& rows) {
+    Statement put = db.prepare(fmt::format("INSERT INTO {} VALUES {}", table, places(n)));
+    rows(put);
+  };
+  fill("origin", 2, [&](Statement& put) {
+    for (const auto& [name, text] : origin)
+      put.with(name, text).step();
+  });
+  fill("factors", 2, [&](Statement& put) {
+    for (std::size_t i = 0; i < factors.size(); ++i)
+      put.with(i, factors[i]).step();
+  });
+  fill("columns", 2, [&](Statement& put) {
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      put.with(columns[i], spec_.measures.columns[i].unit).step();
+  });
+  fill("measures", 5, [&](Statement& put) {
+    constexpr std::array kKinds{"share", "mean", "ratio"};
+    for (std::size_t i = 0; i < spec_.measures.estimates.size(); ++i) {
+      const Measure& m = spec_.measures.estimates[i];
+      put.with(i, m.name, kKinds[m.kind], columns[m.column],
+               m.kind == Measure::ratio ? columns[m.per] : "")
+          .step();
+    }
+  });
+  fill("cells", 2 + factors.size(), [&](Statement& put) {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const std::string command = command_of(spec_, cells_[i], 0);
+      put.with(i, command.substr(0, command.rfind(" --seed")));
+      for (std::size_t f = 0; f < factors.size(); ++f)
+        put.bind(static_cast<int>(3 + f), cells_[i].values[f]);
+      put.step();
+    }
+  });
+  db.run("COMMIT");
+}
+
+void Store::demand_the_same(const Origin& origin) {
+  Origin before;
+  Statement stored = database_->prepare("SELECT name, text FROM origin");
+  while (stored.step())
+    before[stored.text(0)] = stored.text(1);
+  if (const auto all = differences(before, origin); !all.empty())
+    throw disk::Refused(
+        fmt::format("{} was begun with something else; undo that, or begin anew with another --out"
+                    "\n  {}",
+                    quote_path(folder_), fmt::join(all, "\n  ")));
+  Statement seconds = database_->prepare("SELECT value FROM campaign WHERE name = 'seconds'");
+  if (seconds.step())
+    before_ = seconds.number(0);
+}
+
+void Store::set(std::string_view name, const std::string& value) {
+  database_->prepare("INSERT OR REPLACE INTO campaign VALUES (?, ?)").with(name, value).step();
+}
+
+void Store::put(const Result& result) {
+  constexpr std::size_t kMostWaiting = 1000;
+  constexpr std::chrono::seconds kLongest(1);
+  if (waiting_++ == 0)
+    database_->run("BEGIN");
+  const Flown& flown = result.flown;
+  if (!flown.fault.empty())
+    put_fault_
+        ->with(result.cell, result.replicate, flown.seed, flown.fault,
+               command_of(spec_, cells_[result.cell], flown.seed))
+        .step();
+  put_->with(result.cell, result.replicate, flown.seed, enum_name(flown.outcome), flown.time,
+             flown.steps, hash_text(flown.hash));
+  for (std::size_t i = 0; i < spec_.measures.columns.size(); ++i)
+    put_->bind(static_cast<int>(i) + kFirstColumn + 1,
+               result.values.empty() ? std::numeric_limits<double>::quiet_NaN() : result.values[i]);
+  put_->step();
+  ++counts_[result.cell];
+  if (waiting_ >= kMostWaiting || Clock::now() - committed_ > kLongest)
+    flush();
+}
+
+void Store::flush() {
+  if (std::exchange(waiting_, 0) == 0)
+    return;
+  set("seconds", std::to_string(seconds()));
+  database_->run("COMMIT");
+  committed_ = Clock::now();
+}
+
+double Store::seconds() const {
+  return before_ + std::chrono::duration<double>(Clock::now() - begun_).count();
+}
+
+void Store::each(const std::function<void(const Result&)>& use) {
+  flush();
+  Statement all = database_->prepare(
+      "SELECT r.*, f.what FROM replicates r LEFT JOIN faults f USING (cell, replicate) "
+      "ORDER BY r.cell, r.replicate");
+  const auto whole = [&](int column) { return static_cast<std::uint64_t>(all.integer(column)); };
+  const int what = all.columns() - 1;
+  while (all.step()) {
+    Result result{whole(0),
+                  whole(1),
+                  {.seed = whole(2),
+                   .steps = whole(5),
+                   .hash = hash_of(all.text(6)),
+                   .outcome = outcome_of(all.text(3)),
+                   .time = all.number(4),
+                   .fault = all.text(what)}};
+    for (int i = kFirstColumn; i < what && all.is_null(what); ++i)
+      result.values.push_back(all.number(i));
+    use(result);
+  }
+}
+
+std::uint64_t Store::hash() {
+  Hasher hasher;
+  const auto number = [&](double x) {
+    hasher.word(x == x ? std::bit_cast<std::uint64_t>(x) : ~std::uint64_t{0});
+  };
+  each([&](const Result& r) {
+    for (const std::uint64_t word : {r.cell, r.replicate, r.flown.seed, r.flown.steps, r.flown.hash,
+                                     static_cast<std::uint64_t>(r.flown.outcome),
+                                     static_cast<std::uint64_t>(r.flown.fault.size())})
+      hasher.word(word);
+    hasher.bytes(r.flown.fault.data(), r.flown.fault.size());
+    number(r.flown.time);
+    for (const double value : r.values)
+      number(value);
+  });
+  return hasher.value();
+}
+
+void Store::finish() {
+  disk::OutputFile table(fmt::format("{}/{}", folder_, kTableName), true);
+  std::string line = "cell";
+  const auto cell = [&](const std::string& text) { line += ',' + record::csv_text(text); };
+  for (const std::string& name : factor_names(spec_))
+    cell(name);
+  line += ",replicate,seed,outcome,time_s,steps,hash";
+  for (const std::string& name : column_names(spec_))
+    cell(name);
+  table.sink().write(line + '\n');
+  each([&](const Result& r) {
+    line = std::to_string(r.cell);
+    for (const std::string& value : cells_[r.cell].values)
+      cell(value);
+    line += fmt::format(",{},{},{},{},{},{}", r.replicate, r.flown.seed, enum_name(r.flown.outcome),
+                        r.flown.time, r.flown.steps, hash_text(r.flown.hash));
+    for (std::size_t i = 0; i < spec_.measures.columns.size(); ++i)
+      line +=
+          r.values.empty() || r.values[i] != r.values[i] ? "," : fmt::format(",{}", r.values[i]);
+    table.sink().write(line + '\n');
+  });
+  set("hash", hash_text(hash()));
+  put_.reset();
+  put_fault_.reset();
+  database_->run("PRAGMA journal_mode=DELETE");
+  table.commit();
+}
+
+}  // namespace eyrie::campaign

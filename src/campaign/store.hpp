@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The results of a campaign in a folder: a database that loses no replicate which was put
+/// into it when the process is killed. docs/campaigns.md has its tables.
+#include <chrono>
+#include <functional>
+#include <map>
+
+#include "campaign/database.hpp"
+#include "campaign/replicate.hpp"
+#include "campaign/spec.hpp"
+#include "disk/file_system.hpp"
+
+namespace eyrie::campaign {
+
+inline constexpr const char* kStoreName = "results.db";
+inline constexpr const char* kTableName = "results.csv";
+/// In the table `replicates`: the first column of what is measured.
+inline constexpr int kFirstColumn = 7;
+
+/// What came of a replicate. It depends on the campaign, the cell and the replicate alone.
+struct Result {
+  std::uint64_t cell = 0, replicate = 0;
+  Flown flown;
+  std::vector<double> values{};  ///< by column; NaN where it does not apply; none after a fault
+};
+
+/// What a campaign is flown with: every file by its name, with its text or what stands for it.
+using Origin = std::map<std::string, std::string>;
+
+/// The command that flies one seed of a cell by itself.
+[[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed);
+
+/// One process writes it at a time. What fails throws disk::Failed; what was committed stays.
+class Store {
+ public:
+  /// Makes the folder, or with `resume` goes on with what is in it, if anything is. `spec` and
+  /// `cells` must outlive it. Throws disk::Refused if there is something already, somebody else is
+  /// writing it, or another `origin` began it: with the differences.
+  Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
+        const Origin& origin, bool resume);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  /// Keeps a result; it is committed with others after a second at most, if others come.
+  void put(const Result& result);
+  void flush();
+
+  /// How many replicates of each cell are there: the first ones.
+  [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
+  /// By cell and replicate.
+  void each(const std::function<void(const Result&)>& use);
+  /// s, for which it has been worked on until now.
+  [[nodiscard]] double seconds() const;
+  /// Of all results, by cell and replicate.
+  [[nodiscard]] std::uint64_t hash();
+
+  /// Writes all results as a table beside the database, and leaves that in one file.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void make_tables(const Origin& origin);
+  void demand_the_same(const Origin& origin);
+  void set(std::string_view name, const std::string& value);
+
+  const Spec& spec_;
+  std::span<const Cell> cells_;
+  std::string folder_;
+  disk::Handle lock_;
+  std::optional<Database> database_;
+  std::optional<Statement> put_, put_fault_;
+  std::vector<std::uint64_t> counts_;
+  std::size_t waiting_ = 0;  ///< results that are not committed
+  double before_ = 0;        ///< s, of earlier processes
+  Clock::time_point begun_ = Clock::now(), committed_ = begun_;
+};
+
+}  // namespace eyrie::campaign

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "campaign/store.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+constexpr std::string_view kFaultsKept = "100";
+
+/// The columns of a table from the one numbered `first` on.
+std::vector<std::string> names_from(Database& database, std::string_view table, int first) {
+  const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
+  std::vector<std::string> names;
+  for (int i = first; i < all.columns(); ++i)
+    names.push_back(all.column_name(i));
+  return names;
+}
+
+void read_measures(Database& database, const std::vector<std::string>& columns, Summary& summary) {
+  const auto index = [&](const std::string& name) {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
+                                    columns.begin());
+  };
+  Statement all = database.prepare(
+      "SELECT m.name, m.kind, m.of, m.per, c.unit FROM measures m JOIN columns c ON c.name = m.of "
+      "ORDER BY measure");
+  while (all.step()) {
+    const std::string kind = all.text(1);
+    summary.measures.push_back({all.text(0),
+                                kind == "share"  ? Measure::share
+                                : kind == "mean" ? Measure::mean
+                                                 : Measure::ratio,
+                                index(all.text(2)), index(all.text(3))});
+    summary.units.push_back(all.text(4));
+  }
+}
+
+}  // namespace
+
+Summary read_summary(const std::string& folder, double confidence) {
+  const std::string file = fmt::format("{}/{}", folder, kStoreName);
+  if (::access(file.c_str(), F_OK) != 0)
+    throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
+  Database database(file, Database::Access::read);
+  Summary summary;
+  Statement said = database.prepare("SELECT name, value FROM campaign");
+  while (said.step()) {
+    const std::string key = said.text(0);
+    if (key == "seconds")
+      summary.seconds = said.number(1);
+    for (const auto& [name, text] : {std::pair{"name", &summary.name},
+                                     {"scenario", &summary.scenario},
+                                     {"hash", &summary.hash}})
+      if (key == name)
+        *text = said.text(1);
+  }
+  summary.factors = names_from(database, "cells", 2);
+  read_measures(database, names_from(database, "replicates", kFirstColumn), summary);
+
+  Statement cells = database.prepare("SELECT * FROM cells ORDER BY cell");
+  while (cells.step()) {
+    Summary::OfCell& cell = summary.cells.emplace_back();
+    cell.command = cells.text(1);
+    for (int i = 2; i < cells.columns(); ++i)
+      cell.values.push_back(cells.text(i));
+  }
+  std::vector<Estimator> fresh(summary.measures.begin(), summary.measures.end()), estimators;
+  std::vector<double> values;
+  Statement all = database.prepare("SELECT * FROM replicates ORDER BY cell, replicate");
+  bool more = all.step();
+  for (std::size_t c = 0; c < summary.cells.size(); ++c) {
+    Summary::OfCell& cell = summary.cells[c];
+    estimators = fresh;
+    for (; more && static_cast<std::size_t>(all.integer(0)) == c; more = all.step()) {
+      ++cell.replicates;
+      if (all.text(3) == "fault") {
+        ++cell.faults;
+        continue;
+      }
+      values.clear();
+      for (int i = kFirstColumn; i < all.columns(); ++i)
+        values.push_back(all.number(i));
+      for (Estimator& estimator : estimators)
+        estimator.add(values);
+    }
+    for (const Estimator& estimator : estimators)
+      cell.estimates.push_back(estimator.estimate(confidence));
+  }
+  Statement faults = database.prepare(
+      fmt::format("SELECT cell, seed, what, command FROM faults ORDER BY cell, replicate LIMIT {}",
+                  kFaultsKept));
+  while (faults.step())
+    summary.faults.push_back({static_cast<std::uint64_t>(faults.integer(0)),
+                              static_cast<std::uint64_t>(faults.integer(1)), faults.text(2),
+                              faults.text(3)});
+  return summary;
+}
+
+std::string estimate_text(const Estimate& estimate, Measure::Kind kind) {
+  if (!estimate.value)
+    return "-";
+  const bool share = kind == Measure::share;
+  const auto number = [&](double x) {
+    return share ? fmt::format("{:.1f}", 100 * x) : fmt::format("{:.4g}", x);
+  };
+  std::string text = number(*estimate.value) + (share ? " %" : "");
+  if (const auto& interval = estimate.interval)
+    text += fmt::format(" ({} to {})", number(interval->low), number(interval->high));
+  return text;
+}
+
+}  // namespace eyrie::campaign

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+/// \file  Campaigns through the real program: the same table whoever flies, however often it is
+/// killed.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/plugin.hpp"
+#include "support/program.hpp"
+#include "support/small_scenario.hpp"
+
+namespace eyrie::test {
+namespace {
+
+constexpr const char* kCampaign = R"(eyrie: 1
+name: two speeds
+scenario: small.yaml
+factors:
+  speed: {path: blue.flights.eagle.start.speed, values: [400 kt, 480 kt]}
+replicates: 40
+measures:
+  end: {what: end_time}
+  losses: {what: losses, who: blue}
+)";
+
+/// The campaign with one piece of its text for another.
+std::string changed(const Change& change) {
+  std::string text = kCampaign;
+  text.replace(text.find(change.from), change.from.size(), change.to);
+  return text;
+}
+
+class Campaign : public testing::Test {
+ protected:
+  Campaign() {
+    folder.write("small.yaml", changed_scenario({{"until: 2 s", "until: 60 s"}}));
+    folder.write("c.yaml", kCampaign);
+  }
+  [[nodiscard]] Ran run(const std::string& out, std::vector<std::string> more = {},
+                        const RunOptions& options = {}) const {
+    more.insert(more.begin(), {"campaign", "c.yaml", "--out", out});
+    return run_program(folder, more, options);
+  }
+  [[nodiscard]] std::string table(const std::string& out) const {
+    return read_text(folder / out + "/results.csv");
+  }
+  static std::string hash_in(const Ran& ran) {
+    const auto at = ran.out.find("campaign hash ");
+    return at == ran.out.npos ? "none: " + ran.err : ran.out.substr(at, 32);
+  }
+  /// The table of a campaign that nobody disturbs.
+  const std::string& undisturbed() const {
+    if (undisturbed_.empty()) {
+      EXPECT_EQ(run("undisturbed", {"--workers", "2"}).code, 0);
+      undisturbed_ = table("undisturbed");
+    }
+    return undisturbed_;
+  }
+
+  TempFolder folder;
+
+ private:
+  mutable std::string undisturbed_;
+};
+
+/// The program in the background.
+class Background {
+ public:
+  Background(const TempFolder& folder, std::vector<std::string> words) {
+    words.insert(words.begin(), program_path());
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+      arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::setenv("EYRIE_HOME", source_root().c_str(), 1);
+    child_ = ::fork();
+    if (child_ != 0)
+      return;
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    const int errors = ::open((folder / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int said = ::open((folder / "said").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(nowhere, STDIN_FILENO);
+    ::dup2(said, STDOUT_FILENO);
+    ::dup2(errors, STDERR_FILENO);
+    ::signal(SIGINT, SIG_DFL);
+    if (::chdir(folder.path().c_str()) == 0)
+      ::execv(arguments[0], arguments.data());
+    ::_exit(99);
+  }
+  /// Its exit code, below 0 for the signal that killed it.
+  int end(int signal) const {
+    ::kill(child_, signal);
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+ private:
+  pid_t child_;
+};
+
+TEST_F(Campaign, GivesTheSameTableAndHashForAnyNumberOfWorkers) {
+  const Ran one = run("one", {"--workers", "1"}), four = run("four", {"--workers", "4"});
+  EXPECT_EQ(one.code, 0) << one.err;
+  const std::string all = table("one");
+  EXPECT_EQ(all, table("four"));
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 81);
+  EXPECT_EQ(hash_in(one), hash_in(four));
+  EXPECT_NE(one.out.find("0     400 kt  40  60 (60 to 60)"), std::string::npos) << one.out;
+}
+
+TEST_F(Campaign, KilledAtAnyMomentGoesOnToTheSameTable) {
+  const auto begun = std::chrono::steady_clock::now();
+  undisturbed();
+  const auto whole = std::chrono::steady_clock::now() - begun;
+  int killed = 0;
+  for (int i = 0; i < 20; ++i) {
+    const std::string out = fmt::format("killed{}", i);
+    for (int times = 0; times < 2; ++times) {
+      const Background process(folder,
+                               {"campaign", "c.yaml", "--out", out, "--resume", "--workers", "2"});
+      std::this_thread::sleep_for(whole * ((i * 7 + times * 3) % 20) / 20);
+      killed += process.end(SIGKILL) == -SIGKILL;
+    }
+    const Ran ran = run(out, {"--resume"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(table(out), undisturbed()) << i;
+  }
+  EXPECT_GE(killed, 20);
+}
+
+TEST_F(Campaign, InterruptedKeepsWhatWasFlownAndSaysHowToGoOn) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 100000"}));
+  const Background process(folder, {"campaign", "c.yaml", "--out", "cut"});
+  while (!std::filesystem::exists(folder / "cut/results.db-wal"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_EQ(process.end(SIGINT), 128 + SIGINT) << read_text(folder / "err");
+  EXPECT_NE(read_text(folder / "said").find("eyrie campaign c.yaml --out cut --resume goes on"),
+            std::string::npos)
+      << read_text(folder / "said");
+  EXPECT_GT(table("cut").size(), 100U);
+}
+
+TEST_F(Campaign, StopsCleanlyOnAFullDiskAndGoesOnWhenThereIsRoom) {
+  const Ran full = run("full", {}, {.file_size_limit = 64 * 1024});
+  EXPECT_EQ(full.code, 1) << full.out;
+  EXPECT_NE(full.err.find("full/results.db"), std::string::npos) << full.err;
+  EXPECT_NE(full.err.find("File too large"), std::string::npos) << full.err;
+  const Ran ran = run("full", {"--resume"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(table("full"), undisturbed());
+}
+
+TEST_F(Campaign, RefusesToGoOnWithSomethingElse) {
+  ASSERT_EQ(run("out").code, 0);
+  const std::string before = read_text(folder / "out/results.db");
+  const auto refused = [&](std::vector<std::string> more, const std::string& words) {
+    const Ran ran = run("out", std::move(more));
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_NE(ran.err.find(words), std::string::npos) << ran.err;
+    EXPECT_EQ(table("out").size(), undisturbed().size());
+  };
+  refused({}, "'out' is there already: --resume goes on with it");
+  folder.write("c.yaml", changed({"[400 kt, 480 kt]", "[400 kt, 490 kt]"}));
+  refused({"--resume"},
+          "\n  'the campaign', line 5, column 67: was ', values: [400 kt, 480 kt]}', is ', values: "
+          "[400 kt, 490 kt]}'\n");
+  folder.write("c.yaml", kCampaign);
+  folder.write("small.yaml",
+               changed_scenario({{"until: 2 s", "until: 60 s"}, {"vote: 10,", "vote: 11,"}}));
+  refused({"--resume"},
+          "\n  'small.yaml', line 10, column 27: was '- navigate: {vote: 10, speed: 480 "
+          "kt}', is '- navigate: {vote: 11, speed: 480 kt}'\n");
+  folder.write("small.yaml", changed_scenario({{"until: 2 s", "until: 60 s"}}));
+  EXPECT_EQ(run("out", {"--resume"}).code, 0);
+  EXPECT_EQ(table("out"), undisturbed());
+}
+
+TEST_F(Campaign, LeavesNothingAfterAMistake) {
+  const auto before = folder.everything();
+  folder.write("c.yaml", changed({"start.speed", "start.spede"}));
+  const Ran ran = run("out");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("did you mean 'speed'?"), std::string::npos) << ran.err;
+  EXPECT_EQ(folder.everything(), before);
+  folder.write("c.yaml", kCampaign);
+  folder.write("taken/thesis.tex", "kept");
+  EXPECT_NE(run("taken").err.find("'taken' is there already, and is no campaign"),
+            std::string::npos);
+}
+
+TEST_F(Campaign, KeepsAReplicateThatFailsWithTheCommandThatFliesItAgain) {
+  folder.write("c.yaml", R"(eyrie: 1
+name: faulty
+scenario: small.yaml
+factors:
+  pilot:
+    levels:
+      good: trees.cruise=navigate
+      bad: 'trees.cruise={misbehave: {how: 20}}'
+replicates: 3
+measures:
+  end: {what: end_time}
+)");
+  const Ran ran = run("out", {"--plugin", plugin("faulty")});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.out.find("root of tree 'cruise', from libfaulty.so, threw: no fuel\n  eyrie fly "),
+            std::string::npos)
+      << ran.out;
+  EXPECT_NE(ran.out.find("0     good   3  60 (60 to 60)\n1     bad    3  -"), std::string::npos)
+      << ran.out;
+  const auto at = ran.out.find("  eyrie fly ") + 2;
+  folder.write("again.sh",
+               program_path() + ran.out.substr(at + 5, ran.out.find('\n', at) - at - 5));
+  const std::string again = fmt::format("cd {} && EYRIE_HOME={} sh again.sh > /dev/null 2> err",
+                                        folder.path().string(), source_root());
+  EXPECT_EQ(WEXITSTATUS(std::system(again.c_str())), 1);
+  EXPECT_NE(read_text(folder / "err").find("threw: no fuel"), std::string::npos)
+      << read_text(folder / "err");
+}
+
+TEST_F(Campaign, SaysEachReplicateAsALineOfJson) {
+  const Ran ran = run("out", {"--json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  std::istringstream lines(ran.out);
+  std::string line;
+  int n = 0;
+  for (; std::getline(lines, line); ++n) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    ASSERT_FALSE(json.is_discarded()) << line;
+    if (n < 80) {
+      EXPECT_EQ(json["cell"], n / 40);
+      EXPECT_EQ(json["replicate"], n % 40);
+      EXPECT_EQ(json["values"]["end"], 60.0);
+    } else {
+      EXPECT_EQ(json["ended"], "complete");
+    }
+  }
+  EXPECT_EQ(n, 81);
+}
+
+}  // namespace
+}  // namespace eyrie::test
