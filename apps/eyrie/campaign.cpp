@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
-#include "campaign/engine.hpp"
+#include "campaign/ranks.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include "campaign_text.hpp"
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "locate.hpp"
 #include "progress.hpp"
@@ -105,37 +106,91 @@ class Told final : public Crew {
   Crew& crew_;
 };
 
+/// A campaign that may be flown.
+struct Ready {
+  Spec spec;
+  std::vector<Cell> cells;
+  Read read;
+
+  explicit Ready(const CampaignOptions& options) : spec(read_spec(options.file)) {
+    demand_trust(spec, options.plugins);
+    spec.plugins.insert(spec.plugins.end(), options.plugins.begin(), options.plugins.end());
+    cells = cells_of(spec);
+    read = read_all(spec, options);
+  }
+  Load load() const {
+    return [this](const std::vector<std::string>& sets) {
+      return scenario::load(
+          {.file = read.scenario, .sets = sets, .plugins = spec.plugins, .may_open = trusted()},
+          scenario::Source::bundle(read.files));
+    };
+  }
+  Pool::Work work(Scenarios& scenarios) const {
+    return [this, &scenarios](std::uint64_t cell, std::uint64_t replicate) {
+      return fly_replicate(spec, scenarios, cell, replicate, interrupted);
+    };
+  }
+  /// Of everything that it is flown with.
+  std::uint64_t hash() const {
+    Hasher hash;
+    for (const auto& [name, text] : read.origin)
+      for (const std::string& part : {name, text}) {
+        hash.word(part.size());
+        hash.bytes(part.data(), part.size());
+      }
+    return hash.value();
+  }
+};
+
+/// Under mpirun, another rank than the first. What goes wrong is said there.
+void fly_for_rank_0(Link& link, const CampaignOptions& options, unsigned workers) {
+  listen_for_interrupts();
+  try {
+    const Ready ready(options);
+    Scenarios scenarios(ready.spec, ready.cells, ready.load(), workers + 1);
+    Pool pool(workers, ready.work(scenarios));
+    serve(link, pool, ready.hash());
+  } catch (const std::exception& error) {
+    fail(link, words_for(error));
+  }
+}
+
 }  // namespace
 
 int campaign(const CampaignOptions& options) {
-  Spec spec = read_spec(options.file);
-  demand_trust(spec, options.plugins);
-  spec.plugins.insert(spec.plugins.end(), options.plugins.begin(), options.plugins.end());
-  const std::vector<Cell> cells = cells_of(spec);
-  const Read read = read_all(spec, options);
-  const Load load = [&](const std::vector<std::string>& sets) {
-    return scenario::load(
-        {.file = read.scenario, .sets = sets, .plugins = spec.plugins, .may_open = trusted()},
-        scenario::Source::bundle(read.files));
-  };
+  const std::unique_ptr<Link> link = open_mpi(mpi_library());
+  const unsigned workers = options.workers ? options.workers : link ? 1 : cores();
+  if (link && link->rank() != 0) {
+    fly_for_rank_0(*link, options, workers);
+    return 0;
+  }
+  const Ready ready(options);
+  const auto& [spec, cells, read] = ready;
   const std::string folder =
       options.out.empty() ? fmt::format("campaigns/{}", file_name_from(spec.name)) : options.out;
-  const unsigned workers =
-      options.workers ? options.workers : std::max(1U, std::thread::hardware_concurrency());
 
   listen_for_interrupts();
   Store store(folder, spec, cells, read.origin, options.resume);
-  Threads threads(spec, cells, load, workers, interrupted);
+  Threads threads(spec, cells, ready.load(), workers, interrupted);
+  Scenarios scenarios(spec, cells, ready.load(), workers + 1);
+  std::optional<Pool> pool;
+  std::optional<Ranks> ranks;
+  if (link) {
+    pool.emplace(workers, ready.work(scenarios));
+    ranks.emplace(*link, *pool, ready.hash());
+  }
+  Crew& crew = ranks ? static_cast<Crew&>(*ranks) : threads;
   Ended ended = Ended::complete;
   if (options.json) {
-    Told told(spec, threads);
+    Told told(spec, crew);
     ended = run(spec, cells, store, told, [](const Standing&) {});
   } else {
-    say("{}: {} cells, up to {} replicates each, {} workers; results in {}\n", spec.name,
-        cells.size(), most_replicates(spec), workers, folder);
+    say("{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name, cells.size(),
+        most_replicates(spec), link ? link->size() * workers : workers,
+        link ? "workers in all ranks" : "workers", folder);
     const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
     std::optional<Progress> progress;
-    ended = run(spec, cells, store, threads, [&](const Standing& standing) {
+    ended = run(spec, cells, store, crew, [&](const Standing& standing) {
       if (!progress)
         progress.emplace("replicates", standing.most - standing.done + standing.now);
       if (progress->due())

@@ -69,6 +69,12 @@ std::string playground_file() {
   return viewer.empty() ? "" : fs::path(viewer).replace_filename("playground.html").string();
 }
 
+std::string mpi_library() {
+  if (const char* set = std::getenv("EYRIE_MPI"))
+    return set;
+  return beside_program("bin/libeyrie_mpi.so", "lib/libeyrie_mpi.so");
+}
+
 disk::FileRead read_page(const std::string& file, std::string_view unbuilt) {
   constexpr std::size_t kLargest = std::size_t{64} << 20;
   disk::FileRead read = disk::read_file(file, kLargest);

@@ -15,6 +15,9 @@ namespace eyrie::app {
 /// One of them without its parts, or why there is none: `problem` is `unbuilt` if it is not there.
 [[nodiscard]] disk::FileRead read_page(const std::string& file, std::string_view unbuilt);
 
+/// MPI for campaigns: EYRIE_MPI, or the library beside the program; "" if it was not built.
+[[nodiscard]] std::string mpi_library();
+
 /// The launch zones of the shipped missiles, the files of data/zones one behind the other.
 [[nodiscard]] std::string launch_zones();
 

@@ -111,18 +111,23 @@ Result fly_replicate(const Spec& spec, Scenarios& scenarios, std::uint64_t cell,
   return result;
 }
 
-void Threads::fly(std::span<const Batch> batches, const Take& take) {
-  std::vector<std::uint64_t> ends;  // of each batch, in all
+Plan::Plan(std::span<const Batch> batches) : batches_(batches) {
   for (const Batch& batch : batches)
-    ends.push_back((ends.empty() ? 0 : ends.back()) + batch.count);
+    ends_.push_back(size() + batch.count);
+}
+Plan::Place Plan::operator[](std::uint64_t i) const {
+  const auto b =
+      static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), i) - ends_.begin());
+  const Batch& batch = batches_[b];
+  return {batch.cell, batch.first + i + batch.count - ends_[b]};
+}
+
+void Threads::fly(std::span<const Batch> batches, const Take& take) {
+  const Plan plan(batches);
   const auto work = [&](std::uint64_t i) {
-    const auto b =
-        static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), i) - ends.begin());
-    const Batch& batch = batches[b];
-    return fly_replicate(spec_, scenarios_, batch.cell, batch.first + i + batch.count - ends[b],
-                         given_up_);
+    return fly_replicate(spec_, scenarios_, plan[i].cell, plan[i].replicate, given_up_);
   };
-  in_order<Result>(ends.empty() ? 0 : ends.back(), workers_, work,
+  in_order<Result>(plan.size(), workers_, work,
                    [&](std::uint64_t, Result&& result) { return take(std::move(result)); });
 }
 

@@ -15,6 +15,21 @@ struct Batch {
   std::uint64_t cell = 0, first = 0, count = 0;
 };
 
+/// Batches one behind the other.
+class Plan {
+ public:
+  explicit Plan(std::span<const Batch> batches);
+  [[nodiscard]] std::uint64_t size() const { return ends_.empty() ? 0 : ends_.back(); }
+  struct Place {
+    std::uint64_t cell, replicate;
+  };
+  [[nodiscard]] Place operator[](std::uint64_t i) const;
+
+ private:
+  std::span<const Batch> batches_;
+  std::vector<std::uint64_t> ends_;  ///< of each batch, in all
+};
+
 /// Whoever flies: threads of this process, or other processes.
 class Crew {
  public:

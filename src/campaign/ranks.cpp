@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/ranks.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <stdexcept>
+
+namespace eyrie::campaign {
+namespace {
+
+/// Jobs that a rank has for each of its workers, so that none waits for a message.
+constexpr std::uint64_t kJobsPerWorker = 2;
+/// Results for each worker that may wait for one before them.
+constexpr std::uint64_t kAhead = 64;
+
+// Messages: of one program on machines of one kind, so values are as they lie in memory. The first
+// byte of one to rank 0 says what it is; one from rank 0 is a job.
+enum class Kind : char { hello = 'h', result = 'r', thrown = 't', failed = 'f' };
+
+class Packed {
+ public:
+  explicit Packed(Kind kind) : bytes(1, static_cast<char>(kind)) {}
+  template <class T>
+  Packed& operator<<(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    return *this;
+  }
+  template <class T>
+  Packed& add(const T* values, std::size_t n) {
+    *this << static_cast<std::uint64_t>(n);
+    bytes.append(reinterpret_cast<const char*>(values), n * sizeof *values);
+    return *this;
+  }
+  std::string bytes;
+};
+
+class Unpacked {
+ public:
+  explicit Unpacked(std::string_view bytes) : left_(bytes.substr(1)) {}
+  template <class T>
+  Unpacked& operator>>(T& value) {
+    return copy(&value, sizeof value);
+  }
+  template <class Values>
+  Unpacked& fill(Values& values) {
+    std::uint64_t n = 0;
+    *this >> n;
+    values.resize(n);
+    return copy(values.data(), n * sizeof(typename Values::value_type));
+  }
+
+ private:
+  Unpacked& copy(void* to, std::size_t size) {
+    EYRIE_DEMAND(size <= left_.size(), "a message is too short");
+    std::memcpy(to, left_.data(), size);
+    left_.remove_prefix(size);
+    return *this;
+  }
+  std::string_view left_;
+};
+
+std::string words_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::exception& e) {
+    return e.what();
+  } catch (...) {
+    return "something was thrown that is no std::exception";
+  }
+}
+
+std::string packed(const Done& done) {
+  if (done.thrown) {
+    const std::string words = words_of(done.thrown);
+    return (Packed(Kind::thrown) << done.job).add(words.data(), words.size()).bytes;
+  }
+  const Flown& flown = done.result.flown;
+  Packed out(Kind::result);
+  out << done.job << flown.seed << flown.steps << flown.hash << flown.outcome << flown.time;
+  out.add(flown.fault.data(), flown.fault.size());
+  return out.add(done.result.values.data(), done.result.values.size()).bytes;
+}
+
+Done unpacked(const Link::Message& message) {
+  Done done;
+  Unpacked in(message.bytes);
+  in >> done.job;
+  if (message.bytes[0] == static_cast<char>(Kind::thrown)) {
+    std::string words;
+    in.fill(words);
+    done.thrown = std::make_exception_ptr(
+        std::runtime_error(fmt::format("rank {}: {}", message.from, words)));
+    return done;
+  }
+  Result& result = done.result;
+  result.cell = done.job.cell;
+  result.replicate = done.job.replicate;
+  Flown& flown = result.flown;
+  in >> flown.seed >> flown.steps >> flown.hash >> flown.outcome >> flown.time;
+  in.fill(flown.fault).fill(result.values);
+  return done;
+}
+
+}  // namespace
+
+Pool::Pool(unsigned workers, Work work) : work_(std::move(work)) {
+  for (unsigned i = 0; i < workers; ++i)
+    threads_.emplace_back([this] { help(); });
+}
+
+Pool::~Pool() {
+  const std::lock_guard lock(mutex_);
+  ending_ = true;
+  some_.notify_all();
+}
+
+void Pool::put(const Job& job) {
+  const std::lock_guard lock(mutex_);
+  jobs_.push_back(job);
+  some_.notify_one();
+}
+
+std::optional<Done> Pool::take() {
+  const std::lock_guard lock(mutex_);
+  if (done_.empty())
+    return std::nullopt;
+  Done done = std::move(done_.front());
+  done_.pop_front();
+  return done;
+}
+
+void Pool::help() {
+  for (std::unique_lock lock(mutex_);;) {
+    some_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
+    if (ending_)
+      return;
+    Done done{.job = jobs_.front(), .result = {}, .thrown = {}};
+    jobs_.pop_front();
+    lock.unlock();
+    try {
+      done.result = work_(done.job.cell, done.job.replicate);
+    } catch (...) {
+      done.thrown = std::current_exception();
+    }
+    lock.lock();
+    done_.push_back(std::move(done));
+  }
+}
+
+void serve(Link& link, Pool& pool, std::uint64_t origin) {
+  link.send(0, (Packed(Kind::hello) << std::uint64_t{pool.workers()} << origin).bytes);
+  for (;; Link::nap()) {
+    while (const auto message = link.receive()) {
+      if (message->bytes.empty())
+        return;
+      Job job;
+      EYRIE_DEMAND(message->bytes.size() == sizeof job, "a message is no job");
+      std::memcpy(&job, message->bytes.data(), sizeof job);
+      pool.put(job);
+    }
+    while (const auto done = pool.take())
+      link.send(0, packed(*done));
+  }
+}
+
+void fail(Link& link, std::string_view words) {
+  link.send(0, Packed(Kind::failed).add(words.data(), words.size()).bytes);
+}
+
+Ranks::Ranks(Link& link, Pool& pool, std::uint64_t origin)
+    : link_(link), pool_(pool), origin_(origin), ranks_(static_cast<std::size_t>(link.size())) {
+  ranks_[0].workers = pool.workers();
+}
+
+void Ranks::keep(std::size_t rank, Done&& done) {
+  --ranks_[rank].given;
+  if (done.job.round == round_)
+    waiting_.emplace(done.job.index, std::move(done));
+}
+
+void Ranks::listen() {
+  while (auto done = pool_.take())
+    keep(0, std::move(*done));
+  while (const auto message = link_.receive()) {
+    const auto from = static_cast<std::size_t>(message->from);
+    Unpacked in(message->bytes);
+    if (message->bytes[0] == static_cast<char>(Kind::failed)) {
+      std::string words;
+      in.fill(words);
+      throw std::runtime_error(fmt::format("rank {}: {}", from, words));
+    }
+    if (message->bytes[0] != static_cast<char>(Kind::hello)) {
+      keep(from, unpacked(*message));
+      continue;
+    }
+    std::uint64_t origin = 0;
+    in >> ranks_[from].workers >> origin;
+    if (origin != origin_)
+      throw std::runtime_error(
+          fmt::format("rank {} has another program, campaign or scenario than rank 0", from));
+  }
+}
+
+void Ranks::fly(std::span<const Batch> batches, const Take& take) {
+  ++round_;  // what an earlier one left in the air is not taken
+  waiting_.clear();
+  const Plan plan(batches);
+  std::uint64_t begun = 0, taken = 0;
+  while (taken < plan.size()) {
+    std::uint64_t workers = 0;
+    for (const Rank& rank : ranks_)
+      workers += rank.workers;
+    for (std::size_t r = 0; r < ranks_.size(); ++r)
+      while (begun < std::min(plan.size(), taken + kAhead * workers) &&
+             ranks_[r].given < kJobsPerWorker * ranks_[r].workers) {
+        const auto [cell, replicate] = plan[begun];
+        const Job job{round_, begun++, cell, replicate};
+        ++ranks_[r].given;
+        if (r == 0)
+          pool_.put(job);
+        else
+          link_.send(static_cast<int>(r), {reinterpret_cast<const char*>(&job), sizeof job});
+      }
+    listen();
+    const auto next = waiting_.find(taken);
+    if (next == waiting_.end()) {
+      Link::nap();
+      continue;
+    }
+    Done done = std::move(next->second);
+    waiting_.erase(next);
+    ++taken;
+    if (done.thrown)
+      std::rethrow_exception(done.thrown);
+    if (!take(std::move(done.result)))
+      return;
+  }
+}
+
+}  // namespace eyrie::campaign
