@@ -2,9 +2,7 @@
 /// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
 #include "campaign/ranks.hpp"
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "campaign_text.hpp"
 #include "command.hpp"
@@ -23,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace campaign;
-using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 /// Plug-ins that the campaign names are opened as those that a scenario names: if they are trusted.
@@ -67,7 +64,7 @@ Read read_all(const Spec& spec, const CampaignOptions& options) {
   const std::string folder = fs::path(read.scenario).remove_filename();
   for (const auto& [name, text] : read.files)
     read.origin[name.starts_with(folder) ? name.substr(folder.size()) : name] = text;
-  read.origin["the campaign"] = spec.text;
+  read.origin[kCampaignText] = spec.text;
   read.origin["the program"] = version_text();
   return read;
 }

@@ -58,4 +58,47 @@ void print_cells(const campaign::Summary& summary) {
     say("... and more faults: see the table `faults`\n");
 }
 
+void print_comparisons(const campaign::Summary& summary,
+                       const std::vector<campaign::Comparison>& comparisons) {
+  constexpr std::size_t kMostRows = 20;
+  if (comparisons.empty())
+    return;
+  std::vector<campaign::Comparison> surest = comparisons;
+  std::stable_sort(surest.begin(), surest.end(),
+                   [](const auto& a, const auto& b) { return a.holm < b.holm; });
+  std::vector<std::vector<std::string>> rows{
+      {"measure", "cell", "less cell", "difference", "pairs", "p", "p (Holm)"}};
+  for (std::size_t i = 0; i < std::min(surest.size(), kMostRows); ++i) {
+    const auto& c = surest[i];
+    rows.push_back(
+        {summary.measures[c.measure].name, std::to_string(c.cell), std::to_string(c.than),
+         estimate_text({c.n, c.value, c.interval}, summary.measures[c.measure].kind),
+         std::to_string(c.n), fmt::format("{:.2g}", c.p), fmt::format("{:.2g}", c.holm)});
+  }
+  say("\ncells against each other, replicate by replicate, the surest first\n");
+  print_table(rows);
+  if (surest.size() > kMostRows)
+    say("... and {} more comparisons\n", surest.size() - kMostRows);
+}
+
+void print_effects(const campaign::Summary& summary, const std::vector<campaign::Effect>& effects,
+                   const std::vector<campaign::Interaction>& interactions) {
+  if (effects.empty())
+    return;
+  std::vector<std::vector<std::string>> rows{{"measure", "factor", "part", "means"}};
+  for (const auto& effect : effects) {
+    std::string means;
+    for (const auto& level : effect.levels)
+      means += fmt::format("{}{}: {:.4g}", means.empty() ? "" : ", ", level.name, level.mean);
+    rows.push_back({summary.measures[effect.measure].name, summary.factors[effect.factor],
+                    fmt::format("{:.0f} %", 100 * effect.part), means});
+  }
+  for (const auto& both : interactions)
+    rows.push_back({summary.measures[both.measure].name,
+                    fmt::format("{} x {}", summary.factors[both.one], summary.factors[both.other]),
+                    fmt::format("{:.0f} %", 100 * both.part), ""});
+  say("\nwhich factor goes with the variance between cells, and the mean of each of its levels\n");
+  print_table(rows);
+}
+
 }  // namespace eyrie::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The results of a campaign on a terminal.
-#include "campaign/summary.hpp"
+#include "campaign/compare.hpp"
 
 namespace eyrie::app {
 
@@ -10,5 +10,9 @@ namespace eyrie::app {
 
 /// A row per cell with every measure and its interval, and the first faults.
 void print_cells(const campaign::Summary& summary);
+void print_comparisons(const campaign::Summary& summary,
+                       const std::vector<campaign::Comparison>& comparisons);
+void print_effects(const campaign::Summary& summary, const std::vector<campaign::Effect>& effects,
+                   const std::vector<campaign::Interaction>& interactions);
 
 }  // namespace eyrie::app

@@ -43,6 +43,22 @@ struct CampaignOptions {
 };
 int campaign(const CampaignOptions& options);
 
+struct CampaignReportOptions {
+  std::string folder;  ///< of a campaign
+  std::string out;     ///< file; empty: report.html in the folder
+  bool force = false;
+};
+int campaign_report(const CampaignReportOptions& options);
+
+struct QueryOptions {
+  std::string folder;  ///< of a campaign
+  std::string sql;
+  std::string decisions;  ///< a time; empty: nothing is flown again
+  unsigned workers = 0;   ///< 0: one for each core
+  std::vector<std::string> plugins;
+};
+int query(const QueryOptions& options);
+
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file
   std::string player;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
-#include <fmt/ranges.h>
-
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <sstream>
 
+#include "arguments.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
@@ -28,39 +26,6 @@ Options& options_of(CLI::App* command, int (*run)(const Options&), Chosen& chose
   const auto options = std::make_shared<Options>();
   command->callback([=, &chosen] { chosen = [=] { return run(*options); }; });
   return *options;
-}
-
-// what is wrong with an argument, or an empty text
-
-std::function<std::string(const std::string&)> whole_number(
-    std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
-  return [=](const std::string& text) {
-    std::uint64_t value = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
-                      value <= most;
-    return good ? std::string{}
-                : fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
-  };
-}
-
-/// A factor of real time.
-std::string pace(const std::string& text) {
-  constexpr double kSlowest = 0.001, kFastest = 1000;
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = failed == std::errc{} && end == text.data() + text.size() &&
-                    value >= kSlowest && value <= kFastest;
-  return good ? std::string{}
-              : fmt::format("{} is no number from {} to {}", quote(text), kSlowest, kFastest);
-}
-
-std::string format_problem(const std::string& text) {
-  constexpr auto kNames = enum_names<ExportFormat>();
-  const bool known = std::find(kNames.begin(), kNames.end(), text) != kNames.end();
-  return known ? std::string{}
-               : fmt::format("must be one of {}, got {}{}", fmt::join(kNames, ", "), quote(text),
-                             did_you_mean(text, kNames));
 }
 
 void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
@@ -125,6 +90,29 @@ void add_campaign(CLI::App& app, Chosen& chosen) {
   campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
   add_plugins(campaign, o.plugins, kPluginHelp);
   add_includes(campaign, o.includes);
+}
+
+void add_report(CLI::App& app, Chosen& chosen) {
+  CLI::App* report = app.add_subcommand(
+      "report", "What the results of a campaign say: tables, and a page to click through");
+  CampaignReportOptions& o = options_of(report, campaign_report, chosen);
+  report->add_option("folder", o.folder, "the folder of a campaign")->required();
+  report->add_option("--out", o.out, "the page (default: report.html in the folder)");
+  report->add_flag("--force", o.force, "replace the file given by --out");
+}
+
+void add_query(CLI::App& app, Chosen& chosen) {
+  CLI::App* query = app.add_subcommand(
+      "query", "Ask the results of a campaign in SQL: docs/campaigns.md has the tables");
+  QueryOptions& o = options_of(query, app::query, chosen);
+  query->add_option("folder", o.folder, "the folder of a campaign")->required();
+  query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
+  query->add_option("--decisions", o.decisions,
+                    "first fly again whoever has losses, and add the decisions of the lost in "
+                    "this time before, such as '10 s'");
+  query->add_option("--workers", o.workers, "flights at a time (default: one for each core)")
+      ->check(whole_number(1, 1024));
+  add_plugins(query, o.plugins, kPluginHelp);
 }
 
 void add_explain(CLI::App& app, Chosen& chosen) {
@@ -371,9 +359,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   Chosen chosen;
-  for (const auto add :
-       {add_fly, add_campaign, add_explain, add_what_if, add_debrief, add_playground, add_export,
-        add_diff, add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
+  for (const auto add : {add_fly, add_campaign, add_report, add_query, add_explain, add_what_if,
+                         add_debrief, add_playground, add_export, add_diff, add_validate, add_zones,
+                         add_catalog, add_replay, add_trust, add_new})
     add(app, chosen);
   const std::span words(argv, static_cast<std::size_t>(argc));
   try {

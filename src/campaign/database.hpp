@@ -36,6 +36,8 @@ class Statement {
   [[nodiscard]] double number(int column) const;  ///< NaN for NULL
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] bool is_null(int column) const;
+  [[nodiscard]] bool is_text(int column) const;
+  [[nodiscard]] bool is_number(int column) const;  ///< and no whole one
   [[nodiscard]] int columns() const;
   [[nodiscard]] std::string column_name(int column) const;
 

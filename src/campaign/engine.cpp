@@ -135,7 +135,8 @@ Ended run(const Spec& spec, std::span<const Cell> cells, Store& store, Crew& cre
           const std::function<void(const Standing&)>& tell) {
   const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
   std::vector<Estimator> estimators(cells.size(), Estimator(measure));
-  Standing standing{.most = cells.size() * most_replicates(spec)};
+  const std::uint64_t most = cells.size() * most_replicates(spec);
+  Standing standing{.most = std::min(most, spec.budget.replicates.value_or(most))};
   std::optional<Result> earlier;
   store.each([&](const Result& result) {
     estimators[result.cell].add(result.values);

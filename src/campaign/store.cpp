@@ -73,12 +73,10 @@ std::string places(std::size_t n) {
   return fmt::format("({})", fmt::join(std::vector<std::string_view>(n, "?"), ", "));
 }
 
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("0x{:016x}", hash);
-}
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t hash = 0;
-  std::from_chars(text.data() + 2, text.data() + text.size(), hash, 16);
+  if (text.starts_with("0x"))
+    std::from_chars(text.data() + 2, text.data() + text.size(), hash, 16);
   return hash;
 }
 scenario::Outcome outcome_of(std::string_view text) {
@@ -153,6 +151,10 @@ std::vector<std::string> differences(const Origin& before, const Origin& now) {
 
 }  // namespace
 
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("0x{:016x}", hash);
+}
+
 std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed) {
   std::string text = fmt::format("eyrie fly {}", scenario::shell_word(spec.scenario));
   for (const std::string& set : sets_of(spec, cell))
@@ -176,9 +178,13 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
   else
     make_tables(origin);
   Statement counted = database_->prepare("SELECT cell, count(*) FROM replicates GROUP BY cell");
-  while (counted.step())
-    counts_.at(static_cast<std::size_t>(counted.integer(0))) =
-        static_cast<std::uint64_t>(counted.integer(1));
+  while (counted.step()) {
+    const auto cell = static_cast<std::size_t>(counted.integer(0));
+    if (cell >= counts_.size())
+      throw disk::Failed(
+          fmt::format("{} is damaged: there is no cell {}", quote_path(folder_), cell));
+    counts_[cell] = static_cast<std::uint64_t>(counted.integer(1));
+  }
   put_ = database_->prepare("INSERT INTO replicates VALUES " +
                             places(kFirstColumn + spec_.measures.columns.size()));
   put_fault_ = database_->prepare("INSERT INTO faults VALUES " + places(5));
@@ -338,31 +344,44 @@ std::uint64_t Store::hash() {
 }
 
 void Store::finish() {
-  disk::OutputFile table(fmt::format("{}/{}", folder_, kTableName), true);
-  std::string line = "cell";
-  const auto cell = [&](const std::string& text) { line += ',' + record::csv_text(text); };
-  for (const std::string& name : factor_names(spec_))
-    cell(name);
-  line += ",replicate,seed,outcome,time_s,steps,hash";
-  for (const std::string& name : column_names(spec_))
-    cell(name);
-  table.sink().write(line + '\n');
-  each([&](const Result& r) {
-    line = std::to_string(r.cell);
-    for (const std::string& value : cells_[r.cell].values)
-      cell(value);
-    line += fmt::format(",{},{},{},{},{},{}", r.replicate, r.flown.seed, enum_name(r.flown.outcome),
-                        r.flown.time, r.flown.steps, hash_text(r.flown.hash));
-    for (std::size_t i = 0; i < spec_.measures.columns.size(); ++i)
-      line +=
-          r.values.empty() || r.values[i] != r.values[i] ? "," : fmt::format(",{}", r.values[i]);
-    table.sink().write(line + '\n');
-  });
+  flush();
   set("hash", hash_text(hash()));
+  write_table(*database_, folder_);
   put_.reset();
   put_fault_.reset();
   database_->run("PRAGMA journal_mode=DELETE");
+}
+
+void write_table(Database& database, const std::string& folder) {
+  std::string columns = "r.cell";
+  const auto add = [&](const char* table, char letter, int first) {
+    const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
+    for (int i = first; i < all.columns(); ++i)
+      columns += fmt::format(", {}.{}", letter, sql_name(all.column_name(i)));
+  };
+  add("cells", 'c', 2);
+  add("replicates", 'r', 1);
+  Statement rows = database.prepare(fmt::format(
+      "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
+      columns));
+  disk::OutputFile table(fmt::format("{}/{}", folder, kTableName), true);
+  write_csv(rows, [&](const std::string& line) { table.sink().write(line); });
   table.commit();
+}
+
+void write_csv(Statement& rows, const std::function<void(const std::string&)>& use) {
+  std::string line;
+  for (int i = 0; i < rows.columns(); ++i)
+    line += (i ? "," : "") + record::csv_text(rows.column_name(i));
+  use(line + '\n');
+  while (rows.step()) {
+    line.clear();
+    for (int i = 0; i < rows.columns(); ++i)
+      line += (i ? "," : "") + (rows.is_text(i)     ? record::csv_text(rows.text(i))
+                                : rows.is_number(i) ? fmt::format("{}", rows.number(i))
+                                                    : rows.text(i));
+    use(line + '\n');
+  }
 }
 
 }  // namespace eyrie::campaign

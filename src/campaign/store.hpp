@@ -27,6 +27,10 @@ struct Result {
 
 /// What a campaign is flown with: every file by its name, with its text or what stands for it.
 using Origin = std::map<std::string, std::string>;
+inline constexpr const char* kCampaignText = "the campaign";  ///< name of its file in there
+
+/// "0x0123456789abcdef"
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
 
 /// The command that flies one seed of a cell by itself.
 [[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed);
@@ -76,5 +80,10 @@ class Store {
   double before_ = 0;        ///< s, of earlier processes
   Clock::time_point begun_ = Clock::now(), committed_ = begun_;
 };
+
+/// results.csv in the folder of the database: a row per replicate with the values of its cell.
+void write_table(Database& database, const std::string& folder);
+/// What a statement gives, as CSV: lines with their ends, the names of the columns first.
+void write_csv(Statement& rows, const std::function<void(const std::string&)>& use);
 
 }  // namespace eyrie::campaign

@@ -23,11 +23,15 @@ std::vector<std::string> names_from(Database& database, std::string_view table, 
 
 void read_measures(Database& database, const std::vector<std::string>& columns, Summary& summary) {
   const auto index = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) -
-                                    columns.begin());
+    const auto found = std::find(columns.begin(), columns.end(), name);
+    if (found == columns.end())
+      throw disk::Failed(
+          fmt::format("the results are damaged: there is no column {}", quote(name)));
+    return static_cast<std::size_t>(found - columns.begin());
   };
   Statement all = database.prepare(
-      "SELECT m.name, m.kind, m.of, m.per, c.unit FROM measures m JOIN columns c ON c.name = m.of "
+      "SELECT m.name, m.kind, m.of, m.per, c.unit FROM measures m LEFT JOIN columns c ON c.name = "
+      "m.of "
       "ORDER BY measure");
   while (all.step()) {
     const std::string kind = all.text(1);
@@ -35,18 +39,22 @@ void read_measures(Database& database, const std::vector<std::string>& columns, 
                                 kind == "share"  ? Measure::share
                                 : kind == "mean" ? Measure::mean
                                                  : Measure::ratio,
-                                index(all.text(2)), index(all.text(3))});
+                                index(all.text(2)), index(all.text(all.text(3).empty() ? 2 : 3))});
     summary.units.push_back(all.text(4));
   }
 }
 
 }  // namespace
 
-Summary read_summary(const std::string& folder, double confidence) {
+Database open_results(const std::string& folder, Database::Access access) {
   const std::string file = fmt::format("{}/{}", folder, kStoreName);
   if (::access(file.c_str(), F_OK) != 0)
     throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
-  Database database(file, Database::Access::read);
+  return Database(file, access);
+}
+
+Summary read_summary(const std::string& folder, double confidence) {
+  Database database = open_results(folder);
   Summary summary;
   Statement said = database.prepare("SELECT name, value FROM campaign");
   while (said.step()) {
@@ -111,6 +119,8 @@ std::string estimate_text(const Estimate& estimate, Measure::Kind kind) {
   std::string text = number(*estimate.value) + (share ? " %" : "");
   if (const auto& interval = estimate.interval)
     text += fmt::format(" ({} to {})", number(interval->low), number(interval->high));
+  else if (kind == Measure::ratio)
+    text += " (no bounds)";
   return text;
 }
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What is wrong with an argument of the command line, or an empty text.
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace eyrie::app {
+
+[[nodiscard]] std::function<std::string(const std::string&)> whole_number(
+    std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+/// A factor of real time.
+[[nodiscard]] std::string pace(const std::string& text);
+/// Of an export.
+[[nodiscard]] std::string format_problem(const std::string& text);
+
+}  // namespace eyrie::app

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/// \file  report and query: what the results of a campaign say, on the terminal, as a page, and in
+/// SQL.
+#include "campaign/compare.hpp"
+#include "campaign/last_decisions.hpp"
+#include "campaign_page.hpp"
+#include "campaign_text.hpp"
+#include "command.hpp"
+#include "commands.hpp"
+#include "core/units.hpp"
+#include "disk/output.hpp"
+#include "progress.hpp"
+#include "record/json_text.hpp"
+#include "say.hpp"
+
+namespace eyrie::app {
+namespace {
+
+using namespace campaign;
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double x) {
+  return std::isfinite(x) ? Json(x) : Json();
+}
+
+Json estimate_json(const Estimate& e) {
+  Json json{e.value ? Json(*e.value) : Json(), nullptr, nullptr};
+  if (e.interval)
+    json = {json[0], number_or_null(e.interval->low), number_or_null(e.interval->high)};
+  return json;
+}
+
+/// [cell, replicate, seed, outcome, time_s, values ...], as many of each cell as a page can hold.
+Json replicates_json(Database& database, std::size_t cells) {
+  constexpr std::size_t kMost = 50'000, kFew = 20;
+  Statement all =
+      database.prepare("SELECT * FROM replicates WHERE replicate < ? ORDER BY cell, replicate");
+  all.with(std::max(kFew, kMost / std::max<std::size_t>(1, cells)));
+  Json rows = Json::array();
+  while (all.step()) {
+    Json& row = rows.emplace_back(Json{all.integer(0), all.integer(1), all.integer(2), all.text(3),
+                                       number_or_null(all.number(4))});
+    for (int i = kFirstColumn; i < all.columns(); ++i)
+      row.push_back(number_or_null(all.number(i)));
+  }
+  return rows;
+}
+
+/// What the page shows. No text in it ends the element that holds it.
+std::string page_data(const std::string& folder, const Summary& summary,
+                      const std::vector<Comparison>& comparisons) {
+  Json json{{"name", summary.name},
+            {"scenario", summary.scenario},
+            {"hash", summary.hash},
+            {"factors", summary.factors}};
+  for (const char* list : {"measures", "cells", "comparisons", "effects", "interactions", "faults"})
+    json[list] = Json::array();
+  for (std::size_t i = 0; i < summary.measures.size(); ++i) {
+    const Measure& m = summary.measures[i];
+    constexpr std::array kKinds{"share", "mean", "ratio"};
+    json["measures"].push_back({{"name", m.name},
+                                {"unit", summary.units[i]},
+                                {"kind", kKinds[m.kind]},
+                                {"column", m.column},
+                                {"per", m.per}});
+  }
+  for (const auto& cell : summary.cells) {
+    Json estimates = Json::array();
+    for (const Estimate& e : cell.estimates)
+      estimates.push_back(estimate_json(e));
+    json["cells"].push_back({{"values", cell.values},
+                             {"command", cell.command},
+                             {"replicates", cell.replicates},
+                             {"faults", cell.faults},
+                             {"estimates", estimates}});
+  }
+  for (const Comparison& c : comparisons)
+    json["comparisons"].push_back(
+        {{"cell", c.cell},
+         {"than", c.than},
+         {"measure", c.measure},
+         {"n", c.n},
+         {"value", c.value},
+         {"interval", {number_or_null(c.interval.low), number_or_null(c.interval.high)}},
+         {"p", c.p},
+         {"holm", c.holm}});
+  for (const Effect& e : effects(summary)) {
+    Json levels = Json::array();
+    for (const auto& level : e.levels)
+      levels.push_back({{"name", level.name}, {"mean", level.mean}});
+    json["effects"].push_back(
+        {{"measure", e.measure}, {"factor", e.factor}, {"part", e.part}, {"levels", levels}});
+  }
+  for (const Interaction& i : interactions(summary))
+    json["interactions"].push_back(
+        {{"measure", i.measure}, {"one", i.one}, {"other", i.other}, {"part", i.part}});
+  for (const auto& fault : summary.faults)
+    json["faults"].push_back({{"cell", fault.cell},
+                              {"seed", fault.seed},
+                              {"what", fault.what},
+                              {"command", fault.command}});
+  Database database = open_results(folder);
+  json["replicates"] = replicates_json(database, summary.cells.size());
+  std::string text = record::json_text(json), safe;
+  for (const char c : text)
+    safe += c == '<' ? "\\u003c" : std::string(1, c);
+  return safe;
+}
+
+}  // namespace
+
+int campaign_report(const CampaignReportOptions& options) {
+  const Summary summary = read_summary(options.folder);
+  const auto comparisons = compare(options.folder, summary);
+  print_cells(summary);
+  print_comparisons(summary, comparisons);
+  print_effects(summary, effects(summary), interactions(summary));
+  say("\n");
+  listen_for_interrupts();
+  const std::string file =
+      options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
+  disk::OutputFile out(file, options.out.empty() || options.force);
+  std::string_view page = kCampaignPage;
+  constexpr std::string_view kHere = "@DATA@";
+  const std::size_t at = page.find(kHere);
+  out.sink().write(page.substr(0, at));
+  out.sink().write(page_data(options.folder, summary, comparisons));
+  out.sink().write(page.substr(at + kHere.size()));
+  Database database = open_results(options.folder);
+  write_table(database, options.folder);
+  finish(out);
+  return 0;
+}
+
+int query(const QueryOptions& options) {
+  if (options.sql.empty() && options.decisions.empty())
+    refuse("eyrie: query needs SQL, or --decisions");
+  static_cast<void>(open_results(options.folder));
+  if (!options.decisions.empty()) {
+    const Parsed window = parse_quantity(options.decisions, Dimension::time);
+    if (!window || window.value <= 0)
+      refuse("--decisions: {}", window ? "must be more than 0" : window.error);
+    listen_for_interrupts();
+    std::optional<Progress> progress;
+    const auto tell = [&](std::uint64_t done, std::uint64_t all) {
+      if (!progress)
+        progress.emplace("replicates", all);
+      progress->at(done);
+      return !interrupted();
+    };
+    add_last_decisions(options.folder, window.value, options.workers ? options.workers : cores(),
+                       options.plugins, tell);
+  }
+  if (options.sql.empty())
+    return 0;
+  Database database = open_results(options.folder);
+  std::optional<Statement> asked;
+  try {
+    asked = database.prepare(options.sql);
+  } catch (const disk::Failed& e) {
+    throw Mistake(shown("eyrie: {}", e.what()));
+  }
+  write_csv(*asked, [](const std::string& line) { say("{}", Composed{line}); });
+  return 0;
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "campaign/store.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// Calls `use(values of one cell, values of the other)` for each replicate that both have.
+template <class Use>
+void each_pair(Database& database, std::size_t one, std::size_t other, Use use) {
+  Statement pairs = database.prepare(
+      "SELECT a.*, b.* FROM replicates a JOIN replicates b ON b.replicate = a.replicate WHERE "
+      "a.cell = ? AND b.cell = ? AND a.outcome <> 'fault' AND b.outcome <> 'fault' "
+      "ORDER BY a.replicate");
+  pairs.with(one, other);
+  const int width = pairs.columns() / 2;
+  std::vector<double> a, b;
+  while (pairs.step()) {
+    a.clear();
+    b.clear();
+    for (int i = kFirstColumn; i < width; ++i) {
+      a.push_back(pairs.number(i));
+      b.push_back(pairs.number(width + i));
+    }
+    use(a, b);
+  }
+}
+
+/// The paired differences of a measure.
+struct Pairs {
+  stats::Moments differences{};
+  std::uint64_t only_one = 0, only_other = 0;  // of shares
+  // of ratios: sums of both cells
+  std::array<double, 2> over{}, under{};
+  std::uint64_t n = 0;
+};
+
+Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
+  c.n = pairs.differences.n();
+  c.value = pairs.differences.mean();
+  c.interval = stats::t_interval(pairs.differences, confidence);
+  c.p = kind == Measure::share ? stats::mcnemar(pairs.only_one, pairs.only_other)
+                               : stats::t_test(pairs.differences);
+  return c;
+}
+
+std::vector<Comparison> compare_cells(Database& database, const Summary& summary, std::size_t cell,
+                                      std::size_t than, double confidence) {
+  const auto& measures = summary.measures;
+  const auto known = [&](const Measure& m, const std::vector<double>& values) {
+    return !std::isnan(values[m.column]) &&
+           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
+  };
+  std::vector<Pairs> all(measures.size());
+  each_pair(database, cell, than, [&](const auto& a, const auto& b) {
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const Measure& m = measures[i];
+      if (!known(m, a) || !known(m, b))
+        continue;
+      Pairs& pairs = all[i];
+      ++pairs.n;
+      if (m.kind == Measure::ratio) {
+        pairs.over[0] += a[m.column];
+        pairs.over[1] += b[m.column];
+        pairs.under[0] += a[m.per];
+        pairs.under[1] += b[m.per];
+        continue;
+      }
+      pairs.differences.add(a[m.column] - b[m.column]);
+      pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
+      pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
+    }
+  });
+  const auto has_ratio = [&](std::size_t i) {
+    return measures[i].kind == Measure::ratio && all[i].under[0] > 0 && all[i].under[1] > 0;
+  };
+  std::vector<std::size_t> ratios;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (has_ratio(i))
+      ratios.push_back(i);
+  if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
+    each_pair(database, cell, than, [&](const auto& a, const auto& b) {
+      for (const std::size_t i : ratios) {
+        const Measure& m = measures[i];
+        if (!known(m, a) || !known(m, b))
+          continue;
+        Pairs& pairs = all[i];
+        const auto part = [&](std::size_t side, const std::vector<double>& values) {
+          const double ratio = pairs.over[side] / pairs.under[side];
+          const double mean = pairs.under[side] / static_cast<double>(pairs.n);
+          return ratio + (values[m.column] - ratio * values[m.per]) / mean;
+        };
+        pairs.differences.add(part(0, a) - part(1, b));
+      }
+    });
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (all[i].differences.n() > 1)
+      comparisons.push_back(compared(all[i], {.cell = cell, .than = than, .measure = i},
+                                     measures[i].kind, confidence));
+  return comparisons;
+}
+
+void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
+  for (std::size_t m = 0; m < measures; ++m) {
+    std::vector<Comparison*> family;
+    std::vector<double> p;
+    for (Comparison& c : comparisons)
+      if (c.measure == m) {
+        family.push_back(&c);
+        p.push_back(c.p);
+      }
+    const auto corrected = stats::holm(p);
+    for (std::size_t i = 0; i < family.size(); ++i)
+      family[i]->holm = corrected[i];
+  }
+}
+
+/// The level of each cell: what the factor is there, or a bin of numbers with many values.
+std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
+  constexpr std::size_t kMostLevels = 10, kBins = 8;
+  std::map<std::string, double> numbers;
+  bool all_numbers = true;
+  for (const auto& cell : summary.cells) {
+    const std::string& text = cell.values[factor];
+    char* end = nullptr;
+    numbers[text] = std::strtod(text.c_str(), &end);
+    all_numbers &= end != text.c_str();
+  }
+  std::vector<std::string> levels;
+  for (const auto& cell : summary.cells)
+    levels.push_back(cell.values[factor]);
+  if (numbers.size() <= kMostLevels || !all_numbers)
+    return levels;
+  std::vector<std::size_t> order(levels.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  const std::vector<std::string> texts = levels;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return numbers[texts[a]] < numbers[texts[b]];
+  });
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const std::size_t begin = bin * order.size() / kBins, end = (bin + 1) * order.size() / kBins;
+    for (std::size_t i = begin; i < end; ++i)
+      levels[order[i]] = texts[order[begin]] + " to " + texts[order[end - 1]];
+  }
+  return levels;
+}
+
+/// Between cells, of a measure: what their levels explain.
+struct Variance {
+  std::map<std::string, stats::Moments> by_level{};
+  double part = 0;
+  std::vector<std::string> order{};  ///< levels by first appearance
+};
+Variance variance(const Summary& summary, std::size_t measure,
+                  const std::vector<std::string>& levels) {
+  Variance v;
+  stats::Moments all;
+  for (std::size_t c = 0; c < summary.cells.size(); ++c)
+    if (const auto& value = summary.cells[c].estimates[measure].value) {
+      if (!v.by_level.contains(levels[c]))
+        v.order.push_back(levels[c]);
+      v.by_level[levels[c]].add(*value);
+      all.add(*value);
+    }
+  double between = 0;
+  for (const auto& [level, moments] : v.by_level) {
+    const double off = moments.mean() - all.mean();
+    between += static_cast<double>(moments.n()) * off * off;
+  }
+  const double total = all.variance() * static_cast<double>(all.n() > 0 ? all.n() - 1 : 0);
+  v.part = total > 0 ? between / total : 0;
+  return v;
+}
+
+}  // namespace
+
+std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
+                                double confidence) {
+  constexpr std::size_t kAllPairs = 6;
+  Database database = open_results(folder);
+  std::vector<Comparison> all;
+  const std::size_t n = summary.cells.size();
+  for (std::size_t than = 0; than < (n <= kAllPairs ? n : 1); ++than)
+    for (std::size_t cell = than + 1; cell < n; ++cell) {
+      const auto some = compare_cells(database, summary, cell, than, confidence);
+      all.insert(all.end(), some.begin(), some.end());
+    }
+  correct(all, summary.measures.size());
+  return all;
+}
+
+std::vector<Effect> effects(const Summary& summary) {
+  std::vector<Effect> all;
+  for (std::size_t m = 0; m < summary.measures.size(); ++m) {
+    std::vector<Effect> some;
+    for (std::size_t f = 0; f < summary.factors.size(); ++f) {
+      const Variance v = variance(summary, m, levels_of(summary, f));
+      Effect effect{.measure = m, .factor = f, .part = v.part};
+      for (const std::string& level : v.order) {
+        const stats::Moments& moments = v.by_level.at(level);
+        effect.levels.push_back({level, static_cast<std::size_t>(moments.n()), moments.mean()});
+      }
+      if (v.part > 0)
+        some.push_back(std::move(effect));
+    }
+    std::stable_sort(some.begin(), some.end(),
+                     [](const Effect& a, const Effect& b) { return a.part > b.part; });
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::vector<Interaction> interactions(const Summary& summary) {
+  std::vector<Interaction> all;
+  std::vector<std::vector<std::string>> levels;
+  for (std::size_t f = 0; f < summary.factors.size(); ++f)
+    levels.push_back(levels_of(summary, f));
+  for (std::size_t m = 0; m < summary.measures.size(); ++m)
+    for (std::size_t a = 0; a < levels.size(); ++a)
+      for (std::size_t b = a + 1; b < levels.size(); ++b) {
+        std::vector<std::string> both = levels[a];
+        for (std::size_t c = 0; c < both.size(); ++c)
+          both[c] += '\n' + levels[b][c];
+        const Variance of_both = variance(summary, m, both), one = variance(summary, m, levels[a]),
+                       other = variance(summary, m, levels[b]);
+        const double part = of_both.part - one.part - other.part;
+        const std::uint64_t each =
+            of_both.by_level.empty() ? 0 : of_both.by_level.begin()->second.n();
+        const bool balanced =
+            of_both.by_level.size() == one.by_level.size() * other.by_level.size() &&
+            std::all_of(of_both.by_level.begin(), of_both.by_level.end(),
+                        [&](const auto& level) { return level.second.n() == each; });
+        if (balanced && part > 0)
+          all.push_back({m, a, b, part});
+      }
+  return all;
+}
+
+}  // namespace eyrie::campaign

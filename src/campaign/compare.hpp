@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Cells against each other, and which factor matters.
+#include "campaign/summary.hpp"
+
+namespace eyrie::campaign {
+
+/// A measure of one cell less that of another, replicate by replicate: of paired seeds they share
+/// most of their noise. Shares are tested by McNemar's exact test; means and ratios by Student's, a
+/// ratio by its linearization (Cochran, Sampling Techniques, 3rd edition, 1977, 6.3).
+struct Comparison {
+  std::size_t cell = 0, than = 0, measure = 0;
+  std::uint64_t n = 0;  ///< pairs
+  double value = 0;
+  stats::Interval interval{};
+  double p = 1;
+  double holm = 1;  ///< p, corrected for all comparisons of the measure
+};
+
+/// Of all pairs of cells if there are at most 6 cells, else of each with the first.
+[[nodiscard]] std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
+                                              double confidence = 0.95);
+
+/// What the levels of a factor do to a measure, over all cells that have it.
+struct Effect {
+  std::size_t measure = 0, factor = 0;
+  /// The part of the variance between cells that goes with the factor alone (first-order index from
+  /// given data: Plischke, Borgonovo, Smith, European Journal of Operational Research 226 (2013)
+  /// 536). With few cells by the noise, too.
+  double part = 0;
+  struct Level {
+    std::string name;
+    std::size_t cells = 0;
+    double mean = 0;  ///< over its cells
+  };
+  std::vector<Level> levels;  ///< of numbers with many values: bins
+};
+/// By measure, the factor that matters most first. None of a measure that is the same in all cells.
+[[nodiscard]] std::vector<Effect> effects(const Summary& summary);
+
+/// What two factors do together beyond what each does alone, as a part of the variance between
+/// cells. Only where every combination of their levels is flown by as many cells.
+struct Interaction {
+  std::size_t measure = 0, one = 0, other = 0;
+  double part = 0;
+};
+[[nodiscard]] std::vector<Interaction> interactions(const Summary& summary);
+
+}  // namespace eyrie::campaign

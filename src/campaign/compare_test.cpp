@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/compare.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/campaign/made_up.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// Three cells of 30 replicates with "end" as given; "kills" is 1 everywhere.
+template <class End>
+Summary flown(const test::TempFolder& folder, const Spec& spec, End end) {
+  const std::vector<Cell> cells = cells_of(spec);
+  Store store(folder / "out", spec, cells, {}, false);
+  for (std::uint64_t cell = 0; cell < 3; ++cell)
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      Result result = test::made_up(spec, cell, i);
+      result.flown.outcome = scenario::Outcome::time;
+      result.flown.fault.clear();
+      result.values = {end(cell, i), 1, 1, cell == 2 && i % 3 == 0 ? 1.0 : 0.0};
+      store.put(result);
+    }
+  store.flush();
+  return read_summary(folder / "out");
+}
+
+TEST(Compare, SubtractsWhatCellsShareReplicateByReplicate) {
+  const test::TempFolder folder;
+  const Spec spec = test::made_up_spec();
+  // the noise of a replicate is a hundred times the difference of the cells
+  const Summary summary = flown(folder, spec, [](std::uint64_t cell, std::uint64_t i) {
+    return 100.0 * static_cast<double>(i % 7) + static_cast<double>(cell) +
+           0.1 * static_cast<double>(i % 2);
+  });
+  EXPECT_LT(summary.cells[0].estimates[0].interval->low, *summary.cells[2].estimates[0].value);
+  const auto all = compare(folder / "out", summary);
+  ASSERT_EQ(all.size(), 3 * 4U);
+  for (const Comparison& c : all) {
+    EXPECT_EQ(c.n, 30U);
+    EXPECT_GE(c.holm, c.p);
+    if (c.measure == 0) {
+      EXPECT_NEAR(c.value, static_cast<double>(c.cell) - static_cast<double>(c.than), 1e-9);
+      EXPECT_LT(c.holm, 1e-6);
+    } else if (c.measure == 3 && c.cell == 2) {
+      EXPECT_NEAR(c.value, 1.0 / 3, 1e-9);
+      // 10 pairs differ, all in one direction: 2 / 2^10
+      EXPECT_NEAR(c.p, 2.0 / 1024, 1e-12);
+      EXPECT_NEAR(c.holm, 6.0 / 1024, 1e-12);  // the least of three comparisons, twice
+    } else {
+      EXPECT_EQ(c.value, 0);
+      EXPECT_EQ(c.p, 1);
+    }
+  }
+}
+
+/// The summary of a full factorial of two factors with these values, the second changing fastest.
+Summary factorial(std::vector<double> values) {
+  Summary summary;
+  summary.factors = {"a", "b"};
+  summary.measures = {{"x", Measure::mean, 0, 0}};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    summary.cells.push_back({{i < 2 ? "low" : "high", i % 2 ? "on" : "off"},
+                             "",
+                             10,
+                             0,
+                             {{10, values[i], std::nullopt}}});
+  return summary;
+}
+
+TEST(Effects, AddUpToAllWhereFactorsAdd) {
+  const Summary summary = factorial({0, 1, 3, 4});
+  const auto all = effects(summary);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].factor, 0U);
+  EXPECT_NEAR(all[0].part, 0.9, 1e-12);
+  EXPECT_NEAR(all[1].part, 0.1, 1e-12);
+  EXPECT_EQ(all[0].levels[1].name, "high");
+  EXPECT_EQ(all[0].levels[1].mean, 3.5);
+  for (const Interaction& both : interactions(summary))
+    EXPECT_NEAR(both.part, 0, 1e-12);
+}
+
+TEST(Effects, AreNoneWhereOnlyBothTogetherMatter) {
+  const Summary summary = factorial({0, 1, 1, 0});
+  for (const Effect& effect : effects(summary))
+    EXPECT_NEAR(effect.part, 0, 1e-12);
+  ASSERT_EQ(interactions(summary).size(), 1U);
+  EXPECT_NEAR(interactions(summary)[0].part, 1, 1e-12);
+}
+
+TEST(Effects, OfManyNumbersAreThoseOfBins) {
+  Summary summary;
+  summary.factors = {"speed"};
+  summary.measures = {{"x", Measure::mean, 0, 0}};
+  for (int i = 0; i < 80; ++i)
+    summary.cells.push_back({{fmt::format("{} kt", (i * 37) % 80)},
+                             "",
+                             10,
+                             0,
+                             {{10, static_cast<double>((i * 37) % 80), std::nullopt}}});
+  const auto all = effects(summary);
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all[0].levels.size(), 8U);
+  EXPECT_GT(all[0].part, 0.98);
+  std::set<std::string> names;
+  for (const auto& level : all[0].levels) {
+    EXPECT_EQ(level.cells, 10U);
+    names.insert(level.name);
+  }
+  EXPECT_TRUE(names.contains("0 kt to 9 kt"));
+}
+
+}  // namespace
+}  // namespace eyrie::campaign
