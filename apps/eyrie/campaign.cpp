@@ -14,6 +14,7 @@
 #include "record/json_text.hpp"
 #include "report.hpp"
 #include "say.hpp"
+#include "scenario/end_guard.hpp"
 #include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
@@ -168,6 +169,15 @@ int campaign(const CampaignOptions& options) {
 
   listen_for_interrupts();
   Store store(folder, spec, cells, read.origin, options.resume);
+  const scenario::EndGuard guard(1, [&](const std::string& done) {
+    if (const auto now = flying_now())
+      complain(
+          "eyrie: {} and ended the program; what was kept is there, and this flies it again:\n  "
+          "{}\n",
+          done, command_of(spec, cells[now->first], seed_of(spec, now->first, now->second)));
+    else
+      complain("eyrie: {} and ended the program\n", done);
+  });
   Threads threads(spec, cells, ready.load(), workers, interrupted);
   Scenarios scenarios(spec, cells, ready.load(), workers + 1);
   std::optional<Pool> pool;

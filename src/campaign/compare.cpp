@@ -121,16 +121,22 @@ void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
   }
 }
 
+/// The number that a value begins with: "2200 kg".
+std::optional<double> number_of(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return end == text.c_str() ? std::nullopt : std::optional(number);
+}
+
 /// The level of each cell: what the factor is there, or a bin of numbers with many values.
 std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
   constexpr std::size_t kMostLevels = 10, kBins = 8;
   std::map<std::string, double> numbers;
   bool all_numbers = true;
   for (const auto& cell : summary.cells) {
-    const std::string& text = cell.values[factor];
-    char* end = nullptr;
-    numbers[text] = std::strtod(text.c_str(), &end);
-    all_numbers &= end != text.c_str();
+    const auto number = number_of(cell.values[factor]);
+    numbers[cell.values[factor]] = number.value_or(0);
+    all_numbers &= number.has_value();
   }
   std::vector<std::string> levels;
   for (const auto& cell : summary.cells)
@@ -207,6 +213,10 @@ std::vector<Effect> effects(const Summary& summary) {
         const stats::Moments& moments = v.by_level.at(level);
         effect.levels.push_back({level, static_cast<std::size_t>(moments.n()), moments.mean()});
       }
+      std::stable_sort(effect.levels.begin(), effect.levels.end(),
+                       [](const auto& a, const auto& b) {
+                         return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
+                       });
       if (v.part > 0)
         some.push_back(std::move(effect));
     }

@@ -65,6 +65,8 @@ void demand_the_same(const Result& before, Crew& crew) {
   });
 }
 
+thread_local std::optional<std::pair<std::uint64_t, std::uint64_t>> in_the_air;
+
 }  // namespace
 
 std::shared_ptr<const scenario::Scenario> Scenarios::of(std::uint64_t cell) {
@@ -96,6 +98,10 @@ Result fly_replicate(const Spec& spec, Scenarios& scenarios, std::uint64_t cell,
   Result result{.cell = cell, .replicate = replicate, .flown = {}};
   result.flown.seed = seed_of(spec, cell, replicate);
   sim::Observer* const observer = watching.get();
+  in_the_air = {cell, replicate};
+  const struct Landing {
+    ~Landing() { in_the_air.reset(); }
+  } landing;
   try {
     result.flown = fly(scenario, result.flown.seed, {&observer, 1}, {}, given_up);
   } catch (const std::bad_alloc&) {
@@ -120,6 +126,10 @@ Plan::Place Plan::operator[](std::uint64_t i) const {
       static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), i) - ends_.begin());
   const Batch& batch = batches_[b];
   return {batch.cell, batch.first + i + batch.count - ends_[b]};
+}
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> flying_now() {
+  return in_the_air;
 }
 
 void Threads::fly(std::span<const Batch> batches, const Take& take) {

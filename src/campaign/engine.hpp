@@ -66,6 +66,10 @@ class Scenarios {
 [[nodiscard]] Result fly_replicate(const Spec& spec, Scenarios& scenarios, std::uint64_t cell,
                                    std::uint64_t replicate, bool (*given_up)() = nullptr);
 
+/// The cell and replicate that this thread flies now, for the last words of a plug-in that ends
+/// the program.
+[[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> flying_now();
+
 /// Threads of this process.
 class Threads final : public Crew {
  public:

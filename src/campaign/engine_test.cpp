@@ -87,5 +87,46 @@ TEST(Engine, RefusesToGoOnWithAnotherProgram) {
   EXPECT_EQ(flight.counts()[0], 5U);
 }
 
+/// Real flights of two cells: each scenario is loaded while others fly.
+TEST(ThreadsInOrder, GiveWhatOneGives) {
+  const Spec spec = parse_spec(R"(eyrie: 1
+name: threads
+scenario: merge
+set: [until=5 s]
+factors:
+  speed: {path: blue.flights.viper.start.speed, values: [400 kt, 450 kt]}
+measures:
+  end: {what: end_time}
+  shots: {what: shots}
+)",
+                               "threads.yaml");
+  const std::vector<Cell> cells = cells_of(spec);
+  const Load load = [](const std::vector<std::string>& sets) {
+    return scenario::load({"scenarios/merge.yaml", sets}, scenario::Source::disk("."));
+  };
+  constexpr std::array kBatches{Batch{0, 0, 5}, Batch{1, 2, 4}, Batch{0, 5, 3}};
+  std::vector<std::vector<Result>> all;
+  for (const unsigned workers : {1U, 4U}) {
+    std::vector<Result>& results = all.emplace_back();
+    Threads(spec, cells, load, workers).fly(kBatches, [&](Result&& result) {
+      results.push_back(std::move(result));
+      return true;
+    });
+  }
+  ASSERT_EQ(all[0].size(), 12U);
+  ASSERT_EQ(all[1].size(), 12U);
+  for (std::size_t i = 0; i < 12; ++i) {
+    const Result &one = all[0][i], &four = all[1][i];
+    EXPECT_EQ(one.cell, i >= 5 && i < 9 ? 1U : 0U);
+    EXPECT_EQ(one.replicate, i < 5 ? i : i < 9 ? i - 3 : i - 4);
+    EXPECT_EQ(one.flown.seed, one.replicate + 1);
+    EXPECT_EQ(four.cell, one.cell);
+    EXPECT_EQ(four.replicate, one.replicate);
+    EXPECT_EQ(four.flown.hash, one.flown.hash);
+    EXPECT_EQ(four.values, one.values);
+  }
+  EXPECT_NE(all[0][2].flown.hash, all[0][5].flown.hash) << "the same seed in another cell";
+}
+
 }  // namespace
 }  // namespace eyrie::campaign

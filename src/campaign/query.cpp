@@ -287,7 +287,7 @@ void Query::take(const Case& c) {
       !ubf::detail::run(condition_, [&](std::uint32_t i) { return field(c, i); }))
     return;
   if (spec_.take == Take::any || spec_.take == Take::count ||
-      (spec_.take == Take::first && count_)) {
+      (spec_.take == Take::first && count_ > 0)) {
     ++count_;
     return;
   }

@@ -225,6 +225,30 @@ measures:
       << read_text(folder / "err");
 }
 
+TEST_F(Campaign, NamesTheReplicateInWhichAPluginEndsTheProgram) {
+  folder.write("c.yaml", R"(eyrie: 1
+name: faulty
+scenario: small.yaml
+factors:
+  pilot:
+    levels:
+      good: trees.cruise=navigate
+      bad: 'trees.cruise={misbehave: {how: 30}}'
+replicates: 3
+measures:
+  end: {what: end_time}
+)");
+  for (int session = 0; session < 2; ++session) {
+    const Ran ran = run("out", {"--resume", "--workers", "2", "--plugin", plugin("faulty")});
+    EXPECT_EQ(ran.code, 1);
+    EXPECT_NE(ran.err.find("libfaulty.so called exit()"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("eyrie fly small.yaml --set 'trees.cruise={misbehave: {how: 30}}'"),
+              std::string::npos)
+        << ran.err;
+    EXPECT_NE(ran.err.find(" --seed "), std::string::npos) << ran.err;
+  }
+}
+
 TEST_F(Campaign, ReportsOnAPageThatNoNameCanBreak) {
   folder.write("c.yaml", R"y(eyrie: 1
 name: "</script><script>alert(1)"
