@@ -61,6 +61,18 @@ std::string text_of(double value, const std::string& unit) {
   return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
+std::string in_quotes(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text)
+    if (c == '"' || c == '\\')
+      quoted += {'\\', c};
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      quoted += fmt::format("\\x{:02x}", c);
+    else
+      quoted += c;
+  return quoted + '"';
+}
+
 class Reader {
  public:
   Reader(const Value::Entry& entry, Diagnostics& diagnostics)
@@ -252,7 +264,8 @@ std::string yaml_text(const Value& value) {
   for (const Value& item : value.items)
     parts.push_back(yaml_text(item));
   for (const Value::Entry& e : value.entries)
-    parts.push_back(fmt::format("{}: {}", e.key, yaml_text(e.value)));
+    parts.push_back(
+        fmt::format("{}: {}", is_identifier(e.key) ? e.key : in_quotes(e.key), yaml_text(e.value)));
   const std::string tag = value.tag.empty() ? "" : value.tag + " ";
   switch (value.kind) {
     case Value::Kind::null:
@@ -264,13 +277,9 @@ std::string yaml_text(const Value& value) {
     case Value::Kind::scalar:
       break;
   }
-  // in a flow what these characters mean would be taken for the flow's
-  if (!value.quoted && value.text.find_first_of(",[]{}") == value.text.npos)
-    return tag + value.text;
-  std::string text;
-  for (const char c : value.text)
-    text += c == '\'' ? "''" : std::string(1, c);
-  return fmt::format("{}'{}'", tag, text);
+  // in a list or map these characters would be taken for its own
+  const bool plain = !value.quoted && value.text.find_first_of(",[]{}") == value.text.npos;
+  return tag + (plain ? value.text : in_quotes(value.text));
 }
 
 double normal_quantile(double u) {

@@ -20,7 +20,7 @@ TEST(Factor, SetsEveryPathToItsLevel) {
   const Factor f = factor("{path: [a.b, c], values: [1 nmi, [x, 'y, z'], {k: {v: null}}]}");
   ASSERT_EQ(f.levels.size(), 3U);
   EXPECT_EQ(f.sets_of("1 nmi"), (std::vector<std::string>{"a.b=1 nmi", "c=1 nmi"}));
-  EXPECT_EQ(f.levels[1].sets[1], "c=[x, 'y, z']");
+  EXPECT_EQ(f.levels[1].sets[1], "c=[x, \"y, z\"]");
   EXPECT_EQ(f.levels[2].name, "{k: {v: null}}");
 }
 

@@ -117,6 +117,19 @@ measures: {end: {what: end_time}}
   EXPECT_EQ(drawn.substr(0, drawn.find('\'')), "c.yaml:5:3: bingo: the scenario refuses ");
 }
 
+TEST(Spec, OfEachExampleFliesItsScenario) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("examples/campaigns")) {
+    const Spec spec = read_spec(entry.path().string());
+    check(spec, [&](const std::vector<std::string>& sets) {
+      return scenario::load({.file = "scenarios/" + spec.scenario + ".yaml", .sets = sets},
+                            scenario::Source::disk("."));
+    });
+    ++count;
+  }
+  EXPECT_GE(count, 3U);
+}
+
 struct Mistake {
   std::string from, to, expected;
 };

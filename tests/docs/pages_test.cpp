@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/spec.hpp"
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/scenario.hpp"
@@ -124,6 +125,13 @@ TEST(Pages, NameFilesThatAreThere) {
           << page << ": " << file;
     }
   }
+}
+
+TEST(Pages, TheirCampaignsAreRead) {
+  const auto campaigns = blocks("docs/campaigns.md", "yaml");
+  EXPECT_FALSE(campaigns.empty());
+  for (const Block& block : campaigns)
+    EXPECT_NO_THROW((void)campaign::parse_spec(block.text, "docs/campaigns.md"));
 }
 
 TEST(Pages, EveryTreeInTheReferenceBuilds) {

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+/// \file  Any text as a campaign: it is read and its cells have a value for each factor, which
+/// reads back as what it sets; or it is refused by a ConfigError that a terminal can show.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+#include "campaign/spec.hpp"
+#include "core/text.hpp"
+#include "core/yaml.hpp"
+
+namespace {
+
+using namespace eyrie;
+
+void demand(bool condition) {
+  if (!condition)
+    std::abort();
+}
+
+/// Many cells cost time and tell nothing more.
+bool is_small(const campaign::Spec& spec) {
+  double cells = spec.design.cells.value_or(1);
+  for (const campaign::Factor& f : spec.factors)
+    cells *= static_cast<double>(std::max<std::size_t>(1, f.levels.size()));
+  return cells < 2000;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    const campaign::Spec spec = campaign::parse_spec(
+        std::string(reinterpret_cast<const char*>(data), size), "campaign.yaml");
+    for (const campaign::Factor& factor : spec.factors)
+      for (const campaign::Level& level : factor.levels)
+        for (std::size_t i = 0; i < factor.paths.size(); ++i) {
+          Diagnostics none;
+          static_cast<void>(
+              parse_yaml(level.sets.at(i).substr(factor.paths[i].size() + 1), "value", none));
+          demand(none.ok());
+        }
+    if (!is_small(spec))
+      return 0;
+    for (const campaign::Cell& cell : campaign::cells_of(spec)) {
+      demand(cell.values.size() == spec.factors.size());
+      demand(campaign::sets_of(spec, cell).size() >= spec.sets.size() + spec.factors.size());
+    }
+  } catch (const ConfigError& refusal) {
+    demand(!refusal.diagnostics().ok());
+    for (const Diagnostic& one : refusal.diagnostics().sorted())
+      demand(printable(one.text()) == one.text());
+  }
+  return 0;
+}
