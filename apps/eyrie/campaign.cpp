@@ -2,12 +2,10 @@
 /// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
 #include "campaign/ranks.hpp"
 
-#include <filesystem>
-
+#include "campaign_source.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "core/hash.hpp"
 #include "core/text.hpp"
 #include "locate.hpp"
 #include "progress.hpp"
@@ -20,55 +18,8 @@
 namespace eyrie::app {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace campaign;
 using Json = nlohmann::ordered_json;
-
-/// Plug-ins that the campaign names are opened as those that a scenario names: if they are trusted.
-void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
-  for (const std::string& plugin : spec.plugins) {
-    std::error_code ignored;
-    const auto same = [&](const std::string& other) {
-      return fs::equivalent(plugin, other, ignored);
-    };
-    if (std::any_of(typed.begin(), typed.end(), same))
-      continue;
-    const disk::FileRead read = scenario::read_plugin_file(plugin);
-    const std::string why =
-        scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
-    if (read.problem.empty() && !why.empty())
-      throw ConfigError({spec.file, 0, 0}, fmt::format("plug-in {}: {}", quote_path(plugin),
-                                                       scenario::not_opened(why, plugin)));
-  }
-}
-
-/// What the campaign is flown with: read once, when it begins. From then on nothing on the disk
-/// matters.
-struct Read {
-  std::string scenario;  ///< key in `files`
-  std::map<std::string, std::string> files;
-  Origin origin;
-};
-
-/// Reads everything that any cell needs, and checks it.
-Read read_all(const Spec& spec, const CampaignOptions& options) {
-  Read read;
-  check(spec, [&](const std::vector<std::string>& sets) {
-    auto loaded = load_scenario(spec.scenario, sets, spec.plugins, options.includes);
-    read.scenario = loaded->file;
-    read.files.insert(loaded->files.begin(), loaded->files.end());
-    for (const scenario::PluginFile& plugin : loaded->plugins)
-      read.origin[fs::path(plugin.path).filename()] = hash_text(plugin.hash);
-    return loaded;
-  });
-  // named from the folder of the scenario, wherever that is seen from
-  const std::string folder = fs::path(read.scenario).remove_filename();
-  for (const auto& [name, text] : read.files)
-    read.origin[name.starts_with(folder) ? name.substr(folder.size()) : name] = text;
-  read.origin[kCampaignText] = spec.text;
-  read.origin["the program"] = version_text();
-  return read;
-}
 
 Json json_of(const Spec& spec, const Result& r) {
   Json json{{"cell", r.cell},
@@ -107,36 +58,15 @@ class Told final : public Crew {
 /// A campaign that may be flown.
 struct Ready {
   Spec spec;
-  std::vector<Cell> cells;
-  Read read;
+  CampaignSource source;
+  std::vector<Cell> cells = cells_of(spec);
 
-  explicit Ready(const CampaignOptions& options) : spec(read_spec(options.file)) {
-    demand_trust(spec, options.plugins);
-    spec.plugins.insert(spec.plugins.end(), options.plugins.begin(), options.plugins.end());
-    cells = cells_of(spec);
-    read = read_all(spec, options);
-  }
-  Load load() const {
-    return [this](const std::vector<std::string>& sets) {
-      return scenario::load(
-          {.file = read.scenario, .sets = sets, .plugins = spec.plugins, .may_open = trusted()},
-          scenario::Source::bundle(read.files));
-    };
-  }
+  explicit Ready(const CampaignOptions& options)
+      : spec(read_spec(options.file)), source(spec, options.plugins, options.includes) {}
   Pool::Work work(Scenarios& scenarios) const {
     return [this, &scenarios](std::uint64_t cell, std::uint64_t replicate) {
       return fly_replicate(spec, scenarios, cell, replicate, interrupted);
     };
-  }
-  /// Of everything that it is flown with.
-  std::uint64_t hash() const {
-    Hasher hash;
-    for (const auto& [name, text] : read.origin)
-      for (const std::string& part : {name, text}) {
-        hash.word(part.size());
-        hash.bytes(part.data(), part.size());
-      }
-    return hash.value();
   }
 };
 
@@ -145,9 +75,9 @@ void fly_for_rank_0(Link& link, const CampaignOptions& options, unsigned workers
   listen_for_interrupts();
   try {
     const Ready ready(options);
-    Scenarios scenarios(ready.spec, ready.cells, ready.load(), workers + 1);
+    Scenarios scenarios(ready.spec, ready.cells, ready.source.load(), workers + 1);
     Pool pool(workers, ready.work(scenarios));
-    serve(link, pool, ready.hash());
+    serve(link, pool, ready.source.hash());
   } catch (const std::exception& error) {
     fail(link, words_for(error));
   }
@@ -163,12 +93,12 @@ int campaign(const CampaignOptions& options) {
     return 0;
   }
   const Ready ready(options);
-  const auto& [spec, cells, read] = ready;
+  const auto& [spec, source, cells] = ready;
   const std::string folder =
       options.out.empty() ? fmt::format("campaigns/{}", file_name_from(spec.name)) : options.out;
 
   listen_for_interrupts();
-  Store store(folder, spec, cells, read.origin, options.resume);
+  Store store(folder, spec, cells, source.origin(), options.resume);
   const scenario::EndGuard guard(1, [&](const std::string& done) {
     if (const auto now = flying_now())
       complain(
@@ -178,13 +108,13 @@ int campaign(const CampaignOptions& options) {
     else
       complain("eyrie: {} and ended the program\n", done);
   });
-  Threads threads(spec, cells, ready.load(), workers, interrupted);
-  Scenarios scenarios(spec, cells, ready.load(), workers + 1);
+  Threads threads(spec, cells, ready.source.load(), workers, interrupted);
+  Scenarios scenarios(spec, cells, ready.source.load(), workers + 1);
   std::optional<Pool> pool;
   std::optional<Ranks> ranks;
   if (link) {
     pool.emplace(workers, ready.work(scenarios));
-    ranks.emplace(*link, *pool, ready.hash());
+    ranks.emplace(*link, *pool, ready.source.hash());
   }
   Crew& crew = ranks ? static_cast<Crew&>(*ranks) : threads;
   Ended ended = Ended::complete;

@@ -59,6 +59,15 @@ struct QueryOptions {
 };
 int query(const QueryOptions& options);
 
+struct OptimizeOptions {
+  std::string file;
+  std::vector<std::string> plugins, includes;
+  std::string out;       ///< folder; empty: searches/<name>
+  unsigned workers = 0;  ///< 0: one for each core
+  bool resume = false;
+};
+int optimize(const OptimizeOptions& options);
+
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file
   std::string player;

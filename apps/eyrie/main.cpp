@@ -115,6 +115,21 @@ void add_query(CLI::App& app, Chosen& chosen) {
   add_plugins(query, o.plugins, kPluginHelp);
 }
 
+void add_optimize(CLI::App& app, Chosen& chosen) {
+  CLI::App* optimize = app.add_subcommand(
+      "optimize", "Search votes and parameters for those with which a measure is best");
+  OptimizeOptions& o = options_of(optimize, app::optimize, chosen);
+  optimize->add_option("file", o.file, "a search: docs/campaigns.md")->required();
+  optimize->add_option("--out", o.out, "folder for what is found (default: searches/<name>)");
+  optimize->add_flag("--resume", o.resume, "go on where it ended, or was killed");
+  optimize
+      ->add_option("--workers", o.workers,
+                   "flights at a time; never the result (default: one for each core)")
+      ->check(whole_number(1, 1024));
+  add_plugins(optimize, o.plugins, kPluginHelp);
+  add_includes(optimize, o.includes);
+}
+
 void add_explain(CLI::App& app, Chosen& chosen) {
   CLI::App* explain =
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
@@ -359,9 +374,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   Chosen chosen;
-  for (const auto add : {add_fly, add_campaign, add_report, add_query, add_explain, add_what_if,
-                         add_debrief, add_playground, add_export, add_diff, add_validate, add_zones,
-                         add_catalog, add_replay, add_trust, add_new})
+  for (const auto add : {add_fly, add_campaign, add_report, add_query, add_optimize, add_explain,
+                         add_what_if, add_debrief, add_playground, add_export, add_diff,
+                         add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
     add(app, chosen);
   const std::span words(argv, static_cast<std::size_t>(argc));
   try {

@@ -31,6 +31,8 @@ struct Log final : sim::Observer {
     for (const sim::Event& e : events)
       if (record::kind_of(e) == model::EventKind::launch)
         launches.push_back(e);
+      else if (record::kind_of(e) == model::EventKind::seeker_active)
+        active.push_back(e.who);
     const auto found = sweep().find(world, lead);
     if (found && found->fleet.leader(world, found->row) == "pursue") {
       first_pursuit = std::min(first_pursuit, time);
@@ -38,6 +40,7 @@ struct Log final : sim::Observer {
     }
   }
   std::vector<sim::Event> launches;
+  std::vector<PlayerId> active;
   double time = 0, first_pursuit = 1e9, altitude = 0;
 };
 
@@ -67,6 +70,8 @@ kills: {what: kills, who: blue}
 economy: {what: shots_per_kill, who: blue}
 exchange: {what: exchange_ratio, who: red}
 bvr: {what: time_in_phase, phase: bvr, who: eagle}
+red_bvr: {what: time_in_phase, phase: bvr, who: bogey}
+active: {what: event, event: seeker_active, who: blue}
 fuel: {what: fuel_left, who: blue}
 gone: {what: fuel_left, who: bogey}
 launches: {what: event, event: launch}
@@ -90,6 +95,8 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
   EXPECT_EQ(v.at("exchange.sum"), 0);
   EXPECT_EQ(v.at("exchange.per"), 2);
   EXPECT_NEAR(v.at("bvr"), 209.0, 0.1) << "5:47.6 to 8:56.5 and 10:39.3 to 10:59.4, as `fly` says";
+  EXPECT_GT(v.at("red_bvr"), 60);
+  EXPECT_LT(v.at("red_bvr"), 622.2) << "the last of them is lost at 10:22.1";
   EXPECT_GT(v.at("fuel"), 1000);
   EXPECT_TRUE(std::isnan(v.at("gone")));
   ASSERT_GE(log.launches.size(), 3U);
@@ -102,6 +109,12 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
       ++count;
     }
   EXPECT_EQ(v.at("economy.sum"), count) << "no gun was fired";
+  const auto by_blue = std::count_if(log.active.begin(), log.active.end(), [&](PlayerId missile) {
+    return std::any_of(log.launches.begin(), log.launches.end(),
+                       [&](const sim::Event& e) { return e.who == missile && e.detail <= 4; });
+  });
+  EXPECT_GT(by_blue, 0);
+  EXPECT_EQ(v.at("active"), static_cast<double>(by_blue)) << "their missiles";
   EXPECT_EQ(v.at("first"), first);
   EXPECT_EQ(v.at("shots"), sum);
   EXPECT_EQ(v.at("far"), 0);

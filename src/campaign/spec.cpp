@@ -13,8 +13,6 @@
 namespace eyrie::campaign {
 namespace {
 
-constexpr std::array<std::string_view, 4> kByHand{"factors", "design", "measures", "stop"};
-
 /// `stop:` as the file gives it.
 struct StopSpec {
   static constexpr std::string_view type_name = "stop";
@@ -39,20 +37,11 @@ std::optional<Stopping> read_stop(const Value& map, const Measures& measures,
   StopSpec stop;
   if (!bind(stop, map, diagnostics))
     return std::nullopt;
-  std::vector<std::string> names;
-  for (const Measure& m : measures.estimates)
-    names.push_back(m.name);
-  const auto found = std::find(names.begin(), names.end(), stop.measure);
-  if (found == names.end()) {
-    diagnostics.error(map.where_of("measure"),
-                      fmt::format("stop: there is no measure {}{}", quote(stop.measure),
-                                  did_you_mean(stop.measure, names)));
+  const Measure* const measure = find_measure(measures, map, "stop", diagnostics);
+  if (!measure)
     return std::nullopt;
-  }
-  const auto index = static_cast<std::size_t>(found - names.begin());
-  const Measure& measure = measures.estimates[index];
-  const std::string& symbol = measures.columns[measure.column].unit;
-  const UnitInfo* const unit = measure.kind == Measure::mean ? find_unit(symbol) : nullptr;
+  const std::string& symbol = measures.columns[measure->column].unit;
+  const UnitInfo* const unit = measure->kind == Measure::mean ? find_unit(symbol) : nullptr;
   const Parsed width = parse_quantity(stop.width, unit ? unit->dimension : Dimension::none);
   if (!width || width.value <= 0)
     diagnostics.error(map.where_of("width"),
@@ -60,6 +49,7 @@ std::optional<Stopping> read_stop(const Value& map, const Measures& measures,
   if (stop.least > stop.most)
     diagnostics.error(map.where_of("most"),
                       fmt::format("stop: most: {} is less than least, {}", stop.most, stop.least));
+  const auto index = static_cast<std::size_t>(measure - measures.estimates.data());
   return Stopping{index, width.value, stop.confidence, stop.least, stop.most, stop.every};
 }
 
@@ -73,15 +63,30 @@ Design read_design(const Value& value, Diagnostics& diagnostics) {
 
 }  // namespace
 
-Spec parse_spec(std::string text, const std::string& file) {
+const Measure* find_measure(const Measures& measures, const Value& map, std::string_view owner,
+                            Diagnostics& diagnostics) {
+  const Value* const wanted = map.find("measure");
+  std::vector<std::string> names;
+  for (const Measure& m : measures.estimates)
+    if (wanted && m.name == wanted->text)
+      return &m;
+    else
+      names.push_back(m.name);
+  if (wanted)
+    diagnostics.error(wanted->where,
+                      fmt::format("{}: there is no measure {}{}", owner, quote(wanted->text),
+                                  did_you_mean(wanted->text, names)));
+  return nullptr;
+}
+
+Spec bind_spec(const Value& document, const std::string& file,
+               std::span<const std::string_view> also, Diagnostics& diagnostics) {
   Spec spec;
-  Diagnostics diagnostics;
-  const Value document = parse_yaml(text, file, diagnostics);
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
   if (!document.is_map())
     throw ConfigError({file, 1, 1}, "expected a map, got " + document.shown());
-  bind(spec, document, diagnostics, kByHand);
+  std::vector<std::string_view> by_hand{"factors", "measures"};
+  by_hand.insert(by_hand.end(), also.begin(), also.end());
+  bind(spec, document, diagnostics, by_hand);
   spec.file = file;
   if (spec.scenario.ends_with(".yaml"))
     spec.scenario = scenario::relative_to(file, spec.scenario);
@@ -97,8 +102,19 @@ Spec parse_spec(std::string text, const std::string& file) {
     spec.measures = read_measures(*measures, diagnostics);
   else
     diagnostics.error(document.where, "campaign needs 'measures'");
-  const Value* const design = document.find("design");
-  if (design)
+  return spec;
+}
+
+Spec parse_spec(std::string text, const std::string& file) {
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(text, file, diagnostics);
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+  if (const Value* search = document.find("optimize"))
+    throw ConfigError(search->where, "this is a search: eyrie optimize " + quote_path(file));
+  static constexpr std::array<std::string_view, 2> kAlso{"design", "stop"};
+  Spec spec = bind_spec(document, file, kAlso, diagnostics);
+  if (const Value* design = document.find("design"))
     spec.design = read_design(*design, diagnostics);
   if (diagnostics.ok())
     if (const auto problem = problem_of(spec.design, spec.factors))
@@ -115,11 +131,15 @@ Spec parse_spec(std::string text, const std::string& file) {
   return spec;
 }
 
-Spec read_spec(const std::string& file) {
-  const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest);
+std::string read_text(const std::string& file) {
+  disk::FileRead read = disk::read_file(file, scenario::Source::kLargest);
   if (!read.problem.empty())
     throw ConfigError({file, 0, 0}, read.problem);
-  return parse_spec(read.bytes, file);
+  return std::move(read.bytes);
+}
+
+Spec read_spec(const std::string& file) {
+  return parse_spec(read_text(file), file);
 }
 
 std::vector<Cell> cells_of(const Spec& spec) {

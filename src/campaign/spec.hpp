@@ -80,6 +80,17 @@ struct Spec {
 /// The same of a text that comes from that file.
 [[nodiscard]] Spec parse_spec(std::string text, const std::string& file);
 
+// for other files that hold most of what a campaign does
+
+/// The text of a file; throws ConfigError if there is none.
+[[nodiscard]] std::string read_text(const std::string& file);
+/// All but `design` and `stop`; the keys `also` are for somebody else. Reports mistakes.
+[[nodiscard]] Spec bind_spec(const Value& document, const std::string& file,
+                             std::span<const std::string_view> also, Diagnostics& diagnostics);
+/// The one that `measure` in a map names; null after reporting that there is none.
+[[nodiscard]] const Measure* find_measure(const Measures& measures, const Value& map,
+                                          std::string_view owner, Diagnostics& diagnostics);
+
 [[nodiscard]] std::vector<Cell> cells_of(const Spec& spec);
 /// Every override of a cell, those of all cells first.
 [[nodiscard]] std::vector<std::string> sets_of(const Spec& spec, const Cell& cell);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/search.hpp"
+
 namespace eyrie::campaign {
 namespace {
 
@@ -120,14 +122,16 @@ measures: {end: {what: end_time}}
 TEST(Spec, OfEachExampleFliesItsScenario) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("examples/campaigns")) {
-    const Spec spec = read_spec(entry.path().string());
+    const std::string file = entry.path().string(), text = read_text(file);
+    const bool is_search = text.find("\noptimize:") != text.npos;
+    const Spec spec = is_search ? probe_of(*parse_search(text, file)) : parse_spec(text, file);
     check(spec, [&](const std::vector<std::string>& sets) {
       return scenario::load({.file = "scenarios/" + spec.scenario + ".yaml", .sets = sets},
                             scenario::Source::disk("."));
     });
     ++count;
   }
-  EXPECT_GE(count, 3U);
+  EXPECT_GE(count, 4U);
 }
 
 struct Mistake {
@@ -203,6 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:17:106: near: it has no value 'rang'; did you mean 'range'?"},
         Mistake{"take: any", "take: any, value: vote",
                 "c.yaml:18:85: breaks: 'any' takes no value"},
+        Mistake{"seeds:", "optimize: {}\nseeds:",
+                "c.yaml:11:11: this is a search: eyrie optimize 'c.yaml'"},
         // when it stops
         Mistake{"measure: left", "measure: lfet",
                 "c.yaml:12:17: stop: there is no measure 'lfet'; did you mean 'left'?"},

@@ -24,6 +24,7 @@ enum class Stream : std::uint8_t {
   infrared = 18,        ///< is it found by infrared search?
   infrared_noise = 19,  ///< error of such a direction
   design = 20,          ///< of the cells of a campaign
+  search = 21,          ///< of the candidates of a search
   test = 255,           ///< for tests and examples
 };
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+/// \file  optimize: which values of a campaign's factors are best, and how sure that is.
+#include <fmt/ranges.h>
+
+#include <chrono>
+
+#include "campaign/search.hpp"
+#include "campaign/summary.hpp"
+#include "campaign/whole_scenario.hpp"
+#include "campaign_source.hpp"
+#include "campaign_text.hpp"
+#include "command.hpp"
+#include "commands.hpp"
+#include "core/text.hpp"
+#include "report.hpp"
+#include "say.hpp"
+#include "scenario/plugin_file.hpp"
+
+namespace eyrie::app {
+namespace {
+
+using namespace campaign;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kLog = "candidates.csv";
+constexpr const char* kWinner = "winner.yaml";
+
+/// The log in a folder that is made if it is not there.
+std::string open_log(const std::string& folder, bool resume) {
+  const std::string path = fmt::format("{}/{}", folder, kLog);
+  disk::FileRead read = disk::read_file(path, std::size_t{1} << 30);
+  if (!read.missing && !read.problem.empty())
+    refuse("{}: {}", path, read.problem);
+  if (!read.missing && !resume)
+    refuse("eyrie: there is a search in {} already; --resume goes on with it", folder);
+  std::filesystem::create_directories(folder);
+  return std::move(read.bytes);
+}
+
+void write_file(const std::string& path, std::string_view text) {
+  disk::OutputFile file(path, true);
+  file.sink().write(text);
+  file.commit();
+}
+
+/// "zone 1.2, crank 44 deg"
+std::string cell_text(const Search& search, const Cell& cell) {
+  std::vector<std::string> parts;
+  for (std::size_t f = 0; f < cell.values.size(); ++f)
+    parts.push_back(search.spec.factors[f].name + " " + cell.values[f]);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_generation(const Search& search, const Generation& g, double seconds) {
+  const auto& score = g.scores[g.best];
+  say("generation {:>3} of {}: {} {} with {}; step {:.3f}, {} s\n", g.number + 1,
+      search.generations, search.measure, score ? fmt::format("{:.4g}", *score) : "refused",
+      cell_text(search, g.cells[g.best]), g.sigma, static_cast<int>(seconds + 0.5));
+}
+
+/// A row per measure.
+std::string evidence_text(const Search& search, const std::vector<Evidence>& all) {
+  std::string text =
+      fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", fmt::format("{} seeds each", search.proof),
+                  "before", "after", "difference", "p");
+  for (const Evidence& e : all) {
+    // that of ratios is known by its sign alone
+    const auto interval = stats::t_interval(e.difference);
+    const std::string difference =
+        e.measure.kind == Measure::ratio
+            ? "-"
+            : fmt::format("{:+.4g} ({:+.4g} to {:+.4g})", e.difference.mean(), interval.low,
+                          interval.high);
+    text +=
+        fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8.2g}\n", e.measure.name,
+                    estimate_text(e.before, e.measure.kind), estimate_text(e.after, e.measure.kind),
+                    difference, stats::t_test(e.difference));
+  }
+  return text;
+}
+
+}  // namespace
+
+int optimize(const OptimizeOptions& options) {
+  const auto search = parse_search(read_text(options.file), options.file);
+  Spec probe = probe_of(*search);
+  const CampaignSource source(probe, options.plugins, options.includes);
+  const std::string folder = options.out.empty()
+                                 ? fmt::format("searches/{}", file_name_from(search->spec.name))
+                                 : options.out;
+  const std::string log_path = fmt::format("{}/{}", folder, kLog);
+  const std::string origin = fmt::format("eyrie optimize; what it is flown with has the hash {}",
+                                         hash_text(source.hash()));
+  SearchLog log(*search, origin, open_log(folder, options.resume), log_path);
+
+  listen_for_interrupts();
+  const auto begun = Clock::now();
+  SearchRun run{.workers = options.workers ? options.workers : cores(),
+                .given_up = interrupted,
+                .tell = [&](const Generation& generation, const SearchLog& now) {
+                  write_file(log_path, now.text());
+                  print_generation(*search, generation,
+                                   std::chrono::duration<double>(Clock::now() - begun).count());
+                }};
+  const auto found = campaign::optimize(*search, source.load(), log, run);
+  const auto evidence = found ? prove(*search, *found, source.load(), run) : std::nullopt;
+  if (!evidence) {
+    say("interrupted; eyrie optimize {} --out {} --resume goes on\n",
+        scenario::shell_word(options.file), scenario::shell_word(folder));
+    return 0;
+  }
+  const std::string table = evidence_text(*search, *evidence);
+  std::string head = fmt::format("# The scenario of the search '{}' with {}.\n", search->spec.name,
+                                 cell_text(*search, *found));
+  for (std::size_t begin = 0, end; begin < table.size(); begin = end + 1) {
+    end = table.find('\n', begin);
+    head += fmt::format("# {}\n", table.substr(begin, end - begin));
+  }
+  const std::vector<std::string> sets = sets_of(search->spec, *found);
+  write_file(fmt::format("{}/{}", folder, kWinner),
+             printable_lines(head) + whole_scenario(source.scenario(), sets, source.files()));
+  say("\n{}\n{}\n", cell_text(*search, *found), lines(table));
+  for (const std::string& set : sets)
+    say("--set {} ", scenario::shell_word(set));
+  say("\nas a scenario of its own: eyrie fly {}/{}\n", scenario::shell_word(folder), kWinner);
+  return 0;
+}
+
+}  // namespace eyrie::app

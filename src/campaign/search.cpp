@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/search.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "core/bind.hpp"
+#include "core/math.hpp"
+#include "core/yaml.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// x on [0, 1], reflected at both ends.
+double reflected(double x) {
+  const double turn = std::abs(x - 2 * std::floor(x / 2));
+  return std::clamp(turn <= 1 ? turn : 2 - turn, 1e-9, 1 - 1e-9);
+}
+
+std::string line_of(std::uint64_t generation, std::size_t candidate, const Cell& cell,
+                    std::string_view score) {
+  std::string line = fmt::format("{},{},{}", generation, candidate, score);
+  for (const std::string& value : cell.values) {
+    std::string text;
+    for (const char c : value)
+      text += c == '"' ? "\"\"" : std::string(1, c);
+    line += fmt::format(",\"{}\"", text);
+  }
+  return line;
+}
+
+/// Each scenario of some cells, loaded once; nothing of those that are refused.
+class Loaded {
+ public:
+  Loaded(const Spec& spec, std::span<const Cell> cells, const Load& load) {
+    for (const Cell& cell : cells)
+      if (std::vector<std::string> sets = sets_of(spec, cell); !by_sets_.contains(sets)) {
+        std::shared_ptr<const scenario::Scenario> scenario;
+        try {
+          scenario = load(sets);
+        } catch (const ConfigError&) {
+          // whoever asks for it sees
+        }
+        by_sets_.emplace(std::move(sets), std::move(scenario));
+      }
+  }
+  [[nodiscard]] std::shared_ptr<const scenario::Scenario> operator()(
+      const std::vector<std::string>& sets) const {
+    return by_sets_.at(sets);
+  }
+
+ private:
+  std::map<std::vector<std::string>, std::shared_ptr<const scenario::Scenario>> by_sets_;
+};
+
+/// Every cell with the same seeds. False if it was given up.
+bool fly_all(const Spec& spec, std::span<const Cell> cells, const Load& load, const SearchRun& run,
+             const std::function<void(const Result&)>& take) {
+  const Loaded loaded(spec, cells, load);
+  std::vector<Batch> batches;
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    if (loaded(sets_of(spec, cells[c])))
+      batches.push_back({c, 0, spec.replicates});
+  bool whole = true;
+  Threads(spec, cells, loaded, run.workers, run.given_up).fly(batches, [&](Result&& result) {
+    whole = result.flown.outcome != scenario::Outcome::stopped;
+    if (whole && !result.values.empty())
+      take(result);
+    return whole;
+  });
+  return whole;
+}
+
+/// What a candidate is judged by.
+struct Score {
+  double sum = 0, per = 0;
+  std::uint64_t n = 0;
+
+  void add(const Measure& measure, std::span<const double> values) {
+    if (std::isnan(values[measure.column]))
+      return;
+    sum += values[measure.column];
+    per += measure.kind == Measure::ratio ? values[measure.per] : 1;
+    ++n;
+  }
+  [[nodiscard]] std::optional<double> value(const Measure& measure) const {
+    if (n == 0)
+      return std::nullopt;
+    return measure.kind == Measure::ratio ? (sum + 1) / (per + 1) : sum / per;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<const Search> parse_search(std::string text, const std::string& file) {
+  auto search = std::make_unique<Search>();
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(text, file, diagnostics);
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+  static constexpr std::array<std::string_view, 1> kAlso{"optimize"};
+  search->spec = bind_spec(document, file, kAlso, diagnostics);
+  search->spec.text = std::move(text);
+  const Value* const how = document.find("optimize");
+  if (!how) {
+    diagnostics.error(document.where, "a search needs 'optimize'");
+  } else if (bind(*search, *how, diagnostics)) {
+    search->best = find_measure(search->spec.measures, *how, "optimize", diagnostics);
+  }
+  if (const Value* budget = document.find("budget"))
+    diagnostics.error(budget->where, "budget: of a search 'generations' says how long it takes");
+  if (!search->spec.seeds.paired)
+    diagnostics.error(document.where_of("seeds"), "seeds: those of a search are always paired");
+  if (search->spec.factors.empty() && diagnostics.ok())
+    diagnostics.error(document.where, "a search needs 'factors'");
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+  return search;
+}
+
+Spec probe_of(const Search& search) {
+  Spec spec = search.spec;
+  spec.design = {.kind = DesignKind::latin_hypercube, .cells = 100};
+  return spec;
+}
+
+Cell cell_at(const Search& search, std::span<const double> point) {
+  Cell cell;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    cell.values.push_back(search.spec.factors[i].value_at(reflected(point[i])));
+  return cell;
+}
+
+SearchLog::SearchLog(const Search& search, std::string_view origin, const std::string& text,
+                     const std::string& file)
+    : file_(file) {
+  std::vector<std::string> names;
+  for (const Factor& factor : search.spec.factors)
+    names.push_back(factor.name);
+  text_ = fmt::format("# {}\ngeneration,candidate,{},{}\n", origin, search.measure,
+                      fmt::join(names, ","));
+  if (text.empty())
+    return;
+  if (!text.starts_with(text_))
+    throw ConfigError({file, 1, 1},
+                      "is of another search: its file, the scenario or the program has changed");
+  std::istringstream lines(text.substr(text_.size()));
+  for (std::string line; std::getline(lines, line);)
+    earlier_.push_back(line);
+}
+
+SearchLog::Seen SearchLog::next(std::uint64_t generation, std::size_t candidate, const Cell& cell) {
+  if (at_ == earlier_.size())
+    return {};
+  const std::string& line = earlier_[at_++];
+  const std::size_t begin = line.find(',', line.find(',') + 1) + 1;
+  const std::size_t end = std::min(line.find(',', begin), line.size());
+  const std::string_view text = std::string_view(line).substr(begin, end - begin);
+  double score = 0;
+  const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), score);
+  const bool is_number = failed == std::errc{} && stop == text.data() + text.size();
+  if (line != line_of(generation, candidate, cell, text) || (!is_number && text != "none"))
+    throw ConfigError({file_, static_cast<int>(at_) + 2, 1},
+                      "is not what this search has drawn there: the file was changed");
+  return {true, is_number ? std::optional(score) : std::nullopt};
+}
+
+void SearchLog::add(std::uint64_t generation, std::size_t candidate, const Cell& cell,
+                    std::optional<double> score) {
+  text_ += line_of(generation, candidate, cell, score ? fmt::format("{}", *score) : "none") + "\n";
+}
+
+std::optional<Cell> optimize(const Search& search, const Load& load, SearchLog& log,
+                             const SearchRun& run) {
+  // from the middle of every factor, and at most about as wide as that
+  CmaEs strategy(CmaEs::Point(search.spec.factors.size(), 0.5), 0.3, search.seed,
+                 search.population.value_or(0), 0.3);
+  while (strategy.generation() < search.generations) {
+    Generation now{.number = strategy.generation(), .cells = {}, .scores = {}};
+    std::size_t known = 0;
+    for (const CmaEs::Point& point : strategy.points()) {
+      now.cells.push_back(cell_at(search, point));
+      const auto seen = log.next(now.number, now.cells.size() - 1, now.cells.back());
+      known += seen.known;
+      now.scores.push_back(seen.score);
+    }
+    if (known < now.cells.size()) {
+      Spec spec = search.spec;
+      spec.seeds = {.first = search.seed_of_generation(now.number), .paired = true};
+      std::vector<Score> scores(now.cells.size());
+      if (!fly_all(spec, now.cells, load, run,
+                   [&](const Result& r) { scores[r.cell].add(*search.best, r.values); }))
+        return std::nullopt;
+      for (std::size_t c = 0; c < scores.size(); ++c)
+        now.scores[c] = scores[c].value(*search.best);
+    }
+    std::vector<double> losses;
+    for (std::size_t c = 0; c < now.cells.size(); ++c) {
+      log.add(now.number, c, now.cells[c], now.scores[c]);
+      const double sign = search.goal == Goal::maximize ? -1 : 1;
+      losses.push_back(now.scores[c] ? sign * *now.scores[c] : math::kInfinity);
+    }
+    now.best =
+        static_cast<std::size_t>(std::min_element(losses.begin(), losses.end()) - losses.begin());
+    strategy.tell(losses);
+    now.sigma = strategy.sigma();
+    if (known < now.cells.size())
+      run.tell(now, log);
+  }
+  return cell_at(search, strategy.mean());
+}
+
+std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& found,
+                                           const Load& load, const SearchRun& run) {
+  Spec spec = search.spec;
+  spec.seeds = {.first = search.seed_of_generation(search.generations), .paired = true};
+  spec.replicates = search.proof;
+  std::vector<std::string> sets = sets_of(search.spec, found);
+  sets.erase(sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(search.spec.sets.size()));
+  spec.factors = {{.name = "search",
+                   .where = {},
+                   .paths = {},
+                   .levels = {{"before", {}}, {"after", std::move(sets)}},
+                   .distribution = {}}};
+  const std::vector<Cell> cells{{{"before"}}, {{"after"}}};
+  std::array<std::vector<std::vector<double>>, 2> values;  // by cell and replicate
+  for (auto& of_cell : values)
+    of_cell.resize(spec.replicates);
+  if (!fly_all(spec, cells, load, run,
+               [&](const Result& r) { values[r.cell][r.replicate] = r.values; }))
+    return std::nullopt;
+
+  std::vector<Evidence> all;
+  for (const Measure& measure : spec.measures.estimates) {
+    Estimator before(measure), after(measure);
+    for (std::size_t r = 0; r < spec.replicates; ++r) {
+      before.add(values[0][r]);
+      after.add(values[1][r]);
+    }
+    Evidence evidence{measure, before.estimate(), after.estimate(), {}};
+    const double ratio = measure.kind == Measure::ratio ? evidence.before.value.value_or(0) : 0;
+    const auto more = [&](const std::vector<double>& v) {
+      return v.empty()                        ? math::kNaN
+             : measure.kind == Measure::ratio ? v[measure.column] - ratio * v[measure.per]
+                                              : v[measure.column];
+    };
+    for (std::size_t r = 0; r < spec.replicates; ++r)
+      if (const double d = more(values[1][r]) - more(values[0][r]); !std::isnan(d))
+        evidence.difference.add(d);
+    all.push_back(std::move(evidence));
+  }
+  return all;
+}
+
+}  // namespace eyrie::campaign

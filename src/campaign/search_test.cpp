@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace eyrie::campaign {
+namespace {
+
+const std::string kSearch = R"(eyrie: 1
+name: duel
+scenario: duel_defense
+factors:
+  start: {path: blue.flights.eagle.start.east, values: !uniform {low: -20 nmi, high: -2 nmi}}
+  until: {path: until, values: !range {from: 40 s, to: 80 s, count: 3}}
+replicates: 3
+optimize: {measure: shot, goal: minimize, generations: 4, population: 4, proof: 6}
+measures:
+  shot: {what: event, event: launch, who: blue, take: first, value: range}
+  exchange: {what: exchange_ratio, who: blue}
+)";
+
+std::string search_with(std::string_view from, std::string_view to) {
+  std::string text = kSearch;
+  return text.replace(text.find(from), from.size(), to);
+}
+std::string search_mistake(const std::string& text) {
+  try {
+    static_cast<void>(parse_search(text, "s.yaml"));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+std::shared_ptr<const scenario::Scenario> duel(const std::vector<std::string>& sets) {
+  return scenario::load({.file = "scenarios/duel_defense.yaml", .sets = sets},
+                        scenario::Source::disk("."));
+}
+
+TEST(Search, SaysWhatItsFileSays) {
+  const auto search = parse_search(kSearch, "s.yaml");
+  EXPECT_EQ(search->best->name, "shot");
+  EXPECT_EQ(search->seed_of_generation(4), 13U);
+  EXPECT_EQ(cell_at(*search, std::vector{0.5, 0.99}).values,
+            (std::vector<std::string>{"-11 nmi", "80 s"}));
+  EXPECT_EQ(cell_at(*search, std::vector{1.5, -0.99}), cell_at(*search, std::vector{0.5, 0.99}))
+      << "reflected";
+  EXPECT_EQ(search_mistake(search_with("measure: shot", "measure: shoot")),
+            "s.yaml:8:21: optimize: there is no measure 'shoot'; did you mean 'shot'?");
+  EXPECT_EQ(search_mistake(search_with("goal: minimize, ", "")),
+            "s.yaml:8:11: optimize needs the parameter 'goal'");
+  EXPECT_EQ(search_mistake(search_with("replicates", "stop: {}\nreplicates")),
+            "s.yaml:7:1: campaign has no parameter 'stop'");
+  EXPECT_EQ(search_mistake(search_with("optimize: ", "#")),
+            "s.yaml:1:1: a search needs 'optimize'");
+  EXPECT_EQ(search_mistake(search_with("replicates", "budget: {time: 1 h}\nreplicates")),
+            "s.yaml:7:9: budget: of a search 'generations' says how long it takes");
+  EXPECT_EQ(search_mistake(search_with("replicates", "seeds: {paired: false}\nreplicates")),
+            "s.yaml:7:8: seeds: those of a search are always paired");
+}
+
+/// Means of the first measure over some seeds.
+double mean_over(const Search& search, const Cell& cell, std::uint64_t first, std::uint64_t n) {
+  const auto scenario = duel(sets_of(search.spec, cell));
+  stats::Moments shot;
+  for (std::uint64_t seed = first; seed < first + n; ++seed) {
+    const auto watching = watch(search.spec, *scenario);
+    sim::Observer* const observer = watching.get();
+    const Flown flown = fly(scenario, seed, {&observer, 1});
+    if (const double v = watching->values(flown.outcome, flown.time)[0]; !std::isnan(v))
+      shot.add(v);
+  }
+  return shot.mean();
+}
+
+TEST(Search, FliesOtherSeedsInEveryGenerationAndInTheProof) {
+  const auto search = parse_search(kSearch, "s.yaml");
+  SearchLog log(*search, "here", "", "log");
+  const auto found = optimize(*search, duel, log,
+                              {.workers = 2, .tell = [&](const Generation& g, const SearchLog&) {
+                                 for (std::size_t c = 0; g.number == 1 && c < 2; ++c) {
+                                   EXPECT_NEAR(g.scores[c].value_or(0),
+                                               mean_over(*search, g.cells[c], 4, 3), 1e-6);
+                                 }
+                               }});
+  ASSERT_TRUE(found);
+  const auto evidence = prove(*search, *found, duel, {.workers = 2});
+  ASSERT_TRUE(evidence);
+  EXPECT_NEAR(*evidence->front().after.value, mean_over(*search, *found, 13, 6), 1e-6);
+}
+
+TEST(Search, GoesOnAsIfItHadNotBeenInterrupted) {
+  const auto search = parse_search(kSearch, "s.yaml");
+  int told = 0;
+  SearchRun run{.workers = 2, .tell = [&](const Generation&, const SearchLog&) { ++told; }};
+  SearchLog whole(*search, "here", "", "log");
+  const auto found = optimize(*search, duel, whole, run);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(told, 4);
+
+  // given up in the third generation
+  static std::atomic<bool> stop;
+  stop = false;
+  std::string kept;
+  run.given_up = [] { return stop.load(); };
+  run.tell = [&](const Generation& g, const SearchLog& log) {
+    kept = log.text();
+    stop = g.number == 1;
+  };
+  SearchLog part(*search, "here", "", "log");
+  EXPECT_FALSE(optimize(*search, duel, part, run));
+  EXPECT_TRUE(whole.text().starts_with(kept));
+
+  stop = false;
+  told = 0;
+  run.workers = 1;
+  run.tell = [&](const Generation&, const SearchLog&) { ++told; };
+  SearchLog rest(*search, "here", kept, "log");
+  EXPECT_EQ(optimize(*search, duel, rest, run), found);
+  EXPECT_EQ(told, 2) << "two were known";
+  EXPECT_EQ(rest.text(), whole.text());
+
+  EXPECT_THROW(SearchLog(*search, "there", kept, "log"), ConfigError);
+  kept[kept.size() - 4] ^= 1;
+  SearchLog changed(*search, "here", kept, "log");
+  EXPECT_THROW((void)optimize(*search, duel, changed, run), ConfigError);
+}
+
+TEST(Search, ComparesOnFreshSeedsWhatItFound) {
+  const auto search = parse_search(kSearch, "s.yaml");
+  const auto evidence = prove(*search, {{"-5 nmi", "80 s"}}, duel, {.workers = 2});
+  ASSERT_TRUE(evidence);
+  ASSERT_EQ(evidence->size(), 2U);
+  const Evidence& shot = evidence->front();
+  EXPECT_EQ(shot.after.n, shot.difference.n());
+  ASSERT_TRUE(shot.before.value && shot.after.value);
+  EXPECT_NEAR(shot.difference.mean(), *shot.after.value - *shot.before.value, 1e-6);
+  EXPECT_LT(shot.difference.mean(), -100) << "from nearer";
+}
+
+TEST(Search, CountsWhatTheScenarioRefusesAsWorst) {
+  const auto search = parse_search(
+      search_with("!range {from: 40 s, to: 80 s, count: 3}", "[80 s, no time]"), "s.yaml");
+  SearchLog log(*search, "here", "", "log");
+  int refused = 0, flown = 0;
+  const auto found = optimize(
+      *search, duel, log, {.workers = 2, .tell = [&](const Generation& g, const SearchLog&) {
+                             for (std::size_t c = 0; c < g.cells.size(); ++c) {
+                               EXPECT_EQ(g.scores[c].has_value(), g.cells[c].values[1] == "80 s");
+                               ++(g.scores[c] ? flown : refused);
+                             }
+                           }});
+  ASSERT_TRUE(found);
+  EXPECT_GT(refused, 0);
+  EXPECT_GT(flown, refused) << "the search leaves them";
+}
+
+}  // namespace
+}  // namespace eyrie::campaign

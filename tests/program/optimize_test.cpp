@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+/// \file  eyrie optimize, through the real program.
+#include <gtest/gtest.h>
+
+#include "support/program.hpp"
+#include "support/small_scenario.hpp"
+
+namespace eyrie::test {
+namespace {
+
+constexpr std::string_view kSearch = R"(eyrie: 1
+name: high
+scenario: small.yaml
+factors:
+  height: {path: blue.flights.eagle.start.altitude, values: !uniform {low: 10000 ft, high: 30000 ft}}
+replicates: 2
+optimize: {measure: fuel, goal: maximize, generations: 3, proof: 4}
+measures:
+  fuel: {what: fuel_left, who: blue}
+)";
+
+TEST(Optimize, WritesWhatItFoundAndGoesOnWhereItEnded) {
+  const TempFolder folder;
+  folder.write("small.yaml", kSmallScenario);
+  folder.write("s.yaml", kSearch);
+  const Ran first = run_program(folder, {"optimize", "s.yaml", "--out", "o", "--workers", "2"});
+  EXPECT_EQ(first.code, 0) << first.err;
+  const std::string winner = read_text(folder / "o/winner.yaml");
+  EXPECT_NE(winner.find("# 4 seeds each"), winner.npos) << winner;
+  const std::string log = read_text(folder / "o/candidates.csv");
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 2 + 3 * 4);
+  EXPECT_EQ(run_program(folder, {"fly", "o/winner.yaml", "--out", "w"}).code, 0);
+
+  const Ran again = run_program(folder, {"optimize", "s.yaml", "--out", "o"});
+  EXPECT_EQ(again.code, 2);
+  EXPECT_EQ(again.err, "eyrie: there is a search in o already; --resume goes on with it\n");
+
+  // as if it had been killed after the first generation
+  std::size_t end = 0;
+  for (int line = 0; line < 2 + 4; ++line)
+    end = log.find('\n', end) + 1;
+  folder.write("o/candidates.csv", log.substr(0, end));
+  const Ran resumed = run_program(folder, {"optimize", "s.yaml", "--out", "o", "--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(read_text(folder / "o/candidates.csv"), log);
+  EXPECT_EQ(read_text(folder / "o/winner.yaml"), winner);
+
+  folder.write("small.yaml", changed_scenario({{"480 kt", "470 kt"}}));
+  const Ran changed = run_program(folder, {"optimize", "s.yaml", "--out", "o", "--resume"});
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_EQ(changed.err,
+            "o/candidates.csv:1:1: is of another search: its file, the scenario or the program has "
+            "changed\n");
+}
+
+TEST(Optimize, FliesNothingOfASearchThatIsWrong) {
+  const TempFolder folder;
+  folder.write("small.yaml", kSmallScenario);
+  std::string text(kSearch);
+  text.replace(text.find("30000 ft"), 8, "300000 ft");
+  folder.write("s.yaml", text);
+  const Ran ran = run_program(folder, {"optimize", "s.yaml"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("blue.flights.eagle.start.altitude="), ran.err.npos) << ran.err;
+  EXPECT_EQ(folder.everything(), (std::vector<std::string>{"s.yaml", "small.yaml"}));
+}
+
+}  // namespace
+}  // namespace eyrie::test
