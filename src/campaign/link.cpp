@@ -17,9 +17,8 @@ class Mpi final : public Link {
   ~Mpi() override {
     for (int other = 1; rank() == 0 && other < size(); ++other)
       send(other, {});
-    while (rank() != 0 && !done_)
-      if (!receive())
-        nap();
+    for (Nap nap; rank() != 0 && !done_;)
+      nap.after(receive().has_value());
     calls_.end();
   }
   int rank() const override { return calls_.rank; }

@@ -3,6 +3,7 @@
 /// \file  Messages between the processes of a campaign. MPI stands behind it in a library of its
 /// own (apps/mpi), which is opened only when mpirun has started the program: Eyrie builds and runs
 /// where no MPI is installed.
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -27,8 +28,20 @@ class Link {
   virtual void send(int to, std::string_view bytes) = 0;
   /// What has come, if anything has; does not wait.
   [[nodiscard]] virtual std::optional<Message> receive() = 0;
-  /// Between two looks at what has come: short beside a flight, long beside a look.
-  static void nap() { std::this_thread::sleep_for(std::chrono::microseconds(200)); }
+};
+
+/// Between two looks at whether something has come: an eighth of the time for which nothing has.
+class Nap {
+ public:
+  void after(bool something) {
+    constexpr std::chrono::microseconds kShortest(50), kLongest(2000);
+    length_ = something ? kShortest : std::min(length_ + length_ / 8, kLongest);
+    if (!something)
+      std::this_thread::sleep_for(length_);
+  }
+
+ private:
+  std::chrono::microseconds length_{50};
 };
 
 /// What libeyrie_mpi.so has, in C: it may be built by another compiler than the program.

@@ -151,8 +151,10 @@ void Pool::help() {
 
 void serve(Link& link, Pool& pool, std::uint64_t origin) {
   link.send(0, (Packed(Kind::hello) << std::uint64_t{pool.workers()} << origin).bytes);
-  for (;; Link::nap()) {
+  for (Nap nap;;) {
+    bool something = false;
     while (const auto message = link.receive()) {
+      something = true;
       if (message->bytes.empty())
         return;
       Job job;
@@ -160,8 +162,11 @@ void serve(Link& link, Pool& pool, std::uint64_t origin) {
       std::memcpy(&job, message->bytes.data(), sizeof job);
       pool.put(job);
     }
-    while (const auto done = pool.take())
+    while (const auto done = pool.take()) {
+      something = true;
       link.send(0, packed(*done));
+    }
+    nap.after(something);
   }
 }
 
@@ -208,7 +213,7 @@ void Ranks::fly(std::span<const Batch> batches, const Take& take) {
   waiting_.clear();
   const Plan plan(batches);
   std::uint64_t begun = 0, taken = 0;
-  while (taken < plan.size()) {
+  for (Nap nap; taken < plan.size();) {
     std::uint64_t workers = 0;
     for (const Rank& rank : ranks_)
       workers += rank.workers;
@@ -225,10 +230,9 @@ void Ranks::fly(std::span<const Batch> batches, const Take& take) {
       }
     listen();
     const auto next = waiting_.find(taken);
-    if (next == waiting_.end()) {
-      Link::nap();
+    nap.after(next != waiting_.end());
+    if (next == waiting_.end())
       continue;
-    }
     Done done = std::move(next->second);
     waiting_.erase(next);
     ++taken;
