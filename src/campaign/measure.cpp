@@ -28,6 +28,8 @@ Words words_of(What what) {
       return {" who ", "who"};
     case What::time_in_phase:
       return {" who phase ", "phase"};
+    case What::holds:
+      return {" if ", "if"};
     case What::event:
       return {" who whom event if take value ", "event"};
     case What::decision:
@@ -44,6 +46,8 @@ std::string_view unit_of(const MeasureSpec& spec) {
       return "s";
     case What::fuel_left:
       return "kg";
+    case What::variety:
+      return "bit";
     case What::event:
     case What::decision:
       return Query::unit(spec);
@@ -65,6 +69,22 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
     Query::check(spec, diagnostics);
 }
 
+/// A condition of which the fields are columns.
+std::vector<ubf::detail::Instruction> condition_over(const std::vector<Column>& columns,
+                                                     const Value& text, Diagnostics& diagnostics) {
+  std::vector<ubf::StateFieldInfo> fields;
+  for (const Column& column : columns) {
+    const std::size_t unit = detail::unit_index(column.unit);
+    fields.push_back(
+        {.name = column.name,
+         .unit = unit < detail::kUnits.size() ? Unit(detail::kUnits[unit].dimension) : Unit(),
+         .help = {}});
+  }
+  ubf::FieldNames names;
+  return ubf::parse_expression(text, fields, names, diagnostics)
+      .value_or(std::vector<ubf::detail::Instruction>());
+}
+
 class Watcher final : public Watch {
  public:
   Watcher(const Measures& measures, const scenario::Scenario& scenario)
@@ -74,6 +94,9 @@ class Watcher final : public Watch {
       who_.push_back(players_named(scenario, spec, "who", spec.who, wrong));
       fuel_ |= spec.what == What::fuel_left;
       queries_.emplace_back();
+      varieties_.emplace_back();
+      if (spec.what == What::variety)
+        varieties_.back().emplace(flight_, who_.back());
       if (spec.what == What::event || spec.what == What::decision)
         queries_.back().emplace(spec, flight_, wrong);
       if (spec.what == What::time_in_phase)
@@ -92,6 +115,9 @@ class Watcher final : public Watch {
     for (auto& query : queries_)
       if (query)
         query->observe(world, info, events);
+    for (auto& variety : varieties_)
+      if (variety)
+        variety->observe(world);
     if (fuel_)
       for (std::size_t row = 0; row < scenario_.fleets.front()->rows(world); ++row)
         fuels_[scenario_.fleets.front()->id(world, row).value - 1] =
@@ -142,6 +168,12 @@ class Watcher final : public Watch {
         return {time_in_phase(spec.phase, who_[i], time), 0};
       case What::fuel_left:
         return {fuel_left(who_[i]), 0};
+      case What::holds:
+        return {ubf::detail::run(measures_.conditions[i],
+                                 [&](std::uint32_t column) { return values_[column]; }),
+                0};
+      case What::variety:
+        return {varieties_[i]->value(), 0};
       case What::event:
       case What::decision:
         break;
@@ -203,8 +235,9 @@ class Watcher final : public Watch {
   const scenario::Scenario& scenario_;
   record::Tally tally_;
   Flight flight_;
-  std::vector<Players> who_;                   ///< by measure
-  std::vector<std::optional<Query>> queries_;  ///< by measure
+  std::vector<Players> who_;                       ///< by measure
+  std::vector<std::optional<Query>> queries_;      ///< by measure
+  std::vector<std::optional<Variety>> varieties_;  ///< by measure
   bool fuel_ = false;
   std::vector<double> fuels_, values_;
 };
@@ -223,9 +256,12 @@ Measures read_measures(const Value& map, Diagnostics& diagnostics) {
       diagnostics.error(e.where, *problem);
     else if (bind(spec, e.value, diagnostics))
       check(spec, diagnostics);
+    auto& condition = all.conditions.emplace_back();
+    if (const Value* const text = e.value.find("if"); text && spec.what == What::holds)
+      condition = condition_over(all.columns, *text, diagnostics);
     const bool is_ratio = spec.what == What::shots_per_kill || spec.what == What::exchange_ratio;
     const bool is_share =
-        spec.what == What::outcome ||
+        spec.what == What::outcome || spec.what == What::holds ||
         ((spec.what == What::event || spec.what == What::decision) && spec.take == Take::any);
     Measure measure{e.key,
                     is_ratio   ? Measure::ratio

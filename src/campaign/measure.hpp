@@ -4,6 +4,7 @@
 #include "core/describe.hpp"
 #include "core/value.hpp"
 #include "scenario/mission.hpp"
+#include "ubf/expression.hpp"
 
 namespace eyrie::campaign {
 
@@ -34,12 +35,15 @@ enum class What : std::uint8_t {
   exchange_ratio,  ///< losses of the other sides per loss of `who`
   time_in_phase,   ///< s, that the flights of `who` spent in `phase`, added up
   fuel_left,       ///< kg, mean over the aircraft of `who` at home or alive at the end
+  variety,         ///< bit, entropy of who leads the decisions of `who`, by type of node
+  holds,           ///< share: `if` is true of the measures above it
   event,           ///< every event of that kind
   decision,        ///< every decision that a node of that label or type led
 };
 constexpr auto names_of(What) {
   return names_from_zero<What>("outcome", "end_time", "losses", "kills", "shots", "shots_per_kill",
-                               "exchange_ratio", "time_in_phase", "fuel_left", "event", "decision");
+                               "exchange_ratio", "time_in_phase", "fuel_left", "variety", "holds",
+                               "event", "decision");
 }
 
 /// What is made of the events or decisions of one flight.
@@ -61,7 +65,8 @@ struct MeasureSpec {
                       param("phase", &M::phase, "name of a phase"),
                       param("event", &M::event, "kind of the events"),
                       param("node", &M::node, "label or type of the node that led the decisions"),
-                      param("if", &M::condition, "only those of which this is true"),
+                      param("if", &M::condition,
+                            "only those of which this is true; of holds: of the measures above"),
                       param("take", &M::take, "what is made of all in one flight"),
                       param("value", &M::value, "what is taken of each; not given: its time")};
   }
@@ -77,8 +82,9 @@ struct MeasureSpec {
 /// All measures of a campaign.
 struct Measures {
   std::vector<MeasureSpec> specs;
-  std::vector<Column> columns;     ///< by measure, in its order
-  std::vector<Measure> estimates;  ///< one per spec
+  std::vector<Column> columns;                                    ///< by measure, in its order
+  std::vector<Measure> estimates;                                 ///< one per spec
+  std::vector<std::vector<ubf::detail::Instruction>> conditions;  ///< by spec, of columns
 };
 [[nodiscard]] Measures read_measures(const Value& map, Diagnostics& diagnostics);
 

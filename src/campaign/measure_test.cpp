@@ -38,7 +38,14 @@ struct Log final : sim::Observer {
       first_pursuit = std::min(first_pursuit, time);
       altitude = found->fleet.motion(world, found->row).altitude;
     }
+    if (!found)
+      return;
+    const team::LastDecision last = found->fleet.agents->last_decision(world, found->row);
+    if (std::exchange(ticks, last.ticks) != last.ticks && last.node != ubf::kNone)
+      ++led[std::string(found->fleet.trees[last.tree]->node(last.node).type())];
   }
+  std::map<std::string, int> led;
+  std::uint32_t ticks = 0;
   std::vector<sim::Event> launches;
   std::vector<PlayerId> active;
   double time = 0, first_pursuit = 1e9, altitude = 0;
@@ -82,6 +89,9 @@ none: {what: event, event: launch, if: range > 500 nmi, take: last}
 nearest: {what: event, event: launch, whom: red, take: least, value: enemy_range}
 pursuit: {what: decision, node: pursue, who: eagle1, take: first}
 height: {what: decision, node: pursue, who: eagle1, take: last, value: altitude}
+swept: {what: holds, if: red == 2 and end > 10 min and exchange.per > 1}
+beaten: {what: holds, if: red < 2 or blue > 0}
+various: {what: variety, who: eagle1}
 pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
 )"),
                        log);
@@ -123,6 +133,15 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
   EXPECT_EQ(v.at("pursuit"), log.first_pursuit);
   EXPECT_NEAR(v.at("height"), log.altitude, 50) << "at the last decision, not at the last step";
   EXPECT_EQ(v.at("pressed"), 0);
+  EXPECT_EQ(v.at("swept"), 1);
+  EXPECT_EQ(v.at("beaten"), 0);
+  double decisions = 0, bits = 0;
+  for (const auto& [type, times] : log.led)
+    decisions += times;
+  for (const auto& [type, times] : log.led)
+    bits -= times / decisions * std::log2(times / decisions);
+  EXPECT_GT(log.led.size(), 3U);
+  EXPECT_NEAR(v.at("various"), bits, 1e-9);
 }
 
 std::string refusal(const std::string& text) {
@@ -132,6 +151,14 @@ std::string refusal(const std::string& text) {
     return error.what();
   }
   return "";
+}
+
+TEST(Measures, HoldOfTheMeasuresAboveThem) {
+  Diagnostics diagnostics;
+  const char* const text = "red: {what: losses, who: red}\nwon: {what: holds, if: rad == 2}";
+  static_cast<void>(read_measures(parse_yaml(text, "m.yaml", diagnostics), diagnostics));
+  EXPECT_NE(diagnostics.text().find("m.yaml:2:24: "), std::string::npos) << diagnostics.text();
+  EXPECT_NE(diagnostics.text().find("did you mean 'red'?"), std::string::npos);
 }
 
 TEST(Measures, NameWhomAScenarioHas) {

@@ -207,19 +207,52 @@ std::string_view Query::unit(const MeasureSpec& spec) {
   return plain || value == fields.size() ? "" : fields[value].unit.si_symbol;
 }
 
+Variety::Variety(const Flight& flight, Players who)
+    : scenario_(flight.scenario), who_(std::move(who)), decisions_(flight.scenario) {
+  std::vector<std::string_view> names;
+  for (const auto& fleet : scenario_.fleets)
+    for (auto& of_fleet = types_.emplace_back(); const ubf::AnyTree* tree : fleet->trees)
+      for (auto& of_tree = of_fleet.emplace_back(); of_tree.size() < tree->size();) {
+        const std::string_view type =
+            tree->node(static_cast<ubf::NodeIndex>(of_tree.size())).type();
+        const auto known = std::find(names.begin(), names.end(), type);
+        of_tree.push_back(static_cast<std::size_t>(known - names.begin()));
+        if (known == names.end())
+          names.push_back(type);
+      }
+  led_.resize(names.size());
+}
+
+void Variety::observe(const sim::World& world) {
+  decisions_.each(world, who_, [&](PlayerId, std::size_t fleet, const auto& led) {
+    if (led.tree < types_[fleet].size() && led.node < types_[fleet][led.tree].size())
+      ++led_[types_[fleet][led.tree][led.node]];
+  });
+}
+
+double Variety::value() const {
+  double all = 0, bits = 0;
+  for (const std::uint64_t count : led_)
+    all += static_cast<double>(count);
+  for (const std::uint64_t count : led_)
+    if (count > 0)
+      bits -= static_cast<double>(count) / all * math::log2(static_cast<double>(count) / all);
+  return all > 0 ? std::max(bits, 0.0) : math::kNaN;
+}
+
 Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnostics)
     : spec_(spec),
       flight_(flight),
       who_(players_named(flight.scenario, spec, "who", spec.who, diagnostics)),
       whom_(players_named(flight.scenario, spec, "whom", spec.whom, diagnostics)),
       kind_(kind_named(spec.event)),
-      own_values_(spec.what == What::decision ? 1 : model::event_values(kind_).size()) {
+      own_values_(spec.what == What::decision ? 1 : model::event_values(kind_).size()),
+      decisions_(flight.scenario) {
   const std::vector<StateFieldInfo> fields = fields_of(spec);
   condition_ = *condition_of(spec, fields, diagnostics);
   value_ = value_of(spec, fields);
   if (spec.what == What::event)
     return;
-  ticks_.resize(who_.size());
   bool known = false;
   std::vector<std::string> labels;
   for (const auto& fleet : flight.scenario.fleets)
@@ -252,7 +285,11 @@ void Query::observe(const sim::World& world, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
   const double time = info.time() + info.dt;
   if (spec_.what == What::decision)
-    return decisions(world, time);
+    return decisions_.each(world, who_, [&](PlayerId who, std::size_t fleet, const auto& led) {
+      const auto& nodes = nodes_[fleet];
+      if (led.tree < nodes.size() && led.node < nodes[led.tree].size() && nodes[led.tree][led.node])
+        take({world, time, who, {}, std::span(&led.vote, 1)});
+    });
   const auto meant = [](const Players& players, PlayerId id) {
     return id && id.value <= players.size() && players[id.value - 1];
   };
@@ -262,23 +299,6 @@ void Query::observe(const sim::World& world, const sim::StepInfo& info,
     const PlayerId who = flight_.player(e.who), whom = flight_.player(e.whom);
     if (meant(who_, who) && (spec_.whom.empty() || meant(whom_, whom)))
       take({world, time, who, whom, e.values});
-  }
-}
-
-void Query::decisions(const sim::World& world, double time) {
-  for (std::size_t f = 0; f < nodes_.size(); ++f) {
-    const scenario::Fleet& fleet = *flight_.scenario.fleets[f];
-    for (std::size_t row = 0; row < fleet.rows(world); ++row) {
-      const PlayerId who = fleet.id(world, row);
-      if (!who_[who.value - 1])
-        continue;
-      const team::LastDecision last = fleet.agents->last_decision(world, row);
-      if (std::exchange(ticks_[who.value - 1], last.ticks) == last.ticks ||
-          last.tree >= nodes_[f].size() || last.node >= nodes_[f][last.tree].size() ||
-          !nodes_[f][last.tree][last.node])
-        continue;
-      take({world, time, who, {}, std::span(&last.vote, 1)});
-    }
   }
 }
 

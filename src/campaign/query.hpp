@@ -2,6 +2,8 @@
 #pragma once
 /// \file  A question about the events or the decisions of a flight: which of them count, and what
 /// is made of them.
+#include <utility>
+
 #include "campaign/measure.hpp"
 #include "ubf/expression.hpp"
 
@@ -29,6 +31,50 @@ class Flight {
 
  private:
   std::vector<PlayerId> shooters_;  ///< by missile, from the id behind that of the last player
+};
+
+/// The decisions that were made since it was last asked.
+class NewDecisions {
+ public:
+  explicit NewDecisions(const scenario::Scenario& scenario)
+      : scenario_(scenario), ticks_(scenario.roster.players.size()) {}
+
+  /// Calls `use(id, fleet, decision)` for each of those players; `fleet` is its index.
+  template <class Use>
+  void each(const sim::World& world, const Players& who, Use use) {
+    for (std::size_t f = 0; f < scenario_.fleets.size(); ++f) {
+      const scenario::Fleet& fleet = *scenario_.fleets[f];
+      for (std::size_t row = 0; row < fleet.rows(world); ++row) {
+        const PlayerId id = fleet.id(world, row);
+        if (!who[id.value - 1])
+          continue;
+        const team::LastDecision last = fleet.agents->last_decision(world, row);
+        if (std::exchange(ticks_[id.value - 1], last.ticks) != last.ticks)
+          use(id, f, last);
+      }
+    }
+  }
+
+ private:
+  const scenario::Scenario& scenario_;
+  std::vector<std::uint32_t> ticks_;  ///< by player: decisions seen
+};
+
+/// How various the decisions of some players are: the entropy (bits) of the type of node that led
+/// them (Shannon, Bell System Technical Journal 27 (1948) 379); 0 if it was always the same.
+class Variety {
+ public:
+  Variety(const Flight& flight, Players who);
+  void observe(const sim::World& world);
+  /// NaN if none was led by anybody.
+  [[nodiscard]] double value() const;
+
+ private:
+  const scenario::Scenario& scenario_;
+  Players who_;
+  NewDecisions decisions_;
+  std::vector<std::vector<std::vector<std::size_t>>> types_;  ///< by fleet, tree and node
+  std::vector<std::uint64_t> led_;                            ///< by type
 };
 
 /// Gathers over one flight what a measure asks for. Its condition and its value name
@@ -64,7 +110,6 @@ class Query {
   };
   [[nodiscard]] double field(const Case& c, std::size_t index) const;
   void take(const Case& c);
-  void decisions(const sim::World& world, double time);
 
   const MeasureSpec& spec_;
   const Flight& flight_;
@@ -74,7 +119,7 @@ class Query {
   std::vector<ubf::detail::Instruction> condition_;
   std::size_t value_ = 0;                    ///< field that is taken
   std::vector<std::vector<Players>> nodes_;  ///< by fleet and tree: whether a node is meant
-  std::vector<std::uint32_t> ticks_;         ///< by player: decisions seen
+  NewDecisions decisions_;
   double count_ = 0, result_ = 0;
 };
 
