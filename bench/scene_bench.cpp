@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -168,9 +169,9 @@ BENCHMARK_CAPTURE(fly, sweep_even, "sweep_even")->Unit(benchmark::kMillisecond);
 
 /// The sweep again from its run file: flown alone, with every decision of every player traced, and
 /// made into the debrief page. What the debrief costs; recording a run costs nothing of it.
-debrief::Recorded recorded_sweep() {
-  const auto scene =
-      scenario::load({home() + "/scenarios/sweep.yaml", {}}, scenario::Source::disk(home()));
+debrief::Recorded recorded(const std::string& file, const std::vector<std::string>& sets) {
+  const auto scene = scenario::load({.file = fmt::format("{}/{}", home(), file), .sets = sets},
+                                    scenario::Source::disk(home()));
   sim::TrailRecorder trail;
   scenario::Mission mission(scene, scene->spec.seed);
   mission.run().attach(trail);
@@ -180,6 +181,9 @@ debrief::Recorded recorded_sweep() {
   recorded.run.trail = trail.trail();
   recorded.scenario = scene;
   return recorded;
+}
+debrief::Recorded recorded_sweep() {
+  return recorded("scenarios/sweep.yaml", {});
 }
 
 void again(benchmark::State& state, bool traced) {
@@ -205,6 +209,47 @@ void again(benchmark::State& state, bool traced) {
 }
 BENCHMARK_CAPTURE(again, flown, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(again, traced, true)->Unit(benchmark::kMillisecond);
+
+/// How long a decision of flight eagle takes under one of the architectures of the study, in the
+/// five minutes that lead into the fight; "nodes" is the size of the tree.
+void decide(benchmark::State& state, const char* tree) {
+  const debrief::Recorded flown = recorded("studies/architectures/mission.yaml",
+                                           {fmt::format("blue.flights.eagle.tree={}", tree)});
+  const auto* pilots = debrief::find_system<pilot::PilotSystem>(*flown.scenario->simulation);
+  constexpr int kTimes = 64;
+  std::vector<std::byte> memory;
+  double nodes = 0, ns = 0;
+  for (auto _ : state) {
+    std::chrono::nanoseconds spent{};
+    std::int64_t decisions = 0;
+    debrief::Reflight flight(flown);
+    while (flight.step() && flight.after().step() < 27'000)  // 9 min
+      for (std::uint32_t id = 1; flight.after().step() > 12'000 && id <= 4; ++id)
+        pilots->revisit(flight.before(), flight.after(), PlayerId{id}, flight.orders(),
+                        [&](const team::Moment<pilot::State>& m) {
+                          const auto& asked = (*flown.scenario->trees)[m.state.agent.tree];
+                          nodes = static_cast<double>(asked.size());
+                          const auto begun = std::chrono::steady_clock::now();
+                          for (int i = 0; i < kTimes; ++i) {
+                            memory.assign(m.memory.begin(), m.memory.end());
+                            benchmark::DoNotOptimize(team::ask_again(asked, m, memory.data()));
+                          }
+                          spent += std::chrono::steady_clock::now() - begun;
+                          decisions += kTimes;
+                        });
+    state.SetIterationTime(std::chrono::duration<double>(spent).count());
+    ns = std::chrono::duration<double, std::nano>(spent).count() / static_cast<double>(decisions);
+  }
+  state.counters["nodes"] = nodes;
+  state.counters["ns"] = ns;
+}
+BENCHMARK_CAPTURE(decide, winner_takes_all, "winner_takes_all")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, paper_fusion, "paper_fusion")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, weighted_fusion, "weighted_fusion")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, per_field, "per_field")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, behavior_tree, "behavior_tree")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, subsumption, "subsumption")->UseManualTime()->Iterations(1);
+BENCHMARK_CAPTURE(decide, sequencer, "sequencer")->UseManualTime()->Iterations(1);
 
 void debrief_page(benchmark::State& state) {
   const debrief::Recorded recorded = recorded_sweep();
