@@ -34,7 +34,7 @@ void each_pair(Database& database, std::size_t one, std::size_t other, Use use) 
 /// The paired differences of a measure.
 struct Pairs {
   stats::Moments differences{};
-  std::uint64_t only_one = 0, only_other = 0;  // of shares
+  std::uint64_t both = 0, only_one = 0, only_other = 0;  // of shares
   // of ratios: sums of both cells
   std::array<double, 2> over{}, under{};
   std::uint64_t n = 0;
@@ -43,9 +43,14 @@ struct Pairs {
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
   c.n = pairs.differences.n();
   c.value = pairs.differences.mean();
-  c.interval = stats::t_interval(pairs.differences, confidence);
-  c.p = kind == Measure::share ? stats::mcnemar(pairs.only_one, pairs.only_other)
-                               : stats::t_test(pairs.differences);
+  if (kind == Measure::share) {
+    c.interval =
+        stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n, confidence);
+    c.p = stats::mcnemar(pairs.only_one, pairs.only_other);
+  } else {
+    c.interval = stats::t_interval(pairs.differences, confidence);
+    c.p = stats::t_test(pairs.differences);
+  }
   return c;
 }
 
@@ -72,6 +77,7 @@ std::vector<Comparison> compare_cells(Database& database, const Summary& summary
         continue;
       }
       pairs.differences.add(a[m.column] - b[m.column]);
+      pairs.both += a[m.column] != 0 && b[m.column] != 0;
       pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
       pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
     }

@@ -41,6 +41,22 @@ TEST(Newcombe, IsAsPublished) {
   expect_share(newcombe({56, 70}, {48, 80}), 0.0524, 0.3339, 1e-4);
 }
 
+/// Newcombe's own example for pairs, 36 both, 12 and 2 only one of them, method 10.
+TEST(NewcombePaired, IsAsPublished) {
+  expect_share(newcombe_paired(36, 12, 2, 50), 0.0569, 0.3404, 1e-4);
+}
+
+TEST(NewcombePaired, StaysAmongDifferencesOfShares) {
+  const Interval none = newcombe_paired(0, 0, 40, 40), all = newcombe_paired(0, 40, 0, 40);
+  EXPECT_EQ(none.low, -1);
+  EXPECT_EQ(all.high, 1);
+  EXPECT_NEAR(none.high, -all.low, 1e-15);
+  EXPECT_LT(none.high, -0.8);
+  const Interval same = newcombe_paired(40, 0, 0, 40);
+  EXPECT_NEAR(same.low, -same.high, 1e-15);
+  EXPECT_EQ(newcombe_paired(0, 0, 0, 0).width(), 2);
+}
+
 /// statsmodels 0.15: mcnemar([[0, 3], [12, 0]], exact=True)
 TEST(McNemar, IsThatOfStatsmodels) {
   EXPECT_NEAR(mcnemar(3, 12), 0.03515625, 1e-14);
