@@ -3,6 +3,7 @@
 /// after a thousand included.
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "campaign/store.hpp"
