@@ -49,9 +49,11 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
     return loaded;
   });
   // named from the folder of the scenario, wherever that is seen from
-  const std::string folder = fs::path(scenario_).remove_filename();
-  for (const auto& [name, text] : files_)
-    origin_[name.starts_with(folder) ? name.substr(folder.size()) : name] = text;
+  const fs::path folder = fs::path(scenario_).remove_filename();
+  for (const auto& [name, text] : files_) {
+    const fs::path from_there = fs::path(name).lexically_relative(folder);
+    origin_[name.starts_with("data/") || from_there.empty() ? name : from_there.string()] = text;
+  }
   origin_[campaign::kCampaignText] = spec.text;
   origin_["the program"] = version_text();
 }

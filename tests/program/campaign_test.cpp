@@ -359,6 +359,21 @@ measures:
   EXPECT_GE(queries, 5);
 }
 
+TEST_F(Campaign, FliesAgainWhatIncludesFilesAboveItsFolder) {
+  folder.write("c.yaml", fmt::format(R"(eyrie: 1
+name: above
+scenario: {}/studies/architectures/mission.yaml
+set: [until=9 min]
+replicates: 2
+measures: {{end: {{what: end_time}}}}
+)",
+                                     source_root()));
+  ASSERT_EQ(run("out").code, 0);
+  const Ran ran = run_program(
+      folder, {"query", "out", "SELECT count(*) > 0 FROM losses", "--decisions", "1 s"});
+  EXPECT_EQ(ran.out, "count(*) > 0\n1\n") << ran.err;
+}
+
 TEST_F(Campaign, SaysEachReplicateAsALineOfJson) {
   const Ran ran = run("out", {"--json"});
   EXPECT_EQ(ran.code, 0) << ran.err;
