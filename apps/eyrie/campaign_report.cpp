@@ -3,6 +3,7 @@
 /// SQL.
 #include "campaign/compare.hpp"
 #include "campaign/last_decisions.hpp"
+#include "campaign/ways.hpp"
 #include "campaign_page.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
@@ -46,9 +47,55 @@ Json replicates_json(Database& database, std::size_t cells) {
   return rows;
 }
 
+/// [cell, replicate, player, side, lost, tenths of a nautical mile east, north ...]
+Json ways_json(const std::vector<Way>& ways) {
+  constexpr double kTenth = 185.2;  // m
+  Json all = Json::array();
+  for (const Way& way : ways) {
+    Json& one = all.emplace_back(Json{way.cell, way.replicate, way.player, way.side, way.lost});
+    for (const auto& [north, east] : way.places) {
+      one.push_back(std::lround(east / kTenth));
+      one.push_back(std::lround(north / kTenth));
+    }
+  }
+  return all;
+}
+
+/// Says how far something has come, once it has begun; false when it was interrupted.
+std::function<bool(std::uint64_t, std::uint64_t)> telling(std::optional<Progress>& progress) {
+  return [&](std::uint64_t done, std::uint64_t all) {
+    if (!progress)
+      progress.emplace("replicates", all);
+    progress->at(done);
+    return !interrupted();
+  };
+}
+
+/// Those of the first replicates, or none and why.
+std::vector<Way> ways_to_draw(const CampaignReportOptions& options, const Summary& summary) {
+  constexpr std::uint64_t kFlights = 60, kOfCell = 5;  // seconds, not minutes
+  const std::uint64_t cells = std::max<std::size_t>(summary.cells.size(), 1);
+  const std::uint64_t count = options.ways.value_or(std::min(kOfCell, kFlights / cells));
+  if (count == 0)
+    return {};
+  std::optional<Progress> progress;
+  try {
+    return ways_flown(options.folder, count, options.workers ? options.workers : cores(),
+                      options.plugins, telling(progress));
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    if (options.ways)
+      throw;
+    progress.reset();
+    complain("eyrie: the page shows no ways flown: {}\n", words_for(e));
+    return {};
+  }
+}
+
 /// What the page shows. No text in it ends the element that holds it.
 std::string page_data(const std::string& folder, const Summary& summary,
-                      const std::vector<Comparison>& comparisons) {
+                      const std::vector<Comparison>& comparisons, const std::vector<Way>& ways) {
   Json json{{"name", summary.name},
             {"scenario", summary.scenario},
             {"hash", summary.hash},
@@ -101,6 +148,7 @@ std::string page_data(const std::string& folder, const Summary& summary,
                               {"command", fault.command}});
   Database database = open_results(folder);
   json["replicates"] = replicates_json(database, summary.cells.size());
+  json["ways"] = ways_json(ways);
   std::string text = record::json_text(json), safe;
   for (const char c : text)
     safe += c == '<' ? "\\u003c" : std::string(1, c);
@@ -117,6 +165,7 @@ int campaign_report(const CampaignReportOptions& options) {
   print_effects(summary, effects(summary), interactions(summary));
   say("\n");
   listen_for_interrupts();
+  const std::vector<Way> ways = ways_to_draw(options, summary);
   const std::string file =
       options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
   disk::OutputFile out(file, options.out.empty() || options.force);
@@ -124,7 +173,7 @@ int campaign_report(const CampaignReportOptions& options) {
   constexpr std::string_view kHere = "@DATA@";
   const std::size_t at = page.find(kHere);
   out.sink().write(page.substr(0, at));
-  out.sink().write(page_data(options.folder, summary, comparisons));
+  out.sink().write(page_data(options.folder, summary, comparisons, ways));
   out.sink().write(page.substr(at + kHere.size()));
   Database database = open_results(options.folder);
   write_table(database, options.folder);
@@ -142,14 +191,8 @@ int query(const QueryOptions& options) {
       refuse("--decisions: {}", window ? "must be more than 0" : window.error);
     listen_for_interrupts();
     std::optional<Progress> progress;
-    const auto tell = [&](std::uint64_t done, std::uint64_t all) {
-      if (!progress)
-        progress.emplace("replicates", all);
-      progress->at(done);
-      return !interrupted();
-    };
     add_last_decisions(options.folder, window.value, options.workers ? options.workers : cores(),
-                       options.plugins, tell);
+                       options.plugins, telling(progress));
   }
   if (options.sql.empty())
     return 0;

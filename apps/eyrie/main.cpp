@@ -28,6 +28,10 @@ Options& options_of(CLI::App* command, int (*run)(const Options&), Chosen& chose
   return *options;
 }
 
+void add_workers(CLI::App* app, unsigned& workers) {
+  app->add_option("--workers", workers, "flights at a time; never the result (default: all cores)")
+      ->check(whole_number(1, 1024));
+}
 void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
   app->add_option("--plugin", plugins, help)->allow_extra_args(false);
 }
@@ -83,10 +87,7 @@ void add_campaign(CLI::App& app, Chosen& chosen) {
   campaign->add_option("file", o.file, "a campaign file: docs/campaigns.md")->required();
   campaign->add_option("--out", o.out, "folder for the results (default: campaigns/<name>)");
   campaign->add_flag("--resume", o.resume, "go on where it ended, or was killed");
-  campaign
-      ->add_option("--workers", o.workers,
-                   "flights at a time; never the result (default: one for each core)")
-      ->check(whole_number(1, 1024));
+  add_workers(campaign, o.workers);
   campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
   add_plugins(campaign, o.plugins, kPluginHelp);
   add_includes(campaign, o.includes);
@@ -99,6 +100,10 @@ void add_report(CLI::App& app, Chosen& chosen) {
   report->add_option("folder", o.folder, "the folder of a campaign")->required();
   report->add_option("--out", o.out, "the page (default: report.html in the folder)");
   report->add_flag("--force", o.force, "replace the file given by --out");
+  report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
+      ->check(whole_number(0, 1000));
+  add_workers(report, o.workers);
+  add_plugins(report, o.plugins, kPluginHelp);
 }
 
 void add_query(CLI::App& app, Chosen& chosen) {
@@ -107,11 +112,10 @@ void add_query(CLI::App& app, Chosen& chosen) {
   QueryOptions& o = options_of(query, app::query, chosen);
   query->add_option("folder", o.folder, "the folder of a campaign")->required();
   query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
-  query->add_option("--decisions", o.decisions,
-                    "first fly again whoever has losses, and add the decisions of the lost in "
-                    "this time before, such as '10 s'");
-  query->add_option("--workers", o.workers, "flights at a time (default: one for each core)")
-      ->check(whole_number(1, 1024));
+  query->add_option(
+      "--decisions", o.decisions,
+      "first add what the lost decided in a time before, such as '10 s': flown again");
+  add_workers(query, o.workers);
   add_plugins(query, o.plugins, kPluginHelp);
 }
 
@@ -122,10 +126,7 @@ void add_optimize(CLI::App& app, Chosen& chosen) {
   optimize->add_option("file", o.file, "a search: docs/campaigns.md")->required();
   optimize->add_option("--out", o.out, "folder for what is found (default: searches/<name>)");
   optimize->add_flag("--resume", o.resume, "go on where it ended, or was killed");
-  optimize
-      ->add_option("--workers", o.workers,
-                   "flights at a time; never the result (default: one for each core)")
-      ->check(whole_number(1, 1024));
+  add_workers(optimize, o.workers);
   add_plugins(optimize, o.plugins, kPluginHelp);
   add_includes(optimize, o.includes);
 }

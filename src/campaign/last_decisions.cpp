@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/last_decisions.hpp"
 
-#include <filesystem>
-
-#include "campaign/engine.hpp"
+#include "campaign/again.hpp"
 #include "campaign/in_order.hpp"
 #include "campaign/summary.hpp"
 #include "debrief/decision.hpp"
@@ -57,29 +55,6 @@ void note(const team::Decision& decision, std::size_t loss, std::vector<Contest>
   }
 }
 
-/// The campaign as its database tells it.
-struct Kept {
-  Spec spec;
-  std::vector<Cell> cells;
-  std::string scenario;  ///< key in `files`
-  Origin files;
-};
-Kept kept_in(Database& database) {
-  Kept kept;
-  Statement origin = database.prepare("SELECT name, text FROM origin");
-  while (origin.step())
-    kept.files[origin.text(0)] = origin.text(1);
-  kept.spec = parse_spec(kept.files[kCampaignText], "campaign.yaml");
-  kept.cells = cells_of(kept.spec);
-  kept.scenario = std::filesystem::path(kept.spec.scenario).replace_extension(".yaml").filename();
-  return kept;
-}
-
-struct Asked {
-  std::uint64_t cell, replicate, seed;
-  std::string hash;
-};
-
 }  // namespace
 
 LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& scenario,
@@ -114,28 +89,10 @@ void add_last_decisions(const std::string& folder, double window, unsigned worke
                         const std::vector<std::string>& plugins,
                         const std::function<bool(std::uint64_t, std::uint64_t)>& tell) {
   Database database = open_results(folder, Database::Access::write);
-  const Kept kept = kept_in(database);
+  Again again(database, plugins, workers);
   database.run(kLossTables);
-  std::vector<Asked> asked;
-  Statement missing = database.prepare(
-      "SELECT cell, replicate, seed, hash FROM replicates LEFT JOIN looked_at USING (cell, "
-      "replicate) WHERE outcome <> 'fault' AND (window_s IS NULL OR window_s < ?) "
-      "ORDER BY cell, replicate");
-  missing.with(window);
-  while (missing.step()) {
-    const auto whole = [&](int i) { return static_cast<std::uint64_t>(missing.integer(i)); };
-    asked.push_back({whole(0), whole(1), whole(2), missing.text(3)});
-    if (asked.back().cell >= kept.cells.size())
-      throw disk::Failed(
-          fmt::format("{} is damaged: there is no cell {}", quote_path(folder), asked.back().cell));
-  }
-  Scenarios scenarios(
-      kept.spec, kept.cells,
-      [&](const std::vector<std::string>& sets) {
-        return scenario::load({.file = kept.scenario, .sets = sets, .plugins = plugins},
-                              scenario::Source::bundle(kept.files));
-      },
-      workers + 1);
+  const std::vector<Again::Flight> asked = again.flights(
+      "LEFT JOIN looked_at USING (cell, replicate) WHERE window_s IS NULL OR window_s < ?", window);
   Statement loss = database.prepare("INSERT INTO losses VALUES (?, ?, ?, ?, ?, ?, ?)");
   Statement decision =
       database.prepare("INSERT INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
@@ -145,16 +102,13 @@ void add_last_decisions(const std::string& folder, double window, unsigned worke
   in_order<LastDecisions>(
       asked.size(), workers,
       [&](std::uint64_t i) {
-        return last_decisions(scenarios.of(asked[i].cell), asked[i].seed, window);
+        return last_decisions(again.scenario(asked[i].cell), asked[i].seed, window);
       },
       [&](std::uint64_t i, LastDecisions&& found) {
-        const Asked& a = asked[i];
-        if (hash_text(found.hash) != a.hash)
-          throw disk::Refused(fmt::format(
-              "cell {}, replicate {} ends otherwise than it did: the campaign was flown by another "
-              "program",
-              a.cell, a.replicate));
-        const scenario::Roster& roster = scenarios.of(a.cell)->roster;
+        const Again::Flight& a = asked[i];
+        Again::demand_the_same(a, found.hash);
+        const auto scenario = again.scenario(a.cell);
+        const scenario::Roster& roster = scenario->roster;
         database.run("BEGIN");
         forget_losses.with(a.cell, a.replicate).step();
         forget.with(a.cell, a.replicate).step();

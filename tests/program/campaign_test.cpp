@@ -10,63 +10,11 @@
 #include <thread>
 
 #include "campaign/database.hpp"
+#include "support/campaign/two_speeds.hpp"
 #include "support/plugin.hpp"
-#include "support/program.hpp"
-#include "support/small_scenario.hpp"
 
 namespace eyrie::test {
 namespace {
-
-constexpr const char* kCampaign = R"(eyrie: 1
-name: two speeds
-scenario: small.yaml
-factors:
-  speed: {path: blue.flights.eagle.start.speed, values: [400 kt, 480 kt]}
-replicates: 40
-measures:
-  end: {what: end_time}
-  losses: {what: losses, who: blue}
-)";
-
-/// The campaign with one piece of its text for another.
-std::string changed(const Change& change) {
-  std::string text = kCampaign;
-  text.replace(text.find(change.from), change.from.size(), change.to);
-  return text;
-}
-
-class Campaign : public testing::Test {
- protected:
-  Campaign() {
-    folder.write("small.yaml", changed_scenario({{"until: 2 s", "until: 60 s"}}));
-    folder.write("c.yaml", kCampaign);
-  }
-  [[nodiscard]] Ran run(const std::string& out, std::vector<std::string> more = {},
-                        const RunOptions& options = {}) const {
-    more.insert(more.begin(), {"campaign", "c.yaml", "--out", out});
-    return run_program(folder, more, options);
-  }
-  [[nodiscard]] std::string table(const std::string& out) const {
-    return read_text(folder / out + "/results.csv");
-  }
-  static std::string hash_in(const Ran& ran) {
-    const auto at = ran.out.find("campaign hash ");
-    return at == ran.out.npos ? "none: " + ran.err : ran.out.substr(at, 32);
-  }
-  /// The table of a campaign that nobody disturbs.
-  const std::string& undisturbed() const {
-    if (undisturbed_.empty()) {
-      EXPECT_EQ(run("undisturbed", {"--workers", "2"}).code, 0);
-      undisturbed_ = table("undisturbed");
-    }
-    return undisturbed_;
-  }
-
-  TempFolder folder;
-
- private:
-  mutable std::string undisturbed_;
-};
 
 /// The program in the background.
 class Background {
@@ -249,131 +197,7 @@ measures:
   }
 }
 
-TEST_F(Campaign, ReportsOnAPageThatNoNameCanBreak) {
-  folder.write("c.yaml", R"y(eyrie: 1
-name: "</script><script>alert(1)"
-scenario: small.yaml
-factors:
-  speed: {path: blue.flights.eagle.start.speed, values: {"<b>": 400 kt, "@DATA@": 480 kt}}
-replicates: 3
-measures:
-  end: {what: end_time}
-)y");
-  ASSERT_EQ(run("out").code, 0);
-  const Ran ran = run_program(folder, {"report", "out"});
-  EXPECT_EQ(ran.code, 0) << ran.err;
-  EXPECT_NE(ran.out.find("cells against each other"), std::string::npos) << ran.out;
-  const std::string page = read_text(folder / "out/report.html");
-  const std::string begin = R"(id="data">)";
-  const auto at = page.find(begin) + begin.size(), end = page.find("</script>", at);
-  const auto data = nlohmann::json::parse(page.substr(at, end - at), nullptr, false);
-  ASSERT_FALSE(data.is_discarded()) << page.substr(at, end - at);
-  EXPECT_EQ(data["name"], "</script><script>alert(1)");
-  EXPECT_EQ(data["cells"][1]["values"][0], "@DATA@");
-  EXPECT_EQ(data["replicates"].size(), 6U);
-  EXPECT_EQ(page.find("alert(1)", end), page.npos);
-}
-
 /// A folder of results may be a stranger's.
-TEST_F(Campaign, SaysWhatIsDamaged) {
-  undisturbed();
-  const auto spoiled = [&](const std::string& sql) {
-    const std::string out = "spoiled";
-    std::filesystem::remove_all(folder / out);
-    std::filesystem::copy(folder / "undisturbed", folder / out);
-    campaign::Database(folder / out + "/results.db", campaign::Database::Access::write).run(sql);
-    std::string said;
-    for (const std::vector<std::string>& command :
-         {std::vector<std::string>{"report", out}, {"query", out, "--decisions", "1 s"}}) {
-      const Ran ran = run_program(folder, command);
-      EXPECT_TRUE(ran.code == 0 || ran.code == 1 || ran.code == 2) << sql << ran.code << ran.err;
-      EXPECT_EQ(ran.err.find("please report"), ran.err.npos) << ran.err;
-      said += ran.err;
-    }
-    return said;
-  };
-  EXPECT_NE(spoiled("UPDATE measures SET of = 'none'").find("damaged: there is no column 'none'"),
-            std::string::npos);
-  EXPECT_NE(spoiled("UPDATE replicates SET cell = 7 WHERE cell = 1").find("there is no cell 7"),
-            std::string::npos);
-  EXPECT_NE(spoiled("UPDATE replicates SET hash = 'x' WHERE seed = 3").find("ends otherwise"),
-            std::string::npos);
-  EXPECT_NE(spoiled("DROP TABLE cells").find("no such table: cells"), std::string::npos);
-  EXPECT_NE(spoiled("DELETE FROM origin"), "");
-  spoiled("UPDATE replicates SET \"end\" = 'x', outcome = NULL, seed = 'y'");
-  spoiled("DELETE FROM measures");
-  spoiled("DELETE FROM cells");
-}
-
-TEST_F(Campaign, AnswersSqlAndIsChangedByNone) {
-  undisturbed();
-  const auto asked = [&](const std::string& sql) {
-    return run_program(folder, {"query", "undisturbed", sql});
-  };
-  EXPECT_EQ(asked("SELECT c.speed, count(*) AS n, avg(\"end\") AS \"end\" FROM replicates r "
-                  "JOIN cells c USING (cell) GROUP BY cell")
-                .out,
-            "speed,n,end\n400 kt,40,60\n480 kt,40,60\n");
-  const Ran wrong = asked("SELECT speed FROM replicates");
-  EXPECT_EQ(wrong.code, 2);
-  EXPECT_NE(wrong.err.find("no such column: speed"), std::string::npos) << wrong.err;
-  EXPECT_NE(asked("DELETE FROM replicates").code, 0);
-  EXPECT_EQ(asked("SELECT count(*) FROM replicates").out, "count(*)\n80\n");
-  EXPECT_EQ(run_program(folder, {"query", "nowhere", "SELECT 1"}).code, 2);
-}
-
-TEST_F(Campaign, TellsWhatTheLostDecidedBefore) {
-  folder.write("c.yaml", R"(eyrie: 1
-name: lost
-scenario: merge
-replicates: 3
-measures:
-  blue: {what: losses, who: blue}
-  red: {what: losses, who: red}
-)");
-  ASSERT_EQ(run("out").code, 0);
-  const auto asked = [&](const std::string& sql) {
-    const Ran ran = run_program(folder, {"query", "out", sql, "--decisions", "5 s"});
-    EXPECT_EQ(ran.code, 0) << ran.err;
-    return ran.out.substr(ran.out.find('\n') + 1);
-  };
-  const std::string lost = asked("SELECT sum(blue + red) FROM replicates");
-  EXPECT_GE(std::stod(lost), 1);
-  EXPECT_EQ(std::stod(asked("SELECT count(*) FROM losses")), std::stod(lost));
-  // ten decisions a second, of each somebody decided something
-  EXPECT_EQ(asked("SELECT count(*) FROM losses l WHERE (SELECT count(DISTINCT time_s) FROM "
-                  "decisions d WHERE (d.cell, d.replicate, d.loss) = (l.cell, l.replicate, l.loss) "
-                  "AND before_s BETWEEN 0 AND 5) NOT BETWEEN 45 AND 51"),
-            "0\n");
-  EXPECT_EQ(asked("SELECT count(*) FROM decisions WHERE before_s NOT BETWEEN 0 AND 5"), "0\n");
-
-  // and every query of the page
-  const std::string page = read_text(source_root() + "/docs/campaigns.md");
-  const std::string begin = "```sql\n";
-  int queries = 0;
-  for (auto at = page.find(begin); at != page.npos; at = page.find(begin, at), ++queries) {
-    at += begin.size();
-    const std::string sql = page.substr(at, page.find("```", at) - at);
-    EXPECT_NE(asked(sql), "") << sql;
-  }
-  EXPECT_GE(queries, 5);
-}
-
-TEST_F(Campaign, FliesAgainWhatIncludesFilesAboveItsFolder) {
-  folder.write("c.yaml", fmt::format(R"(eyrie: 1
-name: above
-scenario: {}/studies/architectures/mission.yaml
-set: [until=9 min]
-replicates: 2
-measures: {{end: {{what: end_time}}}}
-)",
-                                     source_root()));
-  ASSERT_EQ(run("out").code, 0);
-  const Ran ran = run_program(
-      folder, {"query", "out", "SELECT count(*) > 0 FROM losses", "--decisions", "1 s"});
-  EXPECT_EQ(ran.out, "count(*) > 0\n1\n") << ran.err;
-}
-
 TEST_F(Campaign, SaysEachReplicateAsALineOfJson) {
   const Ran ran = run("out", {"--json"});
   EXPECT_EQ(ran.code, 0) << ran.err;
