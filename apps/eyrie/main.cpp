@@ -94,8 +94,7 @@ void add_campaign(CLI::App& app, Chosen& chosen) {
 }
 
 void add_report(CLI::App& app, Chosen& chosen) {
-  CLI::App* report = app.add_subcommand(
-      "report", "What the results of a campaign say: tables, and a page to click through");
+  CLI::App* report = app.add_subcommand("report", "What a campaign found: tables, and a page");
   CampaignReportOptions& o = options_of(report, campaign_report, chosen);
   report->add_option("folder", o.folder, "the folder of a campaign")->required();
   report->add_option("--out", o.out, "the page (default: report.html in the folder)");
@@ -112,9 +111,8 @@ void add_query(CLI::App& app, Chosen& chosen) {
   QueryOptions& o = options_of(query, app::query, chosen);
   query->add_option("folder", o.folder, "the folder of a campaign")->required();
   query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
-  query->add_option(
-      "--decisions", o.decisions,
-      "first add what the lost decided in a time before, such as '10 s': flown again");
+  query->add_option("--decisions", o.decisions,
+                    "first add what the lost decided in their last '10 s': they are flown again");
   add_workers(query, o.workers);
   add_plugins(query, o.plugins, kPluginHelp);
 }
