@@ -28,7 +28,7 @@ class WayWatcher final : public sim::Observer {
           fate && fate->end == "lost" && scenario_.roster.find(fate->who))
         ways[fate->who.value - 1].lost = true;
   }
-  void finish() {
+  void finish(const sim::World&) override {
     for (std::size_t i = 0; i < ways.size(); ++i)
       ways[i].places.push_back(last_[i]);
   }
@@ -70,7 +70,6 @@ std::vector<Way> ways_flown(const std::string& folder, std::uint64_t count, unsi
         WayWatcher watcher(*scenario);
         sim::Observer* const observer = &watcher;
         const std::uint64_t hash = fly(scenario, flights[i].seed, {&observer, 1}).hash;
-        watcher.finish();
         return FlownWays{hash, std::move(watcher.ways)};
       },
       [&](std::uint64_t i, FlownWays&& flown) {
