@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "scenario/plugin_file.hpp"
 #include "team/moment.hpp"
@@ -17,6 +18,10 @@ namespace eyrie::scenario {
 namespace {
 
 std::atomic<EndGuard*> youngest = nullptr;
+/// The thread that says the last words.
+std::atomic<std::thread::id> speaker;
+/// As many threads may end the program at once. Each takes one handler off the list of exit().
+constexpr int kThreads = 256;
 
 /// Never destroyed: it is asked when everything else is.
 std::vector<std::string>& known_plugins() {
@@ -42,6 +47,16 @@ EndGuard::EndGuard(int code, LastWords last_words)
       before_(youngest.exchange(this)),
       terminate_before_(std::set_terminate(on_terminate)) {
   // the last that is registered is the first that is called; one that finds no guard does nothing
+  static const bool many = [] {
+    for (int i = 1; i < kThreads; ++i)
+      enlist();
+    return true;
+  }();
+  static_cast<void>(many);
+  enlist();
+}
+
+void EndGuard::enlist() {
   static_cast<void>(std::atexit(on_exit));
   static_cast<void>(std::at_quick_exit(on_quick_exit));
 }
@@ -52,9 +67,16 @@ EndGuard::~EndGuard() {
 }
 
 void EndGuard::ended(const std::string& done) {
-  EndGuard* guard = youngest.exchange(nullptr);
+  EndGuard* guard = youngest;
   if (!guard)
     return;
+  std::thread::id first;
+  if (!speaker.compare_exchange_strong(first, std::this_thread::get_id())) {
+    // whose last words end the program again does not wait for himself
+    while (first != std::this_thread::get_id())
+      ::pause();
+    return;
+  }
   guard->last_words_(plugin_on_the_stack() + " " + done);
   std::fflush(nullptr);
   ::_exit(guard->code_);

@@ -9,8 +9,8 @@ namespace eyrie::scenario {
 
 /// While it lives, whoever ends the program by exit(), quick_exit() or std::terminate() does not
 /// get away in silence: `last_words` gets what was done ("libx.so called exit()") and the program
-/// ends with `code`, which is not 0. Of several guards the youngest counts. What ends without a
-/// word to anybody (_exit, a signal) is not noticed.
+/// ends with `code`, which is not 0. Of several guards the youngest counts, and of
+/// several threads the first. What ends without a word to anybody (_exit, a signal) is not noticed.
 class EndGuard {
  public:
   using LastWords = std::function<void(const std::string& done)>;
@@ -20,6 +20,7 @@ class EndGuard {
   EndGuard& operator=(const EndGuard&) = delete;
 
  private:
+  static void enlist();
   static void ended(const std::string& done);
   static void on_exit();
   static void on_quick_exit();
