@@ -155,13 +155,25 @@ std::string page_data(const std::string& folder, const Summary& summary,
   return safe;
 }
 
+std::optional<std::size_t> measure_named(const std::string& name, const Summary& summary) {
+  if (name.empty())
+    return {};
+  std::vector<std::string_view> names;
+  for (const Measure& m : summary.measures)
+    names.push_back(m.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    refuse("--of: there is no measure {}{}", quote(name), did_you_mean(name, names));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
 }  // namespace
 
 int campaign_report(const CampaignReportOptions& options) {
   const Summary summary = read_summary(options.folder);
-  const auto comparisons = compare(options.folder, summary);
+  const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
   print_cells(summary);
-  print_comparisons(summary, comparisons);
+  print_comparisons(summary, comparisons, options.of.empty() ? 20 : comparisons.size());
   print_effects(summary, effects(summary), interactions(summary));
   say("\n");
   listen_for_interrupts();

@@ -59,8 +59,7 @@ void print_cells(const campaign::Summary& summary) {
 }
 
 void print_comparisons(const campaign::Summary& summary,
-                       const std::vector<campaign::Comparison>& comparisons) {
-  constexpr std::size_t kMostRows = 20;
+                       const std::vector<campaign::Comparison>& comparisons, std::size_t most) {
   if (comparisons.empty())
     return;
   std::vector<campaign::Comparison> surest = comparisons;
@@ -68,7 +67,7 @@ void print_comparisons(const campaign::Summary& summary,
                    [](const auto& a, const auto& b) { return a.holm < b.holm; });
   std::vector<std::vector<std::string>> rows{
       {"measure", "cell", "less cell", "difference", "pairs", "p", "p (Holm)"}};
-  for (std::size_t i = 0; i < std::min(surest.size(), kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(surest.size(), most); ++i) {
     const auto& c = surest[i];
     rows.push_back(
         {summary.measures[c.measure].name, std::to_string(c.cell), std::to_string(c.than),
@@ -77,8 +76,8 @@ void print_comparisons(const campaign::Summary& summary,
   }
   say("\ncells against each other, replicate by replicate, the surest first\n");
   print_table(rows);
-  if (surest.size() > kMostRows)
-    say("... and {} more comparisons\n", surest.size() - kMostRows);
+  if (surest.size() > most)
+    say("... and {} more comparisons\n", surest.size() - most);
 }
 
 void print_effects(const campaign::Summary& summary, const std::vector<campaign::Effect>& effects,

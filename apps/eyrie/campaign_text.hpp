@@ -10,8 +10,9 @@ namespace eyrie::app {
 
 /// A row per cell with every measure and its interval, and the first faults.
 void print_cells(const campaign::Summary& summary);
+/// So many of them, the surest first.
 void print_comparisons(const campaign::Summary& summary,
-                       const std::vector<campaign::Comparison>& comparisons);
+                       const std::vector<campaign::Comparison>& comparisons, std::size_t most);
 void print_effects(const campaign::Summary& summary, const std::vector<campaign::Effect>& effects,
                    const std::vector<campaign::Interaction>& interactions);
 

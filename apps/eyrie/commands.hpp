@@ -47,6 +47,7 @@ struct CampaignReportOptions {
   std::string folder;  ///< of a campaign
   std::string out;     ///< file; empty: report.html in the folder
   bool force = false;
+  std::string of;  ///< the measure by which all cells are compared; empty: by each
   std::optional<std::uint64_t> ways;  ///< replicates of a cell whose ways are drawn
   unsigned workers = 0;               ///< 0: one for each core
   std::vector<std::string> plugins;

@@ -99,6 +99,7 @@ void add_report(CLI::App& app, Chosen& chosen) {
   report->add_option("folder", o.folder, "the folder of a campaign")->required();
   report->add_option("--out", o.out, "the page (default: report.html in the folder)");
   report->add_flag("--force", o.force, "replace the file given by --out");
+  report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
   report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
       ->check(whole_number(0, 1000));
   add_workers(report, o.workers);

@@ -194,16 +194,16 @@ Variance variance(const Summary& summary, std::size_t measure,
 }  // namespace
 
 std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
-                                double confidence) {
+                                std::optional<std::size_t> measure, double confidence) {
   constexpr std::size_t kAllPairs = 6;
   Database database = open_results(folder);
   std::vector<Comparison> all;
   const std::size_t n = summary.cells.size();
-  for (std::size_t than = 0; than < (n <= kAllPairs ? n : 1); ++than)
-    for (std::size_t cell = than + 1; cell < n; ++cell) {
-      const auto some = compare_cells(database, summary, cell, than, confidence);
-      all.insert(all.end(), some.begin(), some.end());
-    }
+  for (std::size_t than = 0; than < (measure || n <= kAllPairs ? n : 1); ++than)
+    for (std::size_t cell = than + 1; cell < n; ++cell)
+      for (const Comparison& c : compare_cells(database, summary, cell, than, confidence))
+        if (!measure || c.measure == *measure)
+          all.push_back(c);
   correct(all, summary.measures.size());
   return all;
 }

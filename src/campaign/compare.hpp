@@ -17,8 +17,10 @@ struct Comparison {
   double holm = 1;  ///< p, corrected for all comparisons of the measure
 };
 
-/// Of all pairs of cells if there are at most 6 cells, else of each with the first.
+/// Of one measure for all pairs of cells; of every measure if none is given, and then for all pairs
+/// if there are at most 6 cells, else of each cell with the first.
 [[nodiscard]] std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
+                                              std::optional<std::size_t> measure = {},
                                               double confidence = 0.95);
 
 /// What the levels of a factor do to a measure, over all cells that have it.

@@ -53,6 +53,12 @@ TEST(Compare, SubtractsWhatCellsShareReplicateByReplicate) {
       EXPECT_EQ(c.p, 1);
     }
   }
+  const auto by_one = compare(folder / "out", summary, 3);
+  ASSERT_EQ(by_one.size(), 3U);
+  for (const Comparison& c : by_one) {
+    EXPECT_EQ(c.measure, 3U);
+    EXPECT_NEAR(c.holm, c.cell == 2 ? 6.0 / 1024 : 1, 1e-12);
+  }
 }
 
 /// The summary of a full factorial of two factors with these values, the second changing fastest.

@@ -47,6 +47,7 @@ std::string_view unit_of(const MeasureSpec& spec) {
     case What::fuel_left:
       return "kg";
     case What::variety:
+    case What::motion_variety:
       return "bit";
     case What::event:
     case What::decision:
@@ -95,8 +96,8 @@ class Watcher final : public Watch {
       fuel_ |= spec.what == What::fuel_left;
       queries_.emplace_back();
       varieties_.emplace_back();
-      if (spec.what == What::variety)
-        varieties_.back().emplace(flight_, who_.back());
+      if (spec.what == What::variety || spec.what == What::motion_variety)
+        varieties_.back().emplace(flight_, who_.back(), spec.what == What::motion_variety);
       if (spec.what == What::event || spec.what == What::decision)
         queries_.back().emplace(spec, flight_, wrong);
       if (spec.what == What::time_in_phase)
@@ -173,6 +174,7 @@ class Watcher final : public Watch {
                                  [&](std::uint32_t column) { return values_[column]; }),
                 0};
       case What::variety:
+      case What::motion_variety:
         return {varieties_[i]->value(), 0};
       case What::event:
       case What::decision:

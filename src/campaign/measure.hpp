@@ -36,14 +36,15 @@ enum class What : std::uint8_t {
   time_in_phase,   ///< s, that the flights of `who` spent in `phase`, added up
   fuel_left,       ///< kg, mean over the aircraft of `who` at home or alive at the end
   variety,         ///< bit, entropy of who leads the decisions of `who`, by type of node
+  motion_variety,  ///< bit, entropy of how `who` bank and climb when they decide
   holds,           ///< share: `if` is true of the measures above it
   event,           ///< every event of that kind
   decision,        ///< every decision that a node of that label or type led
 };
 constexpr auto names_of(What) {
   return names_from_zero<What>("outcome", "end_time", "losses", "kills", "shots", "shots_per_kill",
-                               "exchange_ratio", "time_in_phase", "fuel_left", "variety", "holds",
-                               "event", "decision");
+                               "exchange_ratio", "time_in_phase", "fuel_left", "variety",
+                               "motion_variety", "holds", "event", "decision");
 }
 
 /// What is made of the events or decisions of one flight.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/angle.hpp"
 #include "core/yaml.hpp"
 #include "record/names.hpp"
 
@@ -42,9 +43,20 @@ struct Log final : sim::Observer {
       return;
     const team::LastDecision last = found->fleet.agents->last_decision(world, found->row);
     if (std::exchange(ticks, last.ticks) != last.ticks && last.node != ubf::kNone)
-      ++led[std::string(found->fleet.trees[last.tree]->node(last.node).type())];
+      count(found->fleet.trees[last.tree]->node(last.node).type(),
+            found->fleet.motion(world, found->row));
   }
-  std::map<std::string, int> led;
+  void count(std::string_view leader, const model::Kinematics& k) {
+    ++led[std::string(leader)];
+    const double bank = degrees(k.roll), climb = degrees(k.pitch);
+    const std::string side = bank > 45    ? "hard right "
+                             : bank > 10  ? "right "
+                             : bank > -10 ? "straight "
+                             : bank > -45 ? "left "
+                                          : "hard left ";
+    ++moved[side + (climb > 5 ? "up" : climb > -5 ? "level" : "down")];
+  }
+  std::map<std::string, int> led, moved;
   std::uint32_t ticks = 0;
   std::vector<sim::Event> launches;
   std::vector<PlayerId> active;
@@ -92,6 +104,7 @@ height: {what: decision, node: pursue, who: eagle1, take: last, value: altitude}
 swept: {what: holds, if: red == 2 and end > 10 min and exchange.per > 1}
 beaten: {what: holds, if: red < 2 or blue > 0}
 various: {what: variety, who: eagle1}
+nimble: {what: motion_variety, who: eagle1}
 pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
 )"),
                        log);
@@ -135,13 +148,15 @@ pressed: {what: decision, node: pursue, if: missile_range < 0.1 nmi, take: any}
   EXPECT_EQ(v.at("pressed"), 0);
   EXPECT_EQ(v.at("swept"), 1);
   EXPECT_EQ(v.at("beaten"), 0);
-  double decisions = 0, bits = 0;
-  for (const auto& [type, times] : log.led)
-    decisions += times;
-  for (const auto& [type, times] : log.led)
-    bits -= times / decisions * std::log2(times / decisions);
-  EXPECT_GT(log.led.size(), 3U);
-  EXPECT_NEAR(v.at("various"), bits, 1e-9);
+  for (const auto& [name, counts] : {std::pair("various", log.led), {"nimble", log.moved}}) {
+    double decisions = 0, bits = 0;
+    for (const auto& [which, times] : counts)
+      decisions += times;
+    for (const auto& [which, times] : counts)
+      bits -= times / decisions * std::log2(times / decisions);
+    EXPECT_GT(counts.size(), 3U);
+    EXPECT_NEAR(v.at(name), bits, 1e-9);
+  }
 }
 
 std::string refusal(const std::string& text) {

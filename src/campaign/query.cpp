@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/angle.hpp"
 #include "core/math.hpp"
 #include "record/names.hpp"
 
@@ -126,6 +127,16 @@ double of_player(const scenario::Scenario& s, const sim::World& world, PlayerId 
   }
 }
 
+constexpr std::size_t kWaysToMove = 15;
+std::size_t way_to_move(const model::Kinematics& k) {
+  const auto beyond = [](double x, std::initializer_list<double> limits) {
+    return static_cast<std::size_t>(
+        std::count_if(limits.begin(), limits.end(), [&](double limit) { return x > limit; }));
+  };
+  return 3 * beyond(k.roll, {-radians(45), -radians(10), radians(10), radians(45)}) +
+         beyond(k.pitch, {-radians(5), radians(5)});
+}
+
 }  // namespace
 
 Players players_named(const scenario::Scenario& scenario, const MeasureSpec& spec,
@@ -207,8 +218,11 @@ std::string_view Query::unit(const MeasureSpec& spec) {
   return plain || value == fields.size() ? "" : fields[value].unit.si_symbol;
 }
 
-Variety::Variety(const Flight& flight, Players who)
-    : scenario_(flight.scenario), who_(std::move(who)), decisions_(flight.scenario) {
+Variety::Variety(const Flight& flight, Players who, bool of_motion)
+    : scenario_(flight.scenario),
+      who_(std::move(who)),
+      decisions_(flight.scenario),
+      of_motion_(of_motion) {
   std::vector<std::string_view> names;
   for (const auto& fleet : scenario_.fleets)
     for (auto& of_fleet = types_.emplace_back(); const ubf::AnyTree* tree : fleet->trees)
@@ -220,21 +234,25 @@ Variety::Variety(const Flight& flight, Players who)
         if (known == names.end())
           names.push_back(type);
       }
-  led_.resize(names.size());
+  counts_.resize(of_motion ? kWaysToMove : names.size());
 }
 
 void Variety::observe(const sim::World& world) {
-  decisions_.each(world, who_, [&](PlayerId, std::size_t fleet, const auto& led) {
-    if (led.tree < types_[fleet].size() && led.node < types_[fleet][led.tree].size())
-      ++led_[types_[fleet][led.tree][led.node]];
+  decisions_.each(world, who_, [&](PlayerId id, std::size_t fleet, const auto& led) {
+    if (of_motion_) {
+      const auto found = scenario_.find(world, id);
+      ++counts_[way_to_move(found->fleet.motion(world, found->row))];
+    } else if (led.tree < types_[fleet].size() && led.node < types_[fleet][led.tree].size()) {
+      ++counts_[types_[fleet][led.tree][led.node]];
+    }
   });
 }
 
 double Variety::value() const {
   double all = 0, bits = 0;
-  for (const std::uint64_t count : led_)
+  for (const std::uint64_t count : counts_)
     all += static_cast<double>(count);
-  for (const std::uint64_t count : led_)
+  for (const std::uint64_t count : counts_)
     if (count > 0)
       bits -= static_cast<double>(count) / all * math::log2(static_cast<double>(count) / all);
   return all > 0 ? std::max(bits, 0.0) : math::kNaN;

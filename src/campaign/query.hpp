@@ -60,11 +60,13 @@ class NewDecisions {
   std::vector<std::uint32_t> ticks_;  ///< by player: decisions seen
 };
 
-/// How various the decisions of some players are: the entropy (bits) of the type of node that led
-/// them (Shannon, Bell System Technical Journal 27 (1948) 379); 0 if it was always the same.
+/// How various the decisions of some players are: the entropy (bits, Shannon, Bell System Technical
+/// Journal 27 (1948) 379) of the type of node that led them, or of how the aircraft moved then:
+/// bank (beyond 45 deg, beyond 10 deg, less; left or right) and climb (beyond 5 deg, up or down). 0
+/// if it was always the same.
 class Variety {
  public:
-  Variety(const Flight& flight, Players who);
+  Variety(const Flight& flight, Players who, bool of_motion);
   void observe(const sim::World& world);
   /// NaN if none was led by anybody.
   [[nodiscard]] double value() const;
@@ -74,7 +76,8 @@ class Variety {
   Players who_;
   NewDecisions decisions_;
   std::vector<std::vector<std::vector<std::size_t>>> types_;  ///< by fleet, tree and node
-  std::vector<std::uint64_t> led_;                            ///< by type
+  bool of_motion_;
+  std::vector<std::uint64_t> counts_;  ///< by type, or by way to move
 };
 
 /// Gathers over one flight what a measure asks for. Its condition and its value name

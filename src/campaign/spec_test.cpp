@@ -189,7 +189,8 @@ INSTANTIATE_TEST_SUITE_P(
         // measures
         Mistake{"what: outcome", "what: outcom",
                 "c.yaml:14:15: what: expected one of outcome, end_time, losses, kills, shots, "
-                "shots_per_kill, exchange_ratio, time_in_phase, fuel_left, variety, holds, event, "
+                "shots_per_kill, exchange_ratio, time_in_phase, fuel_left, variety, "
+                "motion_variety, holds, event, "
                 "decision, got "
                 "'outcom'; did you mean 'outcome'?"},
         Mistake{"red_lost", "red_last",

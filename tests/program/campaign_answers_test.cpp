@@ -34,6 +34,10 @@ measures:
   EXPECT_EQ(data["cells"][1]["values"][0], "@DATA@");
   EXPECT_EQ(data["replicates"].size(), 6U);
   EXPECT_EQ(page.find("alert(1)", end), page.npos);
+  const Ran of_one = run_program(folder, {"report", "out", "--of", "edn"});
+  EXPECT_EQ(of_one.code, 2);
+  EXPECT_NE(of_one.err.find("there is no measure 'edn'; did you mean 'end'?"), std::string::npos)
+      << of_one.err;
 }
 
 TEST_F(Campaign, SaysWhatIsDamaged) {
