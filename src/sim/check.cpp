@@ -6,16 +6,18 @@
 namespace eyrie::sim {
 namespace {
 
-/// Whether one of `count` numbers is NaN or infinite: all bits of its exponent are set.
+/// Whether one of `count` numbers is NaN or infinite: all bits of its exponent are set, so that one
+/// more in the lowest of them carries into the sign.
 template <class Bits>
 bool any_beyond(const std::byte* numbers, std::uint32_t count, Bits exponent) {
-  bool beyond = false;
+  const Bits lowest = exponent & (~exponent + 1);
+  Bits beyond = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     Bits bits;
     std::memcpy(&bits, numbers + i * sizeof bits, sizeof bits);
-    beyond |= (bits & exponent) == exponent;
+    beyond |= (bits & exponent) + lowest;
   }
-  return beyond;
+  return (beyond & ~(~Bits{0} >> 1)) != 0;
 }
 bool any_beyond(Scalar type, const std::byte* numbers, std::uint32_t count) {
   return type == Scalar::f64 ? any_beyond<std::uint64_t>(numbers, count, 0x7ff0000000000000)

@@ -23,27 +23,12 @@ double level_turn_rate(double load_factor, double speed) {
   return kGravity * std::sqrt(std::max(load_factor * load_factor - 1, 0.0)) / std::max(speed, 1.0);
 }
 
-}  // namespace
-
-Kinematics placed(const Reference& reference, const Environment& environment, const Vec3& position,
-                  double heading, double speed) {
-  Kinematics k;
-  k.position = position;
-  set_vertical(k, reference.vertical_at(position));
-  const Vec3 wind = environment.wind.at(k.altitude);
-  const auto [sine, cosine] = math::sin_cos(heading);
-  k.heading = wrap_pi(heading);
-  k.speed = speed;
-  k.velocity = (speed * cosine + wind.x) * k.north + (speed * sine + wind.y) * k.east;
-  k.mach = speed / environment.atmosphere.at(k.altitude).speed_of_sound;
-  return k;
-}
-
-bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context, FlightRows rows) {
+/// Flies one step in that air, but for the vertical at the new place.
+bool fly_in(const Air& air, const PointMass& model, Dynamics dynamics, const FlightContext& context,
+            FlightRows rows) {
   const Airframe& airframe = model.airframe();
   const Command& command = rows.command;
   Kinematics& k = rows.kinematics;
-  const Air air = context.environment.atmosphere.at(k.altitude);
   const Vec3 wind = context.environment.wind.at(k.altitude);
   const double load_factor = std::max(command.load_factor, 1.0);
   RouteToFly plan{.routes = context.routes};
@@ -74,8 +59,31 @@ bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context
         steer(model, k, condition, wanted, load_factor, rows.flying.afterburner);
     model.step(k, rows.propulsion, condition, controls, wind, context.dt);
   }
-  set_vertical(k, context.reference.vertical_at(k.position));
   return burn(rows.propulsion, context.dt);
+}
+
+}  // namespace
+
+Kinematics placed(const Reference& reference, const Environment& environment, const Vec3& position,
+                  double heading, double speed) {
+  Kinematics k;
+  k.position = position;
+  set_vertical(k, reference.vertical_at(position));
+  const Vec3 wind = environment.wind.at(k.altitude);
+  const auto [sine, cosine] = math::sin_cos(heading);
+  k.heading = wrap_pi(heading);
+  k.speed = speed;
+  k.velocity = (speed * cosine + wind.x) * k.north + (speed * sine + wind.y) * k.east;
+  k.mach = speed / environment.atmosphere.at(k.altitude).speed_of_sound;
+  return k;
+}
+
+bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context, FlightRows rows) {
+  Kinematics& k = rows.kinematics;
+  const Air air = context.environment.atmosphere.at(k.altitude);
+  const bool dry = fly_in(air, model, dynamics, context, rows);
+  set_vertical(k, context.reference.vertical_at(k.position));
+  return dry;
 }
 
 FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library,
@@ -115,21 +123,32 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   const auto propulsion = world.rows(columns_.propulsion);
   const double time = info.time();
 
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    const Type& type = types_[fit[i].type];
-    FlightContext context{.reference = library_->reference,
-                          .environment = library_->environment,
-                          .time = time,
-                          .dt = info.dt,
-                          .tells_energy = sim::due(info.step + 1, ids[i], period_)};
-    if (fit[i].flight < library_->flights.size())
-      context.routes = library_->flights[fit[i].flight].routes;
-    if (type.dynamics == Dynamics::point_mass)
-      context.load = load_of(stores[i]);
-    const bool dry = fly(models_[type.airframe], type.dynamics, context,
-                         {kinematics[i], flying[i], propulsion[i], command[i]});
-    if (dry)
-      out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
+  // roots and quotients that wait for each other are taken of several aircraft in a row, so that
+  // the processor is at work on several such chains at a time
+  constexpr std::size_t kAbreast = 16;
+  for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
+    end = std::min(begin + kAbreast, chunk.end);
+    std::array<Air, kAbreast> air;
+    for (std::size_t i = begin; i < end; ++i)
+      air[i - begin] = library_->environment.atmosphere.at(kinematics[i].altitude);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Type& type = types_[fit[i].type];
+      FlightContext context{.reference = library_->reference,
+                            .environment = library_->environment,
+                            .time = time,
+                            .dt = info.dt,
+                            .tells_energy = sim::due(info.step + 1, ids[i], period_)};
+      if (fit[i].flight < library_->flights.size())
+        context.routes = library_->flights[fit[i].flight].routes;
+      if (type.dynamics == Dynamics::point_mass)
+        context.load = load_of(stores[i]);
+      const bool dry = fly_in(air[i - begin], models_[type.airframe], type.dynamics, context,
+                              {kinematics[i], flying[i], propulsion[i], command[i]});
+      if (dry)
+        out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
+    }
+    for (std::size_t i = begin; i < end; ++i)
+      set_vertical(kinematics[i], library_->reference.vertical_at(kinematics[i].position));
   }
 }
 

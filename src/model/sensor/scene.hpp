@@ -55,8 +55,9 @@ struct SensorSuite {
   const Jammer* jammer = nullptr;
   const track::Tracker* tracker = nullptr;  ///< always there
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
-  std::uint32_t scan_steps = 1, track_steps = 1, rwr_steps = 1, seeker_steps = 1;
-  std::uint32_t irst_steps = 1, visual_steps = 1, upkeep_steps = 1, datalink_steps = 1;
+  std::uint32_t scan_steps = 0, track_steps = 0, rwr_steps = 0, seeker_steps = 0;
+  std::uint32_t irst_steps = 0, visual_steps = 0, upkeep_steps = 0, datalink_steps = 0;
+  std::uint32_t any_steps = 0;  ///< divides all of these: nothing is due in between
 };
 
 /// What everybody may read in perceive and act: the truth as the last move left it.

@@ -2,6 +2,7 @@
 #include "model/sensor/sensor_system.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "model/datalink/datalink.hpp"
 #include "model/events.hpp"
@@ -52,6 +53,10 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   suite.upkeep_steps = steps(suite.tracker->rate);
   if (suite.datalink != nullptr)
     suite.datalink_steps = steps(suite.datalink->rate);
+  for (const std::uint32_t period :
+       {suite.scan_steps, suite.track_steps, suite.rwr_steps, suite.seeker_steps, suite.irst_steps,
+        suite.visual_steps, suite.upkeep_steps, suite.datalink_steps})
+    suite.any_steps = std::gcd(suite.any_steps, period);
   return suite;
 }
 
@@ -170,6 +175,8 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
   track::TrackNewsList news;
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+    if (!due(all.step, all.ids[i], all.suite(i).any_steps))
+      continue;
     news.clear();
     Self self{.row = i,
               .id = all.ids[i],
@@ -203,6 +210,8 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const PlayerId id = all.ids[i];
     const SensorSuite& suite = all.suite(i);
+    if (!due(all.step, id, suite.any_steps))
+      continue;
     if (due(all.step, id, suite.upkeep_steps))
       emission[i] = radiate(all, i, radar[i], tracks[i], rwr[i]);
 

@@ -19,6 +19,7 @@ struct TrackNews {
 /// What happened to a track file in one step. Has room for all that one call can tell.
 class TrackNewsList {
  public:
+  TrackNewsList() {}
   void add(const TrackNews& news) {
     EYRIE_ASSERT(count_ < items_.size());
     if (count_ < items_.size())
@@ -28,7 +29,9 @@ class TrackNewsList {
   void clear() { count_ = 0; }
 
  private:
-  std::array<TrackNews, 256> items_;
+  union {  // not of zeros: most are never used
+    std::array<TrackNews, 256> items_;
+  };
   std::size_t count_ = 0;
 };
 

@@ -269,30 +269,28 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   const GridCell aspect = place(kAspect, s.aspect);
   const GridCell altitude = place(kAltitude, s.shooter_altitude);
   const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
-  float r_max = 0, r_tr = 0, r_ne = 0, r_min = 0;
+  // r_max, r_tr, r_ne and r_min side by side
+  using Four = float __attribute__((vector_size(16)));
+  using Units = std::uint16_t __attribute__((vector_size(8)));
+  Four ranges{};
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
     const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
     const ZoneTable::Cell* cells = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
-    for (std::size_t i = 0; i < 8; ++i) {
-      const ZoneTable::Cell& cell = cells[offset[i]];
-      const float w = weight * inner[i] * static_cast<float>(ZoneTable::kUnit);
-      r_max += w * cell.r_max;
-      r_tr += w * cell.r_tr;
-      r_ne += w * cell.r_ne;
-      r_min += w * cell.r_min;
-    }
+    for (std::size_t i = 0; i < 8; ++i)
+      ranges += weight * inner[i] * static_cast<float>(ZoneTable::kUnit) *
+                __builtin_convertvector(std::bit_cast<Units>(cells[offset[i]]), Four);
   }
   double seen = kFarthest;
   if (seeker_) {
     const InfraredSignature typical;
     seen = acquisition_range(*seeker_, radiant_intensity(typical, math::cos(s.aspect), 1));
   }
-  return {.r_max = std::min<double>(r_max, seen),
-          .r_tr = std::min<double>(r_tr, seen),
-          .r_ne = std::min<double>(r_ne, seen),
-          .r_min = r_min};
+  return {.r_max = std::min<double>(ranges[0], seen),
+          .r_tr = std::min<double>(ranges[1], seen),
+          .r_ne = std::min<double>(ranges[2], seen),
+          .r_min = ranges[3]};
 }
 
 }  // namespace eyrie::model::weapon
