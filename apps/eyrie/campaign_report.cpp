@@ -4,6 +4,7 @@
 #include "campaign/compare.hpp"
 #include "campaign/last_decisions.hpp"
 #include "campaign/ways.hpp"
+#include "campaign_debrief.hpp"
 #include "campaign_page.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
@@ -31,7 +32,8 @@ Json estimate_json(const Estimate& e) {
   return json;
 }
 
-/// [cell, replicate, seed, outcome, time_s, values ...], as many of each cell as a page can hold.
+/// [cell, replicate, seed, outcome, time_s, hash, values ...], as many of each cell as a page can
+/// hold.
 Json replicates_json(Database& database, std::size_t cells) {
   constexpr std::size_t kMost = 50'000, kFew = 20;
   Statement all =
@@ -40,7 +42,7 @@ Json replicates_json(Database& database, std::size_t cells) {
   Json rows = Json::array();
   while (all.step()) {
     Json& row = rows.emplace_back(Json{all.integer(0), all.integer(1), all.integer(2), all.text(3),
-                                       number_or_null(all.number(4))});
+                                       number_or_null(all.number(4)), all.text(6)});
     for (int i = kFirstColumn; i < all.columns(); ++i)
       row.push_back(number_or_null(all.number(i)));
   }
@@ -95,11 +97,13 @@ std::vector<Way> ways_to_draw(const CampaignReportOptions& options, const Summar
 
 /// What the page shows. No text in it ends the element that holds it.
 std::string page_data(const std::string& folder, const Summary& summary,
-                      const std::vector<Comparison>& comparisons, const std::vector<Way>& ways) {
+                      const std::vector<Comparison>& comparisons, const std::vector<Way>& ways,
+                      const std::string& no_debrief) {
   Json json{{"name", summary.name},
             {"scenario", summary.scenario},
             {"hash", summary.hash},
-            {"factors", summary.factors}};
+            {"factors", summary.factors},
+            {"debrief", no_debrief}};  // why none can be flown
   for (const char* list : {"measures", "cells", "comparisons", "effects", "interactions", "faults"})
     json[list] = Json::array();
   for (std::size_t i = 0; i < summary.measures.size(); ++i) {
@@ -181,12 +185,17 @@ int campaign_report(const CampaignReportOptions& options) {
   const std::string file =
       options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
   disk::OutputFile out(file, options.out.empty() || options.force);
+  const CampaignDebrief debrief = campaign_debrief(options.folder, options.plugins);
   std::string_view page = kCampaignPage;
-  constexpr std::string_view kHere = "@DATA@";
-  const std::size_t at = page.find(kHere);
-  out.sink().write(page.substr(0, at));
-  out.sink().write(page_data(options.folder, summary, comparisons, ways));
-  out.sink().write(page.substr(at + kHere.size()));
+  for (const auto& [here, text] :
+       {std::pair{"@DATA@", page_data(options.folder, summary, comparisons, ways, debrief.problem)},
+        {"@DEBRIEF@", debrief.page}}) {
+    const std::size_t at = page.find(here);
+    out.sink().write(page.substr(0, at));
+    out.sink().write(text);
+    page.remove_prefix(at + std::string_view(here).size());
+  }
+  out.sink().write(page);
   Database database = open_results(options.folder);
   write_table(database, options.folder);
   finish(out);

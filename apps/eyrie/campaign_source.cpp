@@ -55,7 +55,7 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
     origin_[name.starts_with("data/") || from_there.empty() ? name : from_there.string()] = text;
   }
   origin_[campaign::kCampaignText] = spec.text;
-  origin_["the program"] = version_text();
+  origin_[campaign::kProgramText] = version_text();
 }
 
 std::uint64_t CampaignSource::hash() const {

@@ -14,15 +14,21 @@ Again::Again(Database& database, const std::vector<std::string>& plugins, unsign
     files_[origin.text(0)] = origin.text(1);
   spec_ = parse_spec(files_[kCampaignText], "campaign.yaml");
   cells_ = cells_of(spec_);
-  const std::string file =
-      std::filesystem::path(spec_.scenario).replace_extension(".yaml").filename();
+  file_ = std::filesystem::path(spec_.scenario).replace_extension(".yaml").filename();
   scenarios_.emplace(
       spec_, cells_,
-      [this, file, plugins](const std::vector<std::string>& sets) {
-        return scenario::load({.file = file, .sets = sets, .plugins = plugins},
+      [this, plugins](const std::vector<std::string>& sets) {
+        return scenario::load({.file = file_, .sets = sets, .plugins = plugins},
                               scenario::Source::bundle(files_));
       },
       workers + 1);
+}
+
+std::vector<std::vector<std::string>> Again::sets() const {
+  std::vector<std::vector<std::string>> all;
+  for (const Cell& cell : cells_)
+    all.push_back(sets_of(spec_, cell));
+  return all;
 }
 
 std::vector<Again::Flight> Again::flights(const std::string& which, double parameter) {

@@ -23,6 +23,10 @@ class Again {
   [[nodiscard]] std::shared_ptr<const scenario::Scenario> scenario(std::uint64_t cell) {
     return scenarios_->of(cell);
   }
+  /// What a cell is made of: the texts by name, which of them is flown, and the overrides by cell.
+  [[nodiscard]] const Origin& files() const { return files_; }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] std::vector<std::vector<std::string>> sets() const;
   /// Throws disk::Refused if a flight that ended with this world is another one now.
   static void demand_the_same(const Flight& flight, std::uint64_t hash);
 
@@ -30,6 +34,7 @@ class Again {
   Database& database_;
   Origin files_;
   Spec spec_;
+  std::string file_;
   std::vector<Cell> cells_;
   std::optional<Scenarios> scenarios_;
 };

@@ -28,6 +28,7 @@ struct Result {
 /// What a campaign is flown with: every file by its name, with its text or what stands for it.
 using Origin = std::map<std::string, std::string>;
 inline constexpr const char* kCampaignText = "the campaign";  ///< name of its file in there
+inline constexpr const char* kProgramText = "the program";    ///< and of its version
 
 /// "0x0123456789abcdef"
 [[nodiscard]] std::string hash_text(std::uint64_t hash);

@@ -7,6 +7,7 @@
 
 #include "campaign/database.hpp"
 #include "support/campaign/two_speeds.hpp"
+#include "support/plugin.hpp"
 
 namespace eyrie::test {
 namespace {
@@ -38,6 +39,37 @@ measures:
   EXPECT_EQ(of_one.code, 2);
   EXPECT_NE(of_one.err.find("there is no measure 'edn'; did you mean 'end'?"), std::string::npos)
       << of_one.err;
+}
+
+TEST_F(Campaign, ReportsWithTheEngineOrSaysWhyNot) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 2"}));
+  folder.write("shell.html",
+               "<script type=\"application/x-eyrie-engine\">x</script><!--%PARTS%-->");
+  ASSERT_EQ(run("out").code, 0);
+  ASSERT_EQ(run("with", {"--plugin", plugin("faulty")}).code, 0);
+  /// why no replicate can be flown in the page, and the page that would
+  const auto debrief = [&](std::vector<std::string> command, const std::string& viewer) {
+    command.insert(command.begin(), "report");
+    const Ran ran = run_program(folder, command, {.viewer = viewer});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    const std::string page = read_text(folder / command[1] + "/report.html");
+    const auto element = [&](const std::string& id) {
+      const std::string mark = fmt::format("id=\"{}\">", id);
+      const auto at = page.find(mark) + mark.size();
+      return page.substr(at, page.find("</script>", at) - at);
+    };
+    return std::pair{nlohmann::json::parse(element("data"))["debrief"].get<std::string>(),
+                     element("debrief")};
+  };
+  const auto [why, page] = debrief({"out"}, folder / "shell.html");
+  EXPECT_EQ(why, "");
+  EXPECT_GT(page.size(), 1000U);
+  using Pair = std::pair<std::string, std::string>;
+  EXPECT_EQ(debrief({"out"}, folder / "none.html"), Pair("the debrief page was not built", ""));
+  EXPECT_EQ(debrief({"out"}, RunOptions{}.viewer),
+            Pair("the debrief page was built without its engine", ""));
+  EXPECT_EQ(debrief({"with", "--plugin", plugin("faulty")}, folder / "shell.html"),
+            Pair("it needs plug-ins, which a page cannot open", ""));
 }
 
 TEST_F(Campaign, SaysWhatIsDamaged) {

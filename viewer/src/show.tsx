@@ -2,6 +2,7 @@
 /** Runs on the screen: their stores, the clock, the address, and the page that shows them. */
 import { render, type ComponentChildren } from 'preact';
 import { run_clock } from './clock.ts';
+import type { RunningEngine } from './engine/engine.ts';
 import { EngineError, words_of } from './engine/module.ts';
 import { started } from './parts.ts';
 import { decode } from './run/decode.ts';
@@ -36,6 +37,11 @@ export async function flown_again(module: WebAssembly.Module, file: Uint8Array, 
   let until = Infinity;
   const engine = await started(module, (time) => told(time / until));
   until = (await engine.open(file)).until ?? Infinity;
+  return seen(engine, begun);
+}
+
+/** The run that the engine has, flown again. */
+export async function seen(engine: RunningEngine, begun: (run: Run) => void): Promise<Run> {
   begun({ ...decode((await engine.page({ until: kFirst })).bytes), engine, is_part: true });
   return { ...decode((await engine.page({})).bytes), engine };
 }

@@ -22,10 +22,15 @@ export async function launch(where: Where): Promise<Browser> {
   return puppeteer.launch({ headless: true, protocolTimeout: 600_000, defaultViewport: null, ...kBrowsers[where] });
 }
 
+/** What a browser says when its document becomes another one while it is asked. */
+const kLeft = /context was destroyed|no such (handle|node)|is detached/i;
+
 /** Asks again and again: what waits in the page fails in Firefox 140 unless it holds at once. */
 async function until<T>(ask: () => Promise<T>, problem: string, { polling = 30, timeout = kPatience } = {}): Promise<NonNullable<T>> {
   for (const end = Date.now() + timeout; Date.now() < end; await new Promise((done) => setTimeout(done, polling))) {
-    const answer = await ask();
+    const answer = await ask().catch((error: unknown) => {
+      if (!kLeft.test(String(error))) throw error;
+    });
     if (answer) return answer;
   }
   throw new Error(`${problem}, for ${timeout} ms`);

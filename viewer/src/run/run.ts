@@ -211,6 +211,7 @@ export interface Run {
   platforms: Record<PlayerKind, Platform>;
   texts: string[];
   story: StoryLine[];
+  verified?: string;  // With what it was compared, if not with a recording.
   is_part?: boolean;  // Only its beginning: the rest is being flown.
   engine?: RunningEngine;  // Who flew it again and can be asked; none if the page has its columns only.
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. What a playground
- * says in s= stays in it. */
+ * or a report says stays in it. */
 import { listen } from '../events.ts';
 import type { Run } from '../run/run.ts';
 import { kCameras, type Pose, type View } from '../store.ts';
 import type { Page } from './page.ts';
 
 const kTold = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'] as const;
+const kOthers = ['s', 'measure', 'cell', 'replicate'];
 type Told = Pick<View, (typeof kTold)[number]>;
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
@@ -22,8 +23,8 @@ export function link_text(run: Run, view: Told, fragment = ''): string {
   if (view.pose && (view.camera === 'free' || view.camera === 'top')) parts.push(`e=${view.pose.map((v) => short(v, 4)).join(',')}`);
   if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
   if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
-  const edit = said_in(fragment).get('s');
-  if (edit) parts.push(`s=${edit}`);
+  const said = said_in(fragment);
+  for (const other of kOthers) if (said.has(other)) parts.push(`${other}=${said.get(other)}`);
   return `#${parts.join('&')}`;
 }
 

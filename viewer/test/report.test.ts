@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+/** The report of a campaign as a person uses it, in both browsers, from disk: from a bar to a replicate, flown again in the page. */
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, describe, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+import type { Browser } from 'puppeteer-core';
+import { kBrowsers, launch, open_url, type UserPage } from './browsers.ts';
+
+const { env } = process;
+const kProgram = env['EYRIE_PROGRAM'] ?? '';
+const kNone = kProgram ? false : 'EYRIE_PROGRAM is not set: no campaign to report of';
+const kShots = env['EYRIE_SHOTS'];
+const folder = mkdtempSync(join(tmpdir(), 'eyrie-report-'));
+const report = join(folder, 'out/report.html');
+const forged = join(folder, 'forged.html');
+
+const eyrie = (...options: string[]): string =>
+  execFileSync(kProgram, options, { cwd: folder, encoding: 'utf8', env: { ...env, EYRIE_HOME: join(env['EYRIE_VIEWER_FOLDER']!, '..') } });
+
+before(() => {
+  if (kNone) return;
+  writeFileSync(join(folder, 'c.yaml'), `
+eyrie: 1
+name: "</script><b>tactics"
+scenario: sweep
+set: ['until=300 s']
+factors:
+  tactic: {path: trees.veteran.sequencer.trees.bvr.tree, values: {"<b>near</b>": short_skate, "</script>": banzai}}
+replicates: 4
+measures:
+  end: {what: end_time}
+  shots: {what: shots, who: blue}
+`);
+  eyrie('campaign', 'c.yaml', '--out', 'out');
+  eyrie('report', 'out', '--ways', '0');
+  // as if another program had flown the replicate with the seed 3 of the second cell
+  writeFileSync(forged, readFileSync(report, 'utf8').replace(/\[1,2,3,("[^"]*",[^,]*),"0x/, '[1,2,3,$1,"0xf'));
+});
+after(() => rmSync(folder, { recursive: true }));
+
+const ready = (page: UserPage) => page.waitForSelector('body[data-ready=true]');
+/** By the words on it. */
+async function press(page: UserPage, selector: string, words: string): Promise<void> {
+  const at = (await page.$$eval(selector, (all) => all.map((one) => one.textContent))).findIndex((text) => text!.includes(words));
+  assert.notEqual(at, -1, `no ${selector} says ${words}`);
+  await (await page.$$(selector))[at]!.click();
+}
+
+for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
+  describe(`in ${where}`, { skip: kNone }, () => {
+    let browser: Browser;
+    before(async () => {
+      browser = await launch(where);
+    });
+    after(async () => browser?.close());
+
+    test('a click on a replicate flies it here, to the world of the results', async () => {
+      const { page, complaints } = await open_url(browser, pathToFileURL(report).href, { width: 1280, height: 800 });
+      await press(page, '#measures button', 'shots');
+      await press(page, '#chart g', '1: </script>');
+      await page.click('#behind svg g');
+      const [seed] = await page.$$eval('#list tbody tr td:nth-child(2)', (cells) => cells.map((cell) => cell.textContent));
+      const [, outcome, hash] = eyrie('query', 'out', `SELECT outcome, hash FROM replicates WHERE cell = 1 AND seed = ${seed}`).split('\n').flatMap((line, i) => i === 1 ? [line, ...line.split(',')] : []);
+      await page.click('#list tbody button');
+      assert.match(await page.textContent('#list code'), new RegExp(`banzai.* --seed ${seed}$`));
+      await page.click('#list tbody tr');
+      await ready(page);
+      assert.equal(await page.textContent('.verified'), '✓ same bits as in the results');
+      const run = await page.evaluate(() => window.eyrie!.run.about);
+      assert.deepEqual([run.hash, run.seed, run.outcome], [hash, seed, outcome]);
+      assert.match(run.scenario, /^replicate \d, cell 1: <\/script>$/);
+      if (kShots) writeFileSync(join(kShots, `replicate_${where}.png`), await page.screenshot());
+
+      // the address is one of the replicate and the moment
+      await page.evaluate(() => window.eyrie!.store.set({ time: 100 }));
+      await page.waitForFunction(() => location.hash.includes('t=100'));
+      const link = await page.evaluate(() => location.href);
+      const again = await open_url(browser, link);
+      await ready(again.page);
+      assert.deepEqual(await again.page.evaluate(() => [window.eyrie!.run.about.hash, window.eyrie!.store.get().time]), [hash, 100]);
+
+      await again.page.close();
+      await page.click('.back');
+      await page.waitForSelector('#list tbody tr');
+      assert.match(await page.textContent('#behind h2'), /^shots in cell 1: <\/script>: 4 of 4/);
+      if (kShots) writeFileSync(join(kShots, `report_${where}.png`), await page.screenshot());
+      assert.deepEqual([...complaints, ...again.complaints], []);
+    });
+
+    test('one that ends otherwise than in the results is told so, and not shown', async () => {
+      const { page } = await open_url(browser, `${pathToFileURL(forged).href}#measure=0&cell=1&replicate=2`);
+      await page.waitForSelector('[role=alert]');
+      assert.match(await page.textContent('[role=alert]'), /replicate 2, cell 1.*It ends otherwise here than in the results.*eyrie fly .*banzai.* --seed 3/);
+      await page.click('[role=alert] button');
+      await page.waitForSelector('#list tbody tr');
+    });
+  });
