@@ -41,4 +41,18 @@ std::string format_problem(const std::string& text) {
                              did_you_mean(text, kNames));
 }
 
+std::string empty_text(std::span<char*> words) {
+  std::string_view before;
+  for (const std::string_view word : words) {
+    const bool option = word.starts_with("--") && word != "--";
+    if (word.empty() || (option && word.ends_with('=')))
+      return option ? fmt::format("{} must not be empty", word.substr(0, word.size() - 1))
+             : before.starts_with("--") && before != "--"
+                 ? fmt::format("{} must not be empty", before)
+                 : "an argument must not be empty";
+    before = word;
+  }
+  return "";
+}
+
 }  // namespace eyrie::app

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string>
 
 namespace eyrie::app {
@@ -14,5 +15,7 @@ namespace eyrie::app {
 [[nodiscard]] std::string pace(const std::string& text);
 /// Of an export.
 [[nodiscard]] std::string format_problem(const std::string& text);
+/// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.
+[[nodiscard]] std::string empty_text(std::span<char*> words);
 
 }  // namespace eyrie::app

@@ -10,7 +10,6 @@
 #include "locate.hpp"
 #include "progress.hpp"
 #include "record/json_text.hpp"
-#include "report.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/plugin_file.hpp"
@@ -63,11 +62,18 @@ struct Ready {
 
   explicit Ready(const CampaignOptions& options)
       : spec(read_spec(options.file)), source(spec, options.plugins, options.includes) {}
-  Pool::Work work(Scenarios& scenarios) const {
-    return [this, &scenarios](std::uint64_t cell, std::uint64_t replicate) {
-      return fly_replicate(spec, scenarios, cell, replicate, interrupted);
-    };
-  }
+};
+
+/// What a rank flies with, under mpirun.
+struct Hands {
+  Scenarios scenarios;
+  Pool pool;
+
+  Hands(const Ready& ready, unsigned workers)
+      : scenarios(ready.spec, ready.cells, ready.source.load(), workers + 1),
+        pool(workers, [this, &ready](std::uint64_t cell, std::uint64_t replicate) {
+          return fly_replicate(ready.spec, scenarios, cell, replicate, interrupted);
+        }) {}
 };
 
 /// Under mpirun, another rank than the first. What goes wrong is said there.
@@ -75,9 +81,8 @@ void fly_for_rank_0(Link& link, const CampaignOptions& options, unsigned workers
   listen_for_interrupts();
   try {
     const Ready ready(options);
-    Scenarios scenarios(ready.spec, ready.cells, ready.source.load(), workers + 1);
-    Pool pool(workers, ready.work(scenarios));
-    serve(link, pool, ready.source.hash());
+    Hands hands(ready, workers);
+    serve(link, hands.pool, ready.source.hash());
   } catch (const std::exception& error) {
     fail(link, words_for(error));
   }
@@ -108,18 +113,15 @@ int campaign(const CampaignOptions& options) {
     else
       complain("eyrie: {} and ended the program\n", done);
   });
-  Threads threads(spec, cells, ready.source.load(), workers, interrupted);
-  Scenarios scenarios(spec, cells, ready.source.load(), workers + 1);
-  std::optional<Pool> pool;
-  std::optional<Ranks> ranks;
-  if (link) {
-    pool.emplace(workers, ready.work(scenarios));
-    ranks.emplace(*link, *pool, ready.source.hash());
-  }
-  Crew& crew = ranks ? static_cast<Crew&>(*ranks) : threads;
+  std::optional<Hands> hands;
+  std::unique_ptr<Crew> crew;
+  if (link)
+    crew = std::make_unique<Ranks>(*link, hands.emplace(ready, workers).pool, source.hash());
+  else
+    crew = std::make_unique<Threads>(spec, cells, source.load(), workers, interrupted);
   Ended ended = Ended::complete;
   if (options.json) {
-    Told told(spec, crew);
+    Told told(spec, *crew);
     ended = run(spec, cells, store, told, [](const Standing&) {});
   } else {
     say("{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name, cells.size(),
@@ -127,7 +129,7 @@ int campaign(const CampaignOptions& options) {
         link ? "workers in all ranks" : "workers", folder);
     const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
     std::optional<Progress> progress;
-    ended = run(spec, cells, store, crew, [&](const Standing& standing) {
+    ended = run(spec, cells, store, *crew, [&](const Standing& standing) {
       if (!progress)
         progress.emplace("replicates", standing.most - standing.done + standing.now);
       if (progress->due())

@@ -108,10 +108,9 @@ std::string page_data(const std::string& folder, const Summary& summary,
     json[list] = Json::array();
   for (std::size_t i = 0; i < summary.measures.size(); ++i) {
     const Measure& m = summary.measures[i];
-    constexpr std::array kKinds{"share", "mean", "ratio"};
     json["measures"].push_back({{"name", m.name},
                                 {"unit", summary.units[i]},
-                                {"kind", kKinds[m.kind]},
+                                {"kind", enum_name(m.kind)},
                                 {"column", m.column},
                                 {"per", m.per}});
   }

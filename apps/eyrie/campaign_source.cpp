@@ -6,7 +6,6 @@
 #include "commands.hpp"
 #include "core/hash.hpp"
 #include "locate.hpp"
-#include "report.hpp"
 #include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {

@@ -34,43 +34,39 @@ struct ValidateOptions {
 };
 int validate(const ValidateOptions& options);
 
-struct CampaignOptions {
+/// Of a campaign or a search.
+struct FlightsOptions {
   std::string file;
   std::vector<std::string> plugins, includes;
-  std::string out;       ///< folder; empty: campaigns/<name>
-  unsigned workers = 0;  ///< 0: one for each core
-  bool resume = false, json = false;
-};
-int campaign(const CampaignOptions& options);
-
-struct CampaignReportOptions {
-  std::string folder;  ///< of a campaign
-  std::string out;     ///< file; empty: report.html in the folder
-  bool force = false;
-  std::string of;  ///< the measure by which all cells are compared; empty: by each
-  std::optional<std::uint64_t> ways;  ///< replicates of a cell whose ways are drawn
-  unsigned workers = 0;               ///< 0: one for each core
-  std::vector<std::string> plugins;
-};
-int campaign_report(const CampaignReportOptions& options);
-
-struct QueryOptions {
-  std::string folder;  ///< of a campaign
-  std::string sql;
-  std::string decisions;  ///< a time; empty: nothing is flown again
-  unsigned workers = 0;   ///< 0: one for each core
-  std::vector<std::string> plugins;
-};
-int query(const QueryOptions& options);
-
-struct OptimizeOptions {
-  std::string file;
-  std::vector<std::string> plugins, includes;
-  std::string out;       ///< folder; empty: searches/<name>
+  std::string out;       ///< folder; empty: campaigns/<name>, searches/<name>
   unsigned workers = 0;  ///< 0: one for each core
   bool resume = false;
 };
-int optimize(const OptimizeOptions& options);
+struct CampaignOptions : FlightsOptions {
+  bool json = false;
+};
+int campaign(const CampaignOptions& options);
+
+struct ResultsOptions {
+  std::string folder;    ///< of a campaign
+  unsigned workers = 0;  ///< 0: one for each core
+  std::vector<std::string> plugins;
+};
+struct CampaignReportOptions : ResultsOptions {
+  std::string out;  ///< file; empty: report.html in the folder
+  bool force = false;
+  std::string of;  ///< the measure by which all cells are compared; empty: by each
+  std::optional<std::uint64_t> ways;  ///< replicates of a cell whose ways are drawn
+};
+int campaign_report(const CampaignReportOptions& options);
+
+struct QueryOptions : ResultsOptions {
+  std::string sql;
+  std::string decisions;  ///< a time; empty: nothing is flown again
+};
+int query(const QueryOptions& options);
+
+int optimize(const FlightsOptions& options);
 
 struct ExplainOptions {
   std::string run;  ///< a run folder or its run file

@@ -10,7 +10,6 @@
 #include "commands.hpp"
 #include "progress.hpp"
 #include "record/json_text.hpp"
-#include "report.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/plugin_file.hpp"
@@ -48,22 +47,14 @@ Range range_of(const std::string& text) {
 
 /// What shows one seed.
 std::string command_for(const FlyOptions& options, std::uint64_t seed) {
-  std::string command = "eyrie fly";
-  const auto add = [&](const char* option, const std::string& value) {
-    command += fmt::format("{} {}", option, scenario::shell_word(value));
-  };
-  if (!options.scenario.empty())
-    add("", options.scenario);
-  add(" --seed", std::to_string(seed));
-  for (const std::string& set : options.sets)
-    add(" --set", set);
-  for (const std::string& plugin : options.plugins)
-    add(" --plugin", plugin);
-  for (const std::string& folder : options.includes)
-    add(" --allow-include", folder);
+  std::vector<std::string> until;
   if (!options.until.empty())
-    add(" --until", options.until);
-  return command;
+    until = {options.until};
+  return campaign::fly_command(options.scenario, {{"--seed", {std::to_string(seed)}},
+                                                  {"--set", options.sets},
+                                                  {"--plugin", options.plugins},
+                                                  {"--allow-include", options.includes},
+                                                  {"--until", until}});
 }
 
 Json json_of(const SeedFlown& flown) {

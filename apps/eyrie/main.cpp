@@ -41,7 +41,26 @@ void add_includes(CLI::App* app, std::vector<std::string>& folders) {
       ->allow_extra_args(false);
 }
 constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
-constexpr const char* kRunPluginHelp = "a plug-in of the run, which may be opened, where it is now";
+
+void add_flights(CLI::App* app, FlightsOptions& o) {
+  app->add_flag("--resume", o.resume, "go on where it ended, or was killed");
+  add_workers(app, o.workers);
+  add_plugins(app, o.plugins, kPluginHelp);
+  add_includes(app, o.includes);
+}
+void add_results(CLI::App* app, ResultsOptions& o) {
+  app->add_option("folder", o.folder, "the folder of a campaign")->required();
+  add_workers(app, o.workers);
+  add_plugins(app, o.plugins, kPluginHelp);
+}
+void add_run_plugins(CLI::App* app, std::vector<std::string>& plugins) {
+  add_plugins(app, plugins, "a plug-in of the run, which may be opened, where it is now");
+}
+template <class Options>
+void add_run(CLI::App* app, Options& o) {
+  app->add_option("run", o.run, "a run folder or its run file")->required();
+  add_run_plugins(app, o.plugins);
+}
 
 void add_fly(CLI::App& app, Chosen& chosen) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
@@ -86,55 +105,45 @@ void add_campaign(CLI::App& app, Chosen& chosen) {
   CampaignOptions& o = options_of(campaign, app::campaign, chosen);
   campaign->add_option("file", o.file, "a campaign file: docs/campaigns.md")->required();
   campaign->add_option("--out", o.out, "folder for the results (default: campaigns/<name>)");
-  campaign->add_flag("--resume", o.resume, "go on where it ended, or was killed");
-  add_workers(campaign, o.workers);
+  add_flights(campaign, o);
   campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
-  add_plugins(campaign, o.plugins, kPluginHelp);
-  add_includes(campaign, o.includes);
 }
 
 void add_report(CLI::App& app, Chosen& chosen) {
   CLI::App* report = app.add_subcommand("report", "What a campaign found: tables, and a page");
   CampaignReportOptions& o = options_of(report, campaign_report, chosen);
-  report->add_option("folder", o.folder, "the folder of a campaign")->required();
+  add_results(report, o);
   report->add_option("--out", o.out, "the page (default: report.html in the folder)");
   report->add_flag("--force", o.force, "replace the file given by --out");
   report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
   report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
       ->check(whole_number(0, 1000));
-  add_workers(report, o.workers);
-  add_plugins(report, o.plugins, kPluginHelp);
 }
 
 void add_query(CLI::App& app, Chosen& chosen) {
   CLI::App* query = app.add_subcommand(
       "query", "Ask the results of a campaign in SQL: docs/campaigns.md has the tables");
   QueryOptions& o = options_of(query, app::query, chosen);
-  query->add_option("folder", o.folder, "the folder of a campaign")->required();
+  add_results(query, o);
   query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
   query->add_option("--decisions", o.decisions,
                     "first add what the lost decided in their last '10 s': they are flown again");
-  add_workers(query, o.workers);
-  add_plugins(query, o.plugins, kPluginHelp);
 }
 
 void add_optimize(CLI::App& app, Chosen& chosen) {
   CLI::App* optimize = app.add_subcommand(
       "optimize", "Search votes and parameters for those with which a measure is best");
-  OptimizeOptions& o = options_of(optimize, app::optimize, chosen);
+  FlightsOptions& o = options_of(optimize, app::optimize, chosen);
   optimize->add_option("file", o.file, "a search: docs/campaigns.md")->required();
   optimize->add_option("--out", o.out, "folder for what is found (default: searches/<name>)");
-  optimize->add_flag("--resume", o.resume, "go on where it ended, or was killed");
-  add_workers(optimize, o.workers);
-  add_plugins(optimize, o.plugins, kPluginHelp);
-  add_includes(optimize, o.includes);
+  add_flights(optimize, o);
 }
 
 void add_explain(CLI::App& app, Chosen& chosen) {
   CLI::App* explain =
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
   ExplainOptions& o = options_of(explain, app::explain, chosen);
-  explain->add_option("run", o.run, "a run folder or its run file")->required();
+  add_run(explain, o);
   explain->add_option("--player", o.player, "who")->required();
   auto* at =
       explain->add_option("--at", o.at, "the decision at this time: 312.4, '5 min' or 5:12.4");
@@ -152,7 +161,6 @@ void add_explain(CLI::App& app, Chosen& chosen) {
   auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
   csv->excludes(changes);
   explain->add_flag("--json", o.json, "for tools")->excludes(csv);
-  add_plugins(explain, o.plugins, kRunPluginHelp);
 }
 
 void add_what_if(CLI::App& app, Chosen& chosen) {
@@ -160,7 +168,7 @@ void add_what_if(CLI::App& app, Chosen& chosen) {
       "whatif",
       "What an agent of a recorded run would have decided with other trees or parameters");
   WhatIfOptions& o = options_of(what_if, app::what_if, chosen);
-  what_if->add_option("run", o.run, "a run folder or its run file")->required();
+  add_run(what_if, o);
   what_if->add_option("--player", o.player, "who")->required();
   what_if
       ->add_option("--set", o.sets,
@@ -174,7 +182,6 @@ void add_what_if(CLI::App& app, Chosen& chosen) {
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
       ->check(whole_number(1, 100'000));
   what_if->add_flag("--json", o.json, "for tools");
-  add_plugins(what_if, o.plugins, kRunPluginHelp);
 }
 
 void add_debrief(CLI::App& app, Chosen& chosen) {
@@ -188,7 +195,7 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
   debrief->add_flag("--force", o.force, "replace the file given by --out");
   debrief->add_flag("--columns", o.columns,
                     "put what was recorded into the page, not the engine that flies it again");
-  add_plugins(debrief, o.plugins, kRunPluginHelp);
+  add_run_plugins(debrief, o.plugins);
 }
 
 void add_playground(CLI::App& app, Chosen& chosen) {
@@ -218,14 +225,12 @@ void add_zones(CLI::App& app, Chosen& chosen) {
 void add_export(CLI::App& app, Chosen& chosen) {
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
   ExportOptions& o = options_of(exported, export_run, chosen);
-  exported->add_option("run", o.run, "a run folder or its run file")->required();
+  add_run(exported, o);
   exported
       ->add_option_function<std::string>(
           "--to",
           [&o](const std::string& name) {
-            for (const auto& [known, format] : EnumNames<ExportFormat>::names)
-              if (name == known)
-                o.format = format;
+            o.format = enum_named<ExportFormat>(name).value_or(o.format);
           },
           "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
           "player proposed)")
@@ -235,7 +240,6 @@ void add_export(CLI::App& app, Chosen& chosen) {
   exported->add_option("--out", o.out,
                        "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
   exported->add_flag("--force", o.force, "replace the file given by --out");
-  add_plugins(exported, o.plugins, kRunPluginHelp);
 }
 
 void add_trust(CLI::App& app, Chosen& chosen) {
@@ -258,7 +262,7 @@ void add_diff(CLI::App& app, Chosen& chosen) {
   diff->add_option("left", o.runs[0], "a run folder or its run file")->required();
   diff->add_option("right", o.runs[1], "another one")->required();
   diff->add_flag("--json", o.json, "for tools");
-  add_plugins(diff, o.plugins, kRunPluginHelp);
+  add_run_plugins(diff, o.plugins);
 }
 
 void add_validate(CLI::App& app, Chosen& chosen) {
@@ -281,11 +285,10 @@ void add_catalog(CLI::App& app, Chosen& chosen) {
 void add_replay(CLI::App& app, Chosen& chosen) {
   CLI::App* replay = app.add_subcommand("replay", "Fly a recorded run again and compare");
   ReplayOptions& o = options_of(replay, app::replay, chosen);
-  replay->add_option("run", o.run, "a run folder or its run file")->required();
+  add_run(replay, o);
   replay->add_option("--workers", o.workers, "threads that share the step")
       ->check(whole_number(1, 256));
   replay->add_flag("--json", o.json, "one JSON object instead of words");
-  add_plugins(replay, o.plugins, kRunPluginHelp);
 }
 
 void add_new(CLI::App& app, Chosen& chosen) {
@@ -332,21 +335,6 @@ std::string unknown_text(const CLI::App& app, std::span<char*> words) {
              ? fmt::format("there is no command {}{}", quote(words[1]),
                            did_you_mean(words[1], names))
              : "";
-}
-
-/// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.
-std::string empty_text(std::span<char*> words) {
-  std::string_view before;
-  for (const std::string_view word : words) {
-    const bool option = word.starts_with("--") && word != "--";
-    if (word.empty() || (option && word.ends_with('=')))
-      return option ? fmt::format("{} must not be empty", word.substr(0, word.size() - 1))
-             : before.starts_with("--") && before != "--"
-                 ? fmt::format("{} must not be empty", before)
-                 : "an argument must not be empty";
-    before = word;
-  }
-  return "";
 }
 
 /// Short, whatever was typed. The exit code.

@@ -12,7 +12,6 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
-#include "report.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -81,7 +80,7 @@ std::string evidence_text(const Search& search, const std::vector<Evidence>& all
 
 }  // namespace
 
-int optimize(const OptimizeOptions& options) {
+int optimize(const FlightsOptions& options) {
   const auto search = parse_search(read_text(options.file), options.file);
   Spec probe = probe_of(*search);
   const CampaignSource source(probe, options.plugins, options.includes);

@@ -9,7 +9,6 @@
 #include "locate.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
-#include "report.hpp"
 #include "say.hpp"
 #include "scenario/mission.hpp"
 #include "sim/trail.hpp"

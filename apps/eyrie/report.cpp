@@ -11,10 +11,6 @@ namespace eyrie::app {
 using model::Side;
 using record::Tone;
 
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("0x{:016x}", hash);
-}
-
 std::string outcome_text(const scenario::Mission& mission, const record::Tally& tally) {
   const auto blue = tally.side(Side::blue), red = tally.side(Side::red);
   std::string text;

@@ -59,8 +59,8 @@ void demand_the_same(const Result& before, Crew& crew) {
     if (now.flown.outcome != scenario::Outcome::stopped && now.flown.hash != before.flown.hash)
       throw disk::Refused(fmt::format(
           "this program, or a plug-in, is another one than that which began the campaign: cell {}, "
-          "replicate {} ends with the world 0x{:016x}, was 0x{:016x}",
-          now.cell, now.replicate, now.flown.hash, before.flown.hash));
+          "replicate {} ends with the world {}, was {}",
+          now.cell, now.replicate, hash_text(now.flown.hash), hash_text(before.flown.hash)));
     return false;
   });
 }

@@ -23,6 +23,9 @@ struct Measure {
   } kind = mean;
   std::size_t column = 0, per = 0;
 };
+constexpr auto names_of(Measure::Kind) {
+  return names_from_zero<Measure::Kind>("share", "mean", "ratio");
+}
 
 /// What a measure is about.
 enum class What : std::uint8_t {

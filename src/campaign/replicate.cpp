@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/replicate.hpp"
 
+#include <fmt/format.h>
+
 namespace eyrie::campaign {
 
 Flown fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t seed,
@@ -23,6 +25,18 @@ Flown fly(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64
   if (const sim::Fault* fault = run.fault())
     flown.fault = scenario::fault_text(*fault, scenario->roster, run.simulation().dt());
   return flown;
+}
+
+std::string fly_command(
+    const std::string& scenario,
+    const std::vector<std::pair<const char*, std::vector<std::string>>>& options) {
+  std::string text = "eyrie fly";
+  if (!scenario.empty())
+    text += " " + scenario::shell_word(scenario);
+  for (const auto& [option, values] : options)
+    for (const std::string& value : values)
+      text += fmt::format(" {} {}", option, scenario::shell_word(value));
+  return text;
 }
 
 }  // namespace eyrie::campaign

@@ -26,4 +26,9 @@ struct Flown {
                         std::uint64_t seed, std::span<sim::Observer* const> observers = {},
                         std::optional<double> until = {}, bool (*given_up)() = nullptr);
 
+/// The command that flies a scenario: options with their values.
+[[nodiscard]] std::string fly_command(
+    const std::string& scenario,
+    const std::vector<std::pair<const char*, std::vector<std::string>>>& options);
+
 }  // namespace eyrie::campaign

@@ -79,12 +79,6 @@ std::uint64_t hash_of(std::string_view text) {
     std::from_chars(text.data() + 2, text.data() + text.size(), hash, 16);
   return hash;
 }
-scenario::Outcome outcome_of(std::string_view text) {
-  for (const auto& [name, outcome] : EnumNames<scenario::Outcome>::names)
-    if (name == text)
-      return outcome;
-  return scenario::Outcome::fault;
-}
 
 /// The folder, locked. Parents are made.
 disk::Handle locked(const std::string& path, bool resume) {
@@ -151,17 +145,10 @@ std::vector<std::string> differences(const Origin& before, const Origin& now) {
 
 }  // namespace
 
-std::string hash_text(std::uint64_t hash) {
-  return fmt::format("0x{:016x}", hash);
-}
-
-std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed) {
-  std::string text = fmt::format("eyrie fly {}", scenario::shell_word(spec.scenario));
-  for (const std::string& set : sets_of(spec, cell))
-    text += fmt::format(" --set {}", scenario::shell_word(set));
-  for (const std::string& plugin : spec.plugins)
-    text += fmt::format(" --plugin {}", scenario::shell_word(plugin));
-  return fmt::format("{} --seed {}", text, seed);
+std::string command_of(const Spec& spec, const Cell& cell, std::optional<std::uint64_t> seed) {
+  std::string command =
+      fly_command(spec.scenario, {{"--set", sets_of(spec, cell)}, {"--plugin", spec.plugins}});
+  return seed ? fmt::format("{} --seed {}", command, *seed) : command;
 }
 
 Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
@@ -230,18 +217,16 @@ void Store::make_tables(const Origin& origin) {
       put.with(columns[i], spec_.measures.columns[i].unit).step();
   });
   fill("measures", 5, [&](Statement& put) {
-    constexpr std::array kKinds{"share", "mean", "ratio"};
     for (std::size_t i = 0; i < spec_.measures.estimates.size(); ++i) {
       const Measure& m = spec_.measures.estimates[i];
-      put.with(i, m.name, kKinds[m.kind], columns[m.column],
+      put.with(i, m.name, enum_name(m.kind), columns[m.column],
                m.kind == Measure::ratio ? columns[m.per] : "")
           .step();
     }
   });
   fill("cells", 2 + factors.size(), [&](Statement& put) {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const std::string command = command_of(spec_, cells_[i], 0);
-      put.with(i, command.substr(0, command.rfind(" --seed")));
+      put.with(i, command_of(spec_, cells_[i]));
       for (std::size_t f = 0; f < factors.size(); ++f)
         put.bind(static_cast<int>(3 + f), cells_[i].values[f]);
       put.step();
@@ -311,14 +296,15 @@ void Store::each(const std::function<void(const Result&)>& use) {
   const auto whole = [&](int column) { return static_cast<std::uint64_t>(all.integer(column)); };
   const int what = all.columns() - 1;
   while (all.step()) {
-    Result result{whole(0),
-                  whole(1),
-                  {.seed = whole(2),
-                   .steps = whole(5),
-                   .hash = hash_of(all.text(6)),
-                   .outcome = outcome_of(all.text(3)),
-                   .time = all.number(4),
-                   .fault = all.text(what)}};
+    Result result{
+        whole(0),
+        whole(1),
+        {.seed = whole(2),
+         .steps = whole(5),
+         .hash = hash_of(all.text(6)),
+         .outcome = enum_named<scenario::Outcome>(all.text(3)).value_or(scenario::Outcome::fault),
+         .time = all.number(4),
+         .fault = all.text(what)}};
     for (int i = kFirstColumn; i < what && all.is_null(what); ++i)
       result.values.push_back(all.number(i));
     use(result);

@@ -30,11 +30,9 @@ using Origin = std::map<std::string, std::string>;
 inline constexpr const char* kCampaignText = "the campaign";  ///< name of its file in there
 inline constexpr const char* kProgramText = "the program";    ///< and of its version
 
-/// "0x0123456789abcdef"
-[[nodiscard]] std::string hash_text(std::uint64_t hash);
-
-/// The command that flies one seed of a cell by itself.
-[[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell, std::uint64_t seed);
+/// The command that flies a cell by itself, or one seed of it.
+[[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell,
+                                     std::optional<std::uint64_t> seed = {});
 
 /// One process writes it at a time. What fails throws disk::Failed; what was committed stays.
 class Store {

@@ -30,15 +30,11 @@ void read_measures(Database& database, const std::vector<std::string>& columns, 
     return static_cast<std::size_t>(found - columns.begin());
   };
   Statement all = database.prepare(
-      "SELECT m.name, m.kind, m.of, m.per, c.unit FROM measures m LEFT JOIN columns c ON c.name = "
-      "m.of "
-      "ORDER BY measure");
+      "SELECT m.name, m.kind, m.of, m.per, c.unit FROM measures m "
+      "LEFT JOIN columns c ON c.name = m.of ORDER BY measure");
   while (all.step()) {
-    const std::string kind = all.text(1);
     summary.measures.push_back({all.text(0),
-                                kind == "share"  ? Measure::share
-                                : kind == "mean" ? Measure::mean
-                                                 : Measure::ratio,
+                                enum_named<Measure::Kind>(all.text(1)).value_or(Measure::ratio),
                                 index(all.text(2)), index(all.text(all.text(3).empty() ? 2 : 3))});
     summary.units.push_back(all.text(4));
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -46,6 +47,15 @@ template <NamedEnum E>
     if (named == value)
       return name;
   return "";
+}
+
+/// The enumerator of that name, if there is one.
+template <NamedEnum E>
+[[nodiscard]] constexpr std::optional<E> enum_named(std::string_view wanted) {
+  for (const auto& [name, named] : EnumNames<E>::names)
+    if (name == wanted)
+      return named;
+  return std::nullopt;
 }
 
 /// All names of an enum, in the order of its table.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/hash.hpp"
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <new>
 
@@ -22,6 +24,10 @@ const XXH3_state_t* state_of(const std::byte* storage) {
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes) {
   return XXH3_64bits(bytes.data(), bytes.size());
+}
+
+std::string hash_text(std::uint64_t hash) {
+  return fmt::format("0x{:016x}", hash);
 }
 
 Hasher::Hasher() {

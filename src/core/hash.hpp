@@ -3,11 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace eyrie {
 
 /// XXH3-64 (seed 0) of some bytes: the same value on every machine and for every compiler.
 [[nodiscard]] std::uint64_t hash_bytes(std::span<const std::byte> bytes);
+
+/// "0x0123456789abcdef"
+[[nodiscard]] std::string hash_text(std::uint64_t hash);
 
 /// The same hash fed piece by piece; how the bytes were cut into pieces does not matter. Allocates
 /// nothing. Not meant against an adversary.
