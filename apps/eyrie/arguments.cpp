@@ -23,6 +23,19 @@ std::function<std::string(const std::string&)> whole_number(std::uint64_t least,
   };
 }
 
+std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_view text,
+                                                                   std::string_view between) {
+  const auto read = [](std::string_view part, std::uint64_t& value) {
+    const auto [end, failed] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return failed == std::errc{} && end == part.data() + part.size();
+  };
+  std::pair<std::uint64_t, std::uint64_t> two;
+  const std::size_t at = text.find(between);
+  const bool good = at != text.npos && read(text.substr(0, at), two.first) &&
+                    read(text.substr(at + between.size()), two.second);
+  return good ? std::optional(two) : std::nullopt;
+}
+
 std::string pace(const std::string& text) {
   constexpr double kSlowest = 0.001, kFastest = 1000;
   double value = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,6 +12,9 @@ namespace eyrie::app {
 
 [[nodiscard]] std::function<std::string(const std::string&)> whole_number(
     std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+/// "1..500" with ".." between them; nothing if it is anything else.
+[[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
+    std::string_view text, std::string_view between);
 /// A factor of real time.
 [[nodiscard]] std::string pace(const std::string& text);
 /// Of an export.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file  campaign: many flights of one scenario, as a file says, into a folder of results.
-#include "campaign/ranks.hpp"
+#include <filesystem>
 
+#include "arguments.hpp"
+#include "campaign/parts.hpp"
+#include "campaign/ranks.hpp"
 #include "campaign_source.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
@@ -54,6 +57,32 @@ class Told final : public Crew {
   Crew& crew_;
 };
 
+/// What the file says, or the part of it that is wanted.
+Spec spec_for(const CampaignOptions& options) {
+  constexpr std::uint64_t kMost = 1'000'000;
+  Spec spec = read_spec(options.file);
+  if (options.part.empty())
+    return spec;
+  const auto part = two_numbers(options.part, "/");
+  if (!part || part->first == 0 || part->first > part->second || part->second > kMost)
+    refuse("--part: '{}' is no part such as 3/16", options.part);
+  check_parts(spec);
+  spec.part = {part->first - 1, part->second};
+  return spec;
+}
+
+/// Where the results go.
+std::string folder_for(const CampaignOptions& options, const Spec& spec, const std::string& whole) {
+  const std::uint64_t of = parts_in(whole);
+  if (!options.part.empty() && of != 0 && of != spec.part.of)
+    refuse("eyrie: {} holds parts of {}, not of {}", whole, of, spec.part.of);
+  if (!options.part.empty())
+    return part_folder(whole, spec.part);
+  if (of != 0 && !options.join && !std::filesystem::exists(whole + "/" + kStoreName))
+    refuse("eyrie: {} holds parts of a campaign: --join puts them together", whole);
+  return whole;
+}
+
 /// A campaign that may be flown.
 struct Ready {
   Spec spec;
@@ -61,7 +90,7 @@ struct Ready {
   std::vector<Cell> cells = cells_of(spec);
 
   explicit Ready(const CampaignOptions& options)
-      : spec(read_spec(options.file)), source(spec, options.plugins, options.includes) {}
+      : spec(spec_for(options)), source(spec, options.plugins, options.includes) {}
 };
 
 /// What a rank flies with, under mpirun.
@@ -99,11 +128,16 @@ int campaign(const CampaignOptions& options) {
   }
   const Ready ready(options);
   const auto& [spec, source, cells] = ready;
-  const std::string folder =
+  const std::string whole =
       options.out.empty() ? fmt::format("campaigns/{}", file_name_from(spec.name)) : options.out;
+  const std::string folder = folder_for(options, spec, whole);
+  std::vector<std::string> parts;
+  if (options.join)
+    parts = whole_parts(whole, spec, cells.size(), source.origin());
 
   listen_for_interrupts();
-  Store store(folder, spec, cells, source.origin(), options.resume);
+  Store store(folder, spec, cells, source.origin(), options.resume || options.join);
+  store.join(parts);
   const scenario::EndGuard guard(1, [&](const std::string& done) {
     if (const auto now = flying_now())
       complain(
@@ -124,8 +158,9 @@ int campaign(const CampaignOptions& options) {
     Told told(spec, *crew);
     ended = run(spec, cells, store, told, [](const Standing&) {});
   } else {
-    say("{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name, cells.size(),
-        most_replicates(spec), link ? link->size() * workers : workers,
+    say("{}{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name,
+        options.part.empty() ? "" : ", part " + spec.part.text(), cells.size(),
+        spec.part.count(0, most_replicates(spec)), link ? link->size() * workers : workers,
         link ? "workers in all ranks" : "workers", folder);
     const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
     std::optional<Progress> progress;
@@ -153,9 +188,13 @@ int campaign(const CampaignOptions& options) {
   print_cells(summary);
   say("\n{} after {}; campaign hash {}; results in {}/{} and {}\n", end,
       duration_text(store.seconds()), summary.hash, folder, kStoreName, kTableName);
+  const std::string again =
+      fmt::format("eyrie campaign {} --out {}", scenario::shell_word(options.file),
+                  scenario::shell_word(whole));
   if (ended != Ended::complete)
-    say("eyrie campaign {} --out {} --resume goes on\n", scenario::shell_word(options.file),
-        scenario::shell_word(folder));
+    say("{}{}{} --resume goes on\n", again, options.part.empty() ? "" : " --part ", options.part);
+  else if (!options.part.empty())
+    say("{} --join puts all parts together\n", again);
   return 0;
 }
 

@@ -43,7 +43,8 @@ struct FlightsOptions {
   bool resume = false;
 };
 struct CampaignOptions : FlightsOptions {
-  bool json = false;
+  std::string part;  ///< "3/16"; empty: all of it
+  bool join = false, json = false;
 };
 int campaign(const CampaignOptions& options);
 

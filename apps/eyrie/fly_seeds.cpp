@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  fly --seeds: one scenario, many flights on all cores.
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "arguments.hpp"
 #include "campaign/in_order.hpp"
 #include "campaign/seed_table.hpp"
 #include "command.hpp"
@@ -21,28 +21,15 @@ using campaign::SeedFlown;
 using campaign::SeedTable;
 using Json = nlohmann::ordered_json;
 
-struct Range {
-  std::uint64_t first = 1, last = 0;
-};
-
-/// "1..500", or "500", which is the same.
-Range range_of(const std::string& text) {
+/// First and last: "1..500", or "500", which is the same.
+std::pair<std::uint64_t, std::uint64_t> range_of(const std::string& text) {
   constexpr std::uint64_t kMost = 1'000'000;
-  Range range;
-  const auto read = [](std::string_view part, std::uint64_t& value) {
-    const auto [end, failed] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return failed == std::errc{} && end == part.data() + part.size();
-  };
-  const std::string_view all = text;
-  const std::size_t dots = all.find("..");
-  const bool good = dots == all.npos ? read(all, range.last)
-                                     : read(all.substr(0, dots), range.first) &&
-                                           read(all.substr(dots + 2), range.last);
-  if (!good || range.last < range.first)
+  const auto range = two_numbers(text.find("..") == text.npos ? "1.." + text : text, "..");
+  if (!range || range->second < range->first)
     refuse("--seeds: '{}' is no range of seeds such as 1..500", text);
-  if (range.last - range.first >= kMost)
+  if (range->second - range->first >= kMost)
     refuse("--seeds: '{}' are more than {} seeds", text, kMost);
-  return range;
+  return *range;
 }
 
 /// What shows one seed.
@@ -126,11 +113,11 @@ unsigned cores() {
 
 int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
               std::optional<double> until) {
-  const Range range = range_of(options.seeds);
-  const std::uint64_t asked = range.last - range.first + 1;
+  const auto range = range_of(options.seeds);
+  const std::uint64_t asked = range.second - range.first + 1;
   listen_for_interrupts();
   if (!options.json)
-    say("{}: seeds {} to {}\n", scenario->spec.name, range.first, range.last);
+    say("{}: seeds {} to {}\n", scenario->spec.name, range.first, range.second);
 
   SeedTable seeds;
   std::uint64_t faults = 0;

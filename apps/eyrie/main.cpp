@@ -106,6 +106,8 @@ void add_campaign(CLI::App& app, Chosen& chosen) {
   campaign->add_option("file", o.file, "a campaign file: docs/campaigns.md")->required();
   campaign->add_option("--out", o.out, "folder for the results (default: campaigns/<name>)");
   add_flights(campaign, o);
+  auto* part = campaign->add_option("--part", o.part, "fly the third of 16 parts: 3/16");
+  campaign->add_flag("--join", o.join, "put all parts together")->excludes(part);
   campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
 }
 

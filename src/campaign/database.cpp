@@ -42,6 +42,14 @@ void Statement::bind(int index, std::string_view text) {
                           SQLITE_UTF8) != SQLITE_OK)
     fail(sqlite3_db_handle(statement_.get()));
 }
+Statement& Statement::with_row(const Statement& row) {
+  reset();
+  for (int i = 0; i < row.columns(); ++i)
+    if (sqlite3_bind_value(statement_.get(), i + 1,
+                           sqlite3_column_value(row.statement_.get(), i)) != SQLITE_OK)
+      fail(sqlite3_db_handle(statement_.get()));
+  return *this;
+}
 bool Statement::step() {
   switch (sqlite3_step(statement_.get())) {
     case SQLITE_ROW:

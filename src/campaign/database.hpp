@@ -22,6 +22,8 @@ class Statement {
     (bind(++index, values), ...);
     return *this;
   }
+  /// As many as a row of another statement has.
+  Statement& with_row(const Statement& row);
   void reset();
   /// Parameters count from 1. NaN is NULL.
   void bind(int index, double value);

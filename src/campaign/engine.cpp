@@ -21,8 +21,8 @@ std::uint64_t next_look(const Spec& spec, std::uint64_t n) {
 }
 
 /// Whether a cell with `n` replicates needs no more.
-bool enough(const Spec& spec, std::uint64_t n, const Estimator& estimator) {
-  if (n >= most_replicates(spec))
+bool enough(const Spec& spec, std::uint64_t cell, std::uint64_t n, const Estimator& estimator) {
+  if (n >= most_of_part(spec, cell))
     return true;
   if (!spec.stop || n < spec.stop->least || (n - spec.stop->least) % spec.stop->every != 0)
     return false;
@@ -37,13 +37,14 @@ std::vector<Batch> next_batches(const Spec& spec, std::span<const std::uint64_t>
   std::vector<Batch> batches;
   std::uint64_t look = most_replicates(spec);
   for (std::size_t cell = 0; cell < counts.size(); ++cell)
-    if (!enough(spec, counts[cell], estimators[cell])) {
+    if (!enough(spec, cell, counts[cell], estimators[cell])) {
       batches.push_back({cell, counts[cell], 0});
       look = std::min(look, next_look(spec, counts[cell]));
     }
   std::erase_if(batches, [&](const Batch& batch) { return batch.first >= look; });
   for (Batch& batch : batches)
-    batch.count = look - batch.first;
+    batch = {batch.cell, spec.part.first(batch.cell) + batch.first * spec.part.of,
+             std::min(look, most_of_part(spec, batch.cell)) - batch.first, spec.part.of};
   return batches;
 }
 
@@ -125,7 +126,7 @@ Plan::Place Plan::operator[](std::uint64_t i) const {
   const auto b =
       static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), i) - ends_.begin());
   const Batch& batch = batches_[b];
-  return {batch.cell, batch.first + i + batch.count - ends_[b]};
+  return {batch.cell, batch.first + (i + batch.count - ends_[b]) * batch.step};
 }
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> flying_now() {
@@ -145,7 +146,9 @@ Ended run(const Spec& spec, std::span<const Cell> cells, Store& store, Crew& cre
           const std::function<void(const Standing&)>& tell) {
   const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
   std::vector<Estimator> estimators(cells.size(), Estimator(measure));
-  const std::uint64_t most = cells.size() * most_replicates(spec);
+  std::uint64_t most = 0;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    most += most_of_part(spec, cell);
   Standing standing{.most = std::min(most, spec.budget.replicates.value_or(most))};
   std::optional<Result> earlier;
   store.each([&](const Result& result) {

@@ -10,9 +10,9 @@
 
 namespace eyrie::campaign {
 
-/// The replicates [first, first + count) of a cell.
+/// The replicates first, first + step, ... of a cell, `count` of them.
 struct Batch {
-  std::uint64_t cell = 0, first = 0, count = 0;
+  std::uint64_t cell = 0, first = 0, count = 0, step = 1;
 };
 
 /// Batches one behind the other.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "campaign/parts.hpp"
 #include "support/campaign/made_up.hpp"
 #include "support/program.hpp"
 
@@ -59,6 +60,36 @@ TEST(Engine, StopsEachCellAtTheFirstLookAtWhichItsIntervalIsNarrow) {
     while (n < 90 && (n < 10 || (n - 10) % 7 != 0 || width() > 0.25));
     EXPECT_EQ(counts[cell], n);
     EXPECT_LT(n, 90U);
+  }
+}
+
+TEST(Engine, FliesPartsOfWhichEachHasAboutAsManyAndAllAreTheWhole) {
+  const Spec whole = test::made_up_spec("replicates: 100");
+  Flight undisturbed{whole};
+  undisturbed.session();
+  for (const std::uint64_t of : {2U, 16U, 99U, 400U}) {
+    const test::TempFolder folder;
+    std::vector<std::uint64_t> flown;
+    for (std::uint64_t i = 0; i < of; ++i) {
+      Spec spec = whole;
+      spec.part = {i, of};
+      Store store(part_folder(folder / "out", spec.part), spec, undisturbed.cells, {}, false);
+      for (const std::uint64_t left : {std::uint64_t{2}, ~std::uint64_t{0}}) {
+        test::MadeUpCrew crew(spec);
+        crew.left = left;
+        run(spec, undisturbed.cells, store, crew, [](const Standing&) {});
+      }
+      flown.push_back(0);
+      for (const std::uint64_t count : store.counts())
+        flown.back() += count;
+    }
+    const auto [least, most] = std::minmax_element(flown.begin(), flown.end());
+    EXPECT_LE(*most - *least, 2U) << of;
+    const auto parts = whole_parts(folder / "out", whole, undisturbed.cells.size(), {});
+    Store joined(folder / "out", whole, undisturbed.cells, {}, true);
+    joined.join(parts);
+    EXPECT_EQ(joined.counts(), undisturbed.counts());
+    EXPECT_EQ(joined.hash(), undisturbed.hash()) << of;
   }
 }
 

@@ -93,7 +93,7 @@ TEST(Ranks, GiveTheSameInTheSameOrderHoweverManyThereAre) {
   };
   std::string expected;
   for (int round = 0; round < 2; ++round)
-    for (const auto& [cell, first, count] : kBatches)
+    for (const auto& [cell, first, count, step] : kBatches)
       for (std::uint64_t i = 0; i < count; ++i)
         expected += text(fly_here(cell, first + i));
   for (const int ranks : {1, 2, 5})

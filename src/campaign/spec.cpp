@@ -142,6 +142,22 @@ Spec read_spec(const std::string& file) {
   return parse_spec(read_text(file), file);
 }
 
+void check_parts(const Spec& spec) {
+  Diagnostics diagnostics;
+  const Value document = parse_yaml(spec.text, spec.file, diagnostics);
+  const Value* const budget = document.find("budget");
+  if (spec.stop)
+    diagnostics.error(
+        document.where_of("stop"),
+        "stop: needs the results of all parts; without it, 'replicates' says how many "
+        "are flown");
+  if (spec.budget.replicates)
+    diagnostics.error(budget->where_of("replicates"),
+                      "budget: replicates: a part does not know how many the others have flown");
+  if (!diagnostics.ok())
+    throw ConfigError(diagnostics);
+}
+
 std::vector<Cell> cells_of(const Spec& spec) {
   return cells_of(spec.design, spec.factors);
 }

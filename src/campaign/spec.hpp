@@ -42,6 +42,25 @@ struct Seeds {
   bool paired = true;
 };
 
+/// One of several parts of a campaign that are flown by themselves: one replicate in `of`.
+struct Part {
+  std::uint64_t index = 0, of = 1;
+
+  /// Of a cell. The cells begin in turn at parts that lie far from each other (Fibonacci hashing:
+  /// Knuth, The Art of Computer Programming 3, 6.4), so that all parts fly about as many.
+  [[nodiscard]] std::uint64_t first(std::uint64_t cell) const {
+    return (index + of - ((cell * 0x9e3779b9 & 0xffffffff) * of >> 32)) % of;
+  }
+  /// How many of the first `most` replicates of a cell.
+  [[nodiscard]] std::uint64_t count(std::uint64_t cell, std::uint64_t most) const {
+    return (most + of - 1 - first(cell)) / of;
+  }
+  /// "3 of 16"
+  [[nodiscard]] std::string text() const {
+    return std::to_string(index + 1) + " of " + std::to_string(of);
+  }
+};
+
 struct Spec {
   static constexpr std::string_view type_name = "campaign";
   static constexpr std::string_view help =
@@ -73,6 +92,7 @@ struct Spec {
   std::optional<Stopping> stop;
   Measures measures;
   Budget budget;
+  Part part;  ///< of the campaign: that is flown
 };
 
 /// Throws ConfigError with every mistake that was found.
@@ -91,12 +111,19 @@ struct Spec {
 [[nodiscard]] const Measure* find_measure(const Measures& measures, const Value& map,
                                           std::string_view owner, Diagnostics& diagnostics);
 
+/// Throws ConfigError if it cannot be flown in parts, as none knows what the others have flown.
+void check_parts(const Spec& spec);
+
 [[nodiscard]] std::vector<Cell> cells_of(const Spec& spec);
 /// Every override of a cell, those of all cells first.
 [[nodiscard]] std::vector<std::string> sets_of(const Spec& spec, const Cell& cell);
 /// How many replicates a cell has at most.
 [[nodiscard]] inline std::uint64_t most_replicates(const Spec& spec) {
   return spec.stop ? spec.stop->most : spec.replicates;
+}
+/// How many replicates the part of a cell has at most.
+[[nodiscard]] inline std::uint64_t most_of_part(const Spec& spec, std::uint64_t cell) {
+  return spec.part.count(cell, most_replicates(spec));
 }
 /// Paired: the same over all cells; else no seed is flown twice.
 [[nodiscard]] inline std::uint64_t seed_of(const Spec& spec, std::uint64_t cell,

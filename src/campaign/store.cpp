@@ -80,6 +80,12 @@ std::uint64_t hash_of(std::string_view text) {
   return hash;
 }
 
+/// s, for which it has been worked on.
+double seconds_in(Database& database) {
+  Statement seconds = database.prepare("SELECT value FROM campaign WHERE name = 'seconds'");
+  return seconds.step() ? seconds.number(0) : 0;
+}
+
 /// The folder, locked. Parents are made.
 disk::Handle locked(const std::string& path, bool resume) {
   const disk::Destination place(path, disk::Parents::are_made);
@@ -92,8 +98,10 @@ disk::Handle locked(const std::string& path, bool resume) {
     disk::cannot_make(place.path(), errno);
   std::vector<std::string> names;
   if (!made && disk::files().list(folder.get(), names) == 0 && !names.empty()) {
-    const bool campaign = std::find(names.begin(), names.end(), kStoreName) != names.end();
-    if (!campaign)
+    const auto is_of_campaign = [](const std::string& name) {
+      return name == kStoreName || name.starts_with(kPartName);
+    };
+    if (std::none_of(names.begin(), names.end(), is_of_campaign))
       throw disk::Refused(
           fmt::format("{} is there already, and is no campaign", quote_path(place.path())));
     if (!resume)
@@ -104,43 +112,6 @@ disk::Handle locked(const std::string& path, bool resume) {
   if (disk::files().lock(folder.get()) != 0)
     throw disk::Refused(fmt::format("another process is working on {}", quote_path(place.path())));
   return folder;
-}
-
-/// The next line of a text, which is taken from it.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
-
-std::string changed(const std::string& name, std::string_view was, std::string_view is) {
-  std::size_t line = 1;
-  std::string_view before, now;
-  do {
-    before = take_line(was);
-    now = take_line(is);
-  } while (before == now && ++line);
-  // of a long line what is around the first difference
-  constexpr std::size_t kAround = 20;
-  const auto same = static_cast<std::size_t>(
-      std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
-  const std::size_t skipped = same > kAround ? same - kAround : 0;
-  return fmt::format("{}, line {}, column {}: was {}, is {}", quote_path(name), line, same + 1,
-                     quote(before.substr(skipped)), quote(now.substr(skipped)));
-}
-
-std::vector<std::string> differences(const Origin& before, const Origin& now) {
-  std::vector<std::string> all;
-  for (const auto& [name, text] : before)
-    if (const auto found = now.find(name); found == now.end())
-      all.push_back(fmt::format("{} is used no more", quote_path(name)));
-    else if (found->second != text)
-      all.push_back(changed(name, text, found->second));
-  for (const auto& item : now)
-    if (!before.contains(item.first))
-      all.push_back(fmt::format("{} was not used", quote_path(item.first)));
-  return all;
 }
 
 }  // namespace
@@ -159,19 +130,13 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
       lock_(locked(folder, resume)),
       counts_(cells.size()) {
   database_.emplace(fmt::format("{}/{}", folder_, kStoreName), Database::Access::create);
-  // whoever was killed before it was begun has left no tables
-  if (database_->prepare("SELECT 1 FROM sqlite_master WHERE name = 'campaign'").step())
-    demand_the_same(origin);
+  const Origin own = origin_of(origin, spec.part);
+  if (begun(*database_))
+    demand_the_same(*database_, own, folder_);
   else
-    make_tables(origin);
-  Statement counted = database_->prepare("SELECT cell, count(*) FROM replicates GROUP BY cell");
-  while (counted.step()) {
-    const auto cell = static_cast<std::size_t>(counted.integer(0));
-    if (cell >= counts_.size())
-      throw disk::Failed(
-          fmt::format("{} is damaged: there is no cell {}", quote_path(folder_), cell));
-    counts_[cell] = static_cast<std::uint64_t>(counted.integer(1));
-  }
+    make_tables(own);
+  before_ = seconds_in(*database_);
+  count();
   put_ = database_->prepare("INSERT INTO replicates VALUES " +
                             places(kFirstColumn + spec_.measures.columns.size()));
   put_fault_ = database_->prepare("INSERT INTO faults VALUES " + places(5));
@@ -235,19 +200,36 @@ void Store::make_tables(const Origin& origin) {
   db.run("COMMIT");
 }
 
-void Store::demand_the_same(const Origin& origin) {
-  Origin before;
-  Statement stored = database_->prepare("SELECT name, text FROM origin");
-  while (stored.step())
-    before[stored.text(0)] = stored.text(1);
-  if (const auto all = differences(before, origin); !all.empty())
-    throw disk::Refused(
-        fmt::format("{} was begun with something else; undo that, or begin anew with another --out"
-                    "\n  {}",
-                    quote_path(folder_), fmt::join(all, "\n  ")));
-  Statement seconds = database_->prepare("SELECT value FROM campaign WHERE name = 'seconds'");
-  if (seconds.step())
-    before_ = seconds.number(0);
+void Store::count() {
+  Statement counted = database_->prepare("SELECT cell, count(*) FROM replicates GROUP BY cell");
+  while (counted.step()) {
+    const auto cell = static_cast<std::size_t>(counted.integer(0));
+    if (cell >= counts_.size())
+      throw disk::Failed(
+          fmt::format("{} is damaged: there is no cell {}", quote_path(folder_), cell));
+    counts_[cell] = static_cast<std::uint64_t>(counted.integer(1));
+  }
+}
+
+void Store::join(std::span<const std::string> folders) {
+  if (folders.empty())
+    return;
+  database_->run("BEGIN");
+  before_ = 0;
+  for (const std::string& folder : folders) {
+    Database part(fmt::format("{}/{}", folder, kStoreName), Database::Access::read);
+    before_ += seconds_in(part);
+    for (const char* table : {"replicates", "faults"}) {
+      Statement rows = part.prepare(fmt::format("SELECT * FROM {}", table));
+      Statement copy =
+          database_->prepare(fmt::format("INSERT OR IGNORE INTO {} VALUES {}", table,
+                                         places(static_cast<std::size_t>(rows.columns()))));
+      while (rows.step())
+        copy.with_row(rows).step();
+    }
+  }
+  database_->run("COMMIT");
+  count();
 }
 
 void Store::set(std::string_view name, const std::string& value) {

@@ -4,17 +4,16 @@
 /// into it when the process is killed. docs/campaigns.md has its tables.
 #include <chrono>
 #include <functional>
-#include <map>
 
-#include "campaign/database.hpp"
+#include "campaign/origin.hpp"
 #include "campaign/replicate.hpp"
-#include "campaign/spec.hpp"
 #include "disk/file_system.hpp"
 
 namespace eyrie::campaign {
 
 inline constexpr const char* kStoreName = "results.db";
 inline constexpr const char* kTableName = "results.csv";
+inline constexpr const char* kPartName = "part_";  ///< so begin the folders of parts
 /// In the table `replicates`: the first column of what is measured.
 inline constexpr int kFirstColumn = 7;
 
@@ -24,11 +23,6 @@ struct Result {
   Flown flown;
   std::vector<double> values{};  ///< by column; NaN where it does not apply; none after a fault
 };
-
-/// What a campaign is flown with: every file by its name, with its text or what stands for it.
-using Origin = std::map<std::string, std::string>;
-inline constexpr const char* kCampaignText = "the campaign";  ///< name of its file in there
-inline constexpr const char* kProgramText = "the program";    ///< and of its version
 
 /// The command that flies a cell by itself, or one seed of it.
 [[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell,
@@ -49,8 +43,10 @@ class Store {
   /// Keeps a result; it is committed with others after a second at most, if others come.
   void put(const Result& result);
   void flush();
+  /// Takes over what parts have flown into these folders, or nothing of it.
+  void join(std::span<const std::string> folders);
 
-  /// How many replicates of each cell are there: the first ones.
+  /// How many replicates of each cell are there: the first ones of this part.
   [[nodiscard]] const std::vector<std::uint64_t>& counts() const { return counts_; }
   /// By cell and replicate.
   void each(const std::function<void(const Result&)>& use);
@@ -65,7 +61,7 @@ class Store {
  private:
   using Clock = std::chrono::steady_clock;
   void make_tables(const Origin& origin);
-  void demand_the_same(const Origin& origin);
+  void count();
   void set(std::string_view name, const std::string& value);
 
   const Spec& spec_;

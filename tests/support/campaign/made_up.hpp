@@ -60,17 +60,17 @@ struct MadeUpCrew final : campaign::Crew {
 
   explicit MadeUpCrew(const campaign::Spec& s) : spec(s) {}
   void fly(std::span<const campaign::Batch> batches, const Take& take) override {
-    for (const campaign::Batch& batch : batches)
-      for (std::uint64_t i = batch.first; i < batch.first + batch.count; ++i) {
-        auto result = made_up(spec, batch.cell, i);
-        result.flown.hash += other;
-        if (left-- == 0)
-          result.flown.outcome = scenario::Outcome::stopped;
-        else
-          ++flown;
-        if (!take(std::move(result)))
-          return;
-      }
+    const campaign::Plan plan(batches);
+    for (std::uint64_t i = 0; i < plan.size(); ++i) {
+      auto result = made_up(spec, plan[i].cell, plan[i].replicate);
+      result.flown.hash += other;
+      if (left-- == 0)
+        result.flown.outcome = scenario::Outcome::stopped;
+      else
+        ++flown;
+      if (!take(std::move(result)))
+        return;
+    }
   }
 };
 

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/origin.hpp"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "disk/output.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// The next line of a text, which is taken from it.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+std::string changed(const std::string& name, std::string_view was, std::string_view is) {
+  std::size_t line = 1;
+  std::string_view before, now;
+  do {
+    before = take_line(was);
+    now = take_line(is);
+  } while (before == now && ++line);
+  // of a long line what is around the first difference
+  constexpr std::size_t kAround = 20;
+  const auto same = static_cast<std::size_t>(
+      std::mismatch(before.begin(), before.end(), now.begin(), now.end()).first - before.begin());
+  const std::size_t skipped = same > kAround ? same - kAround : 0;
+  return fmt::format("{}, line {}, column {}: was {}, is {}", quote_path(name), line, same + 1,
+                     quote(before.substr(skipped)), quote(now.substr(skipped)));
+}
+
+std::vector<std::string> differences(const Origin& before, const Origin& now) {
+  std::vector<std::string> all;
+  for (const auto& [name, text] : before)
+    if (const auto found = now.find(name); found == now.end())
+      all.push_back(fmt::format("{} is used no more", quote_path(name)));
+    else if (found->second != text)
+      all.push_back(changed(name, text, found->second));
+  for (const auto& item : now)
+    if (!before.contains(item.first))
+      all.push_back(fmt::format("{} was not used", quote_path(item.first)));
+  return all;
+}
+
+}  // namespace
+
+Origin origin_of(Origin whole, const Part& part) {
+  if (part.of > 1)
+    whole["the part"] = part.text();
+  return whole;
+}
+
+bool begun(Database& database) {
+  return database.prepare("SELECT 1 FROM sqlite_master WHERE name = 'campaign'").step();
+}
+
+void demand_the_same(Database& database, const Origin& origin, const std::string& folder) {
+  Origin before;
+  Statement stored = database.prepare("SELECT name, text FROM origin");
+  while (stored.step())
+    before[stored.text(0)] = stored.text(1);
+  if (const auto all = differences(before, origin); !all.empty())
+    throw disk::Refused(
+        fmt::format("{} was begun with something else; undo that, or begin anew with another --out"
+                    "\n  {}",
+                    quote_path(folder), fmt::join(all, "\n  ")));
+}
+
+}  // namespace eyrie::campaign
