@@ -14,26 +14,25 @@ const char* const kStop = "stop: {measure: won, width: 0.25, least: 10, every: 7
 
 struct Flight {
   const Spec& spec;
-  test::TempFolder folder{};
+  std::shared_ptr<const test::TempFolder> folder = std::make_shared<test::TempFolder>();
   std::vector<Cell> cells = cells_of(spec);
   std::uint64_t flown = 0;
 
+  [[nodiscard]] Store store() const {
+    return {*folder / "out", spec, cells, {{kCampaignText, spec.text}}, true};
+  }
   /// One process, which is interrupted after `left` results.
   Ended session(std::uint64_t left = ~std::uint64_t{0}, std::uint64_t other = 0) {
-    Store store(folder / "out", spec, cells, {}, true);
+    Store kept = store();
     test::MadeUpCrew crew(spec);
     crew.left = left;
     crew.other = other;
-    const Ended ended = run(spec, cells, store, crew, [](const Standing&) {});
+    const Ended ended = run(spec, cells, kept, crew, [](const Standing&) {});
     flown += crew.flown;
     return ended;
   }
-  [[nodiscard]] std::vector<std::uint64_t> counts() const {
-    return Store(folder / "out", spec, cells, {}, true).counts();
-  }
-  [[nodiscard]] std::uint64_t hash() const {
-    return Store(folder / "out", spec, cells, {}, true).hash();
-  }
+  [[nodiscard]] std::vector<std::uint64_t> counts() const { return store().counts(); }
+  [[nodiscard]] std::uint64_t hash() const { return store().hash(); }
 };
 
 TEST(Engine, FliesEveryReplicateOfEveryCellOnce) {
@@ -61,6 +60,57 @@ TEST(Engine, StopsEachCellAtTheFirstLookAtWhichItsIntervalIsNarrow) {
     EXPECT_EQ(counts[cell], n);
     EXPECT_LT(n, 90U);
   }
+}
+
+TEST(Engine, GoesOnToMoreReplicatesAsIfItHadBeenBegunWithThem) {
+  const std::string stop = "stop: {measure: won, width: 0.25, least: 10, every: 7, most: ";
+  for (const auto& [before, now] : std::vector<std::pair<std::string, std::string>>{
+           {"replicates: 9", "replicates: 40"},
+           {"replicates: 9", "replicates: 40  # the interval was too wide"},
+           {"budget: {replicates: 150}", "replicates: 120"},
+           {"budget: {replicates: 150}", "budget: {replicates: 200}"},
+           {stop + "20}", stop + "90}"},
+           {stop + "90}\nbudget: {replicates: 40, time: 1 h}",
+            stop + "90}\nbudget: {time: 2 h}"}}) {
+    const Spec less = test::made_up_spec(before), more = test::made_up_spec(now);
+    Flight whole{more}, first{less};
+    whole.session();
+    first.session();
+    EXPECT_LT(first.flown, whole.flown) << before;
+    Flight second{more, first.folder};
+    second.session();
+    EXPECT_EQ(first.flown + second.flown, whole.flown + 1) << "the first is flown again: " << now;
+    EXPECT_EQ(second.hash(), whole.hash()) << now;
+    EXPECT_THROW(first.session(), disk::Refused) << "it would have less now";
+  }
+}
+
+TEST(Engine, RefusesMoreReplicatesThatWouldNotHaveBeenFlownFirst) {
+  const auto refused = [](const std::string& before, const std::string& now) {
+    const Spec less = test::made_up_spec(before), more = test::made_up_spec(now);
+    Flight first{less};
+    first.session();
+    try {
+      Flight{more, first.folder}.session();
+    } catch (const disk::Refused& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(
+      refused("replicates: 9", "replicates: 8").find("was 'replicates: 9', is 'replicates: 8'"),
+      std::string::npos);
+  EXPECT_NE(
+      refused("seeds: {paired: false}\nreplicates: 9", "seeds: {paired: false}\nreplicates: 40")
+          .find("seeds that are not paired"),
+      std::string::npos);
+  EXPECT_NE(refused("replicates: 9\nbudget: {replicates: 20}",
+                    "replicates: 40\nbudget: {replicates: 100}")
+                .find("the budget would have been spent"),
+            std::string::npos);
+  EXPECT_NE(refused("replicates: 9", "replicates: 40\nseeds: {first: 2}"), "");
+  EXPECT_NE(refused("replicates: 9", "replicates: 40\nset: [until=5 min]"), "");
+  EXPECT_NE(refused("budget: {time: 2 h}", "budget: {time: 1 h}"), "");
 }
 
 TEST(Engine, FliesPartsOfWhichEachHasAboutAsManyAndAllAreTheWhole) {

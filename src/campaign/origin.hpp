@@ -20,7 +20,8 @@ inline constexpr const char* kProgramText = "the program";    ///< and of its ve
 [[nodiscard]] bool begun(Database& database);
 
 /// Throws disk::Refused with the differences if the campaign in `folder` was begun with another
-/// origin.
+/// origin: one of which what was flown is not the beginning. More replicates of each cell, or a
+/// larger budget, are no difference.
 void demand_the_same(Database& database, const Origin& origin, const std::string& folder);
 
 }  // namespace eyrie::campaign

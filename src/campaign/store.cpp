@@ -131,10 +131,14 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
       counts_(cells.size()) {
   database_.emplace(fmt::format("{}/{}", folder_, kStoreName), Database::Access::create);
   const Origin own = origin_of(origin, spec.part);
-  if (begun(*database_))
+  if (begun(*database_)) {
     demand_the_same(*database_, own, folder_);
-  else
+    database_->prepare("UPDATE origin SET text = ? WHERE name = ?")
+        .with(spec.text, kCampaignText)
+        .step();
+  } else {
     make_tables(own);
+  }
   before_ = seconds_in(*database_);
   count();
   put_ = database_->prepare("INSERT INTO replicates VALUES " +

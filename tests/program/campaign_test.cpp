@@ -103,6 +103,33 @@ TEST_F(Campaign, RefusesToGoOnWithSomethingElse) {
   EXPECT_EQ(table("out"), undisturbed());
 }
 
+TEST_F(Campaign, GoesOnToMoreReplicatesThanItWasBegunWith) {
+  const std::string more = changed({"replicates: 40", "replicates: 60"});
+  ASSERT_EQ(run("out").code, 0);
+  for (const int number : {1, 2})
+    ASSERT_EQ(run("in2", {"--part", fmt::format("{}/2", number)}).code, 0);
+  ASSERT_EQ(run("in2", {"--join"}).code, 0);
+  folder.write("c.yaml", more);
+  const Ran whole = run("whole"), resumed = run("out", {"--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(hash_in(resumed), hash_in(whole));
+  EXPECT_EQ(table("out"), table("whole"));
+  // and in the parts
+  EXPECT_NE(run("in2", {"--join"}).err.find("part 1 of 2 has 40 of 60 replicates"),
+            std::string::npos);
+  for (const int number : {1, 2})
+    ASSERT_EQ(run("in2", {"--part", fmt::format("{}/2", number), "--resume"}).code, 0);
+  ASSERT_EQ(run("in2", {"--join"}).code, 0);
+  EXPECT_EQ(table("in2"), table("whole"));
+  EXPECT_EQ(
+      run_program(folder, {"query", "out", "SELECT count(*) FROM losses", "--decisions", "1 s"})
+          .code,
+      0);
+  folder.write("c.yaml", kCampaign);
+  EXPECT_NE(run("out", {"--resume"}).err.find("was 'replicates: 60', is 'replicates: 40'"),
+            std::string::npos);
+}
+
 TEST_F(Campaign, LeavesNothingAfterAMistake) {
   const auto before = folder.everything();
   folder.write("c.yaml", changed({"start.speed", "start.spede"}));
