@@ -146,6 +146,7 @@ struct ExportOptions {
 int export_run(const ExportOptions& options);
 
 struct CatalogOptions {
+  std::string node;                            ///< only this one; empty: everything
   bool markdown = false, json_schema = false;  ///< neither: a short list
   std::vector<std::string> plugins;
 };

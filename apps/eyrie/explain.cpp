@@ -4,15 +4,18 @@
 
 #include <cctype>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
 #include "core/units.hpp"
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "locate.hpp"
+#include "record/json_text.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
+#include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -31,7 +34,7 @@ struct Wanted {
   std::string event;
 };
 
-/// The times (s) at which the player has to do with an event that has the word in it.
+/// The events with the word in them that the player has to do with, and the decisions they come of.
 class EventTimes final : public sim::Observer {
  public:
   EventTimes(const scenario::Scenario& scenario, PlayerId who, std::string word)
@@ -40,22 +43,28 @@ class EventTimes final : public sim::Observer {
         word_(small_letters(std::move(word))),
         story_(scenario, [this](const record::StoryLine& line) {
           if (line.who == scenario_.roster.name(who_) && has_word(line.text))
-            found_ = true;
+            found_ = line.decided;
         }) {}
 
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
-    found_ = false;
+    found_.reset();
+    released_ = false;
     for (const sim::Event& e : events)
       if (e.who == who_ || e.whom == who_) {
-        const std::string name(model::event_name(record::kind_of(e)));
+        const model::EventKind kind = record::kind_of(e);
+        const std::string name(model::event_name(kind));
         names_.insert(name);
-        found_ = found_ || has_word(name);
+        released_ |= kind == model::EventKind::release && e.who == who_;
+        if (has_word(name))
+          found_ = info.time();
       }
     story_.observe(world, info, events);
   }
-  /// In the last step.
-  [[nodiscard]] bool found() const { return found_; }
+  /// When what was found in the last step was decided (s); nothing if nothing was.
+  [[nodiscard]] std::optional<double> found() const { return found_; }
+  /// Whether the player released a store in the last step.
+  [[nodiscard]] bool released() const { return released_; }
   /// Of every event so far that the player had to do with.
   [[nodiscard]] const std::set<std::string>& names() const { return names_; }
 
@@ -68,7 +77,8 @@ class EventTimes final : public sim::Observer {
   std::string word_;
   record::Story story_;
   std::set<std::string> names_;
-  bool found_ = false;
+  std::optional<double> found_;
+  bool released_ = false;
 };
 
 struct Found {
@@ -90,7 +100,8 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
                             flight.orders());
   };
 
-  std::optional<debrief::Decision> last;  // for events between two decisions
+  std::optional<debrief::Decision> last;         // for events between two decisions
+  std::map<double, debrief::Decision> released;  // s
   std::optional<ubf::NodeIndex> leader;
   std::string label = "nobody";
   while (flight.time() < wanted.to && flight.step()) {
@@ -99,9 +110,14 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
     if (!wanted.event.empty()) {
       if (auto decision = explain())
         last = std::move(decision);
-      if (events.found() && last &&
-          (found.decisions.empty() || found.decisions.back().step != last->step))
-        found.decisions.push_back(*last);
+      if (events.released() && last)
+        released.insert_or_assign(flight.time(), *last);
+      if (!events.found() || !last)
+        continue;
+      const auto cause = released.find(*events.found());
+      const debrief::Decision& decided = cause == released.end() ? *last : cause->second;
+      if (found.decisions.empty() || found.decisions.back().step != decided.step)
+        found.decisions.push_back(decided);
       continue;
     }
     if (wanted.changes) {
@@ -136,6 +152,61 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
   }
   found.events = events.names();
   return found;
+}
+
+/// What a run turned on: shots, losses, new leads and phases, and the decisions they come of.
+struct Moment {
+  record::StoryLine line;
+  std::optional<debrief::Decision> decision = {};
+};
+
+std::vector<Moment> key_moments(const debrief::Recorded& recorded) {
+  using model::EventKind;
+  const scenario::Scenario& scenario = *recorded.scenario;
+  std::vector<Moment> moments;
+  record::Story story(scenario, [&](const record::StoryLine& line) {
+    constexpr std::array kKeys{EventKind::launch, EventKind::kill,        EventKind::crash,
+                               EventKind::loss,   EventKind::lead_change, EventKind::phase};
+    if (std::find(kKeys.begin(), kKeys.end(), line.kind) != kKeys.end())
+      moments.push_back({line});
+  });
+  {
+    debrief::Reflight flight(recorded);
+    flight.attach(story);
+    while (flight.step()) {
+    }
+  }
+  constexpr double kLongest = 2;  // s, between two decisions
+  debrief::Reflight flight(recorded);
+  while (flight.step())
+    for (Moment& moment : moments)
+      if (flight.time() <= moment.line.decided && flight.time() > moment.line.decided - kLongest)
+        if (auto decision = debrief::explain(scenario, flight.before(), flight.after(),
+                                             moment.line.decider, flight.orders()))
+          moment.decision = std::move(decision);
+  return moments;
+}
+
+void say_key_moments(const debrief::Recorded& recorded, const ExplainOptions& options) {
+  if (options.json) {
+    auto all = nlohmann::ordered_json::array();
+    for (const Moment& m : key_moments(recorded))
+      all.push_back(
+          {{"time", m.line.time},
+           {"who", m.line.who},
+           {"text", m.line.text},
+           {"decision", m.decision ? debrief::decision_json(*m.decision, recorded.scenario->roster)
+                                   : nlohmann::ordered_json()}});
+    return say("{}\n", Composed{record::json_text(all)});
+  }
+  for (const Moment& moment : key_moments(recorded)) {
+    say("{}  {:<8}  {}\n", record::clock_text(moment.line.time), moment.line.who, moment.line.text);
+    if (moment.decision)
+      say("    {}:{}", recorded.scenario->roster.name(moment.line.decider),
+          Composed{debrief::decision_line(*moment.decision)});
+  }
+  say("\na decision whole: eyrie explain {} --player NAME --at TIME\n",
+      scenario::shell_word(options.run));
 }
 
 /// Why nothing was found.
@@ -174,6 +245,10 @@ int explain(const ExplainOptions& options) {
 
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   const scenario::Roster& roster = recorded.scenario->roster;
+  if (options.player.empty()) {
+    say_key_moments(recorded, options);
+    return 0;
+  }
   const PlayerId who = player_named(roster, options.player);
   if (wanted.from > recorded.until())
     refuse("{} {}: the run ends at {}", wanted.once ? "--at" : "--from",

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// \file  The command line. CLI11 lives in this file alone: it is slow to compile.
-#include <CLI/CLI.hpp>
-#include <sstream>
-
+/// \file  The command line. CLI11 lives here and in typed.cpp alone: it is slow to compile.
 #include "arguments.hpp"
 #include "command.hpp"
 #include "commands.hpp"
@@ -11,6 +8,7 @@
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
+#include "typed.hpp"
 
 namespace {
 
@@ -146,7 +144,9 @@ void add_explain(CLI::App& app, Chosen& chosen) {
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
   ExplainOptions& o = options_of(explain, app::explain, chosen);
   add_run(explain, o);
-  explain->add_option("--player", o.player, "who")->required();
+  auto* player =
+      explain->add_option("--player", o.player,
+                          "who; nobody: the decisions on which the run turned, whoever made them");
   auto* at =
       explain->add_option("--at", o.at, "the decision at this time: 312.4, '5 min' or 5:12.4");
   auto* from =
@@ -163,6 +163,8 @@ void add_explain(CLI::App& app, Chosen& chosen) {
   auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
   csv->excludes(changes);
   explain->add_flag("--json", o.json, "for tools")->excludes(csv);
+  for (const char* of_player : {"--at", "--from", "--to", "--changes", "--event", "--csv"})
+    explain->get_option(of_player)->needs(player);
 }
 
 void add_what_if(CLI::App& app, Chosen& chosen) {
@@ -279,8 +281,11 @@ void add_catalog(CLI::App& app, Chosen& chosen) {
   CLI::App* catalog =
       app.add_subcommand("catalog", "Everything a scenario may name, with its parameters");
   CatalogOptions& o = options_of(catalog, app::catalog, chosen);
+  auto* node = catalog->add_option("node", o.node, "one kind of node, with its parameters");
   auto* schema = catalog->add_flag("--json-schema", o.json_schema, "as a JSON schema");
   catalog->add_flag("--markdown", o.markdown, "as the reference page")->excludes(schema);
+  schema->excludes(node);
+  catalog->get_option("--markdown")->excludes(node);
   add_plugins(catalog, o.plugins, kPluginHelp);
 }
 
@@ -303,64 +308,8 @@ void add_new(CLI::App& app, Chosen& chosen) {
       ->required();
 }
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-/// The subcommand that was meant, or null.
-const CLI::App* command_of(const CLI::App& app, std::span<char*> words) {
-  for (const CLI::App* command : commands_of(app))
-    if (words.size() > 1 && command->get_name() == words[1])
-      return command;
-  return nullptr;
-}
-
-/// A command or an option that there is not, with the nearest one; "" if that is not what is wrong.
-std::string unknown_text(const CLI::App& app, std::span<char*> words) {
-  std::vector<std::string> names;
-  if (const CLI::App* command = command_of(app, words)) {
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames())
-        names.push_back("--" + name);
-    for (const std::string_view word : words.subspan(2)) {
-      const std::string_view name = word.substr(0, word.find('='));
-      if (word == "--")
-        break;
-      if (word.starts_with("--") && std::find(names.begin(), names.end(), name) == names.end())
-        return fmt::format("{} has no option {}{}", command->get_name(), quote(name),
-                           did_you_mean(name, names));
-    }
-    return "";
-  }
-  for (const CLI::App* command : commands_of(app))
-    names.push_back(command->get_name());
-  return words.size() > 1 && words[1][0] != '-'
-             ? fmt::format("there is no command {}{}", quote(words[1]),
-                           did_you_mean(words[1], names))
-             : "";
-}
-
-/// Short, whatever was typed. The exit code.
-int say_wrong(const CLI::App& app, std::span<char*> words, std::string_view problem) {
-  constexpr std::size_t kLongest = 300;
-  complain("eyrie: {}\n{} --help says more\n",
-           printable(problem.substr(0, problem.find('\n')), kLongest),
-           command_of(app, words) ? fmt::format("eyrie {}", words[1]) : "eyrie");
-  return 2;
-}
-
-/// Help and version, or what is wrong with the line. The exit code.
-int say_mistake(const CLI::App& app, const CLI::ParseError& e, std::span<char*> words) {
-  std::ostringstream out, err;
-  if (app.exit(e, out, err) == 0) {
-    say("{}", Composed{out.str()});
-    return 0;
-  }
-  const std::string unknown = unknown_text(app, words);
-  return say_wrong(app, words, unknown.empty() ? e.what() : unknown);
-}
-
 int run(int argc, char** argv) {
-  CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework"};
+  CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework", "eyrie"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   Chosen chosen;
@@ -368,11 +317,17 @@ int run(int argc, char** argv) {
                          add_what_if, add_debrief, add_playground, add_export, add_diff,
                          add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
     add(app, chosen);
-  const std::span words(argv, static_cast<std::size_t>(argc));
+  std::vector<char*> typed(argv, argv + argc);
+  char help[] = "--help";
+  if (argc > 1 && std::string_view(argv[1]) == "help") {  // "help fly" means "fly --help"
+    typed.erase(typed.begin() + 1);
+    typed.insert(typed.begin() + std::min<std::ptrdiff_t>(argc - 1, 2), help);
+  }
+  const std::span<char*> words(typed);
   try {
     if (const std::string problem = empty_text(words); !problem.empty())
       return say_wrong(app, words, problem);
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(typed.size()), typed.data());
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }

@@ -63,6 +63,14 @@ int catalog(const CatalogOptions& options) {
   if (!wrong.ok())
     throw ConfigError(wrong);
   const scenario::Catalog all = scenario::make_catalog(source, plugins);
+  if (!options.node.empty()) {
+    const auto text = scenario::node_text(all, options.node);
+    if (!text)
+      refuse("there is no node {}{}", quote(options.node),
+             did_you_mean(options.node, scenario::node_names(all)));
+    say("{}", lines(*text));
+    return 0;
+  }
   say("{}", lines(options.json_schema ? record::catalog_json_schema(all)
                   : options.markdown  ? scenario::catalog_markdown(all)
                                       : scenario::catalog_text(all)));

@@ -178,7 +178,11 @@ class Writer final : public Packer {
                       {"tone", kTones[static_cast<std::size_t>(line.tone)]},
                       {"who", is_player ? static_cast<int>(line.player.value) - 1 : -1},
                       {"name", line.who},
-                      {"text", line.text}});
+                      {"text", line.text},
+                      {"decider", scenario_.roster.find(line.decider)
+                                      ? static_cast<int>(line.decider.value) - 1
+                                      : -1},
+                      {"decided", line.decided}});
   }
 
   [[nodiscard]] Json json(const FlightFacts& facts, ColumnBytes& bytes) const {

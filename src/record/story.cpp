@@ -50,8 +50,10 @@ Story::Story(const scenario::Scenario& scenario, Tell tell)
 void Story::observe(const sim::World&, const sim::StepInfo& info,
                     std::span<const sim::Event> events) {
   time_ = info.time() + info.dt;
-  for (const sim::Event& e : events)
+  for (const sim::Event& e : events) {
+    decided_ = info.time();
     tell(e);
+  }
 }
 
 std::string Story::name(PlayerId id) const {
@@ -65,11 +67,11 @@ bool Story::same_side(PlayerId a, PlayerId b) const {
   return first && second && first->side == second->side;
 }
 
-void Story::say(PlayerId who, std::string text, Tone tone) {
+void Story::say(PlayerId who, std::string text, Tone tone, PlayerId decider) {
   const auto* player = scenario_.roster.find(who);
   if (tone == Tone::plain && player)
     tone = tone_of(player->side);
-  tell_({time_, tone, kind_, who, name(who), std::move(text)});
+  tell_({time_, tone, kind_, who, name(who), std::move(text), decider ? decider : who, decided_});
 }
 
 bool Story::first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom) {
@@ -83,6 +85,7 @@ void Story::shot(const sim::Event& e) {
   const auto& shelf = scenario_.library->missiles;
   const bool active =
       store < shelf.size() && shelf[store].seeker.kind == model::weapon::SeekerKind::radar;
+  decided_ = released_[{shooter, e.values[1]}];
   missiles_[e.who] = {shooter, e.whom, store_label(scenario_, e.values[1])};
   say(shooter, fmt::format("{} on {}, {} ({})", active ? "fox 3" : "fox 2", name(e.whom),
                            miles(e.values[0]), store_label(scenario_, e.values[1])));
@@ -119,6 +122,9 @@ void Story::tell(const sim::Event& e) {
     case EventKind::commit:
       say(e.who, fmt::format("commit on {}, {}", name(e.whom), miles(e.values[0])));
       break;
+    case EventKind::release:
+      released_[{e.who, e.values[0]}] = decided_;
+      break;
     case EventKind::launch:
       shot(e);
       break;
@@ -146,7 +152,7 @@ void Story::tell(const sim::Event& e) {
           fmt::format(
               "splash {}{}", name(e.whom),
               e.detail ? fmt::format(" ({})", missiles_[PlayerId{e.detail}].label) : " (gun)"),
-          Tone::kill);
+          Tone::kill, e.whom);
       break;
     case EventKind::crash:
       if (player)

@@ -18,6 +18,10 @@ struct StoryLine {
   model::EventKind kind = model::EventKind::none;  ///< of the event that it tells
   PlayerId player;                                 ///< who does it
   std::string who, text;
+  /// Whose decision it comes of, and the time of its step (s) or of one after it: of a launch the one
+  /// to release, of a kill the victim's last one.
+  PlayerId decider;
+  double decided = 0;
 };
 
 /// Turns events into lines. Tells the first contact with and identification of each enemy by each
@@ -37,7 +41,7 @@ class Story final : public sim::Observer {
   };
 
   void tell(const sim::Event& e);
-  void say(PlayerId who, std::string text, Tone tone = Tone::plain);
+  void say(PlayerId who, std::string text, Tone tone = Tone::plain, PlayerId decider = {});
   void shot(const sim::Event& e);
   void ended(const sim::Event& e);
   bool first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom);
@@ -46,9 +50,10 @@ class Story final : public sim::Observer {
 
   const scenario::Scenario& scenario_;
   Tell tell_;
-  double time_ = 0;
+  double time_ = 0, decided_ = 0;
   model::EventKind kind_ = model::EventKind::none;  ///< that is being told
   std::map<PlayerId, Missile> missiles_;
+  std::map<std::pair<PlayerId, float>, double> released_;  ///< s, by whom and from which store
   std::set<std::tuple<std::uint16_t, std::uint16_t, PlayerId>> told_;
   std::vector<PlayerId> leads_;
   std::vector<std::string> phases_;  ///< per flight

@@ -61,6 +61,12 @@ struct Catalog {
 /// A short list for the terminal: names and one line of help each, grouped.
 [[nodiscard]] std::string catalog_text(const Catalog& catalog);
 
+/// One node with its parameters and how a file writes it; the kind of platform goes with it where
+/// several have a node of that name. Nothing if there is none.
+[[nodiscard]] std::optional<std::string> node_text(const Catalog& catalog, std::string_view name);
+/// The names of all nodes.
+[[nodiscard]] std::vector<std::string_view> node_names(const Catalog& catalog);
+
 /// The reference with every parameter, docs/reference.md.
 [[nodiscard]] std::string catalog_markdown(const Catalog& catalog);
 

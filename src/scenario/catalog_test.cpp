@@ -12,6 +12,7 @@
 
 #include "pilot/catalog.hpp"
 #include "scenario/data.hpp"
+#include "scenario/scenario.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -75,6 +76,27 @@ TEST(Catalog, BoundsEveryNumberOfEveryNodeAndModel) {
     check(node.name, node.parameters);
   for (const ModelKind& kind : catalog.models)
     check(kind.folder, kind.parameters);
+}
+
+TEST(CatalogText, ShowsEachNodeAsAFileMayWriteIt) {
+  const Catalog catalog = shipped();
+  EXPECT_FALSE(node_text(catalog, "persue"));
+  std::size_t loaded = 0;
+  for (const ubf::NodeInfo& node : catalog.nodes) {
+    const std::string text = node_text(catalog, node.name).value();
+    EXPECT_TRUE(text.starts_with(node.name + " (")) << text;
+    const std::string begin = "in a tree\n  ";
+    const auto at = text.find(begin) + begin.size();
+    const std::string example = text.substr(at, text.find('\n', at) - at);
+    if (example.find('<') != example.npos)  // somebody has to say it
+      continue;
+    ++loaded;
+    EXPECT_NO_THROW(static_cast<void>(
+        load({.file = "scenarios/sweep.yaml", .sets = {"trees.sweep={" + example + "}"}},
+             Source::disk("."))))
+        << example;
+  }
+  EXPECT_GT(2 * loaded, catalog.nodes.size());
 }
 
 TEST(CatalogText, NamesEachNodeAndModelOnALineOfItsOwn) {

@@ -70,6 +70,41 @@ TEST(ExplainProgram, ListsWhoTookOverFromWhomAndWhy) {
   EXPECT_EQ(debriefed({"explain", "a", "--player", "eagle2"}).out, ran.out) << "the default";
 }
 
+TEST(ExplainProgram, LeadsFromEachLaunchToTheDecisionToRelease) {
+  std::size_t decisions = 0, launches = 0;
+  for (const char* who : {"eagle1", "eagle2", "eagle3", "eagle4", "bogey1", "bogey2"}) {
+    const Ran ran = debriefed({"explain", "a", "--player", who, "--event", "fox"});
+    for (const auto& [word, count] :
+         {std::pair(" leads with ", &decisions), {": release_weapon leads with ", &launches}})
+      for (auto at = ran.out.find(word); at != ran.out.npos; at = ran.out.find(word, at + 1))
+        ++*count;
+  }
+  const std::string story = debriefed({"explain", "a"}).out;
+  std::size_t told = 0;
+  for (auto at = story.find(" fox "); at != story.npos; at = story.find(" fox ", at + 1))
+    ++told;
+  EXPECT_GT(told, 1U);
+  EXPECT_EQ(launches, told);
+  EXPECT_EQ(decisions, told);
+}
+
+TEST(ExplainProgram, TellsOnWhichDecisionsARunTurned) {
+  const Ran ran = debriefed({"explain", "a"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(says(ran.out,
+                   R"(eagle1 +fox 3 on bogey\d[^\n]*\n    eagle1: \d\d:\d\d\.\d  release_weapon )"))
+      << ran.out;
+  EXPECT_TRUE(says(ran.out, R"(splash bogey1 [^\n]*\n    bogey1: )")) << "what its victim did";
+  EXPECT_TRUE(says(ran.out, R"(eagle flight: bvr\n    eagle1: \d\d:\d\d\.\d  pursue )"));
+  const json moments = json::parse(debriefed({"explain", "a", "--json"}).out);
+  ASSERT_GT(moments.size(), 5U);
+  for (const json& moment : moments)
+    EXPECT_LE(moment.at("decision").at("time_s"), moment.at("time")) << moment;
+  const Ran at = debriefed({"explain", "a", "--at", "5:12"});
+  EXPECT_EQ(at.code, 2);
+  EXPECT_TRUE(says(at.err, "--at requires --player"));
+}
+
 TEST(ExplainProgram, FindsTheDecisionsAtEventsByAWordOfTheStory) {
   const Ran ran = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
   EXPECT_EQ(ran.code, 0);

@@ -104,6 +104,9 @@ INSTANTIATE_TEST_SUITE_P(
               {"fly", "x.yaml", "--sed", "7"},
               "eyrie: fly has no option '--sed'; did you mean '--seed'?\neyrie fly --help says "
               "more\n"},
+        Typed{"UnknownNode",
+              {"catalog", "persue"},
+              "there is no node 'persue'; did you mean 'pursue'?\n"},
         Typed{"UnknownCommand",
               {"flly", "x.yaml"},
               "eyrie: there is no command 'flly'; did you mean 'fly'?\neyrie --help says more\n"},

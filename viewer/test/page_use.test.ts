@@ -80,7 +80,17 @@ describe('the story', { skip: kNoPage }, () => {
     await page.click('.story .told');
     await page.waitForFunction((time) => Math.abs(window.eyrie!.store.get().time - time) < 0.2, t);
     const who = await page.evaluate(() => window.eyrie!.run.players[window.eyrie!.store.get().selected]!.name);
-    assert.ok(text.includes(who), `${who} is not in "${text}"`);
+    assert.ok(text.includes(`splash ${who}`), `${who} is not the one lost in "${text}"`);
+    await page.selectOption('select[aria-label="Kind of events"]', { index: 0 });
+  });
+  test('leads from each launch to the decision to release', async () => {
+    await page.selectOption('select[aria-label="Kind of events"]', 'launch');
+    const count = await page.$$eval('.story .told', (all) => all.length);
+    assert.ok(count > 0);
+    for (let i = 0; i < count; ++i) {
+      await page.evaluate((n) => (document.querySelectorAll('.story .told')[n] as HTMLElement).click(), i);
+      await page.waitForFunction(() => document.querySelector<HTMLElement>('.inspector')!.dataset['leader']!.endsWith('release_weapon'));
+    }
     await page.selectOption('select[aria-label="Kind of events"]', { index: 0 });
   });
 });

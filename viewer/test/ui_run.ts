@@ -12,7 +12,7 @@ export const kPursues: Record<string, Said> = {
 export const kBreaks: Record<string, Said> = { ...kPursues, break: { vote: 70, heading: 3 } };
 
 function line(t: number, kind: string, who: number, text: string): StoryLine {
-  return { t, kind, tone: who === 1 ? 'red' : 'blue', who, name: ['eagle2', 'bogey1'][who]!, text };
+  return { t, kind, tone: who === 1 ? 'red' : 'blue', who, name: ['eagle2', 'bogey1'][who]!, text, decider: who, decided: t };
 }
 export const kStory = [
   line(0.1, 'contact', 0, 'contact, 40 nmi'), line(0.2, 'launch', 0, 'fox 3 on bogey1'),

@@ -88,6 +88,8 @@ export interface StoryLine {
   who: number;  // Index into Run.players; -1: nobody.
   name: string;
   text: string;
+  decider: number;  // Whose decision it comes of: of a kill its victim's; an index into Run.players, -1: nobody's.
+  decided: number;  // s, when that was made, or later.
 }
 
 export interface ActionField {

@@ -23,6 +23,13 @@ export function jump({ store, duration }: Page, time: number): void {
   }
 }
 
+/** The decision that a line of the story comes of. */
+export function show_cause(page: Page, line: number): void {
+  const { decider, decided } = page.run.story[line]!;
+  if (decider >= 0) select(page, decider);
+  jump(page, decided);
+}
+
 export function toggle_play({ store, duration }: Page): void {
   const { playing, time } = store.get();
   store.set(playing ? { playing: false } : { playing: true, time: time >= duration - 0.01 ? 0 : time });

@@ -5,7 +5,7 @@ import type { ComponentChildren, RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
 import { clock_text } from '../words/text.ts';
-import { jump, select, pan_by, zoom_by, zoom_to } from './actions.ts';
+import { jump, pan_by, show_cause, zoom_by, zoom_to } from './actions.ts';
 import { kMarks, pick_mark } from './marks.ts';
 import { range_of, use_page, type Page } from './page.ts';
 import { use_cell, use_range, use_size } from './use.ts';
@@ -74,8 +74,7 @@ export function Stack({ children }: { children: ComponentChildren }) {
     clicked: (row, t, per_pixel) => {
       const mark = row === 'events' ? pick_mark(page.marks, t, kReach * per_pixel) : null;
       if (!mark) return false;
-      select(page, page.run.story[mark.line]!.who);
-      jump(page, mark.t);
+      show_cause(page, mark.line);
       return true;
     },
   }), [page]);

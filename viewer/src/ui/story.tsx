@@ -3,7 +3,7 @@
 import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { Run, StoryLine } from '../run/run.ts';
 import { clock_text } from '../words/text.ts';
-import { jump, select } from './actions.ts';
+import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
 import { use_page, type Page } from './page.ts';
@@ -56,13 +56,10 @@ function Filters({ filter, onChange }: { filter: Filter; onChange: (filter: Filt
 function Told({ page, line }: { page: Page; line: number }) {
   const { t, who, name, text, tone, kind } = page.run.story[line]!;
   const mark = mark_of(page.run, line);
-  const go = (): void => {
-    if (who >= 0) select(page, who);
-    jump(page, t);
-  };
   return (
     <li>
-      <button type="button" class={`told tone-${tone}`} data-t={t} data-kind={kind} onClick={go}>
+      <button type="button" class={`told tone-${tone}`} data-t={t} data-kind={kind}
+        onClick={() => show_cause(page, line)}>
         <time>{clock_text(t)}</time>
         <Glyph kind={mark?.kind ?? null} side={mark?.side ?? ''} />
         <span><b class={page.run.players[who]?.side ?? 'none'}>{name}</b> {text}</span>
