@@ -3,14 +3,17 @@
 /// SQL.
 #include "campaign/compare.hpp"
 #include "campaign/last_decisions.hpp"
+#include "campaign/parquet.hpp"
 #include "campaign/ways.hpp"
 #include "campaign_debrief.hpp"
+#include "campaign_json.hpp"
 #include "campaign_page.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/units.hpp"
 #include "disk/output.hpp"
+#include "locate.hpp"
 #include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
@@ -19,19 +22,6 @@ namespace eyrie::app {
 namespace {
 
 using namespace campaign;
-using Json = nlohmann::ordered_json;
-
-Json number_or_null(double x) {
-  return std::isfinite(x) ? Json(x) : Json();
-}
-
-Json estimate_json(const Estimate& e) {
-  Json json{e.value ? Json(*e.value) : Json(), nullptr, nullptr};
-  if (e.interval)
-    json = {json[0], number_or_null(e.interval->low), number_or_null(e.interval->high)};
-  return json;
-}
-
 /// [cell, replicate, seed, outcome, time_s, hash, values ...], as many of each cell as a page can
 /// hold.
 Json replicates_json(Database& database, std::size_t cells) {
@@ -173,6 +163,9 @@ std::optional<std::size_t> measure_named(const std::string& name, const Summary&
 }  // namespace
 
 int campaign_report(const CampaignReportOptions& options) {
+  std::optional<Parquet> parquet;
+  if (options.parquet)
+    parquet.emplace(duckdb_library());
   const Summary summary = read_summary(options.folder);
   const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
   print_cells(summary);
@@ -197,6 +190,8 @@ int campaign_report(const CampaignReportOptions& options) {
   out.sink().write(page);
   Database database = open_results(options.folder);
   write_table(database, options.folder);
+  if (parquet)
+    parquet->write(database, options.folder);
   finish(out);
   return 0;
 }

@@ -40,11 +40,11 @@ struct FlightsOptions {
   std::vector<std::string> plugins, includes;
   std::string out;       ///< folder; empty: campaigns/<name>, searches/<name>
   unsigned workers = 0;  ///< 0: one for each core
-  bool resume = false;
+  bool resume = false, json = false;
 };
 struct CampaignOptions : FlightsOptions {
   std::string part;  ///< "3/16"; empty: all of it
-  bool join = false, json = false;
+  bool join = false;
 };
 int campaign(const CampaignOptions& options);
 
@@ -57,6 +57,7 @@ struct CampaignReportOptions : ResultsOptions {
   std::string out;  ///< file; empty: report.html in the folder
   bool force = false;
   std::string of;  ///< the measure by which all cells are compared; empty: by each
+  bool parquet = false;  ///< writes results.parquet, too
   std::optional<std::uint64_t> ways;  ///< replicates of a cell whose ways are drawn
 };
 int campaign_report(const CampaignReportOptions& options);

@@ -75,6 +75,11 @@ std::string mpi_library() {
   return beside_program("bin/libeyrie_mpi.so", "lib/libeyrie_mpi.so");
 }
 
+std::string duckdb_library() {
+  const char* set = std::getenv("EYRIE_DUCKDB");
+  return set ? set : "libduckdb.so";
+}
+
 disk::FileRead read_page(const std::string& file, std::string_view unbuilt) {
   constexpr std::size_t kLargest = std::size_t{64} << 20;
   disk::FileRead read = disk::read_file(file, kLargest);

@@ -17,6 +17,8 @@ namespace eyrie::app {
 
 /// MPI for campaigns: EYRIE_MPI, or the library beside the program; "" if it was not built.
 [[nodiscard]] std::string mpi_library();
+/// The library of DuckDB: a file, or a name that the system looks for.
+[[nodiscard]] std::string duckdb_library();
 
 /// The launch zones of the shipped missiles, the files of data/zones one behind the other.
 [[nodiscard]] std::string launch_zones();

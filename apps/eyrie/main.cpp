@@ -65,8 +65,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   FlyOptions& o = options_of(fly, app::fly, chosen);
   fly->add_option("scenario", o.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
-  fly->add_option("--seed", o.seed, "seed of the draws (default: the scenario's)")
-      ->check(whole_number());
+  fly->add_option("--seed", o.seed, "seed (default: the scenario's)")->check(whole_number());
   fly->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
   auto* seeds = fly->add_option("--seeds", o.seeds,
                                 "fly each of them, 1..500, on all cores, and say how they ended");
@@ -118,6 +117,7 @@ void add_report(CLI::App& app, Chosen& chosen) {
   report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
   report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
       ->check(whole_number(0, 1000));
+  report->add_flag("--parquet", o.parquet, "results.parquet, too, by DuckDB's library");
 }
 
 void add_query(CLI::App& app, Chosen& chosen) {
@@ -137,6 +137,7 @@ void add_optimize(CLI::App& app, Chosen& chosen) {
   optimize->add_option("file", o.file, "a search: docs/campaigns.md")->required();
   optimize->add_option("--out", o.out, "folder for what is found (default: searches/<name>)");
   add_flights(optimize, o);
+  optimize->add_flag("--json", o.json, "a line for each generation, and one for the end");
 }
 
 void add_explain(CLI::App& app, Chosen& chosen) {

@@ -7,11 +7,13 @@
 #include "campaign/search.hpp"
 #include "campaign/summary.hpp"
 #include "campaign/whole_scenario.hpp"
+#include "campaign_json.hpp"
 #include "campaign_source.hpp"
 #include "campaign_text.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
+#include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -57,6 +59,48 @@ void print_generation(const Search& search, const Generation& g, double seconds)
       cell_text(search, g.cells[g.best]), g.sigma, static_cast<int>(seconds + 0.5));
 }
 
+Json values_json(const Search& search, const Cell& cell) {
+  Json json;
+  for (std::size_t f = 0; f < cell.values.size(); ++f)
+    json[search.spec.factors[f].name] = cell.values[f];
+  return json;
+}
+
+void tell_generation(const Search& search, const Generation& g) {
+  const auto& score = g.scores[g.best];
+  const Json json{{"generation", g.number + 1},
+                  {"of", search.generations},
+                  {"score", score ? number_or_null(*score) : Json()},
+                  {"values", values_json(search, g.cells[g.best])},
+                  {"step", g.sigma}};
+  say("{}\n", Composed{record::json_text(json)});
+}
+
+/// Of the ends of a search; the proof by measure.
+Json end_json(const Search& search, const std::string& folder, const std::optional<Winner>& found,
+              const std::optional<std::vector<Evidence>>& evidence) {
+  Json json{{"search", search.spec.name},
+            {"ended", evidence ? "complete" : "interrupted"},
+            {"folder", folder}};
+  if (!evidence)
+    return json;
+  json["values"] = values_json(search, found->cell);
+  json["set"] = sets_of(search.spec, found->cell);
+  if (found->generation)
+    json.update({{"of_generation", *found->generation + 1}, {"middle_refused", found->refusal}});
+  json["seeds"] = search.proof;
+  for (const Evidence& e : *evidence) {
+    const auto interval = stats::t_interval(e.difference);
+    Json& proof = json["proof"][e.measure.name] = {{"before", estimate_json(e.before)},
+                                                   {"after", estimate_json(e.after)}};
+    if (e.measure.kind != Measure::ratio)
+      proof["difference"] = {e.difference.mean(), number_or_null(interval.low),
+                             number_or_null(interval.high)};
+    proof["p"] = number_or_null(stats::t_test(e.difference));
+  }
+  return json;
+}
+
 /// A row per measure.
 std::string evidence_text(const Search& search, const std::vector<Evidence>& all) {
   std::string text =
@@ -98,27 +142,41 @@ int optimize(const FlightsOptions& options) {
                 .given_up = interrupted,
                 .tell = [&](const Generation& generation, const SearchLog& now) {
                   write_file(log_path, now.text());
+                  if (options.json)
+                    return tell_generation(*search, generation);
                   print_generation(*search, generation,
                                    std::chrono::duration<double>(Clock::now() - begun).count());
                 }};
   const auto found = campaign::optimize(*search, source.load(), log, run);
-  const auto evidence = found ? prove(*search, *found, source.load(), run) : std::nullopt;
+  const auto evidence = found ? prove(*search, found->cell, source.load(), run) : std::nullopt;
   if (!evidence) {
-    say("interrupted; eyrie optimize {} --out {} --resume goes on\n",
-        scenario::shell_word(options.file), scenario::shell_word(folder));
+    if (options.json)
+      say("{}\n", Composed{record::json_text(end_json(*search, folder, found, evidence))});
+    else
+      say("interrupted; eyrie optimize {} --out {} --resume goes on\n",
+          scenario::shell_word(options.file), scenario::shell_word(folder));
     return 0;
   }
   const std::string table = evidence_text(*search, *evidence);
   std::string head = fmt::format("# The scenario of the search '{}' with {}.\n", search->spec.name,
-                                 cell_text(*search, *found));
+                                 cell_text(*search, found->cell));
   for (std::size_t begin = 0, end; begin < table.size(); begin = end + 1) {
     end = table.find('\n', begin);
     head += fmt::format("# {}\n", table.substr(begin, end - begin));
   }
-  const std::vector<std::string> sets = sets_of(search->spec, *found);
+  const std::vector<std::string> sets = sets_of(search->spec, found->cell);
   write_file(fmt::format("{}/{}", folder, kWinner),
              printable_lines(head) + whole_scenario(source.scenario(), sets, source.files()));
-  say("\n{}\n{}\n", cell_text(*search, *found), lines(table));
+  if (options.json) {
+    say("{}\n", Composed{record::json_text(end_json(*search, folder, found, evidence))});
+    return 0;
+  }
+  if (found->generation)
+    say("\nthe scenario refuses the middle of the last generation; the best candidate of "
+        "generation "
+        "{} takes its place:\n{}\n",
+        *found->generation + 1, lines(found->refusal));
+  say("\n{}\n{}\n", cell_text(*search, found->cell), lines(table));
   for (const std::string& set : sets)
     say("--set {} ", scenario::shell_word(set));
   say("\nas a scenario of its own: eyrie fly {}/{}\n", scenario::shell_word(folder), kWinner);

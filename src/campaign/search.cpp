@@ -173,8 +173,9 @@ void SearchLog::add(std::uint64_t generation, std::size_t candidate, const Cell&
   text_ += line_of(generation, candidate, cell, score ? fmt::format("{}", *score) : "none") + "\n";
 }
 
-std::optional<Cell> optimize(const Search& search, const Load& load, SearchLog& log,
-                             const SearchRun& run) {
+std::optional<Winner> optimize(const Search& search, const Load& load, SearchLog& log,
+                               const SearchRun& run) {
+  std::optional<Winner> accepted;
   // from the middle of every factor, and at most about as wide as that
   CmaEs strategy(CmaEs::Point(search.spec.factors.size(), 0.5), 0.3, search.seed,
                  search.population.value_or(0), 0.3);
@@ -205,12 +206,23 @@ std::optional<Cell> optimize(const Search& search, const Load& load, SearchLog& 
     }
     now.best =
         static_cast<std::size_t>(std::min_element(losses.begin(), losses.end()) - losses.begin());
+    if (now.scores[now.best])
+      accepted = Winner{now.cells[now.best], now.number};
     strategy.tell(losses);
     now.sigma = strategy.sigma();
     if (known < now.cells.size())
       run.tell(now, log);
   }
-  return cell_at(search, strategy.mean());
+  Winner middle{cell_at(search, strategy.mean())};
+  try {
+    static_cast<void>(load(sets_of(search.spec, middle.cell)));
+  } catch (const ConfigError& error) {
+    if (!accepted)
+      throw;
+    accepted->refusal = error.what();
+    return accepted;
+  }
+  return middle;
 }
 
 std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& found,

@@ -97,10 +97,19 @@ struct SearchRun {
   /// After each generation that was flown, and not read from the log.
   std::function<void(const Generation&, const SearchLog&)> tell;
 };
+struct Winner {
+  Cell cell;
+  /// Whose best candidate it is, if the scenario refuses the middle of the last one.
+  std::optional<std::uint64_t> generation{};
+  std::string refusal{};  ///< what the scenario says of the middle
+  bool operator==(const Winner&) const = default;
+};
 /// Flies the generations that the log does not know. Gives the values in the middle of the last
-/// one: the best guess, as every score has noise. Nothing if it was given up.
-[[nodiscard]] std::optional<Cell> optimize(const Search& search, const Load& load, SearchLog& log,
-                                           const SearchRun& run);
+/// one: the best guess, as every score has noise. If the scenario refuses them, the best candidate
+/// of the last generation that has one. Nothing if it was given up. Throws ConfigError if no
+/// candidate of any generation was accepted.
+[[nodiscard]] std::optional<Winner> optimize(const Search& search, const Load& load, SearchLog& log,
+                                             const SearchRun& run);
 
 /// A measure without and with what was found, on fresh seeds, the same for both.
 struct Evidence {

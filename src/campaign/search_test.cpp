@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <sstream>
 
 namespace eyrie::campaign {
 namespace {
@@ -85,9 +86,9 @@ TEST(Search, FliesOtherSeedsInEveryGenerationAndInTheProof) {
                                  }
                                }});
   ASSERT_TRUE(found);
-  const auto evidence = prove(*search, *found, duel, {.workers = 2});
+  const auto evidence = prove(*search, found->cell, duel, {.workers = 2});
   ASSERT_TRUE(evidence);
-  EXPECT_NEAR(*evidence->front().after.value, mean_over(*search, *found, 13, 6), 1e-6);
+  EXPECT_NEAR(*evidence->front().after.value, mean_over(*search, found->cell, 13, 6), 1e-6);
 }
 
 TEST(Search, GoesOnAsIfItHadNotBeenInterrupted) {
@@ -154,6 +155,45 @@ TEST(Search, CountsWhatTheScenarioRefusesAsWorst) {
   ASSERT_TRUE(found);
   EXPECT_GT(refused, 0);
   EXPECT_GT(flown, refused) << "the search leaves them";
+}
+
+TEST(Search, TakesTheBestOfTheLastGenerationIfTheMiddleIsRefused) {
+  const auto search = parse_search(kSearch, "s.yaml");
+  std::vector<Generation> seen;
+  const SearchRun run{.workers = 2,
+                      .tell = [&](const Generation& g, const SearchLog&) { seen.push_back(g); }};
+  SearchLog log(*search, "here", "", "log");
+  const auto middle = optimize(*search, duel, log, run);
+  ASSERT_TRUE(middle);
+  EXPECT_FALSE(middle->generation);
+  ASSERT_EQ(seen.size(), 4U);
+
+  const Load none =
+      [](const std::vector<std::string>&) -> std::shared_ptr<const scenario::Scenario> {
+    throw ConfigError({"s.yaml", 1, 1}, "not this one");
+  };
+  /// From a log in which generations from that one on have no score.
+  const auto found = [&](char from) {
+    std::string text;
+    std::istringstream lines(log.text());
+    for (std::string line; std::getline(lines, line); text += line + '\n')
+      if (line[0] >= from && line[0] <= '9') {
+        const auto score = line.find(',', 2) + 1;
+        line.replace(score, line.find(',', score) - score, "none");
+      }
+    SearchLog again(*search, "here", text, "log");
+    return optimize(*search, none, again, run);
+  };
+  for (const std::size_t generation : {3U, 2U}) {
+    const auto best = found(static_cast<char>('1' + generation));
+    ASSERT_TRUE(best);
+    EXPECT_EQ(best->generation, generation);
+    EXPECT_EQ(best->cell, seen[generation].cells[seen[generation].best]);
+    EXPECT_NE(best->refusal.find("not this one"), std::string::npos);
+  }
+  EXPECT_EQ(seen.size(), 4U) << "nothing was flown again";
+  SearchLog empty(*search, "here", "", "log");
+  EXPECT_THROW(static_cast<void>(optimize(*search, none, empty, run)), ConfigError);
 }
 
 }  // namespace

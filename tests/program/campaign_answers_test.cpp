@@ -72,6 +72,21 @@ TEST_F(Campaign, ReportsWithTheEngineOrSaysWhyNot) {
             Pair("it needs plug-ins, which a page cannot open", ""));
 }
 
+// what DuckDB writes is compared by tools/check-parquet
+TEST_F(Campaign, SaysWhatParquetNeeds) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
+  ASSERT_EQ(run("out").code, 0);
+  folder.write("libduckdb.so", "none");
+  ::setenv("EYRIE_DUCKDB", "./libduckdb.so", 1);
+  const Ran ran = run_program(folder, {"report", "out", "--parquet"});
+  ::unsetenv("EYRIE_DUCKDB");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_NE(ran.err.find("libduckdb.so: file too short. 'npm install @duckdb/node-bindings-linux-"),
+            ran.err.npos)
+      << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/report.html"));
+}
+
 TEST_F(Campaign, SaysWhatIsDamaged) {
   undisturbed();
   const auto spoiled = [&](const std::string& sql) {

@@ -2,6 +2,9 @@
 /// \file  eyrie optimize, through the real program.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "support/program.hpp"
 #include "support/small_scenario.hpp"
 
@@ -51,6 +54,32 @@ TEST(Optimize, WritesWhatItFoundAndGoesOnWhereItEnded) {
   EXPECT_EQ(changed.err,
             "o/candidates.csv:1:1: is of another search: its file, the scenario or the program has "
             "changed\n");
+}
+
+TEST(Optimize, TellsEachGenerationAndTheProofInJson) {
+  const TempFolder folder;
+  folder.write("small.yaml", kSmallScenario);
+  folder.write("s.yaml", kSearch);
+  const Ran ran = run_program(folder, {"optimize", "s.yaml", "--out", "o", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  std::vector<nlohmann::json> told;
+  std::istringstream lines(ran.out);
+  for (std::string line; std::getline(lines, line);)
+    told.push_back(nlohmann::json::parse(line));
+  ASSERT_EQ(told.size(), 4U) << ran.out;
+  for (std::size_t g = 0; g < 3; ++g) {
+    EXPECT_EQ(told[g]["generation"], g + 1);
+    EXPECT_TRUE(told[g]["score"].is_number());
+    EXPECT_TRUE(told[g]["values"]["height"].is_string());
+  }
+  EXPECT_EQ(told[3]["ended"], "complete");
+  EXPECT_EQ(told[3]["seeds"], 4);
+  const nlohmann::json& proof = told[3]["proof"]["fuel"];
+  EXPECT_NEAR(proof["after"][0].get<double>() - proof["before"][0].get<double>(),
+              proof["difference"][0].get<double>(), 1e-6);
+  EXPECT_EQ(proof["difference"].size(), 3U);
+  EXPECT_EQ(told[3]["set"][0],
+            "blue.flights.eagle.start.altitude=" + told[3]["values"]["height"].get<std::string>());
 }
 
 TEST(Optimize, FliesNothingOfASearchThatIsWrong) {

@@ -23,9 +23,22 @@ double level_turn_rate(double load_factor, double speed) {
   return kGravity * std::sqrt(std::max(load_factor * load_factor - 1, 0.0)) / std::max(speed, 1.0);
 }
 
-/// Flies one step in that air, but for the vertical at the new place.
-bool fly_in(const Air& air, const PointMass& model, Dynamics dynamics, const FlightContext& context,
-            FlightRows rows) {
+/// What the place and the speed of an aircraft decide in a step.
+struct Here {
+  Air air;
+  FlightCondition condition;  ///< of a point mass
+};
+Here look(const Atmosphere& atmosphere, const PointMass& model, Dynamics dynamics,
+          const Kinematics& k, double fuel, const Load& load) {
+  const Air air = atmosphere.at(k.altitude);
+  if (dynamics == Dynamics::laero)
+    return {air, {}};
+  return {air, model.condition(k, air, fuel, load)};
+}
+
+/// Flies one step, but for the vertical at the new place.
+bool fly_from(const Here& here, const PointMass& model, Dynamics dynamics,
+              const FlightContext& context, FlightRows rows) {
   const Airframe& airframe = model.airframe();
   const Command& command = rows.command;
   Kinematics& k = rows.kinematics;
@@ -44,10 +57,10 @@ bool fly_in(const Air& air, const PointMass& model, Dynamics dynamics, const Fli
     const auto most = static_cast<float>(1 / math::cos(laero.max_bank));
     rows.flying.energy = {
         .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
-    laero.step(k, rows.flying, wanted, turn_limit, rows.propulsion, air, wind, context.dt);
+    laero.step(k, rows.flying, wanted, turn_limit, rows.propulsion, here.air, wind, context.dt);
     rows.propulsion.flow = rows.propulsion.fuel > 0 ? laero.fuel_flow : 0;
   } else {
-    const FlightCondition condition = model.condition(k, air, rows.propulsion.fuel, context.load);
+    const FlightCondition& condition = here.condition;
     const double most = std::min(load_factor, condition.lift_limit);
     plan.turn_radius =
         turn_radius(k.speed, level_turn_rate(most, k.speed), airframe.autopilot.heading_time);
@@ -80,8 +93,9 @@ Kinematics placed(const Reference& reference, const Environment& environment, co
 
 bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context, FlightRows rows) {
   Kinematics& k = rows.kinematics;
-  const Air air = context.environment.atmosphere.at(k.altitude);
-  const bool dry = fly_in(air, model, dynamics, context, rows);
+  const Here here =
+      look(context.environment.atmosphere, model, dynamics, k, rows.propulsion.fuel, context.load);
+  const bool dry = fly_from(here, model, dynamics, context, rows);
   set_vertical(k, context.reference.vertical_at(k.position));
   return dry;
 }
@@ -125,12 +139,15 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
 
   // roots and quotients that wait for each other are taken of several aircraft in a row, so that
   // the processor is at work on several such chains at a time
-  constexpr std::size_t kAbreast = 16;
+  constexpr std::size_t kAbreast = 8;
   for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
     end = std::min(begin + kAbreast, chunk.end);
-    std::array<Air, kAbreast> air;
-    for (std::size_t i = begin; i < end; ++i)
-      air[i - begin] = library_->environment.atmosphere.at(kinematics[i].altitude);
+    std::array<Here, kAbreast> here;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Type& type = types_[fit[i].type];
+      here[i - begin] = look(library_->environment.atmosphere, models_[type.airframe],
+                             type.dynamics, kinematics[i], propulsion[i].fuel, load_of(stores[i]));
+    }
     for (std::size_t i = begin; i < end; ++i) {
       const Type& type = types_[fit[i].type];
       FlightContext context{.reference = library_->reference,
@@ -140,10 +157,8 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
                             .tells_energy = sim::due(info.step + 1, ids[i], period_)};
       if (fit[i].flight < library_->flights.size())
         context.routes = library_->flights[fit[i].flight].routes;
-      if (type.dynamics == Dynamics::point_mass)
-        context.load = load_of(stores[i]);
-      const bool dry = fly_in(air[i - begin], models_[type.airframe], type.dynamics, context,
-                              {kinematics[i], flying[i], propulsion[i], command[i]});
+      const bool dry = fly_from(here[i - begin], models_[type.airframe], type.dynamics, context,
+                                {kinematics[i], flying[i], propulsion[i], command[i]});
       if (dry)
         out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
     }

@@ -271,16 +271,19 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
   // r_max, r_tr, r_ne and r_min side by side
   using Four = float __attribute__((vector_size(16)));
-  using Units = std::uint16_t __attribute__((vector_size(8)));
+  using Whole = std::int32_t __attribute__((vector_size(16)));
   Four ranges{};
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
     const float weight = aspect.weight(a != 0) * altitude.weight(b != 0) * climb.weight(c != 0);
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
     const ZoneTable::Cell* cells = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
-    for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i) {
+      const ZoneTable::Cell& cell = cells[offset[i]];
+      const Whole units{cell.r_max, cell.r_tr, cell.r_ne, cell.r_min};
       ranges += weight * inner[i] * static_cast<float>(ZoneTable::kUnit) *
-                __builtin_convertvector(std::bit_cast<Units>(cells[offset[i]]), Four);
+                __builtin_convertvector(units, Four);
+    }
   }
   double seen = kFarthest;
   if (seeker_) {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "campaign/parquet.hpp"
+
+#include <dlfcn.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <set>
+
+#include "campaign/store.hpp"
+
+namespace eyrie::campaign {
+namespace {
+
+/// Of DuckDB's C interface, which keeps it (https://duckdb.org/docs/stable/clients/c/api).
+struct QueryResult {
+  std::uint64_t columns, rows, changed;
+  void* column_data;
+  char* error;
+  void* internal;
+};
+
+std::string sql_text(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text)
+    out += c == '\'' ? "''" : std::string(1, c);
+  return out + "'";
+}
+
+/// A path in which nothing stands for something else.
+std::string without_patterns(std::string_view path) {
+  std::string out;
+  for (const char c : path)
+    out += c == '*' || c == '?' || c == '[' ? fmt::format("[{}]", c) : std::string(1, c);
+  return out;
+}
+
+}  // namespace
+
+struct Parquet::Calls {
+  int (*open)(const char* file, void** database);
+  int (*connect)(void* database, void** connection);
+  int (*query)(void* connection, const char* sql, QueryResult* result);
+  const char* (*error)(QueryResult* result);
+  void (*destroy)(QueryResult* result);
+  void (*disconnect)(void** connection);
+  void (*close)(void** database);
+  void* database = nullptr;
+  void* connection = nullptr;
+};
+
+Parquet::Parquet(const std::string& library) : calls_(std::make_unique<Calls>()) {
+  const auto refuse = [](const std::string& why) {
+    throw disk::Refused(
+        fmt::format("Parquet is written by DuckDB's library: {}. 'npm install "
+                    "@duckdb/node-bindings-linux-x64' (or -arm64) gets it; then say EYRIE_DUCKDB="
+                    "node_modules/@duckdb/node-bindings-linux-x64/libduckdb.so",
+                    why));
+  };
+  void* const opened = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!opened)
+    refuse(::dlerror());
+  const auto find = [&]<class Call>(Call& call, const char* name) {
+    call = reinterpret_cast<Call>(::dlsym(opened, name));
+    if (!call)
+      refuse(fmt::format("{} has no {}", library, name));
+  };
+  find(calls_->open, "duckdb_open");
+  find(calls_->connect, "duckdb_connect");
+  find(calls_->query, "duckdb_query");
+  find(calls_->error, "duckdb_result_error");
+  find(calls_->destroy, "duckdb_destroy_result");
+  find(calls_->disconnect, "duckdb_disconnect");
+  find(calls_->close, "duckdb_close");
+  if (calls_->open(nullptr, &calls_->database) ||
+      calls_->connect(calls_->database, &calls_->connection))
+    refuse(library + " does not open a database");
+}
+
+Parquet::~Parquet() {
+  calls_->disconnect(&calls_->connection);
+  calls_->close(&calls_->database);
+}
+
+void Parquet::run(const std::string& sql) {
+  QueryResult result{};
+  const bool failed = calls_->query(calls_->connection, sql.c_str(), &result) != 0;
+  const char* const words = calls_->error(&result);
+  const std::string why = words ? words : "DuckDB does not say why";
+  calls_->destroy(&result);
+  if (failed)
+    throw disk::Failed(fmt::format("no {}: {}", kParquetName, why));
+}
+
+void Parquet::write(Database& database, const std::string& folder) {
+  static const std::set<std::string_view> kIntegers{"cell", "replicate", "seed", "steps"},
+      kTexts{"outcome", "hash"};
+  const Statement factors = database.prepare("SELECT * FROM cells"),
+                  replicates = database.prepare("SELECT * FROM replicates");
+  std::vector<std::string> columns{"'cell': 'BIGINT'"};
+  for (int i = 2; i < factors.columns(); ++i)
+    columns.push_back(sql_text(factors.column_name(i)) + ": 'VARCHAR'");
+  for (int i = 1; i < replicates.columns(); ++i) {
+    const std::string name = replicates.column_name(i);
+    const bool own = i < kFirstColumn;
+    columns.push_back(fmt::format("{}: '{}'", sql_text(name),
+                                  own && kIntegers.contains(name) ? "BIGINT"
+                                  : own && kTexts.contains(name)  ? "VARCHAR"
+                                                                  : "DOUBLE"));
+  }
+  const std::string file = fmt::format("{}/{}", folder, kParquetName), part = file + ".part";
+  run("SET autoinstall_known_extensions = false");
+  run(fmt::format(
+      "COPY (FROM read_csv({}, auto_detect = false, header = true, delim = ',', quote = "
+      "'\"', escape = '\"', nullstr = '', columns = {{{}}})) TO {} (FORMAT PARQUET)",
+      sql_text(without_patterns(fmt::format("{}/{}", folder, kTableName))),
+      fmt::join(columns, ", "), sql_text(part)));
+  std::filesystem::rename(part, file);
+}
+
+}  // namespace eyrie::campaign
