@@ -56,7 +56,7 @@ struct ResultsOptions {
 struct CampaignReportOptions : ResultsOptions {
   std::string out;  ///< file; empty: report.html in the folder
   bool force = false;
-  std::string of;  ///< the measure by which all cells are compared; empty: by each
+  std::string of;        ///< the measure by which all cells are compared; empty: by each
   bool parquet = false;  ///< writes results.parquet, too
   std::optional<std::uint64_t> ways;  ///< replicates of a cell whose ways are drawn
 };

@@ -173,16 +173,16 @@ class Writer final : public Packer {
   void tell(const record::StoryLine& line) {
     constexpr const char* kTones[] = {"plain", "blue", "red", "kill", "phase"};
     const bool is_player = scenario_.roster.find(line.player);
-    lines_.push_back({{"t", line.time},
-                      {"kind", model::event_name(line.kind)},
-                      {"tone", kTones[static_cast<std::size_t>(line.tone)]},
-                      {"who", is_player ? static_cast<int>(line.player.value) - 1 : -1},
-                      {"name", line.who},
-                      {"text", line.text},
-                      {"decider", scenario_.roster.find(line.decider)
-                                      ? static_cast<int>(line.decider.value) - 1
-                                      : -1},
-                      {"decided", line.decided}});
+    lines_.push_back(
+        {{"t", line.time},
+         {"kind", model::event_name(line.kind)},
+         {"tone", kTones[static_cast<std::size_t>(line.tone)]},
+         {"who", is_player ? static_cast<int>(line.player.value) - 1 : -1},
+         {"name", line.who},
+         {"text", line.text},
+         {"decider",
+          scenario_.roster.find(line.decider) ? static_cast<int>(line.decider.value) - 1 : -1},
+         {"decided", line.decided}});
   }
 
   [[nodiscard]] Json json(const FlightFacts& facts, ColumnBytes& bytes) const {

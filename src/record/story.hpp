@@ -18,8 +18,8 @@ struct StoryLine {
   model::EventKind kind = model::EventKind::none;  ///< of the event that it tells
   PlayerId player;                                 ///< who does it
   std::string who, text;
-  /// Whose decision it comes of, and the time of its step (s) or of one after it: of a launch the one
-  /// to release, of a kill the victim's last one.
+  /// Whose decision it comes of, and the time of its step (s) or of one after it: of a launch the
+  /// one to release, of a kill the victim's last one.
   PlayerId decider;
   double decided = 0;
 };

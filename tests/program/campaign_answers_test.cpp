@@ -77,9 +77,7 @@ TEST_F(Campaign, SaysWhatParquetNeeds) {
   folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
   ASSERT_EQ(run("out").code, 0);
   folder.write("libduckdb.so", "none");
-  ::setenv("EYRIE_DUCKDB", "./libduckdb.so", 1);
   const Ran ran = run_program(folder, {"report", "out", "--parquet"});
-  ::unsetenv("EYRIE_DUCKDB");
   EXPECT_EQ(ran.code, 2);
   EXPECT_NE(ran.err.find("libduckdb.so: file too short. 'npm install @duckdb/node-bindings-linux-"),
             ran.err.npos)

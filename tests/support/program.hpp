@@ -107,6 +107,7 @@ struct RunOptions {
 
   std::vector<std::string> words{program_path()};
   std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C",
+                                    "EYRIE_DUCKDB=./libduckdb.so",  // nobody else's
                                     "EYRIE_VIEWER=" + options.viewer};
   if (!options.config.empty())
     settings.push_back("XDG_CONFIG_HOME=" + options.config);
