@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes what the study found as text (results.md) and figures (*.svg), from the folders of its campaigns.
 
-usage: tables.py COMPARE STARTS OUT
+usage: tables.py FOLDER     with compare/, starts/ and same/, which were reported with --of swept
 """
 import json
 import math
@@ -119,8 +119,9 @@ def number(estimate, scale=1, digits=2):
 
 
 def main():
-    compare, starts, out = (pathlib.Path(arg) for arg in sys.argv[1:])
-    data, there = report(compare), report(starts)
+    out = pathlib.Path(sys.argv[1])
+    compare, starts = out / "compare", out / "starts"
+    data, there, same = report(compare), report(starts), report(out / "same")
     found = estimates(data)
     names = [name + suffix for name in NAMES for suffix in ("", "_tuned")]
 
@@ -150,7 +151,8 @@ def main():
     text = [
         "# What the flights say\n\nWritten by `tables.py`; the words about it are in [README.md](README.md). Intervals: 95 %.\n",
         f"`compare.yaml`: {sum(c['replicates'] for c in data['cells'])} flights, campaign hash `{data['hash']}`; "
-        f"`starts.yaml`: {sum(c['replicates'] for c in there['cells'])} flights, `{there['hash']}`.\n",
+        f"`starts.yaml`: {sum(c['replicates'] for c in there['cells'])} flights, `{there['hash']}`; "
+        f"`same.yaml`: {sum(c['replicates'] for c in same['cells'])} flights, `{same['hash']}`.\n",
         "## Each by itself\n",
         table(
             ["", "swept, %", "eagles lost of 4", "bogeys lost of 2", "exchange", "shots per kill", "all home, %"],
@@ -198,6 +200,44 @@ def main():
     text.append("## What tuning did, points of missions swept\n")
     text.append(
         table(["", "tuned less as written"], [[n.replace("_", " "), against(n + "_tuned", n)] for n in NAMES])
+    )
+
+    alike = estimates(same)
+    arbiters = same["factors"].index("architecture")
+    numbers = [cell["values"][arbiters] for cell in same["cells"]]
+    ofs = [m["name"] for m in same["measures"]].index("swept")
+    less = {
+        (numbers[c["cell"]], numbers[c["than"]]): (100 * c["value"], c["holm"])
+        for c in same["comparisons"]
+        if c["measure"] == ofs
+    }
+
+    def from_first(name):
+        first = "winner_takes_all"
+        if name == first:
+            return ""
+        value, p = less.get((name, first)) or (-less[(first, name)][0], less[(first, name)][1])
+        return f"{value + 0:+.1f} (p {p:.2g})"
+
+    text.append(
+        "## With the parameters that were found for winner takes all\n\nThe same seeds; p is McNemar's, corrected by Holm for all "
+        f"{len(less)} pairs.\n"
+    )
+    text.append(
+        table(
+            ["", "swept, %", "less winner takes all, points", "eagles lost of 4", "bogeys lost of 2", "all home, %"],
+            [
+                [
+                    name.replace("_", " "),
+                    number(alike[name]["swept"], 100, 1),
+                    from_first(name),
+                    number(alike[name]["blue_losses"]),
+                    number(alike[name]["red_losses"]),
+                    number(alike[name]["all_home"], 100, 1),
+                ]
+                for name in NAMES
+            ],
+        )
     )
 
     around = {}
