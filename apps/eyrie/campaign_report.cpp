@@ -22,6 +22,7 @@ namespace eyrie::app {
 namespace {
 
 using namespace campaign;
+using Json = nlohmann::ordered_json;
 /// [cell, replicate, seed, outcome, time_s, hash, values ...], as many of each cell as a page can
 /// hold.
 Json replicates_json(Database& database, std::size_t cells) {

@@ -21,6 +21,7 @@ namespace eyrie::app {
 namespace {
 
 using namespace campaign;
+using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kLog = "candidates.csv";
