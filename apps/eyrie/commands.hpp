@@ -149,6 +149,7 @@ int export_run(const ExportOptions& options);
 struct CatalogOptions {
   std::string node;                            ///< only this one; empty: everything
   bool markdown = false, json_schema = false;  ///< neither: a short list
+  bool events = false;  ///< instead: what each kind of event means, as docs/events.md
   std::vector<std::string> plugins;
 };
 int catalog(const CatalogOptions& options);

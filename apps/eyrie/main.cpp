@@ -287,6 +287,9 @@ void add_catalog(CLI::App& app, Chosen& chosen) {
   catalog->add_flag("--markdown", o.markdown, "as the reference page")->excludes(schema);
   schema->excludes(node);
   catalog->get_option("--markdown")->excludes(node);
+  catalog->add_flag("--events", o.events, "the kinds of events instead, as a page")
+      ->excludes("node")
+      ->excludes(schema);
   add_plugins(catalog, o.plugins, kPluginHelp);
 }
 

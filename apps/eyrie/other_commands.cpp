@@ -3,6 +3,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "locate.hpp"
+#include "record/event_table.hpp"
 #include "record/json_schema.hpp"
 #include "say.hpp"
 #include "scenario/catalog.hpp"
@@ -56,6 +57,10 @@ int validate(const ValidateOptions& options) {
 }
 
 int catalog(const CatalogOptions& options) {
+  if (options.events) {
+    say("{}", lines(record::events_markdown()));
+    return 0;
+  }
   scenario::Source source = scenario::Source::disk(home());
   scenario::Plugins plugins;
   Diagnostics wrong;

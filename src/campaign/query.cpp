@@ -14,16 +14,6 @@ namespace {
 
 using ubf::StateFieldInfo;
 
-Unit unit_of_value(std::string_view name) {
-  if (name == "range" || name == "miss")
-    return "m";
-  if (name == "age" || name == "flight_time")
-    return "s";
-  if (name == "bearing")
-    return "rad";
-  return name == "fuel" ? Unit("kg") : Unit();
-}
-
 struct OfPlayer {
   StateFieldInfo own, whom;
 };
@@ -53,8 +43,8 @@ std::vector<StateFieldInfo> fields_of(const MeasureSpec& spec) {
   std::vector<StateFieldInfo> fields;
   if (spec.what == What::decision)
     fields.push_back({.name = "vote", .unit = {}, .help = {}});
-  for (const std::string_view name : model::event_values(kind_named(spec.event)))
-    fields.push_back({.name = name, .unit = unit_of_value(name), .help = {}});
+  for (const model::EventValue& value : model::event_values(kind_named(spec.event)))
+    fields.push_back({.name = value.name, .unit = value.unit, .help = {}});
   fields.push_back({.name = "time", .unit = "s", .help = {}});
   for (const OfPlayer& of : kOfPlayer)
     fields.push_back(of.own);

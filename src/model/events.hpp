@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The events of the air war, in the field's words.
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
+#include "core/units.hpp"
+
 namespace eyrie::model {
 
-/// `who` does it, `whom` it is done to. Ranges in m, times in s, angles in rad.
+/// `who` does it, `whom` it is done to. Ranges in m, times in s, angles in rad. What each means to
+/// readers of a table is said in events.cpp, from which docs/events.md is made.
 enum class EventKind : std::uint16_t {
   none = 0,
   contact,          ///< who got a new track of whom (truth); values: range, source bits
@@ -51,10 +55,46 @@ enum class EventKind : std::uint16_t {
   count
 };
 
+/// What the number of a value stands for, where it is no quantity.
+enum class EventCode : std::uint8_t {
+  number,
+  weapon,    ///< index of the missile type in the library
+  sources,   ///< bits of TrackSource
+  identity,  ///< Identity
+  radar,     ///< EmissionKind
+  ending,    ///< MissileEnd
+  child,     ///< of the sequencer in the third value; -1: none
+  node,      ///< of the tree `aux`; -1: none
+  flight,    ///< index into the flights
+  defense,   ///< phase of a defend event
+  order,     ///< kind of order
+  decoys,    ///< Dispense
+};
+
+/// A value that an event carries.
+struct EventValue {
+  std::string_view name;      ///< "range", as campaigns call it; "": there is none
+  Unit unit{};                ///< of a quantity
+  std::string_view column{};  ///< of tables, "range_m"
+  EventCode code = EventCode::number;
+  std::string_view help{};
+};
+
+/// A kind of event, for who reads a table of them.
+struct EventInfo {
+  EventKind kind = EventKind::none;
+  std::string_view name;  ///< "seeker_active"
+  std::string_view help;  ///< a sentence about who and whom
+  std::array<EventValue, 3> values{};
+};
+
+/// Every kind, in the order of the enumeration.
+[[nodiscard]] std::span<const EventInfo> event_infos();
+
 /// "seeker_active"; "" for none and for numbers that are no kind.
 [[nodiscard]] std::string_view event_name(EventKind kind);
 
-/// The names of the values that an event of that kind carries, such as "range".
-[[nodiscard]] std::span<const std::string_view> event_values(EventKind kind);
+/// The values that an event of that kind carries, such as the range.
+[[nodiscard]] std::span<const EventValue> event_values(EventKind kind);
 
 }  // namespace eyrie::model

@@ -19,7 +19,7 @@ TEST(Events, AllHaveANameOfTheirOwn) {
 
 TEST(Events, NameTheirValues) {
   ASSERT_EQ(event_values(EventKind::gun_burst).size(), 3u);
-  EXPECT_EQ(event_values(EventKind::gun_burst)[1], "range");
+  EXPECT_EQ(event_values(EventKind::gun_burst)[1].name, "range");
   EXPECT_TRUE(event_values(EventKind::kill).empty());
 }
 

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "core/text.hpp"
-#include "model/events.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -40,35 +39,34 @@ std::string csv_quoted(std::string_view text) {
 }
 
 EventsCsv::EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink)
-    : scenario_(scenario), sink_(sink) {
-  sink_.write("time_s,step,event,who,who_id,whom,whom_id,north_m,east_m,down_m,detail,values\n");
+    : table_(scenario), sink_(sink) {
+  for (const EventColumn& column : event_columns())
+    fmt::format_to(std::back_inserter(out_), "{}{}", out_.empty() ? "" : ",", column.name);
+  out_ += '\n';
 }
 
 void EventsCsv::observe(const sim::World&, const sim::StepInfo& info,
                         std::span<const sim::Event> events) {
   for (const sim::Event& e : events) {
-    const auto kind = static_cast<model::EventKind>(e.kind.value);
-    const std::string_view name = model::event_name(kind);
-    fmt::format_to(std::back_inserter(out_), "{:.2f},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{},",
-                   info.time() + info.dt, info.step, csv_text(name.empty() ? "?" : name),
-                   csv_text(scenario_.roster.name(e.who)), e.who.value,
-                   csv_text(scenario_.roster.name(e.whom)), e.whom.value, e.place.x, e.place.y,
-                   e.place.z, e.detail);
-    std::string values;
-    for (const float* value = e.values.data();
-         const std::string_view of : model::event_values(kind))
-      fmt::format_to(std::back_inserter(values), "{}{}={:g}", values.empty() ? "" : " ", of,
-                     *value++);
-    fmt::format_to(std::back_inserter(out_), "{}\n", csv_text(values));
+    const std::vector<EventCell> row = table_.row(e, info);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i > 0)
+        out_ += ',';
+      if (const auto* number = std::get_if<double>(&row[i]))
+        fmt::format_to(std::back_inserter(out_), fmt::runtime(event_columns()[i].format), *number);
+      else if (const auto* text = std::get_if<std::string>(&row[i]))
+        out_ += csv_text(*text);
+    }
+    out_ += '\n';
   }
   if (out_.size() > 1 << 16) {
-    sink_.write({out_.data(), out_.size()});
+    sink_.write(out_);
     out_.clear();
   }
 }
 
 void EventsCsv::finish(const sim::World&) {
-  sink_.write({out_.data(), out_.size()});
+  sink_.write(out_);
   out_.clear();
 }
 

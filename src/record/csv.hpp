@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "disk/sink.hpp"
-#include "scenario/scenario.hpp"
+#include "record/event_table.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::record {
@@ -13,10 +13,7 @@ namespace eyrie::record {
 /// The same, always in quotes: a text where other rows have a number.
 [[nodiscard]] std::string csv_quoted(std::string_view text);
 
-// events.csv: every committed event, one row each.
-
-/// Columns: time_s, step, event, who, who_id, whom, whom_id, north_m, east_m, down_m, detail,
-/// values. `values` holds `name=value` pairs separated by blanks, named as the schema names them.
+/// Every committed event, a row each: docs/events.md describes the columns.
 class EventsCsv final : public sim::Observer {
  public:
   EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink);
@@ -26,9 +23,9 @@ class EventsCsv final : public sim::Observer {
   void finish(const sim::World& world) override;
 
  private:
-  const scenario::Scenario& scenario_;
+  EventTable table_;
   disk::Sink& sink_;
-  fmt::memory_buffer out_;
+  std::string out_;
 };
 
 }  // namespace eyrie::record

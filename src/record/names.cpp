@@ -22,14 +22,43 @@ bool is_outermost(const scenario::Scenario& scenario, const sim::Event& phase) {
   return false;
 }
 
-std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase) {
+std::string node_label(const scenario::Scenario& scenario, const sim::Event& e, float node) {
+  const ubf::AnyTree* tree = tree_of(scenario, e);
+  return tree && node >= 0 && static_cast<std::size_t>(node) < tree->size()
+             ? std::string(tree->node(static_cast<ubf::NodeIndex>(node)).label())
+             : "";
+}
+
+std::string child_label(const scenario::Scenario& scenario, const sim::Event& phase, float child) {
   const ubf::AnyTree* tree = tree_of(scenario, phase);
   const auto node = static_cast<std::size_t>(phase.values[2]);
-  const auto child = static_cast<std::size_t>(phase.values[1]);
-  if (!tree || node >= tree->size())
-    return "?";
+  if (!tree || node >= tree->size() || child < 0)
+    return "";
   const auto children = tree->node(static_cast<ubf::NodeIndex>(node)).children();
-  return child < children.size() ? std::string(children[child]->label()) : "?";
+  const auto i = static_cast<std::size_t>(child);
+  return i < children.size() ? std::string(children[i]->label()) : "";
+}
+
+std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase) {
+  const std::string name = child_label(scenario, phase, phase.values[1]);
+  return name.empty() ? "?" : name;
+}
+
+void Missiles::note(const sim::Event& e) {
+  if (kind_of(e) == model::EventKind::launch)
+    all_[e.who] = {PlayerId{e.detail}, e.whom, store_label(*scenario_, e.values[1])};
+}
+
+const Missiles::Missile* Missiles::find(PlayerId id) const {
+  const auto at = all_.find(id);
+  return at == all_.end() ? nullptr : &at->second;
+}
+
+std::string Missiles::name(PlayerId id) const {
+  const Missile* missile = find(id);
+  return missile ? fmt::format("{} #{} of {}", missile->label, id.value,
+                               scenario_->roster.name(missile->shooter))
+                 : scenario_->roster.name(id);
 }
 
 std::string store_label(const scenario::Scenario& scenario, float index) {

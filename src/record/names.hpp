@@ -18,10 +18,36 @@ namespace eyrie::record {
 
 /// Of a phase event: whether its sequencer is the outermost one of the player's tree.
 [[nodiscard]] bool is_outermost(const scenario::Scenario& scenario, const sim::Event& phase);
+/// Label of a node of the tree that an event names, "" if there is none.
+[[nodiscard]] std::string node_label(const scenario::Scenario& scenario, const sim::Event& e,
+                                     float node);
+/// Of a phase event: label of a child of its sequencer, "" if there is none.
+[[nodiscard]] std::string child_label(const scenario::Scenario& scenario, const sim::Event& phase,
+                                      float child);
 /// Of a phase event: the name of the tree that was entered, such as "ingress".
 [[nodiscard]] std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase);
 /// Label of a missile type by its index in the library, "?" if there is none.
 [[nodiscard]] std::string store_label(const scenario::Scenario& scenario, float index);
+
+/// Every missile since its launch.
+class Missiles {
+ public:
+  struct Missile {
+    PlayerId shooter, target;
+    std::string label;  ///< of its type
+  };
+  explicit Missiles(const scenario::Scenario& scenario) : scenario_(&scenario) {}
+
+  /// To be told every event, before its missile is asked for.
+  void note(const sim::Event& e);
+  [[nodiscard]] const Missile* find(PlayerId id) const;
+  /// "AIM-120C #7 of eagle1", of anybody else its name in the roster.
+  [[nodiscard]] std::string name(PlayerId id) const;
+
+ private:
+  const scenario::Scenario* scenario_;
+  std::map<PlayerId, Missile> all_;
+};
 
 // Who leaves the run by an event, and how.
 

@@ -41,7 +41,7 @@ std::string clock_text(double time) {
 }
 
 Story::Story(const scenario::Scenario& scenario, Tell tell)
-    : scenario_(scenario), tell_(std::move(tell)) {
+    : scenario_(scenario), tell_(std::move(tell)), missiles_(scenario) {
   for (const auto& flight : scenario.roster.flights)
     leads_.push_back(flight.members.front());
   phases_.resize(leads_.size());
@@ -57,9 +57,15 @@ void Story::observe(const sim::World&, const sim::StepInfo& info,
 }
 
 std::string Story::name(PlayerId id) const {
-  if (const auto m = missiles_.find(id); m != missiles_.end())
-    return fmt::format("{}'s {}", scenario_.roster.name(m->second.shooter), m->second.label);
+  if (const auto* m = missiles_.find(id))
+    return fmt::format("{}'s {}", scenario_.roster.name(m->shooter), m->label);
   return id ? scenario_.roster.name(id) : "someone";
+}
+
+/// That of a kill.
+std::string Story::weapon(const sim::Event& e) const {
+  const auto* missile = missiles_.find(PlayerId{e.detail});
+  return missile ? missile->label : "gun";
 }
 
 bool Story::same_side(PlayerId a, PlayerId b) const {
@@ -86,16 +92,15 @@ void Story::shot(const sim::Event& e) {
   const bool active =
       store < shelf.size() && shelf[store].seeker.kind == model::weapon::SeekerKind::radar;
   decided_ = released_[{shooter, e.values[1]}];
-  missiles_[e.who] = {shooter, e.whom, store_label(scenario_, e.values[1])};
   say(shooter, fmt::format("{} on {}, {} ({})", active ? "fox 3" : "fox 2", name(e.whom),
                            miles(e.values[0]), store_label(scenario_, e.values[1])));
 }
 
 void Story::ended(const sim::Event& e) {
-  const auto m = missiles_.find(e.who);
-  if (m == missiles_.end())
+  const auto* m = missiles_.find(e.who);
+  if (!m)
     return;
-  const Missile& missile = m->second;
+  const Missiles::Missile& missile = *m;
   if (kind_of(e) == EventKind::timeout)
     say(missile.shooter,
         fmt::format(
@@ -109,6 +114,7 @@ void Story::ended(const sim::Event& e) {
 void Story::tell(const sim::Event& e) {
   const auto* player = scenario_.roster.find(e.who);
   kind_ = kind_of(e);
+  missiles_.note(e);
   switch (kind_) {
     case EventKind::contact:
       if (!same_side(e.who, e.whom) && first_in_flight(e.kind.value, e.who, e.whom))
@@ -129,8 +135,8 @@ void Story::tell(const sim::Event& e) {
       shot(e);
       break;
     case EventKind::seeker_active:
-      if (const auto m = missiles_.find(e.who); m != missiles_.end())
-        say(m->second.shooter, fmt::format("pitbull on {}", name(m->second.target)));
+      if (const auto* m = missiles_.find(e.who))
+        say(m->shooter, fmt::format("pitbull on {}", name(m->target)));
       break;
     case EventKind::gun_burst:
       say(e.who, e.whom ? fmt::format("guns on {}, {:.0f} m", name(e.whom), e.values[1]) : "guns");
@@ -139,8 +145,8 @@ void Story::tell(const sim::Event& e) {
       say(e.who, defense(e.values[0]));
       break;
     case EventKind::decoyed:
-      if (const auto m = missiles_.find(e.who); m != missiles_.end())
-        say(e.whom, fmt::format("{} of {} goes for {}", m->second.label, name(m->second.shooter),
+      if (const auto* m = missiles_.find(e.who))
+        say(e.whom, fmt::format("{} of {} goes for {}", m->label, name(m->shooter),
                                 e.values[0] < 1.5F ? "chaff" : "a flare"));
       break;
     case EventKind::detonation:
@@ -148,11 +154,7 @@ void Story::tell(const sim::Event& e) {
       ended(e);
       break;
     case EventKind::kill:
-      say(e.who,
-          fmt::format(
-              "splash {}{}", name(e.whom),
-              e.detail ? fmt::format(" ({})", missiles_[PlayerId{e.detail}].label) : " (gun)"),
-          Tone::kill, e.whom);
+      say(e.who, fmt::format("splash {} ({})", name(e.whom), weapon(e)), Tone::kill, e.whom);
       break;
     case EventKind::crash:
       if (player)

@@ -3,8 +3,7 @@
 /// \file  The run in the field's words, one line per thing worth telling, and in numbers.
 #include <set>
 
-#include "model/events.hpp"
-#include "scenario/scenario.hpp"
+#include "record/names.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::record {
@@ -35,24 +34,20 @@ class Story final : public sim::Observer {
                std::span<const sim::Event> events) override;
 
  private:
-  struct Missile {
-    PlayerId shooter, target;
-    std::string label;
-  };
-
   void tell(const sim::Event& e);
   void say(PlayerId who, std::string text, Tone tone = Tone::plain, PlayerId decider = {});
   void shot(const sim::Event& e);
   void ended(const sim::Event& e);
   bool first_in_flight(std::uint16_t what, PlayerId who, PlayerId whom);
   [[nodiscard]] std::string name(PlayerId id) const;
+  [[nodiscard]] std::string weapon(const sim::Event& e) const;
   [[nodiscard]] bool same_side(PlayerId a, PlayerId b) const;
 
   const scenario::Scenario& scenario_;
   Tell tell_;
   double time_ = 0, decided_ = 0;
   model::EventKind kind_ = model::EventKind::none;  ///< that is being told
-  std::map<PlayerId, Missile> missiles_;
+  Missiles missiles_;
   std::map<std::pair<PlayerId, float>, double> released_;  ///< s, by whom and from which store
   std::set<std::tuple<std::uint16_t, std::uint16_t, PlayerId>> told_;
   std::vector<PlayerId> leads_;

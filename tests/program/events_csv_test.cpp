@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "model/events.hpp"
+#include "record/event_table.hpp"
 #include "support/acmi_reader.hpp"
 #include "support/program.hpp"
 
@@ -41,8 +43,8 @@ TEST(EventsCsv, HoldsEveryEventAndCountsAsTheReportDoes) {
   const auto report = nlohmann::json::parse(ran.out);
   const std::string text = read_text(folder / "run/events.csv");
   ASSERT_TRUE(
-      text.starts_with("time_s,step,event,who,who_id,whom,whom_id,north_m,east_m,down_m,"
-                       "detail,values\n"));
+      text.starts_with("time_s,step,event,who,who_id,whom,whom_id,weapon,shooter,missile_id,"
+                       "north_m,east_m,latitude_deg,longitude_deg,altitude_m,range_m,"));
   ASSERT_TRUE(text.ends_with('\n'));
   EXPECT_EQ(text.find('"'), std::string::npos);
   const auto rows = read_csv(text);
@@ -59,18 +61,21 @@ TEST(EventsCsv, HoldsEveryEventAndCountsAsTheReportDoes) {
     EXPECT_NEAR(time, (step + 1) * 0.02, 1e-6) << "the time at the end of the step";
     EXPECT_GE(time, last);
     last = time;
-    EXPECT_EQ(row.at("whom").empty(), row.at("whom_id") == "0");
-    for (const char* number : {"who_id", "north_m", "east_m", "down_m", "detail"})
-      EXPECT_NO_THROW(static_cast<void>(acmi_number(row.at(number))));
-    if (!row.at("values").empty())
-      for (const std::string& pair : split(row.at("values"), ' ')) {
-        const auto parts = split(pair, '=');
-        ASSERT_EQ(parts.size(), 2U) << pair;
-        EXPECT_NO_THROW(static_cast<void>(acmi_number(parts[1]))) << pair;
+    EXPECT_EQ(row.at("whom").empty(), row.at("whom_id").empty());
+    for (const auto& [name, cell] : row) {
+      EXPECT_FALSE(cell.starts_with("player ") || cell.starts_with("?")) << name << ": " << cell;
+      if (name.ends_with("_m") || name.ends_with("_deg") || name.ends_with("_id")) {
+        EXPECT_TRUE(cell.empty() || std::isfinite(acmi_number(cell))) << name;
       }
+    }
+    if (row.at("event") == "launch") {
+      EXPECT_EQ(row.at("who"),
+                row.at("weapon") + " #" + row.at("who_id") + " of " + row.at("shooter"));
+      EXPECT_EQ(row.at("missile_id"), row.at("who_id"));
+    }
     ++count[row.at("who").substr(0, 5)][row.at("event")];
-    if (row.at("event") == "launch")  // detail: the shooter
-      ++count[acmi_number(row.at("detail")) <= 4 ? "eagle" : "bogey"]["shot"];
+    if (row.at("event") == "launch")
+      ++count[row.at("shooter").substr(0, 5)]["shot"];
     if (row.at("event") == "kill")
       ++count[row.at("whom").substr(0, 5)]["killed"];
   }
@@ -87,6 +92,31 @@ TEST(EventsCsv, HoldsEveryEventAndCountsAsTheReportDoes) {
   EXPECT_GT(count["eagle"]["phase"], 4);
   EXPECT_GT(count["eagle"]["in_charge"], 4);
   EXPECT_GT(count["eagle"]["contact"], 0);
+}
+
+TEST(EventsCsv, HasNoColumnThatSqlKeepsForItself) {
+  // reserved in SQL:2016, PostgreSQL 16 or MySQL 8, of the words that a simulation might use
+  const std::set<std::string> reserved{
+      "values", "order",  "from",  "to",    "group", "end",    "range", "time",   "timestamp",
+      "rank",   "table",  "index", "by",    "where", "when",   "set",   "select", "value",
+      "user",   "window", "row",   "rows",  "as",    "on",     "at",    "case",   "check",
+      "column", "key",    "limit", "match", "of",    "offset", "out",   "over",   "primary",
+      "start",  "system", "union", "using", "with",  "year",   "both",  "lead",   "lag"};
+  for (const record::EventColumn& column : record::event_columns())
+    EXPECT_FALSE(reserved.contains(std::string(column.name))) << column.name;
+}
+
+TEST(EventsPage, IsWhatTheProgramSays) {
+  EXPECT_EQ(read_text("docs/events.md"), record::events_markdown())
+      << "eyrie catalog --events > docs/events.md";
+}
+
+TEST(EventsPage, DescribesEveryKindAndEveryColumn) {
+  const std::string page = record::events_markdown();
+  for (const model::EventInfo& info : model::event_infos())
+    EXPECT_NE(page.find(fmt::format("| `{}` | ", info.name)), page.npos) << info.name;
+  for (const record::EventColumn& column : record::event_columns())
+    EXPECT_NE(page.find(fmt::format("`{}`", column.name)), page.npos) << column.name;
 }
 
 }  // namespace

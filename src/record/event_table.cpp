@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "record/event_table.hpp"
+
+#include "core/angle.hpp"
+#include "model/command.hpp"
+#include "model/emission.hpp"
+#include "model/weapon/missile.hpp"
+
+namespace eyrie::record {
+namespace {
+using model::EventCode;
+
+constexpr std::size_t kFixed = 15;
+
+/// Where the column of a value stands.
+std::size_t place_of(std::string_view column) {
+  const auto& all = event_columns();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == column; }) -
+      all.begin());
+}
+
+EventCell cell_of(std::string text) {
+  return text.empty() ? EventCell() : EventCell(std::move(text));
+}
+template <class Enum>
+EventCell word(float number) {
+  return std::string(enum_name(static_cast<Enum>(static_cast<int>(number))));
+}
+
+EventCell source_words(float number) {
+  constexpr std::array kNames{"radar", "eyes", "datalink", "truth", "infrared"};
+  std::string text;
+  for (std::size_t bit = 0; bit < kNames.size(); ++bit)
+    if (static_cast<unsigned>(number) >> bit & 1U)
+      text += (text.empty() ? "" : " ") + std::string(kNames[bit]);
+  return cell_of(text);
+}
+
+EventCell defense_word(float number) {
+  constexpr std::array kNames{"turn_in", "break", "notch", "drag", "last_ditch", "out"};
+  const auto i = static_cast<std::size_t>(std::max(number, 1.0F)) - 1;
+  return std::string(kNames[std::min(i, kNames.size() - 1)]);
+}
+
+}  // namespace
+
+const std::vector<EventColumn>& event_columns() {
+  static const std::vector<EventColumn> all = [] {
+    std::vector<EventColumn> columns{
+        {"time_s", "since the beginning of the run, at the end of the step", "{:.3f}"},
+        {"step", "of the simulation, from 0", "{:.0f}"},
+        {"event", "its kind, see below"},
+        {"who", "who does it: a player, or a missile as `AIM-120C #7 of eagle1`"},
+        {"who_id", "its number", "{:.0f}"},
+        {"whom", "whom it is done to; empty: nobody"},
+        {"whom_id", "its number", "{:.0f}"},
+        {"weapon", "type of the missile that it is about, or `gun`"},
+        {"shooter", "of that missile"},
+        {"missile_id", "its number: the same from launch to end", "{:.0f}"},
+        {"north_m", "where it happened, from the scenario's reference", "{:.2f}"},
+        {"east_m", "likewise", "{:.2f}"},
+        {"latitude_deg", "likewise, WGS 84", "{:.7f}"},
+        {"longitude_deg", "likewise", "{:.7f}"},
+        {"altitude_m", "likewise, above the ellipsoid", "{:.2f}"},
+    };
+    for (const model::EventInfo& info : model::event_infos())
+      for (const model::EventValue& value : model::event_values(info.kind))
+        if (std::none_of(columns.begin(), columns.end(),
+                         [&](const auto& c) { return c.name == value.column; }))
+          columns.push_back(
+              {value.column, value.help, value.code == EventCode::number ? "{:g}" : ""});
+    return columns;
+  }();
+  return all;
+}
+
+EventCell EventTable::value(const sim::Event& e, const model::EventValue& what,
+                            float number) const {
+  switch (what.code) {
+    case EventCode::number:
+      return what.unit.dimension == Dimension::angle
+                 ? degrees(wrap_tau(static_cast<double>(number)))
+                 : static_cast<double>(number);
+    case EventCode::weapon:
+      return store_label(scenario_, number);
+    case EventCode::sources:
+      return source_words(number);
+    case EventCode::identity:
+      return word<model::Identity>(number);
+    case EventCode::radar:
+      return word<model::EmissionKind>(number);
+    case EventCode::ending:
+      return word<model::weapon::MissileEnd>(number);
+    case EventCode::decoys:
+      return word<model::Dispense>(number);
+    case EventCode::child:
+      return cell_of(child_label(scenario_, e, number));
+    case EventCode::node:
+      return cell_of(node_label(scenario_, e, number));
+    case EventCode::flight: {
+      const auto& flights = scenario_.roster.flights;
+      const auto i = static_cast<std::size_t>(number);
+      return number >= 0 && i < flights.size() ? cell_of(flights[i].name) : EventCell();
+    }
+    case EventCode::defense:
+      return defense_word(number);
+    case EventCode::order:
+      return std::string(number == 3 ? "lose" : "swap_tree");
+  }
+  return {};
+}
+
+std::vector<EventCell> EventTable::row(const sim::Event& e, const sim::StepInfo& info) {
+  missiles_.note(e);
+  std::vector<EventCell> cells(event_columns().size());
+  const model::EventKind kind = kind_of(e);
+  const auto id = [](PlayerId who) {
+    return who ? EventCell(static_cast<double>(who.value)) : EventCell();
+  };
+  const bool by_weapon = kind == model::EventKind::hit || kind == model::EventKind::kill;
+  const PlayerId missile = missiles_.find(e.who)    ? e.who
+                           : missiles_.find(e.whom) ? e.whom
+                           : by_weapon              ? PlayerId{e.detail}
+                                                    : PlayerId{};
+  EventCell weapon, shooter;
+  if (const Missiles::Missile* of = missiles_.find(missile)) {
+    weapon = cell_of(of->label);
+    shooter = cell_of(scenario_.roster.name(of->shooter));
+  } else if (by_weapon) {
+    weapon = std::string("gun");
+    shooter = cell_of(scenario_.roster.name(e.who));
+  }
+  const Geodetic place = scenario_.library->reference.to_geodetic(e.place);
+  std::size_t at = 0;
+  for (EventCell& cell : std::array<EventCell, kFixed>{
+           info.time() + info.dt, static_cast<double>(info.step),
+           cell_of(std::string(model::event_name(kind))), cell_of(missiles_.name(e.who)), id(e.who),
+           cell_of(missiles_.name(e.whom)), id(e.whom), weapon, shooter, id(missile), e.place.x,
+           e.place.y, degrees(place.latitude), degrees(place.longitude), place.altitude})
+    cells[at++] = std::move(cell);
+  for (const float* number = e.values.data();
+       const model::EventValue& what : model::event_values(kind))
+    cells[place_of(what.column)] = value(e, what, *number++);
+  return cells;
+}
+
+namespace {
+
+/// who and whom as the names of columns.
+std::string marked(std::string_view help) {
+  std::string text;
+  while (!help.empty()) {
+    const std::size_t end = std::min(help.find_first_of(" .,:;"), help.size());
+    const std::string_view word = help.substr(0, end);
+    const std::string_view after = help.substr(end, 1);
+    const std::string_view mark = word == "who" || word == "whom" ? "`" : "";
+    text += fmt::format("{0}{1}{0}{2}", mark, word, after);
+    help.remove_prefix(end + after.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string events_markdown() {
+  std::string text =
+      "# Events\n\n<!-- made by `eyrie catalog --events`; a test compares them -->\n\n"
+      "Everything that happens in a run, as `events.csv` and the table `events` of `run.sqlite` "
+      "have it: a row for each event,\nin the order in which they happened. An empty cell is "
+      "nothing (NULL).\n\n"
+      "| column | what it holds |\n| --- | --- |\n";
+  for (std::size_t i = 0; i < kFixed; ++i)
+    text += fmt::format("| `{}` | {} |\n", event_columns()[i].name, event_columns()[i].help);
+  text +=
+      "| the others | the values of the kinds below |\n\n"
+      "Units stand at the end of a name: m, s, kg, deg. A campaign's measures call a value by the "
+      "name in brackets,\nin SI and, where the table has a word, as a number.\n\n"
+      "| event | what happened | values |\n| --- | --- | --- |\n";
+  for (const model::EventInfo& info : model::event_infos()) {
+    std::string values;
+    for (const model::EventValue& value : model::event_values(info.kind))
+      values += fmt::format("{}`{}` ({}): {}", values.empty() ? "" : "; ", value.column, value.name,
+                            marked(value.help));
+    text += fmt::format("| `{}` | {} | {} |\n", info.name, marked(info.help), values);
+  }
+  return text;
+}
+
+}  // namespace eyrie::record

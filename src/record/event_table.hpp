@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Events as rows of a table, with names instead of numbers, and the page that describes
+/// them.
+#include <variant>
+
+#include "record/names.hpp"
+
+namespace eyrie::record {
+
+struct EventColumn {
+  std::string_view name;  ///< "range_m"
+  std::string_view help;
+  std::string_view format = "";  ///< of its numbers in a text, such as "{:.3f}"; "": words
+};
+/// Nothing, a number or words.
+using EventCell = std::variant<std::monostate, double, std::string>;
+
+/// The columns of every table of events: when, what, who, whom, which missile and where, then each
+/// value that an event of any kind carries.
+[[nodiscard]] const std::vector<EventColumn>& event_columns();
+
+/// Makes the rows of one run, event after event.
+class EventTable {
+ public:
+  explicit EventTable(const scenario::Scenario& scenario)
+      : scenario_(scenario), missiles_(scenario) {}
+
+  /// A cell for each column. Words are as files gave them.
+  [[nodiscard]] std::vector<EventCell> row(const sim::Event& e, const sim::StepInfo& info);
+
+ private:
+  [[nodiscard]] EventCell value(const sim::Event& e, const model::EventValue& what,
+                                float number) const;
+
+  const scenario::Scenario& scenario_;
+  Missiles missiles_;
+};
+
+/// docs/events.md
+[[nodiscard]] std::string events_markdown();
+
+}  // namespace eyrie::record
