@@ -6,6 +6,7 @@
 #include "page/seen.hpp"
 #include "record/json_text.hpp"
 #include "record/story.hpp"
+#include "ubf/sequencer.hpp"
 
 namespace eyrie::page {
 namespace {
@@ -77,6 +78,9 @@ class Platform {
              {"depth", answer.depth},
              {"params", std::move(params)},
              {"remembers", node.remembers()}});
+        if (const auto* sequencer = dynamic_cast<const ubf::Sequencer<State, Action>*>(&node))
+          for (const auto& [from, to] : sequencer->rules())  // of its last children, in their order
+            nodes.back()["rules"].push_back({from == ubf::kNone ? -1 : static_cast<int>(from), to});
       }
       all.push_back({{"name", tree.name()}, {"kind", platform}, {"nodes", std::move(nodes)}});
     }

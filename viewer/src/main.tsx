@@ -5,11 +5,12 @@ import { decode } from './run/decode.ts';
 import { flown_again, put_theme, say_failure, show_as_flown, type Opening } from './show.tsx';
 import { open_replicate } from './replicate.tsx';
 import { first_view } from './store.ts';
+import { remembered } from './ui/link.ts';
 
 const kMostRuns = 2;
 
 async function open(host: HTMLElement): Promise<void> {
-  put_theme(first_view(0).theme);
+  put_theme({ ...first_view(0), ...remembered() }.theme);
   const [campaign] = parts('campaign');
   const told = (percent: number): void => {
     const words = host.querySelector('#opening');

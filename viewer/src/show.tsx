@@ -9,13 +9,13 @@ import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
 import type { AirPicture } from './scene/scene.ts';
 import { first_view, Store, type View } from './store.ts';
-import { keep_in_sight } from './ui/actions.ts';
+import { keep_in_sight, show_cause } from './ui/actions.ts';
 import { App } from './ui/app.tsx';
 import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
-import { follow_address, read_link } from './ui/link.ts';
+import { follow_address, read_link, remembered, said_in } from './ui/link.ts';
+import { first_moment } from './ui/moments.tsx';
 import { make_page, type Page } from './ui/page.ts';
-import { leader_colors } from './ui/spans.ts';
 
 const kDamaged = 'the data of the run is damaged or incomplete';
 
@@ -58,11 +58,21 @@ export function put_theme(theme: View['theme']): void {
 
 function pages_of(runs: Run[], view: Partial<View>): Page[] {
   const end = Math.max(...runs.map((run) => run.about.duration));
-  const colors = leader_colors(runs);
   return runs.map((run, i) => {
-    const store = new Store({ ...first_view(0), ...view, end, ...read_link(run, location.hash, end) });
-    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '', colors);
+    const store = new Store({ ...first_view(0), ...remembered(), ...view, end, ...read_link(run, location.hash, end) });
+    return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '');
   });
+}
+
+/** To the first moment worth seeing, unless somebody has said where to be. */
+function begin(page: Page, { time }: Partial<View>): void {
+  const { run, store } = page;
+  const line = run.is_part ? -1 : first_moment(run);
+  const said = said_in(location.hash);
+  if (line < 0 || time !== undefined || said.has('t') || store.get().time > 0 || store.get().playing) return;
+  const { selected } = store.get();
+  show_cause(page, line);
+  if (said.has('p')) store.set({ selected });
 }
 
 function ready(pages: Page[], scene: AirPicture): void {
@@ -100,11 +110,12 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
     render(<App key={key} pages={pages} back={back} onScene={mounted} />, host);
   };
   host.replaceChildren();
+  begin(first, view);
   draw('first');
   return {
     update(whole) {
-      const colors = leader_colors(whole);
-      pages = pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter, colors));
+      pages = pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter));
+      begin(pages[0]!, view);
       draw('whole');
     },
     close() {

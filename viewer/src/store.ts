@@ -33,10 +33,18 @@ export interface View {
   layers: Record<Layer, boolean>;
   zoom: [number, number] | null;  // Of a strip: s; null: the whole run.
   theme: 'light' | 'dark';
+  units: Units;
+  trail: number;  // s: how much of the ways behind everybody is drawn; Infinity: all.
 }
 
-export const kLayers = ['trails', 'drop_lines', 'radar', 'tracks', 'zones', 'routes', 'labels', 'coast'] as const;
+export const kUnits = ['aviation', 'metric'] as const;
+export type Units = (typeof kUnits)[number];
+export const kTrails = [20, 60, 300, Infinity];
+
+export const kLayers = ['trails', 'drop_lines', 'radar', 'tracks', 'zones', 'routes', 'rings', 'bullseye', 'labels', 'coast'] as const;
 export type Layer = (typeof kLayers)[number];
+/** Shown until somebody chooses otherwise. */
+export const kFirstLayers: readonly Layer[] = kLayers.filter((layer) => layer !== 'rings' && layer !== 'bullseye');
 
 type Listener<T> = (now: T, before: T) => void;
 
@@ -78,8 +86,17 @@ export function first_view(selected: number): View {
     pose: null,
     ruler: null,
     ghost: null,
-    layers: Object.fromEntries(kLayers.map((layer) => [layer, true])) as View['layers'],
+    layers: layers_of(kFirstLayers),
     zoom: null,
-    theme: globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ? 'dark' : 'light',
+    theme: systems_theme(),
+    units: 'aviation',
+    trail: 60,
   };
+}
+
+export function systems_theme(): View['theme'] {
+  return globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+}
+export function layers_of(shown: readonly string[]): View['layers'] {
+  return Object.fromEntries(kLayers.map((layer) => [layer, shown.includes(layer)])) as View['layers'];
 }

@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { kMarks as kLooks, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
+import { first_moment, moments_of } from '../src/ui/moments.tsx';
 import { filtered } from '../src/ui/story.tsx';
-import { kPursues, told_run } from './ui_run.ts';
+import { kPursues, kStory, told_run } from './ui_run.ts';
 
 const kRun = told_run([kPursues]);
 const kMarks = marks_of(kRun);
@@ -38,4 +39,17 @@ test('the story is filtered by who did it or to whom, by kind and by words', () 
   assert.deepEqual(filtered(kRun, { who: 1, kind: '', text: '' }), [1, 2, 3, 4]);
   assert.deepEqual(filtered(kRun, { who: -1, kind: 'kill', text: '' }), [4]);
   assert.deepEqual(filtered(kRun, { who: 0, kind: '', text: ' FOX ' }), [1]);
+});
+
+test('the key moments are the first shot, who was lost, leads and phases, and the page opens at the shot', () => {
+  const line = (t: number, kind: string, decider: number) => ({ ...kStory[0]!, t, kind, decider });
+  const story = [line(0, 'phase', 0), line(2, 'phase', 0), line(3, 'launch', 0), line(4, 'launch', 1), line(5, 'kill', 1), line(6, 'lead_change', 0)];
+  const run = told_run([kPursues], story);
+  assert.deepEqual(moments_of(run).map((m) => [m.line, m.title]),
+    [[1, 'A phase begins'], [2, 'First shot'], [4, 'Why did bogey1 die?'], [5, 'The lead changes']]);
+  assert.equal(first_moment(run), 2);
+  assert.equal(first_moment(told_run([kPursues], story.filter(({ kind }) => kind !== 'launch'))), 2);
+  assert.equal(first_moment(told_run([kPursues], [])), -1);
+  const many = moments_of(told_run([kPursues], [...Array.from({ length: 99 }, (_, i) => line(2 + i, 'phase', 0)), line(200, 'kill', 1)]));
+  assert.ok(many.length < 20 && many.at(-1)!.line === 99, 'of many those that matter most');
 });

@@ -32,5 +32,5 @@ export function told_run(decisions: Record<string, Said>[], story: StoryLine[] =
 }
 
 export function page_of(run: Run, view: Partial<View> = {}): Page {
-  return make_page(run, new Store({ ...first_view(0), end: run.about.duration, ...view }), '', new Map());
+  return make_page(run, new Store({ ...first_view(0), end: run.about.duration, ...view }), '');
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { resample } from '../src/ui/series.ts';
-import { fill_of, leader_colors, leader_spans, spans_of } from '../src/ui/spans.ts';
+import { fill_of, leader_spans, spans_of } from '../src/ui/spans.ts';
 import { layout_tree } from '../src/ui/tree_view.tsx';
 import { command_of, sets_of, ask } from '../src/ui/what_if_answer.ts';
 import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
@@ -18,13 +18,15 @@ test('spans are whoever led in a row, to where the player left', () => {
   assert.deepEqual(spans_of(kRun, kEagle!, (i) => (i < 2 ? -2 : -1)).map((s) => s.label), ['unknown', 'nobody']);
 });
 
-test('who led longest has the first colour, and everybody another one', () => {
-  const colors = leader_colors([kRun]);
-  assert.deepEqual([...colors.keys()], ['pursue', 'break']);
-  assert.notEqual(colors.get('pursue'), colors.get('break'));
-  const more = fill_of(colors, 'navigate');
-  assert.ok(more !== colors.get('pursue') && more !== colors.get('break'));
-  assert.equal(fill_of(colors, 'nobody'), fill_of(colors, 'unknown'));
+test('a behavior has its colour by its name, no two that come with Eyrie the same, and black words can be read on it', () => {
+  const names = ['navigate', 'follow_lead', 'pursue', 'release_weapon', 'shoot_gun', 'break_turn', 'egress', 'avoid_ground', 'lead_pursuit',
+    'pure_pursuit', 'lag_pursuit', 'high_yo_yo', 'low_yo_yo', 'merge_turn', 'reacquire', 'jink', 'extend', 'snapshot', 'avoid_collision',
+    'crank', 'notch', 'drag', 'last_ditch'];
+  assert.equal(new Set(names.map(fill_of)).size, names.length);
+  const light = (fill: string): number => [1, 3, 5].map((i) => parseInt(fill.slice(i, i + 2), 16) / 255)
+    .map((v) => (v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)).reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i]!, 0);
+  for (const name of names) assert.ok((light(fill_of(name)) + 0.05) / (light('#10161c') + 0.05) > 4.5, name);
+  assert.equal(fill_of('nobody'), fill_of('unknown'));
 });
 
 test('series are read between their samples, and not beyond them', () => {

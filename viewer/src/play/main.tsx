@@ -4,10 +4,11 @@ import { render } from 'preact';
 import { engine_module, painted, parts, unpack } from '../parts.ts';
 import { put_theme, say_failure } from '../show.tsx';
 import { first_view } from '../store.ts';
+import { remembered } from '../ui/link.ts';
 import { Playground, type Opened } from './playground.tsx';
 
 async function open(host: HTMLElement): Promise<void> {
-  const view = first_view(0);
+  const view = { ...first_view(0), ...remembered() };
   put_theme(view.theme);
   const [texts] = parts('texts');
   if (!texts) throw new Error('there are no texts in this page; ./eyrie playground writes one with them');

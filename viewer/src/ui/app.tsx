@@ -9,6 +9,7 @@ import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys, mind_manners } from './keys.tsx';
+import { Moments } from './moments.tsx';
 import { EveryoneRow, LeaderRow, Legend, OtherRow, WhatIfRow } from './leaders.tsx';
 import { PageContext, use_page, type Page } from './page.ts';
 import { Players } from './players.tsx';
@@ -19,7 +20,7 @@ import { Story } from './story.tsx';
 import { Strips } from './strips.tsx';
 import { Events, Overview } from './timeline.tsx';
 import { Transport } from './transport.tsx';
-import { use_view } from './use.ts';
+import { kNarrow, use_view } from './use.ts';
 
 type Panel = 'left' | 'right' | 'bottom';
 type Sizes = Record<Panel, number>;
@@ -40,7 +41,7 @@ function Bottom({ pages }: { pages: Page[] }) {
   const page = use_page();
   const { run } = page;
   const player = run.players[use_view(page.store, (v) => v.selected)]!;
-  const [everyone, set_everyone] = useState(run.players.length <= kMostLanes && innerHeight / rem_size() > 70);
+  const [everyone, set_everyone] = useState(run.players.length <= kMostLanes && !matchMedia(kNarrow).matches && innerHeight / rem_size() > 70);
   return (
     <section class="bottom" aria-label="Timeline and strips">
       <Transport>
@@ -63,6 +64,9 @@ function Bottom({ pages }: { pages: Page[] }) {
   );
 }
 
+/** Of a narrow window: over the timeline, one at a time. */
+const kSheets: readonly Panel[] = ['left', 'right'];
+
 const kPanels: { panel: Panel; label: string }[] = [
   { panel: 'left', label: 'Players and story' }, { panel: 'bottom', label: 'Timeline and strips' }, { panel: 'right', label: 'Decision' },
 ];
@@ -71,15 +75,27 @@ const kPanels: { panel: Panel; label: string }[] = [
 function use_layout() {
   const [sizes, set_sizes] = useState(first_sizes);
   const [touched, touch] = useState(false);
-  const [hidden, set_hidden] = useState<readonly Panel[]>([]);
+  const [narrow, set_narrow] = useState(() => matchMedia(kNarrow).matches);
+  const [hidden, set_hidden] = useState<readonly Panel[]>(narrow ? kSheets : []);
+  useEffect(() => {
+    const media = matchMedia(kNarrow);
+    const change = (): void => {
+      set_narrow(media.matches);
+      set_hidden(media.matches ? kSheets : []);
+    };
+    media.addEventListener('change', change);
+    return () => media.removeEventListener('change', change);
+  }, []);
   useEffect(() => {
     if (!touched) return listen(window, { resize: () => set_sizes(first_sizes()) });
   }, [touched]);
   const shown = (panel: Panel): boolean => !hidden.includes(panel);
   return {
     shown,
-    flip: (panel: Panel): void => set_hidden(shown(panel) ? [...hidden, panel] : hidden.filter((p) => p !== panel)),
-    splitter: (panel: Panel, label: string, grows: 'left' | 'right' | 'up') => shown(panel) && (
+    // of two sheets one is open at a time
+    flip: (panel: Panel): void => set_hidden(shown(panel) ? [...hidden, panel]
+      : [...hidden, ...(narrow && panel !== 'bottom' ? kSheets : [])].filter((p) => p !== panel)),
+    splitter: (panel: Panel, label: string, grows: 'left' | 'right' | 'up') => shown(panel) && !narrow && (
       <Splitter label={label} size={sizes[panel]} limits={kLimits[panel]} grows={grows} onHide={() => set_hidden([...hidden, panel])}
         onChange={(size) => { touch(true); set_sizes({ ...sizes, [panel]: size }); }} />
     ),
@@ -100,17 +116,20 @@ export function App({ pages, back, onScene }: {
       <div class="page" style={layout.style}>
         <Header pages={pages} active={active} back={back} help={help} onSwitch={activate}
           panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
-        {layout.shown('left') && <aside class="left"><Players /><Story key={active.letter} /></aside>}
+        <Moments />
+        {layout.shown('left') && <aside class="left" aria-label="Players and story"><Players /><Story key={active.letter} /></aside>}
         <main class="stages">
           {pages.map((page) => (
             <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
           ))}
         </main>
-        {layout.shown('right') && <aside class="right"><Inspector key={active.letter} /></aside>}
+        {layout.shown('right') && <aside class="right" aria-label="Decision"><Inspector key={active.letter} /></aside>}
         {layout.shown('bottom') && <Bottom pages={pages} />}
-        {layout.splitter('left', 'Width of players and story', 'right')}
-        {layout.splitter('right', 'Width of the decision', 'left')}
-        {layout.splitter('bottom', 'Height of the strips', 'up')}
+        <div role="region" aria-label="Borders of the panels">
+          {layout.splitter('left', 'Width of players and story', 'right')}
+          {layout.splitter('right', 'Width of the decision', 'left')}
+          {layout.splitter('bottom', 'Height of the strips', 'up')}
+        </div>
       </div>
       <Help open={help} />
     </PageContext.Provider>

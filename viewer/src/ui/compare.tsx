@@ -16,7 +16,7 @@ function namesake(page: Page, player: Player | undefined): number {
 }
 
 /** What both views have in common; the other half of it is players of the same name. */
-const kShared = ['time', 'playing', 'rate', 'camera', 'layers', 'zoom', 'theme'] as const;
+const kShared = ['time', 'playing', 'rate', 'camera', 'layers', 'zoom', 'theme', 'units', 'trail'] as const;
 
 /** What `to` must change because `from` did. */
 function passed_on(from: Page, to: Page, now: View, before: View): Partial<View> {

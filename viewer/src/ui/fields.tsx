@@ -25,7 +25,7 @@ export function ghost_of(run: Run, player: Player, index: number, node: number):
 type Point = (node: number) => void;
 
 function RivalButton({ rival, text, label, onPoint }: { rival: Rival; text: string; label: string; onPoint: Point }) {
-  const words = `${label} wanted ${text} with ${number_text(rival.vote)} votes; shows where it would have led`;
+  const words = `${label} ${text} ${number_text(rival.vote)} votes: shows where it would have led`;
   const at = (): void => onPoint(rival.node);
   const away = (): void => onPoint(-1);
   return (

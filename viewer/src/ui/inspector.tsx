@@ -65,7 +65,9 @@ function Header({ player, index }: { player: Player; index: number }) {
               {change_words(run, player, spans, at)}
             </p>
           </>
-        : <p class="dim">No decision yet.</p>}
+        : player.decisions.t.length > 0
+          ? <p><button type="button" class="link" onClick={() => jump(page, player.decisions.t[0]!)}>The first decision comes at {clock_text(player.decisions.t[0]!)}</button></p>
+          : <p class="dim">{run.is_part ? 'The run is being flown again …' : 'It decides nothing in this run.'}</p>}
     </header>
   );
 }

@@ -3,9 +3,8 @@
 import { useEffect, useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
 import { clock_text } from '../words/text.ts';
-import { select } from './actions.ts';
 import { fitted, use_canvas, type Sheet } from './canvas.ts';
-import { use_page, type Page } from './page.ts';
+import { use_page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';
 import { use_cell, use_range, use_view } from './use.ts';
@@ -20,7 +19,7 @@ export interface Lane {
   words: boolean;
 }
 
-export function draw_spans(page: Page, { pen, width, rem }: Sheet, spans: Span[], range: [number, number], lane: Lane): void {
+export function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, number], lane: Lane): void {
   const [from, to] = range;
   const { top, height, words } = lane;
   pen.font = `${0.85 * rem}px system-ui, sans-serif`;
@@ -35,7 +34,7 @@ export function draw_spans(page: Page, { pen, width, rem }: Sheet, spans: Span[]
       short.push(span);
       continue;
     }
-    pen.fillStyle = fill_of(page.colors, span.label);
+    pen.fillStyle = fill_of(span.label);
     pen.fillRect(x, top, room - 0.5, height);
     if (!words || room < 1.6 * rem) continue;
     pen.fillStyle = '#10161c';
@@ -43,7 +42,7 @@ export function draw_spans(page: Page, { pen, width, rem }: Sheet, spans: Span[]
   }
   // on top, or they would drown between the long ones
   for (const span of short) {
-    pen.fillStyle = fill_of(page.colors, span.label);
+    pen.fillStyle = fill_of(span.label);
     pen.fillRect(Math.min(x_of(span.from), width - kNarrowest), top, Math.max(x_of(span.to) - x_of(span.from), kNarrowest), height);
   }
 }
@@ -63,11 +62,10 @@ function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, t
 
 /** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */
 function SpanStrip({ spans, marked, cut, label }: { spans: Span[]; marked?: [number, number][]; cut?: number | undefined; label: string }) {
-  const page = use_page();
   const range = use_range();
   const { box, canvas } = use_canvas((sheet) => {
     const bar = marked ? Math.round(0.28 * sheet.rem) : 0;
-    draw_spans(page, sheet, spans, range, { top: bar, height: sheet.height - bar, words: true });
+    draw_spans(sheet, spans, range, { top: bar, height: sheet.height - bar, words: true });
     sheet.pen.fillStyle = sheet.color('accent');
     for (const [a, b] of marked ?? []) {
       const x = ((a - range[0]) / (range[1] - range[0])) * sheet.width;
@@ -147,7 +145,7 @@ export function Legend({ player }: { player: Player }) {
 }
 
 export function Chip({ label }: { label: string }) {
-  return <i class="chip" style={{ background: fill_of(use_page().colors, label) }} aria-hidden="true" />;
+  return <i class="chip" style={{ background: fill_of(label) }} aria-hidden="true" />;
 }
 
 /** A thin lane for every player, to see who did what at the same time. */
@@ -159,14 +157,13 @@ export function EveryoneRow() {
   const { box, canvas } = use_canvas((sheet) => {
     const lane = sheet.height / players.length;
     players.forEach((player, i) =>
-      draw_spans(page, sheet, leader_spans(page.run, player), range, { top: i * lane, height: lane - 1.5, words: false }));
+      draw_spans(sheet, leader_spans(page.run, player), range, { top: i * lane, height: lane - 1.5, words: false }));
   }, [range]);
   return (
     <div class="row everyone" data-row="everyone" style={{ height: `${players.length * 0.95}rem` }}>
       <div class="row-label">
         {players.map((player) => (
-          <button type="button" key={player.name} class={`lane-name ${player.side}`} aria-pressed={player.index === selected}
-            aria-label={`Select ${player.name}`} onClick={() => select(page, player.index)}>{player.name}</button>
+          <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
         ))}
       </div>
       <div class="row-plot">

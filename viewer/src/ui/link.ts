@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands. What a playground
- * or a report says stays in it. */
+/** What a link to a moment says: #t=312.4&p=eagle2&c=follow&z=300-360; e= is where a free camera stands; of theme, layers, units
+ * and trails (d=, l=, u=, w=) what is not as usual, which is also remembered. What a playground or a report says stays in it. */
 import { listen } from '../events.ts';
 import type { Run } from '../run/run.ts';
-import { kCameras, type Pose, type View } from '../store.ts';
+import { kCameras, kFirstLayers, kLayers, kTrails, kUnits, layers_of, systems_theme, type Pose, type View } from '../store.ts';
 import type { Page } from './page.ts';
 
-const kTold = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler'] as const;
+const kTaste = ['theme', 'layers', 'units', 'trail'] as const;
+const kTold = ['time', 'selected', 'camera', 'pose', 'zoom', 'ruler', ...kTaste] as const;
 const kOthers = ['s', 'measure', 'cell', 'replicate'];
+type Taste = Pick<View, (typeof kTaste)[number]>;
 type Told = Pick<View, (typeof kTold)[number]>;
+const kMemory = 'eyrie';
 
 const short = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
@@ -17,12 +20,52 @@ export function said_in(fragment: string): URLSearchParams {
   return new URLSearchParams(fragment.replace(/^#/, ''));
 }
 
+/** What is not as usual. */
+function taste_text({ theme, layers, units, trail }: Taste): string[] {
+  const shown = kLayers.filter((layer) => layers[layer]);
+  return [
+    ...(theme === systems_theme() ? [] : [`d=${theme}`]),
+    ...(shown.join() === kFirstLayers.join() ? [] : [`l=${shown.join()}`]),
+    ...(units === kUnits[0] ? [] : [`u=${units}`]),
+    ...(trail === 60 ? [] : [`w=${trail}`]),
+  ];
+}
+
+function read_taste(said: URLSearchParams): Partial<Taste> {
+  const taste: Partial<Taste> = {};
+  const theme = said.get('d');
+  if (theme === 'light' || theme === 'dark') taste.theme = theme;
+  const layers = said.get('l');
+  if (layers !== null) taste.layers = layers_of(layers.split(','));
+  const units = kUnits.find((one) => one === said.get('u'));
+  if (units) taste.units = units;
+  const trail = kTrails.find((one) => String(one) === said.get('w'));
+  if (trail) taste.trail = trail;
+  return taste;
+}
+
+/** What this browser was told on any page before. */
+export function remembered(): Partial<Taste> {
+  try {
+    return read_taste(said_in(localStorage.getItem(kMemory) ?? ''));
+  } catch {
+    return {};  // there is none, or it is closed to files
+  }
+}
+
+function remember(taste: Taste): void {
+  try {
+    localStorage.setItem(kMemory, taste_text(taste).join('&'));
+  } catch { /* as above */ }
+}
+
 export function link_text(run: Run, view: Told, fragment = ''): string {
   const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
   const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
   if (view.pose && (view.camera === 'free' || view.camera === 'top')) parts.push(`e=${view.pose.map((v) => short(v, 4)).join(',')}`);
   if (view.zoom) parts.push(`z=${view.zoom.map((t) => short(t, 2)).join('-')}`);
   if (view.ruler) parts.push(`r=${view.ruler.map(name).join(',')}`);
+  parts.push(...taste_text(view));
   const said = said_in(fragment);
   for (const other of kOthers) if (said.has(other)) parts.push(`${other}=${said.get(other)}`);
   return `#${parts.join('&')}`;
@@ -37,7 +80,7 @@ function seconds(text: string | null, duration: number): number | null {
 export function read_link(run: Run, fragment: string, duration = run.about.duration): Partial<Told> {
   const said = said_in(fragment);
   const player = (name: string | undefined): number => run.players.findIndex((p) => p.name === name);
-  const told: Partial<Told> = {};
+  const told: Partial<Told> = read_taste(said);
 
   const time = seconds(said.get('t'), duration);
   if (time !== null) told.time = time;
@@ -67,6 +110,7 @@ export function follow_address({ run, store }: Page): () => void {
   };
   const stop = store.subscribe((now, before) => {
     if (kTold.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
+    if (kTaste.some((key) => now[key] !== before[key])) remember(now);
   });
   const unlisten = listen(window, { hashchange: () => store.set(read_link(run, location.hash, store.get().end)) });
   return () => {

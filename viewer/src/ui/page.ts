@@ -6,6 +6,7 @@ import type { Run } from '../run/run.ts';
 import type { Other } from '../scene/other.ts';
 import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
+import { kNarrow } from './use.ts';
 import type { QuantityKey } from './series.ts';
 import type { Change } from './what_if_answer.ts';
 
@@ -19,6 +20,7 @@ export interface Hover {
   /** s */
   t: number;
   row: string;  // As in data-row.
+  y: number;  // CSS pixels from the upper edge of the rows.
 }
 
 export interface Page {
@@ -28,7 +30,6 @@ export interface Page {
   /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
   readonly duration: number;
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
-  colors: Map<string, string>;  // By label of who leads in a tree: the same colour wherever it is drawn.
   marks: Mark[];  // In order of time.
   changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
   node: Cell<number>;  // The node of the tree that is looked into; -1: none.
@@ -38,9 +39,9 @@ export interface Page {
   strips: Cell<StripChoice>;
 }
 
-export function make_page(run: Run, store: Store, letter: string, colors: Map<string, string>): Page {
+export function make_page(run: Run, store: Store, letter: string): Page {
   return {
-    run, store, letter, colors, marks: marks_of(run),
+    run, store, letter, marks: marks_of(run),
     get duration() { return store.get().end; },
     other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),
@@ -48,7 +49,7 @@ export function make_page(run: Run, store: Store, letter: string, colors: Map<st
     pointed: new Cell(-1),
     hover: new Cell<Hover | null>(null),
     tips: new Map(),
-    strips: new Cell<StripChoice>({ quantities: ['altitude', 'range'], players: [] }),
+    strips: new Cell<StripChoice>({ quantities: globalThis.matchMedia?.(kNarrow).matches ? [] : ['altitude', 'range'], players: [] }),
   };
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** Everybody in the run: side, type, what became of them, and who leads in their tree now. */
+import { useRef } from 'preact/hooks';
 import { last_at, type Player, type Run, type Side } from '../run/run.ts';
 import { clock_text } from '../words/text.ts';
 import { measure, select } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
+import { use_rove } from './rove.ts';
 import { label_of } from './spans.ts';
 import { use_paced, use_view } from './use.ts';
 
@@ -42,8 +44,7 @@ function Line({ player }: { player: Player }) {
     <li>
       <button type="button" class={`player ${fate} ${measured ? 'measured' : ''}`} aria-pressed={selected}
         data-player={name} data-state={fate} data-leader={leader}
-        aria-label={`${name}, ${side}, ${type}, ${fate}${fate === 'alive' && leader ? `, ${leader} leads` : ''}`}
-        title={`${name}: click selects, shift and click shows range and bearing from the selected one`}
+        title={`${name}, ${type}: click selects, shift and click shows range and bearing from the selected one`}
         onClick={(event) => (event.shiftKey ? measure(page, index) : select(page, index))}>
         <kbd>{key}</kbd><SideMark side={side} /><span class={`name ${side}`}>{name}</span>
         {fate === 'alive'
@@ -56,14 +57,16 @@ function Line({ player }: { player: Player }) {
 
 export function Players() {
   const { run } = use_page();
+  const list = useRef<HTMLElement>(null);
+  use_rove(list);
   return (
-    <section class="players" aria-label="Players">
+    <section class="players" aria-label="Players" ref={list}>
       {run.flights.map((flight) => (
         <div key={flight.name}>
-          <h3>
+          <h2>
             <SideMark side={flight.side} />{flight.name}
             <span class="dim">{flight.members.length} × {run.players[flight.members[0]!]?.type}</span>
-          </h3>
+          </h2>
           <ul>
             {flight.members.map((member) => <Line key={member} player={run.players[member]!} />)}
           </ul>

@@ -19,7 +19,7 @@ function Track({ track, own }: { track: TrackSeen; own: Place }) {
   const truth = run.players[track.truth];
   return (
     <tr class={track.is_target ? 'target' : ''}>
-      <th scope="row"><span class={`identity ${track.identity}`} title={track.identity} aria-label={track.identity} />#{track.id}</th>
+      <th scope="row"><span class={`identity ${track.identity}`} role="img" title={track.identity} aria-label={track.identity} />#{track.id}</th>
       <td>
         {truth
           ? <button type="button" class="link truth" title="Who it really is; selects"
@@ -37,7 +37,7 @@ function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   place_at(player.motion, sight.t, own);
   return (
     <table class="tracks">
-      <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>altitude</th><th>age</th><th /></tr></thead>
+      <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>altitude</th><th>age</th><th><span class="unseen">target</span></th></tr></thead>
       <tbody>
         {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (

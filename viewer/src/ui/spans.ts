@@ -45,25 +45,28 @@ export function leader_spans(run: Run, player: Player): Span[] {
   return spans;
 }
 
-// Paul Tol, "Colour schemes" (2021), light: fills that stay apart for colour-blind people and carry black words. What looks
-// like a side's colour comes late.
-const kFills = ['#44bb99', '#ffaabb', '#99ddff', '#bbcc33', '#eedd88', '#77aadd', '#ee8866', '#aaaa00'];
+// Paul Tol, "Colour schemes" (2021), light: hues that stay apart for colour-blind people; each in four tones that carry black words.
+const kHues = [0x44bb99, 0xffaabb, 0x99ddff, 0xbbcc33, 0xeedd88, 0x77aadd, 0xee8866, 0xaaaa00];
+const kTones = [[0, 0], [0xffffff, 0.5], [0, 0.18], [0xb0b0b0, 0.5]] as const;
 const kNobodysFill = '#a8b0b8';
+/** With this seed the behaviors that come with Eyrie have each its own fill, the most frequent ones a hue of their own. */
+const kSeed = 1438171;
 
-/** Whoever did not lead in any run, and would have, gets the next colour. */
-export function fill_of(colors: Map<string, string>, label: string): string {
-  if (label === 'nobody' || label === 'unknown') return kNobodysFill;
-  let fill = colors.get(label);
-  if (!fill) colors.set(label, (fill = kFills[colors.size % kFills.length]!));
+const kFills = new Map([['nobody', kNobodysFill], ['unknown', kNobodysFill]]);
+
+/** Of a behavior: the same in every run, by its name alone. */
+export function fill_of(label: string): string {
+  let fill = kFills.get(label);
+  if (!fill) {
+    let hash = kSeed;
+    for (let i = 0; i < label.length; ++i) hash = Math.imul(hash ^ label.charCodeAt(i), 16777619) >>> 0;
+    const slot = Math.imul(hash ^ (hash >>> 15), 0x2c1b3c6d) >>> 27;
+    const [other, share] = kTones[slot >> 3]!;
+    const mixed = [16, 8, 0].map((shift) => {
+      const [a, b] = [kHues[slot & 7]!, other].map((color) => (color >> shift) & 255) as [number, number];
+      return Math.round(a + (b - a) * share).toString(16).padStart(2, '0');
+    });
+    kFills.set(label, (fill = `#${mixed.join('')}`));
+  }
   return fill;
-}
-
-/** Whoever led longest in any of the runs gets the first colour. */
-export function leader_colors(runs: Run[]): Map<string, string> {
-  const time = new Map<string, number>();
-  for (const run of runs)
-    for (const player of run.players)
-      for (const span of leader_spans(run, player)) time.set(span.label, (time.get(span.label) ?? 0) + span.end - span.first);
-  const labels = [...time.keys()].filter((label) => label !== 'nobody').sort((a, b) => time.get(b)! - time.get(a)!);
-  return new Map(labels.map((label, i) => [label, kFills[i % kFills.length]!]));
 }

@@ -37,7 +37,7 @@ function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brus
     <div class="stack-plot" ref={plot} aria-hidden="true" data-from={from} data-to={to}>
       {brush && <div class="brush" style={{ left: `${x(brush[0])}px`, width: `${x(brush[1]) - x(brush[0])}px` }} />}
       {hover && <div class="hover-line" style={{ transform: `translateX(${x(hover.t).toFixed(1)}px)` }} />}
-      {hover && <Tip page={page} x={x(hover.t)} width={width} per_pixel={(to - from) / Math.max(width, 1)} />}
+      {hover && <Tip page={page} x={x(hover.t)} width={width} per_pixel={(to - from) / Math.max(width, 1)} plot={plot} />}
       <div class="now-line" ref={now} />
     </div>
   );
@@ -53,12 +53,17 @@ function tip_words(page: Page, t: number, row: string, per_pixel: number): strin
   return page.tips.get(row)?.(t) ?? '';
 }
 
-function Tip({ page, x, width, per_pixel }: { page: Page; x: number; width: number; per_pixel: number }) {
-  const { t, row } = page.hover.get() ?? { t: 0, row: '' };
+/** Beside the pointer, above all else and inside of the window. */
+function Tip({ page, x, width, per_pixel, plot }: { page: Page; x: number; width: number; per_pixel: number; plot: RefObject<HTMLElement | null> }) {
+  const { t, row, y } = page.hover.get() ?? { t: 0, row: '', y: 0 };
   const words = tip_words(page, t, row, per_pixel);
-  const left = x < width / 2;
+  const box = plot.current?.getBoundingClientRect();
+  const around = plot.current?.closest('.bottom')?.getBoundingClientRect();
+  if (!box || !around) return null;
+  const [left, top] = [box.left - around.left + x, box.top - around.top + y];
+  const place = x < width / 2 ? { left: `${left + 12}px` } : { right: `${around.width - left + 12}px` };
   return (
-    <div class="tip" style={left ? { left: `${x + 8}px` } : { right: `${width - x + 8}px` }}>
+    <div class="tip" style={{ ...place, top: `${Math.min(top + 16, around.height - 26)}px` }}>
       <b>{clock_text(t)}</b>{words && <span>{words}</span>}
     </div>
   );
@@ -79,7 +84,7 @@ export function Stack({ children }: { children: ComponentChildren }) {
     },
   }), [page]);
   return (
-    <div class="stack" ref={stack}>
+    <div class="stack" ref={stack} tabIndex={0} role="group" aria-label="Rows over time">
       <div class="stack-rows">
         {children}
         <Overlay plot={plot} brush={brush} />
@@ -133,6 +138,7 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     const part = (event.clientX - left) / width;
     return { t: from + part * (to - from), inside: part >= 0 && part <= 1, per_pixel: (to - from) / width };
   };
+  const height_of = (event: MouseEvent): number => event.clientY - plot.getBoundingClientRect().top;
   const row_of = (event: Event): HTMLElement | null => (event.target as Element).closest<HTMLElement>('[data-row]');
 
   const down = (event: PointerEvent): void => {
@@ -146,13 +152,13 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     const { t, inside, per_pixel } = place(event);
     if (!drag) {
       const row = row_of(event);
-      page.hover.set(inside && row ? { t, row: row.dataset.row! } : null);
+      page.hover.set(inside && row ? { t, row: row.dataset.row!, y: height_of(event) } : null);
       return;
     }
     if (event.pointerId !== drag.id) return;
     drag.moved ||= Math.abs(t - drag.begin) > kClick * per_pixel;
     if (!drag.moved) return;
-    page.hover.set({ t, row: drag.row });
+    page.hover.set({ t, row: drag.row, y: height_of(event) });
     if (drag.scrubs) jump(page, t);
     else then.brushed([Math.min(t, drag.begin), Math.max(t, drag.begin)]);
   };

@@ -2,7 +2,7 @@
 /** The air picture with its camera and layers. */
 import { useEffect, useRef } from 'preact/hooks';
 import { AirPicture } from '../scene/scene.ts';
-import { kCameras, kLayers, type Camera, type Layer } from '../store.ts';
+import { kCameras, kLayers, kTrails, kUnits, type Camera, type Layer, type Units } from '../store.ts';
 import { use_page } from './page.ts';
 import { use_view } from './use.ts';
 
@@ -12,19 +12,22 @@ const kCameraHelp: Record<Camera, string> = {
 };
 const kLayerWords: Record<Layer, string> = {
   trails: 'trails', drop_lines: 'heights', radar: 'radar', tracks: 'tracks it has', zones: 'missile zones', routes: 'routes',
-  labels: 'names', coast: 'coast',
+  rings: 'range rings', bullseye: 'bullseye', labels: 'names', coast: 'coast',
 };
+const kUnitWords: Record<Units, string> = { aviation: 'ft, nmi, kt', metric: 'm, km, km/h' };
 
 function Tools() {
   const { store } = use_page();
   const camera = use_view(store, (v) => v.camera);
   const layers = use_view(store, (v) => v.layers);
+  const units = use_view(store, (v) => v.units);
+  const trail = use_view(store, (v) => v.trail);
   const ruler = use_view(store, (v) => v.ruler);
   return (
     <div class="stage-tools">
       <div class="segments" role="group" aria-label="Camera">
         {kCameras.map((one) => (
-          <button type="button" key={one} aria-pressed={camera === one} title={kCameraHelp[one]} aria-label={`Camera: ${kCameraHelp[one]}`}
+          <button type="button" key={one} aria-pressed={camera === one} title={kCameraHelp[one]} aria-label={`${one}: ${kCameraHelp[one]}`}
             onClick={() => store.set({ camera: one })}>{one}</button>
         ))}
       </div>
@@ -35,6 +38,12 @@ function Tools() {
             <label key={layer}><input type="checkbox" checked={layers[layer]} aria-label={`Layer ${kLayerWords[layer]}`}
               onChange={() => store.set({ layers: { ...layers, [layer]: !layers[layer] } })} />{kLayerWords[layer]}</label>
           ))}
+          <label>trails of <select aria-label="Length of the trails" value={trail} onChange={(event) => store.set({ trail: Number(event.currentTarget.value) })}>
+            {kTrails.map((one) => <option key={one} value={one}>{one === Infinity ? 'the whole run' : one < 60 ? `${one} s` : `${one / 60} min`}</option>)}
+          </select></label>
+          <label>units <select aria-label="Units" value={units} onChange={(event) => store.set({ units: event.currentTarget.value as Units })}>
+            {kUnits.map((one) => <option key={one} value={one}>{kUnitWords[one]}</option>)}
+          </select></label>
         </div>
       </details>
       {ruler && <button type="button" aria-label="Take the ruler away" onClick={() => store.set({ ruler: null })}>ruler ✕</button>}

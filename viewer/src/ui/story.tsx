@@ -7,6 +7,7 @@ import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
 import { use_page, type Page } from './page.ts';
+import { use_rove } from './rove.ts';
 import { use_paced } from './use.ts';
 
 export interface Filter {
@@ -108,6 +109,7 @@ export function Story() {
   const lines = useMemo(() => filtered(run, filter), [run, filter]);
   const at = use_paced(store, ({ time }) => current(run, lines, time));
   const still = useRef(false);
+  use_rove(list);
   const stretch = useRef<Stretch>({ first: 0, last: kStretch });
   const [, redraw] = useReducer((n: number) => n + 1, 0);
   // whoever reads in it is not pulled away

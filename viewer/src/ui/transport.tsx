@@ -55,7 +55,7 @@ export function Transport({ children }: { children?: ComponentChildren }) {
       <span class="spring" />
       {children}
       <IconButton icon="closer" label="Zoom in around now" onClick={() => zoom_by(page, 0.5, store.get().time)} />
-      <button type="button" class="tool words" aria-label={zoomed ? 'Show the whole run' : 'Show half a minute around now'} title="(z)"
+      <button type="button" class="tool words" title={zoomed ? 'Show the whole run (z)' : 'Show half a minute around now (z)'}
         onClick={() => toggle_zoom(page)}>{zoomed ? 'whole run' : '30 s'}</button>
       <StripMenu />
     </div>

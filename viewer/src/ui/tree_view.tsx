@@ -151,7 +151,7 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
   const pointed = use_cell(page.pointed) === place.node;
   const changed = change_of(use_cell(page.changes), shape.tree, place.node) !== undefined;
   const { node, x, y, hidden } = place;
-  const { label, type, path, children, depth } = tree.nodes[node]!;
+  const { type, path, children, depth } = tree.nodes[node]!;
   const status = shape.status[node] ?? 'none';
   const marks = { way: on_way, looked, pointed, changed };
   const classes = ['node', status, ...Object.entries(marks).flatMap(([name, is]) => (is ? [name] : []))];
@@ -167,10 +167,12 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
     <g class={classes.join(' ')} transform={`translate(${x} ${y - kPill / 2})`} onClick={look} onKeyDown={press}
       data-path={path} data-status={status} data-vote={shape.vote[node]!} data-asked={status !== 'none'}
       role="treeitem" tabIndex={focusable ? 0 : -1} aria-selected={looked} aria-level={depth + 1}
-      aria-expanded={children.length ? hidden === 0 : undefined} aria-label={`${label}, ${answer_words(shape, node)}`}>
-      <title>{`${path}\n${type}: ${answer_words(shape, node)}`}</title>
-      <Face {...shown} />
-      {children.length > 0 && <Toggle place={place} onToggle={onToggle} />}
+      aria-expanded={children.length ? hidden === 0 : undefined} aria-description={answer_words(shape, node)}>
+      <g>
+        <title>{`${path}\n${type}: ${answer_words(shape, node)}`}</title>
+        <Face {...shown} />
+        {children.length > 0 && <Toggle place={place} onToggle={onToggle} />}
+      </g>
     </g>
   );
 }
@@ -211,7 +213,7 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
   const toggle = (node: number): void => set_turned(new Map(turned).set(node, !is_open(node)));
   const focusable = layout.placed.some(({ node }) => node === looked) ? looked : 0;
   return (
-    <div class="tree" ref={scroller}>
+    <div class="tree" ref={scroller} tabIndex={0} role="group" aria-label="Tree">
       <svg role="tree" aria-label="Decision tree" viewBox={`0 0 ${layout.width} ${layout.height}`} onKeyDown={walk}
         style={{ width: `${layout.width / kFont}rem`, height: `${layout.height / kFont}rem` }}>
         <g class="links">

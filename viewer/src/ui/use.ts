@@ -52,6 +52,9 @@ export function use_decision(): { player: Player; index: number } {
   return { player, index };
 }
 
+/** Where panels become sheets; as in layout.css. */
+export const kNarrow = '(max-width: 899.9px)';
+
 /** CSS pixels; [0, 0] until it is laid out. */
 export function use_size(ref: RefObject<HTMLElement | null>): [number, number] {
   const [size, set] = useState<[number, number]>([0, 0]);
