@@ -250,9 +250,8 @@ int explain(const ExplainOptions& options) {
     return 0;
   }
   const PlayerId who = player_named(roster, options.player);
-  if (wanted.from > recorded.until())
-    refuse("{} {}: the run ends at {}", wanted.once ? "--at" : "--from",
-           quote(wanted.once ? options.at : options.from), record::clock_text(recorded.until()));
+  demand_within(recorded, wanted.once ? "--at" : "--from", wanted.once ? options.at : options.from,
+                wanted.from);
 
   const Found found = look(recorded, who, wanted);
   if (options.csv) {

@@ -135,6 +135,7 @@ int fly(const FlyOptions& options) {
   disk::Sink run = folder.file(record::kRunFileName), events = folder.file(record::kEventsName),
              flight = folder.file(record::kFlightName);
   record::Tally tally(*scenario);
+  Ends ends(*scenario);
   record::EventsCsv csv(*scenario, events);
   record::AcmiWriter acmi(*scenario, flight);
   record::RunFileWriter recorder(run, record::run_file_of(*scenario, seed, version_text()));
@@ -148,6 +149,9 @@ int fly(const FlyOptions& options) {
   if (words) {
     report.header(seed);
     mission.run().attach(story);
+  }
+  if (!options.json) {
+    mission.run().attach(ends);
   }
 
   // when it has been flown
@@ -179,7 +183,7 @@ int fly(const FlyOptions& options) {
     if (options.json)
       say("{}", Composed{json_report(mission, tally, seed, timing, folder.path())});
     else
-      report.closing(mission, tally, timing, folder.path(), beside.written);
+      report.closing(mission, tally, ends, timing, folder.path(), beside.written);
     const sim::Fault* fault = mission.run().fault();
     if (fault)
       beside.lost(scenario::fault_text(*fault, scenario->roster, mission.run().simulation().dt()) +

@@ -13,6 +13,8 @@
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "core/units.hpp"
+#include "record/run_file.hpp"
+#include "record/story.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -24,8 +26,9 @@ std::string beside_program(const char* built, const char* installed) {
   std::error_code failed;
   const fs::path program = fs::read_symlink("/proc/self/exe", failed);
   const fs::path prefix = program.parent_path().parent_path();
+  std::error_code missing;  // of a place that is not there
   for (const char* place : {built, installed})
-    if (!failed && fs::is_regular_file(prefix / place, failed))
+    if (!failed && fs::is_regular_file(prefix / place, missing))
       return (prefix / place).string();
   return "";
 }
@@ -128,12 +131,35 @@ std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
       if (entry.path().extension() == ".yaml")
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
+    if (fs::exists(fs::path(file) / record::kRunFileName, ignored))
+      refuse("eyrie: {} is a run, no scenario: 'eyrie replay' flies it again", quote(name));
     refuse("eyrie: there is no scenario {}{}", quote(name),
            did_you_mean(fs::path(name).stem().string(), names));
   }
   return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
                         scenario::Source::disk(there, includes));
 }
+
+namespace {
+
+/// What may be meant by the name of a run that is not there: a folder beside it, or a scenario.
+std::string run_hint(const std::string& run) {
+  std::error_code ignored;
+  if (fs::exists(run, ignored))
+    return "";
+  const fs::path folder = fs::path(run).parent_path();
+  std::vector<std::string> names;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, ignored); at != end(at);
+       at.increment(ignored))
+    if (fs::exists(at->path() / record::kRunFileName, ignored))
+      names.push_back((folder / at->path().filename()).string());
+  std::sort(names.begin(), names.end());
+  if (std::string hint = did_you_mean(run, names); !hint.empty())
+    return hint;
+  return scenario_file(run) != run ? "; 'eyrie fly' makes a run of this scenario" : "";
+}
+
+}  // namespace
 
 std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                          const std::vector<std::string>& plugins) {
@@ -144,7 +170,7 @@ std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
     if (opened.recorded)
       all.push_back(std::move(*opened.recorded));
     for (const std::string& problem : opened.problems)
-      problems.push_back(printable_lines(problem));
+      problems.push_back(printable_lines(problem) + run_hint(run));
   }
   if (!problems.empty())
     throw Mistake(fmt::format("{}", fmt::join(problems, "\n")));
@@ -180,6 +206,12 @@ double time_named(std::string_view option, const std::string& text) {
     return quantity.value;
   }
   refuse("{} {}: expected a time such as 312.4, '5 min' or 5:12.4", option, quote(text));
+}
+
+void demand_within(const debrief::Recorded& recorded, std::string_view option,
+                   const std::string& text, double time) {
+  if (time > recorded.until())
+    refuse("{} {}: the run ends at {}", option, quote(text), record::clock_text(recorded.until()));
 }
 
 }  // namespace eyrie::app

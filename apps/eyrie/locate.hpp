@@ -43,5 +43,8 @@ namespace eyrie::app {
 [[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
 /// s: "312.4", "5 min", or "5:12.4" as the story says it. Throws Mistake, which names the option.
 [[nodiscard]] double time_named(std::string_view option, const std::string& text);
+/// Throws Mistake if the run has ended by then (s).
+void demand_within(const debrief::Recorded& recorded, std::string_view option,
+                   const std::string& text, double time);
 
 }  // namespace eyrie::app

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "report.hpp"
 
+#include <fmt/ranges.h>
+
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -68,36 +70,56 @@ void Report::line(const record::StoryLine& line) const {
       paint(fmt::format("{:<9}", line.who), line.tone), line.text);
 }
 
-void Report::table(const scenario::Mission& mission, const record::Tally& tally) const {
-  say("\n{:<10} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n", "player", "side", "shots", "kills", "end",
-      "fuel kg", "phase");
-  const auto& world = mission.run().world();
+void Ends::observe(const sim::World& world, const sim::StepInfo& info,
+                   std::span<const sim::Event> events) {
+  for (const sim::Event& e : events) {
+    if (record::kind_of(e) == model::EventKind::launch)
+      missiles_[e.who] =
+          fmt::format("{}'s {} from {}", scenario_.roster.name(PlayerId{e.detail}),
+                      record::store_label(scenario_, e.values[1]),
+                      format_quantity(static_cast<double>(e.values[0]), Dimension::length));
+    if (record::kind_of(e) == model::EventKind::kill && scenario_.roster.find(e.whom))
+      players_[e.whom.value - 1].by =
+          e.detail ? missiles_[PlayerId{e.detail}] : scenario_.roster.name(e.who) + "'s gun";
+  }
+  if (info.step % every_)
+    return;
+  for (const auto& fleet : scenario_.fleets)
+    for (std::uint32_t row = 0; row < fleet->rows(world); ++row)
+      if (const PlayerId who = fleet->id(world, row); scenario_.roster.find(who))
+        players_[who.value - 1].fuel = fleet->gauges(world, row).fuel;
+}
+
+void Report::table(const record::Tally& tally, const Ends& ends) const {
+  say("\n{:<10} {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<10} {}\n", "player", "side", "shots", "kills",
+      "end", "fuel", "phase", "by");
   for (std::size_t i = 0; i < tally.players().size(); ++i) {
     const auto& p = tally.players()[i];
     const auto& who = scenario_.roster.players[i];
-    const scenario::Fleet& fleet = *scenario_.fleets[who.fleet];
-    const auto row = fleet.row(world, PlayerId{static_cast<std::uint32_t>(i + 1)});
-    const auto fuel = row ? fleet.gauges(world, *row).fuel : std::nullopt;
-    const std::string end = p.lost   ? "lost " + record::clock_text(p.end_time)
+    const Ends::OfPlayer& end = ends.players()[i];
+    const std::string how = p.lost   ? "lost " + record::clock_text(p.end_time)
                             : p.home ? "home " + record::clock_text(p.end_time)
-                                     : std::string(fleet.words.there);
-    say("{} {:<5} {:>5} {:>5}  {:<20} {:>9}  {}\n",
+                                     : std::string(scenario_.fleets[who.fleet]->words.there);
+    const std::string line =
+        shown(" {:<5} {:>5} {:>5}  {:<14} {:>9}  {:<10} {}", scenario::side_name(who.side), p.shots,
+              p.kills, how, end.fuel ? format_quantity(*end.fuel, Dimension::mass) : "-", p.phase,
+              end.by);
+    say("{}{}\n",
         paint(fmt::format("{:<10}", who.name), who.side == Side::blue ? Tone::blue : Tone::red),
-        scenario::side_name(who.side), p.shots, p.kills, end,
-        fuel ? fmt::format("{:.0f}", *fuel) : "-", p.phase);
+        Composed{line.substr(0, line.find_last_not_of(' ') + 1)});
   }
-  say("\n");
+  std::vector<std::string> phases;
   for (const auto& phase : tally.phases())
     if (scenario_.roster.flights[phase.flight].side == Side::blue)
-      say("{} {} {}   ", scenario_.roster.flights[phase.flight].name, phase.phase,
-          record::clock_text(phase.time));
-  say("\n");
+      phases.push_back(fmt::format("{} {} {}", scenario_.roster.flights[phase.flight].name,
+                                   phase.phase, record::clock_text(phase.time)));
+  say("\n{}\n", fmt::format("{}", fmt::join(phases, "   ")));
 }
 
-void Report::closing(const scenario::Mission& mission, const record::Tally& tally,
+void Report::closing(const scenario::Mission& mission, const record::Tally& tally, const Ends& ends,
                      const Timing& timing, const std::string& run_dir,
                      const std::string& files) const {
-  table(mission, tally);
+  table(tally, ends);
   const double time = mission.run().time();
   say("{}\n", outcome_text(mission, tally));
   if (const auto refused = mission.run().world().refused_births(); refused > 0)

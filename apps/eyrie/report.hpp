@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
+#include "record/names.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
 #include "scenario/mission.hpp"
@@ -15,6 +16,29 @@ struct Timing {
   bool paced = false;
 };
 
+/// How each player ended: who lost it, and its fuel at most a second before.
+class Ends final : public sim::Observer {
+ public:
+  struct OfPlayer {
+    std::optional<double> fuel = {};  ///< kg
+    std::string by = {};              ///< "eagle1's AMRAAM from 12.1 nmi"
+  };
+  explicit Ends(const scenario::Scenario& scenario)
+      : scenario_(scenario),
+        every_(record::steps_in(1, scenario.simulation->dt())),
+        players_(scenario.roster.players.size()) {}
+
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+  [[nodiscard]] const std::vector<OfPlayer>& players() const { return players_; }
+
+ private:
+  const scenario::Scenario& scenario_;
+  std::uint64_t every_;  ///< steps
+  std::vector<OfPlayer> players_;
+  std::map<PlayerId, std::string> missiles_;  ///< whose, and from where
+};
+
 class Report {
  public:
   /// `color` only on a terminal.
@@ -22,12 +46,12 @@ class Report {
 
   void header(std::uint64_t seed) const;
   void line(const record::StoryLine& line) const;
-  void closing(const scenario::Mission& mission, const record::Tally& tally, const Timing& timing,
-               const std::string& run_dir, const std::string& files) const;
+  void closing(const scenario::Mission& mission, const record::Tally& tally, const Ends& ends,
+               const Timing& timing, const std::string& run_dir, const std::string& files) const;
 
  private:
   [[nodiscard]] Composed paint(const std::string& text, record::Tone tone) const;
-  void table(const scenario::Mission& mission, const record::Tally& tally) const;
+  void table(const record::Tally& tally, const Ends& ends) const;
 
   const scenario::Scenario& scenario_;
   bool color_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "typed.hpp"
 
+#include <fmt/ranges.h>
+
 #include <sstream>
 
 #include "core/diagnostics.hpp"
@@ -10,40 +12,112 @@
 namespace eyrie::app {
 namespace {
 
+using Names = std::vector<std::string>;
+
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
-/// The subcommand that was meant, or null.
-const CLI::App* command_of(const CLI::App& app, std::span<char*> words) {
+Names command_names(const CLI::App& app) {
+  Names names;
   for (const CLI::App* command : commands_of(app))
-    if (words.size() > 1 && command->get_name() == words[1])
+    names.push_back(command->get_name());
+  return names;
+}
+/// The subcommand of that name, or null.
+const CLI::App* command_named(const CLI::App& app, std::string_view name) {
+  for (const CLI::App* command : commands_of(app))
+    if (command->get_name() == name)
       return command;
   return nullptr;
 }
+const CLI::App* command_of(const CLI::App& app, std::span<char*> words) {
+  return words.size() > 1 ? command_named(app, words[1]) : nullptr;
+}
 
-/// A command or an option that there is not, with the nearest one; "" if that is not what is wrong.
-std::string unknown_text(const CLI::App& app, std::span<char*> words) {
-  std::vector<std::string> names;
-  if (const CLI::App* command = command_of(app, words)) {
-    for (const CLI::Option* option : command->get_options())
-      for (const std::string& name : option->get_lnames())
-        names.push_back("--" + name);
-    for (const std::string_view word : words.subspan(2)) {
-      const std::string_view name = word.substr(0, word.find('='));
-      if (word == "--")
-        break;
-      if (word.starts_with("--") && std::find(names.begin(), names.end(), name) == names.end())
-        return fmt::format("{} has no option {}{}", command->get_name(), quote(name),
-                           did_you_mean(name, names));
-    }
-    return "";
-  }
+Names options_of(const CLI::App& command) {
+  Names names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames())
+      names.push_back("--" + name);
+  return names;
+}
+
+/// The option that may be meant: a near one, one that begins as it does, or that of another
+/// command.
+std::string option_hint(const CLI::App& app, const std::string& wrong, const Names& names) {
+  if (std::find(names.begin(), names.end(), wrong) != names.end())  // behind one '-'
+    return fmt::format("; did you mean '{}'?", wrong);
+  if (std::string hint = did_you_mean(wrong, names); !hint.empty())
+    return hint;
+  for (const std::string& name : names)
+    if (wrong.size() > 3 && (name.starts_with(wrong) || wrong.starts_with(name)))
+      return fmt::format("; did you mean '{}'?", name);
+  Names others;
   for (const CLI::App* command : commands_of(app))
-    names.push_back(command->get_name());
-  return words.size() > 1 && words[1][0] != '-'
-             ? fmt::format("there is no command {}{}", quote(words[1]),
-                           did_you_mean(words[1], names))
-             : "";
+    if (command->get_option_no_throw(wrong))
+      others.push_back("'" + command->get_name() + "'");
+  return others.empty() ? "" : fmt::format("; it is an option of {}", fmt::join(others, ", "));
+}
+
+/// An option that a command has not, or "".
+std::string unknown_option(const CLI::App& app, const CLI::App& command, std::span<char*> words) {
+  const Names names = options_of(command);
+  for (const std::string_view word : words) {
+    if (word == "--")
+      break;
+    std::string name(word.substr(0, word.find('=')));
+    const bool number = word.size() > 1 && (std::isdigit(word[1]) || word[1] == '.');
+    if (!word.starts_with('-') || number || name.size() < 2 || name == "-h")
+      continue;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      return fmt::format("{} has no option {}{}", command.get_name(), quote(name),
+                         option_hint(app, (name[1] == '-' ? "" : "-") + name, names));
+  }
+  return "";
+}
+
+/// A required argument that was not given, or "".
+std::string missing_argument(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_required() && option->count() == 0)
+      return fmt::format("{} needs {}: {}", command.get_name(), option->get_name(),
+                         option->get_description());
+  return "";
+}
+
+/// What is wrong with the words of a command.
+std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::ParseError& e,
+                       std::span<char*> words) {
+  if (std::string unknown = unknown_option(app, command, words); !unknown.empty())
+    return unknown;
+  const Names below = command_names(command);
+  if (!below.empty() && dynamic_cast<const CLI::RequiredError*>(&e)) {
+    const std::string wrong = words.empty() ? "" : words[0];
+    const std::string hint = did_you_mean(wrong, below);
+    return hint.empty() ? fmt::format("say what: eyrie {} {} NAME", command.get_name(), below[0])
+                        : fmt::format("{} begins no {}{}", command.get_name(), quote(wrong), hint);
+  }
+  if (!below.empty())
+    return problem_in(app, *commands_of(command)[0], e, words.subspan(1));
+  if (dynamic_cast<const CLI::RequiredError*>(&e))
+    if (std::string missing = missing_argument(command); !missing.empty())
+      return missing;
+  const std::string said = e.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && said.starts_with("--"))
+    return fmt::format("{} needs a value", said.substr(0, said.find(':')));
+  if (dynamic_cast<const CLI::ExtrasError*>(&e)) {
+    const Names extra = command.remaining();
+    return fmt::format("{} has no use for {}", command.get_name(),
+                       quote(extra.empty() ? said : extra.front()));
+  }
+  return said;
+}
+
+/// A command that there is not, with the nearest one.
+std::string unknown_command(const CLI::App& app, std::string_view word) {
+  const std::string hint = did_you_mean(word, command_names(app));
+  return fmt::format("there is no command {}{}", quote(word),
+                     !hint.empty() ? hint : "; 'eyrie catalog NAME' tells of a node");
 }
 
 }  // namespace
@@ -57,13 +131,20 @@ int say_wrong(const CLI::App& app, std::span<char*> words, std::string_view prob
 }
 
 int say_mistake(const CLI::App& app, const CLI::ParseError& e, std::span<char*> words) {
+  const std::string_view first = words.size() > 1 ? words[1] : "";
+  const CLI::App* command = command_named(app, first);
+  if (!first.empty() && !command && !first.starts_with('-'))
+    return say_wrong(app, words, unknown_command(app, first));
   std::ostringstream out, err;
   if (app.exit(e, out, err) == 0) {
     say("{}", Composed{out.str()});
     return 0;
   }
-  const std::string unknown = unknown_text(app, words);
-  return say_wrong(app, words, unknown.empty() ? e.what() : unknown);
+  if (command)
+    return say_wrong(app, words, problem_in(app, *command, e, words.subspan(2)));
+  const std::string option =
+      unknown_option(app, app, words.subspan(std::min<std::size_t>(1, words.size())));
+  return say_wrong(app, words, option.empty() ? "say what to do, such as eyrie fly sweep" : option);
 }
 
 }  // namespace eyrie::app

@@ -119,16 +119,16 @@ std::string_view part_of(std::string_view set) {
 /// else; what changes the flight itself is told by flights from the start, over seeds.
 void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& options,
                  Diagnostics& wrong) {
-  constexpr std::array<std::string_view, 8> kFlown{"data", "environment", "blue",  "red",
-                                                   "ends", "orders",      "rates", "reference"};
+  constexpr std::array<std::string_view, 9> kParts{
+      "trees", "data", "environment", "blue", "red", "ends", "orders", "rates", "reference"};
   for (const std::string& set : sets) {
     const std::string_view part = part_of(set);
     const Location where{"--set " + set, 1, 1};
     if (part == "trees" || set.find('=') == std::string::npos)
       continue;
-    if (std::find(kFlown.begin(), kFlown.end(), part) == kFlown.end())
+    if (std::find(kParts.begin(), kParts.end(), part) == kParts.end())
       wrong.error(where, fmt::format("whatif asks other trees; {} says nothing about decisions{}",
-                                     quote(part), did_you_mean(part, kFlown)));
+                                     quote(part), did_you_mean(part, kParts)));
     else if (options.seeds == 0 || options.branch)
       wrong.error(where, fmt::format("the recorded states do not tell what another {} would have "
                                      "changed: use --seeds, without --branch",
@@ -142,6 +142,7 @@ int what_if(const WhatIfOptions& options) {
   const double from = options.at.empty() ? 0 : time_named("--at", options.at);
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   const PlayerId who = player_named(recorded.scenario->roster, options.player);
+  demand_within(recorded, "--at", options.at, from);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
   check_parts(overrides.sets, options, wrong);

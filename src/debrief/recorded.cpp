@@ -137,14 +137,78 @@ std::string leader_of(const scenario::Scenario& s, const sim::World& world, Play
   return found ? found->fleet.leader(world, found->row) : "nobody";
 }
 
-std::string event_text(std::span<const sim::Event> events, std::size_t i,
-                       const scenario::Roster& roster) {
-  if (i >= events.size())
-    return "nothing";
-  const sim::Event& e = events[i];
-  const auto whom = e.whom ? " " + roster.name(e.whom) : "";
-  return fmt::format("{} {}{}", roster.name(e.who),
-                     model::event_name(static_cast<model::EventKind>(e.kind.value)), whom);
+/// "pursue leads, heading 277 deg" as both have it: the leader, and the fields that are not the
+/// same.
+std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight& b,
+                                               const Recorded& left, const Recorded& right,
+                                               PlayerId who) {
+  const auto decided = [&](const Reflight& flight, const Recorded& recorded) {
+    return explain(*recorded.scenario, flight.before(), flight.after(), who, flight.orders());
+  };
+  std::string one = leader_of(*left.scenario, a.after(), who) + " leads",
+              other = leader_of(*right.scenario, b.after(), who) + " leads";
+  const auto mine = decided(a, left), its = decided(b, right);
+  if (!mine || !its)
+    return {one, other};
+  const auto field = [](const Decision& decision, std::string_view name) -> const Value* {
+    for (const Won& won : decision.action)
+      if (won.value.name == name)
+        return &won.value;
+    return nullptr;
+  };
+  std::vector<std::string> names;
+  for (const Decision* decision : {&*mine, &*its})
+    for (const Won& won : decision->action)
+      if (std::find(names.begin(), names.end(), won.value.name) == names.end())
+        names.push_back(won.value.name);
+  for (const bool exact : {false, true}) {  // numbers whole if all are the same for people
+    const std::string before = one + other;
+    for (const std::string& name : names) {
+      const Value *x = field(*mine, name), *y = field(*its, name);
+      if (x && y && (exact ? x->number == y->number : x->text == y->text))
+        continue;
+      const auto text = [&](const Value* value) {
+        return !value ? fmt::format(", no {}", name)
+               : exact && value->number
+                   ? fmt::format(", {} {} {}", name, *value->number, value->unit)
+                   : fmt::format(", {} {}", name, value->text);
+      };
+      one += text(x);
+      other += text(y);
+    }
+    if (one + other != before || one != other)
+      break;
+  }
+  return {one, other};
+}
+
+/// Of two events that are not the same, what each is; null: there is none.
+std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::Event* y,
+                                                const scenario::Roster& roster) {
+  const auto named = [&](const sim::Event& e) {
+    return fmt::format("{} {}{}", roster.name(e.who),
+                       model::event_name(static_cast<model::EventKind>(e.kind.value)),
+                       e.whom ? " " + roster.name(e.whom) : "");
+  };
+  std::string one = x ? named(*x) : "nothing", other = y ? named(*y) : "nothing";
+  if (one != other)
+    return {one, other};
+  const auto values = model::event_values(static_cast<model::EventKind>(x->kind.value));
+  const auto compare = [&](std::string_view name, auto mine, auto its, std::string_view unit = "") {
+    if (mine != its) {
+      one += fmt::format(", {} {}{}{}", name, mine, unit.empty() ? "" : " ", unit);
+      other += fmt::format(", {} {}{}{}", name, its, unit.empty() ? "" : " ", unit);
+    }
+  };
+  for (std::size_t i = 0; i < x->values.size(); ++i)
+    compare(i < values.size() ? values[i].name : "value", x->values[i], y->values[i],
+            i < values.size() ? values[i].unit.si_symbol : "");
+  compare("detail", x->detail, y->detail);
+  compare("aux", x->aux, y->aux);
+  compare("x", x->place.x, y->place.x);
+  compare("y", x->place.y, y->place.y);
+  compare("z", x->place.z, y->place.z);
+  return {one, other};
 }
 
 /// The first event that is not the same, as both have it.
@@ -156,9 +220,11 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
   };
   const std::size_t shared = std::min(left.size(), right.size());
   for (std::size_t i = 0; i <= shared; ++i)
-    if (i < shared ? !same(left[i], right[i]) : left.size() != right.size())
-      return fmt::format("{}, and {} in the other", event_text(left, i, roster),
-                         event_text(right, i, roster));
+    if (i < shared ? !same(left[i], right[i]) : left.size() != right.size()) {
+      const auto [one, other] = event_texts(i < left.size() ? &left[i] : nullptr,
+                                            i < right.size() ? &right[i] : nullptr, roster);
+      return fmt::format("{}; and {} in the other", one, other);
+    }
   return std::nullopt;
 }
 
@@ -193,11 +259,11 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
       break;
     ++found.steps;
     if (!found.action) {
-      if (const PlayerId who = asks_otherwise(scenario, a.after(), b.after()))
+      if (const PlayerId who = asks_otherwise(scenario, a.after(), b.after())) {
+        const auto [one, other] = wants_text(a, b, left, right, who);
         part(found.action,
-             fmt::format("{}: {} leads, and {} in the other", scenario.roster.name(who),
-                         leader_of(scenario, a.after(), who),
-                         leader_of(*right.scenario, b.after(), who)));
+             fmt::format("{}: {}; and {} in the other", scenario.roster.name(who), one, other));
+      }
     }
     if (!found.event)
       if (const auto text = other_event(a, b, scenario.roster))

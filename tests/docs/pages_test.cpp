@@ -15,6 +15,7 @@
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
 #include "scenario/scenario.hpp"
+#include "support/program.hpp"
 
 namespace eyrie {
 namespace {
@@ -75,6 +76,8 @@ TEST(Pages, TheirCodeIsCompiledAndRun) {
   code_is_compiled("docs/howto/add-a-behavior.md", "tests/docs/add_a_behavior_test.cpp");
   code_is_compiled("docs/howto/add-an-arbiter.md", "tests/docs/add_an_arbiter_test.cpp");
   code_is_compiled("docs/howto/write-a-plugin.md", "tests/plugins/good.cpp");
+  code_is_compiled("docs/architecture.md", "tests/docs/a_system_test.cpp");
+  code_is_compiled("README.md", "tests/plugins/greet.cpp");
 }
 
 /// What a page tells its reader to type sets what is there.
@@ -127,6 +130,17 @@ TEST(Pages, NameFilesThatAreThere) {
   }
 }
 
+TEST(Pages, TheirScenariosLoad) {
+  const auto scenarios = blocks("docs/howto/write-a-scenario.md", "yaml");
+  EXPECT_FALSE(scenarios.empty());
+  for (const Block& block : scenarios) {
+    const test::TempFolder folder;
+    EXPECT_NO_THROW((void)scenario::load({.file = folder.write("page.yaml", block.text)},
+                                         scenario::Source::disk(test::source_root())))
+        << "line " << block.line;
+  }
+}
+
 TEST(Pages, TheirCampaignsAreRead) {
   const auto campaigns = blocks("docs/campaigns.md", "yaml");
   EXPECT_FALSE(campaigns.empty());
@@ -136,12 +150,16 @@ TEST(Pages, TheirCampaignsAreRead) {
 
 TEST(Pages, EveryTreeInTheReferenceBuilds) {
   const pilot::Registry registry = pilot::make_registry();
-  const auto trees = blocks("docs/ubf.md", "yaml");
-  EXPECT_GE(trees.size(), 11u);
+  auto trees = blocks("docs/ubf.md", "yaml");
+  for (const Block& block : blocks("docs/reference.md", "yaml"))
+    trees.push_back(block);
+  EXPECT_GE(trees.size(), 13u);
+  Diagnostics none;
+  const Value ingress = eyrie::parse_yaml("navigate", "a tree that pages name", none);
   for (const Block& block : trees) {
     Diagnostics diagnostics;
-    const Value value = eyrie::parse_yaml(block.text, "docs/ubf.md", diagnostics);
-    std::vector<ubf::NamedSpec> trees_of_block;
+    const Value value = eyrie::parse_yaml(block.text, "a page", diagnostics);
+    std::vector<ubf::NamedSpec> trees_of_block{{"ingress", &ingress}};
     if (const Value* map = value.find("trees")) {
       for (const Value::Entry& e : map->entries)
         trees_of_block.push_back({e.key, &e.value});

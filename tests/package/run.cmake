@@ -22,7 +22,17 @@ foreach(pair first_tree=01_first_tree fly_a_mission=04_fly_a_mission)
   endif()
 endforeach()
 unset(ENV{EYRIE_HOME})
+unset(ENV{EYRIE_VIEWER})
+if(NOT EXISTS ${prefix}/share/eyrie/debrief.html)  # a page is not built with the program
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/../support/viewer.html ${prefix}/share/eyrie/debrief.html COPYONLY)
+endif()
 run(${prefix}/bin/eyrie fly merge --until "10 s" --quiet --out ${WORK}/run)
+if(NOT output MATCHES "debrief.html")
+  message(FATAL_ERROR "an installed Eyrie writes no page:\n${output}")
+endif()
+run(${prefix}/bin/eyrie debrief ${WORK}/run --out ${WORK}/page.html)
+run(${prefix}/bin/eyrie replay ${WORK}/run)
+run(${prefix}/bin/eyrie explain ${WORK}/run --player viper1 --at 0:05)
 
 # a reader with an empty folder, Eyrie in ~/eyrie, and nothing in the environment
 file(MAKE_DIRECTORY ${WORK}/empty)

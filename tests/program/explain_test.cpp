@@ -209,6 +209,9 @@ TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
   }
   EXPECT_EQ(difference.at("action").at("step"), first);
   EXPECT_EQ(debriefed({"diff", "a", "a"}).out, "the same, 33000 steps\n");
+  const std::string words = debriefed({"diff", "a", "b"}).out;
+  EXPECT_TRUE(says(words, R"(\naction +\S+  eagle\d: [^\n]+; and [^\n]+ in the other\n)")) << words;
+  EXPECT_FALSE(says(words, R"(: ([^\n]+); and \1 in the other)")) << words;
 }
 
 TEST(ExplainProgram, SaysWhatIsWrongWithWhatWasAsked) {

@@ -51,7 +51,11 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
         R"(eagle flight: egress\n)", R"(\n \d\d:\d\d\.\d  eagle\d     is home\n)"})
     EXPECT_TRUE(has(ran.out, line)) << line;
   // closing table
-  EXPECT_TRUE(has(ran.out, R"(\nplayer +side +shots +kills +end +fuel kg +phase\n)"));
+  EXPECT_TRUE(has(ran.out, R"(\nplayer +side +shots +kills +end +fuel +phase +by\n)"));
+  EXPECT_TRUE(has(ran.out, R"(\neagle1 +blue +\d+ +\d+  (home|lost) [0-9:.]+ +\d+ lb  )"))
+      << ran.out;
+  EXPECT_TRUE(has(ran.out, R"(\nbogey\d [^\n]*lost [^\n]*eagle\d.s AIM-120 from \d+\.\d nmi\n)"))
+      << ran.out;
   for (const char* who : {"eagle1", "eagle2", "eagle3", "eagle4"})
     EXPECT_TRUE(
         has(ran.out, std::string("\n") + who + R"( +blue +\d+ +\d+  (home|lost) \d\d:\d\d\.\d)"))

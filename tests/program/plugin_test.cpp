@@ -64,6 +64,16 @@ TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
   EXPECT_NE(why.out.find("> last_word"), std::string::npos) << why.out;
 }
 
+TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadme) {
+  folder.write("x.yaml", kSmallScenario);
+  const std::vector<std::string> line{"fly",          "x.yaml",
+                                      "--plugin",     plugin("greet"),
+                                      "--set",        "trees.cruise={greet: {within: 3 nmi}}",
+                                      "--no-debrief", "--quiet"};
+  const Ran ran = run_program(folder, line);
+  EXPECT_EQ(ran.code, 0) << ran.err;
+}
+
 TEST_F(PluggedProgram, TakesPluginsFromTheCommandLine) {
   std::string without = kWithPlugin;
   without.erase(without.find("plugins:"), without.find("reference") - without.find("plugins:"));
