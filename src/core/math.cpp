@@ -55,7 +55,7 @@ double tan(double x) {
   }
   if (std::fabs(x) < 0x1p-27)
     return x;  // the sign of a zero too
-  const detail::QuarterTurn part = detail::quarter_turn(x);
+  const auto part = detail::quarter_turn(x);
   if ((part.turns & 1) == 0) {
     const double ratio = part.s / part.c;
     return ratio + (part.s_low - ratio * part.c_low) / part.c;

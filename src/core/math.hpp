@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 /// \file The elementary functions that a step may use. They are made of + - * / sqrt and bit
 /// operations only (and fmod, which is exact), so they give the same bits on every IEEE 754 machine
@@ -31,6 +32,8 @@ struct SinCos {
 /// Both at once: the second is nearly free. Radians; |x| <= 2^20: 0.85 ulp. Beyond that the error
 /// grows with |x| as if x were off by |x| 2^-53, but the results stay in [-1, 1].
 [[nodiscard]] SinCos sin_cos(double x);
+/// Of two angles abreast, in hardly more time than of one; the same bits.
+[[nodiscard]] std::array<SinCos, 2> sin_cos(double x, double y);
 [[nodiscard]] double sin(double x);
 [[nodiscard]] double cos(double x);
 /// |x| <= 2^20: 1.5 ulp.
@@ -61,22 +64,31 @@ struct SinCos {
 
 namespace detail {
 
+/// Two doubles side by side, and their bits.
+using Two = double __attribute__((vector_size(16)));
+using TwoBits = std::uint64_t __attribute__((vector_size(16)));
+template <class Real>
+using BitsOf = std::conditional_t<std::is_same_v<Real, Two>, TwoBits, std::uint64_t>;
+
 /// c0 + c1 z + c2 z^2 ...
-constexpr double horner(double, double c) {
+template <class Real>
+constexpr double horner(const Real&, double c) {
   return c;
 }
-template <class... Rest>
-constexpr double horner(double z, double c, Rest... rest) {
-  return c + z * horner(z, rest...);
+template <class Real, class... Rest>
+constexpr Real horner(const Real& z, double c, double next, Rest... rest) {
+  return c + z * horner(z, next, rest...);
 }
 
 /// a where the mask is all zeros, b where it is all ones, without a branch.
-inline double select(double a, double b, std::uint64_t mask) {
-  const auto bits = std::bit_cast<std::uint64_t>(a);
-  return std::bit_cast<double>(bits ^ ((bits ^ std::bit_cast<std::uint64_t>(b)) & mask));
+template <class Real>
+Real select(const Real& a, const Real& b, const BitsOf<Real>& mask) {
+  const auto bits = std::bit_cast<BitsOf<Real>>(a);
+  return std::bit_cast<Real>(bits ^ ((bits ^ std::bit_cast<BitsOf<Real>>(b)) & mask));
 }
-inline double flip_sign(double x, std::uint64_t flip) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ flip << 63);
+template <class Real>
+Real flip_sign(const Real& x, const BitsOf<Real>& flip) {
+  return std::bit_cast<Real>(std::bit_cast<BitsOf<Real>>(x) ^ flip << 63);
 }
 
 SinCos sin_cos_far(double x);
@@ -92,38 +104,52 @@ namespace detail {
 
 /// x less its nearest whole number of quarter turns, |x| <= 2^20, and sine and cosine of that, each
 /// with what the last rounding took away.
+template <class Real>
 struct QuarterTurn {
-  double s, s_low, c, c_low;
-  std::uint64_t turns;  ///< in the low bits
+  Real s, s_low, c, c_low;
+  BitsOf<Real> turns;  ///< in the low bits
 };
 
-inline QuarterTurn quarter_turn(double x) {
+template <class Real>
+QuarterTurn<Real> quarter_turn(const Real& x) {
   // r + tail = x - q pi/2, with pi/2 in three parts: the first two products are exact
-  const double shifted = x * 0x1.45f306dc9c883p-1 + kRounder;
-  const double q = shifted - kRounder;
-  const double far = x - q * 0x1.921fb544p+0;
-  const double b = q * 0x1.0b4611a6p-34;
-  const double c = q * 0x1.3198a2e037073p-69;
-  const double near = far - b;
-  const double r = near - c;
-  const double tail = ((near - r) - c) + ((far - near) - b);
+  const Real shifted = x * 0x1.45f306dc9c883p-1 + kRounder;
+  const Real q = shifted - kRounder;
+  const Real far = x - q * 0x1.921fb544p+0;
+  const Real b = q * 0x1.0b4611a6p-34;
+  const Real c = q * 0x1.3198a2e037073p-69;
+  const Real near = far - b;
+  const Real r = near - c;
+  const Real tail = ((near - r) - c) + ((far - near) - b);
 
   // sin r = r + r^3 (s0 + z s(z)), cos r = 1 - z / 2 + z^2 c(z), |r| <= pi/4: minimax, 2^-57, 2^-64
-  const double z = r * r, zz = z * z, cube = z * r;
-  const double s = horner(zz, 0x1.111111110f73p-7, 0x1.71de355529b72p-19, 0x1.5d8b4bda17f1dp-33) +
-                   z * horner(zz, -0x1.a01a019be9205p-13, -0x1.ae5e4b826cf2p-26);
-  const double co =
+  const Real z = r * r, zz = z * z, cube = z * r;
+  const Real s = horner(zz, 0x1.111111110f73p-7, 0x1.71de355529b72p-19, 0x1.5d8b4bda17f1dp-33) +
+                 z * horner(zz, -0x1.a01a019be9205p-13, -0x1.ae5e4b826cf2p-26);
+  const Real co =
       horner(zz, 0x1.555555555554bp-5, 0x1.a01a019c8c7d5p-16, 0x1.1ee9d9c5fae6ep-29) +
       z * horner(zz, -0x1.6c16c16c15005p-10, -0x1.27e4f7ef0d057p-22, -0x1.8fa55309e4213p-37);
   // written so that the sign of a zero survives
-  const double sine_rest = (z * (0.5 * tail - cube * s) - tail) - cube * -0x1.5555555555548p-3;
-  const double sine = r - sine_rest;
-  const double half = 0.5 * z;
-  const double one = 1 - half;
-  const double cosine_rest = ((1 - one) - half) + (zz * co - r * tail);
-  const double cosine = one + cosine_rest;
+  const Real sine_rest = (z * (0.5 * tail - cube * s) - tail) - cube * -0x1.5555555555548p-3;
+  const Real sine = r - sine_rest;
+  const Real half = 0.5 * z;
+  const Real one = 1 - half;
+  const Real cosine_rest = ((1 - one) - half) + (zz * co - r * tail);
+  const Real cosine = one + cosine_rest;
   return {sine, (r - sine) - sine_rest, cosine, (one - cosine) + cosine_rest,
-          std::bit_cast<std::uint64_t>(shifted)};
+          std::bit_cast<BitsOf<Real>>(shifted)};
+}
+
+template <class Real>
+struct SinesCosines {
+  Real sin, cos;
+};
+template <class Real>
+SinesCosines<Real> sin_cos_near(const Real& x) {
+  const QuarterTurn<Real> part = quarter_turn(x);
+  const BitsOf<Real> swap = -(part.turns & 1);
+  return {flip_sign(select(part.s, part.c, swap), part.turns >> 1 & 1),
+          flip_sign(select(part.c, part.s, swap), (part.turns + 1) >> 1 & 1)};
 }
 
 }  // namespace detail
@@ -131,10 +157,15 @@ inline QuarterTurn quarter_turn(double x) {
 inline SinCos sin_cos(double x) {
   if (!(std::fabs(x) <= 0x1p20))
     return detail::sin_cos_far(x);
-  const detail::QuarterTurn part = detail::quarter_turn(x);
-  const std::uint64_t swap = -(part.turns & 1);
-  return {detail::flip_sign(detail::select(part.s, part.c, swap), part.turns >> 1 & 1),
-          detail::flip_sign(detail::select(part.c, part.s, swap), (part.turns + 1) >> 1 & 1)};
+  const auto [sine, cosine] = detail::sin_cos_near(x);
+  return {sine, cosine};
+}
+
+inline std::array<SinCos, 2> sin_cos(double x, double y) {
+  if (!(std::fabs(x) <= 0x1p20 && std::fabs(y) <= 0x1p20))
+    return {sin_cos(x), sin_cos(y)};
+  const auto [sines, cosines] = detail::sin_cos_near(detail::Two{x, y});
+  return {{{sines[0], cosines[0]}, {sines[1], cosines[1]}}};
 }
 
 inline double sin(double x) {

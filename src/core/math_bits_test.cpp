@@ -83,6 +83,20 @@ TEST(MathBits, OfAVeryLargeAngleAreANumber) {
   EXPECT_NEAR(s * s + c * c, 1, 1e-15);
 }
 
+TEST(MathBits, OfTwoAnglesAbreastAreThoseOfEach) {
+  const double angles[] = {0.0,  -0.0, 0.3,   -0.8, 1.6,   -3.0,      5.5,
+                           1e-9, 700,  -1e12, 1e5,  -1e-3, kInfinity, 0x1p20};
+  for (const double x : angles)
+    for (const double y : angles) {
+      const auto both = math::sin_cos(x, y);
+      const math::SinCos each[] = {math::sin_cos(x), math::sin_cos(y)};
+      for (int i = 0; i < 2; ++i) {
+        EXPECT_TRUE(same(both[i].sin, each[i].sin)) << x << ", " << y;
+        EXPECT_TRUE(same(both[i].cos, each[i].cos)) << x << ", " << y;
+      }
+    }
+}
+
 /// Arguments made from integers, so that they cannot differ either: 52 pseudo-random bits as a
 /// fraction in [-1, 1) times a range.
 class Arguments {

@@ -2,6 +2,7 @@
 #include "pilot/danger.hpp"
 
 #include "pilot/controller.hpp"
+#include "pilot/shots.hpp"
 
 namespace eyrie::pilot {
 namespace {
@@ -44,6 +45,12 @@ Danger from(const State& s, const model::RwrWarning& warning) {
     }
   }
   return best != nullptr ? from(s, *best) : Danger{.bearing = warning.bearing};
+}
+
+/// His range over r_ne of his reach; nothing if he is no hostile, or cannot hit at all.
+std::optional<double> exposure_to(const State& s, const Seen& one) {
+  const double r_ne = one.hostile() ? s.reach_of(one).r_ne : 0;
+  return r_ne > 0 ? std::optional(one.range / r_ne) : std::nullopt;
 }
 
 }  // namespace
@@ -97,17 +104,23 @@ const model::RwrWarning* scanned(const State& s) {
 
 std::optional<Exposure> exposure(const State& s) {
   std::optional<Exposure> worst;
-  for (const Seen& seen : s.tracks_seen()) {
-    if (!seen.hostile())
-      continue;
-    const double r_ne = s.reach_of(seen).r_ne;
-    if (r_ne <= 0)
-      continue;
-    const double ratio = seen.range / r_ne;
-    if (!worst || ratio < worst->ratio)
-      worst = Exposure{&seen, ratio};
-  }
+  for (const Seen& seen : s.tracks_seen())
+    if (const auto ratio = exposure_to(s, seen); ratio && (!worst || *ratio < worst->ratio))
+      worst = Exposure{&seen, *ratio};
   return worst;
+}
+
+bool exposed(const State& s, double factor) {
+  double farthest = 0;  // beyond it nobody's reach need be looked up
+  for (std::size_t i = 0; i < s.library.missiles.size(); ++i)
+    farthest = std::max(farthest, factor * s.library.missiles[i].zone.longest_no_escape());
+  const auto seen = s.tracks_seen();
+  return std::any_of(seen.begin(), seen.end(), [&](const Seen& one) {
+    if (one.range > farthest)
+      return false;
+    const auto ratio = exposure_to(s, one);
+    return ratio && *ratio <= factor;
+  });
 }
 
 std::optional<double> support_left(const State& s, const Shot& shot) {

@@ -34,6 +34,9 @@ struct Exposure {
 /// Nothing if no hostile is known who could hit at all.
 [[nodiscard]] std::optional<Exposure> exposure(const State& state);
 
+/// Whether a hostile is within `factor` times the range from which he can hit.
+[[nodiscard]] bool exposed(const State& state, double factor);
+
 /// s that an own missile still needs the radar's support: until its own seeker is switched on, as
 /// its shooter reckons. 0 or less if it needs none any more; nothing if it needs it in vain,
 /// because its target's track is lost.

@@ -51,10 +51,7 @@ struct AbortRange final : Condition {
     return std::tuple{param("factor", &AbortRange::factor, range(0, 20),
                             "of the no-escape range of his missile against this aircraft")};
   }
-  [[nodiscard]] bool holds(const Tick& t) const override {
-    const auto worst = exposure(t.state);
-    return worst && worst->ratio <= factor;
-  }
+  [[nodiscard]] bool holds(const Tick& t) const override { return exposed(t.state, factor); }
 
   double factor = 1.2;
 };

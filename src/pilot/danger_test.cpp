@@ -2,6 +2,7 @@
 #include "pilot/danger.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "support/pilot/testing.hpp"
 
@@ -81,6 +82,17 @@ TEST(AbortRange, IsMeasuredInTheEnemysNoEscapeRange) {
   // who flies away is no danger at that range
   desk.tracks.tracks[0].velocity = -1 * track.velocity;
   EXPECT_GT(exposure(desk.state())->ratio, 40e3 / zone.r_ne);
+}
+
+RC_GTEST_PROP(Exposed, IsTrueWhereTheWorstExposureIsWithinTheFactor, ()) {
+  Desk desk;
+  const auto metres = rc::gen::map(rc::gen::inRange(-150, 150), [](int km) { return 1e3 * km; });
+  for (int i = 0; i < 3; ++i)
+    desk.track({*metres, *metres, *rc::gen::inRange(-8, 5) * 1e3}, *rc::gen::inRange(-3, 4));
+  const State s = desk.state();
+  const auto worst = exposure(s);
+  for (const double factor : {0.0, 0.5, 0.95, 1.5, 5.0, worst ? worst->ratio : 20.0})
+    RC_ASSERT(exposed(desk.state(), factor) == (worst && worst->ratio <= factor));
 }
 
 TEST(Outnumbered, CountsHostilesAgainstTheLiving) {

@@ -39,7 +39,7 @@ struct RunOptions {
   /// Steps between two copies of the world. After a fault the steps since the last copy are made
   /// again, so that the run ends with its last whole step; where code takes part that may do
   /// otherwise the second time, it is 1.
-  std::uint64_t steps_per_copy = 50;
+  std::uint64_t steps_per_copy = 500;
 };
 
 /// Steps one world, feeds it its orders and shows every committed step to the observers. The

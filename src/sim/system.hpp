@@ -2,6 +2,8 @@
 #pragma once
 /// \file  What takes part in a step, what watches it, and how often things happen that are not done
 /// in every step.
+#include <limits>
+
 #include "sim/event.hpp"
 #include "sim/world.hpp"
 
@@ -12,7 +14,10 @@ namespace eyrie::sim {
 /// `period` is in steps and at least 1 (period_steps() never gives 0).
 [[nodiscard]] inline bool due(std::uint64_t step, PlayerId id, std::uint32_t period) {
   EYRIE_ASSERT(period != 0);
-  return period <= 1 || (step + id.value) % period == 0;
+  const std::uint64_t at = step + id.value;
+  if (at <= std::numeric_limits<std::uint32_t>::max()) [[likely]]  // a short division is quick
+    return static_cast<std::uint32_t>(at) % period == 0;
+  return at % period == 0;
 }
 
 /// A period in whole steps, or why there is none.

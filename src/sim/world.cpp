@@ -28,11 +28,6 @@ World::World(std::shared_ptr<const Schema> schema, std::uint64_t seed)
               .tables = static_cast<std::uint32_t>(schema_->tables().size())};
 }
 
-std::span<const PlayerId> World::ids(TableId table) const {
-  const std::uint32_t index = schema_->table(table).columns[0];
-  return {reinterpret_cast<const PlayerId*>(data() + schema_->column(index).offset), rows(table)};
-}
-
 std::byte* World::marks(TableId table) {
   return data() + schema_->column(schema_->table(table).columns[1]).offset;
 }

@@ -58,7 +58,11 @@ class World {
     return counts()[table.value - 1];
   }
   /// The ids of a table, ascending.
-  [[nodiscard]] std::span<const PlayerId> ids(TableId table) const;
+  [[nodiscard]] std::span<const PlayerId> ids(TableId table) const {
+    const std::uint32_t column = schema_->table(table).columns[0];
+    return {reinterpret_cast<const PlayerId*>(data() + schema_->column(column).offset),
+            rows(table)};
+  }
 
   /// The live rows of a column, in spawn order.
   template <class Row>

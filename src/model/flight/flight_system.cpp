@@ -38,7 +38,7 @@ Here look(const Atmosphere& atmosphere, const PointMass& model, Dynamics dynamic
 
 /// Flies one step, but for the vertical at the new place.
 bool fly_from(const Here& here, const PointMass& model, Dynamics dynamics,
-              const FlightContext& context, FlightRows rows) {
+              const FlightContext& context, const FlightRows& rows) {
   const Airframe& airframe = model.airframe();
   const Command& command = rows.command;
   Kinematics& k = rows.kinematics;
@@ -91,7 +91,8 @@ Kinematics placed(const Reference& reference, const Environment& environment, co
   return k;
 }
 
-bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context, FlightRows rows) {
+bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context,
+         const FlightRows& rows) {
   Kinematics& k = rows.kinematics;
   const Here here =
       look(context.environment.atmosphere, model, dynamics, k, rows.propulsion.fuel, context.load);

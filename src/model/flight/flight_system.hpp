@@ -37,7 +37,7 @@ struct FlightContext {
 
 /// Flies one step as the command asks. True when the tanks ran dry in it.
 [[nodiscard]] bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context,
-                       FlightRows rows);
+                       const FlightRows& rows);
 
 /// Emits fuel_out when an aircraft's tanks run dry, and crash when it is below the ellipsoid (the
 /// ground is at altitude 0 everywhere) or has collided with another one (flight/collision.hpp).

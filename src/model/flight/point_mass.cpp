@@ -153,8 +153,7 @@ void PointMass::step(Kinematics& k, Propulsion& engines, const FlightCondition& 
   const double along = (engines.thrust - condition.drag(k.load_factor)) / condition.mass;  // m/s2
 
   // half a step to find the climb angle in its middle
-  const auto roll = math::sin_cos(k.roll);
-  const auto climb = math::sin_cos(k.pitch);
+  const auto [roll, climb] = math::sin_cos(k.roll, k.pitch);
   const double upward = kGravity * k.load_factor * roll.cos;  // m/s2, across the path
   const double sideward = kGravity * k.load_factor * roll.sin;
   const double speed = std::max(k.speed, kLeastSpeed);
@@ -167,8 +166,8 @@ void PointMass::step(Kinematics& k, Propulsion& engines, const FlightCondition& 
   const double speed_middle = 0.5 * (speed + new_speed);
   const double climb_turn = dt * (upward - kGravity * climb_middle.cos) / speed_middle;
   const double heading_turn = dt * sideward / (speed_middle * away_from_zero(climb_middle.cos));
-  const auto heading_middle = math::sin_cos(k.heading + 0.5 * heading_turn);
-  const auto heading = math::sin_cos(k.heading + heading_turn);
+  const auto [heading_middle, heading] =
+      math::sin_cos(k.heading + 0.5 * heading_turn, k.heading + heading_turn);
   const auto climb_end = turned(climb, climb_turn);
 
   const auto ground_velocity = [&](double v, const math::SinCos& c, const math::SinCos& h) {

@@ -38,11 +38,13 @@ struct Lift {
 /// Lift that turns the path towards a direction: what turns it, and what carries the weight. Of
 /// what is too much the turn is cut, so that the path goes on bending straight at the direction:
 /// |turn e + carry| = most is solved for the turn.
-Lift lift_towards(const Kinematics& k, const Guidance& wanted, double most, double least,
-                  double time) {
-  const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
-  const auto [sin_wanted, cos_wanted] = math::sin_cos(*wanted.climb);
-  const auto [sin_turn, cos_turn] = math::sin_cos(angle_between(k.heading, wanted.heading));
+Lift lift_towards(const Kinematics& k, const math::SinCos& pitch, const Guidance& wanted,
+                  double most, double least, double time) {
+  const auto [sin_climb, cos_climb] = pitch;
+  const auto [climb, heading] =
+      math::sin_cos(*wanted.climb, angle_between(k.heading, wanted.heading));
+  const auto [sin_wanted, cos_wanted] = climb;
+  const auto [sin_turn, cos_turn] = heading;
   // the direction in the axes of the path: ahead, to the right, up
   const double ahead = cos_climb * cos_wanted * cos_turn + sin_climb * sin_wanted;
   const double right = cos_wanted * sin_turn;
@@ -90,10 +92,11 @@ Controls steer(const PointMass& model, const Kinematics& k, const FlightConditio
 
   const double most = std::max(std::min({load_factor, limits.max_load_factor, c.lift_limit}),
                                std::max(a.push_limit, 0.0));
-  const auto [sin_climb, cos_climb] = math::sin_cos(k.pitch);
+  const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);
+  const auto [sin_climb, cos_climb] = pitch;
   Lift lift;
   if (wanted.climb) {
-    lift = lift_towards(k, wanted, most, a.push_limit, a.aim_time);
+    lift = lift_towards(k, pitch, wanted, most, a.push_limit, a.aim_time);
   } else {  // upwards first
     const double climb = wanted_climb(model, k, c, wanted, speed_wanted, slowest, fastest, power);
     const double climb_rate = (climb - sin_climb) / (a.climb_time * std::max(cos_climb, 0.1));
@@ -107,9 +110,8 @@ Controls steer(const PointMass& model, const Kinematics& k, const FlightConditio
   // bank to that lift; while rolling, pull only what lies along the lift axis already
   Controls controls;
   controls.bank = math::atan2(lift.sideways, lift.upwards);
-  const auto [sin_roll, cos_roll] = math::sin_cos(k.roll);
   controls.load_factor =
-      std::clamp(lift.upwards * cos_roll + lift.sideways * sin_roll, a.push_limit, most);
+      std::clamp(lift.upwards * roll.cos + lift.sideways * roll.sin, a.push_limit, most);
 
   // thrust for the speed, at the climb angle and load factor that are flown
   const double acceleration = (speed_wanted - k.speed) / a.speed_time;

@@ -248,6 +248,10 @@ LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable>
     : table_(std::move(table)), farthest_off_(farthest_off(type)) {
   if (type.locks_before_launch())
     seeker_ = type.seeker;
+  constexpr double kRounding = 1.0001;  // of at()'s sum of floats
+  if (table_)
+    for (const ZoneTable::Cell& cell : table_->cells)
+      longest_no_escape_ = std::max(longest_no_escape_, kRounding * cell.r_ne * ZoneTable::kUnit);
 }
 
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
@@ -269,9 +273,12 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
   const GridCell aspect = place(kAspect, s.aspect);
   const GridCell altitude = place(kAltitude, s.shooter_altitude);
   const GridCell climb = place(kClimb, s.target_altitude - s.shooter_altitude);
-  // r_max, r_tr, r_ne and r_min side by side
+  // r_max, r_tr, r_ne and r_min side by side: a cell is read at once, its numbers zero-extended
   using Four = float __attribute__((vector_size(16)));
   using Whole = std::int32_t __attribute__((vector_size(16)));
+  using Eight = std::uint16_t __attribute__((vector_size(16)));
+  using Long = std::uint64_t __attribute__((vector_size(16)));
+  static_assert(std::endian::native == std::endian::little);
   Four ranges{};
   for (std::size_t o = 0; o < 8; ++o) {
     const std::size_t a = o >> 2, b = (o >> 1) & 1, c = o & 1;
@@ -279,8 +286,9 @@ EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
     const std::size_t row = (aspect.index + a) * kAltitude.size() + altitude.index + b;
     const ZoneTable::Cell* cells = &table_->cells[(row * kClimb.size() + climb.index + c) * kInner];
     for (std::size_t i = 0; i < 8; ++i) {
-      const ZoneTable::Cell& cell = cells[offset[i]];
-      const Whole units{cell.r_max, cell.r_tr, cell.r_ne, cell.r_min};
+      const auto cell = std::bit_cast<Eight>(Long{std::bit_cast<std::uint64_t>(cells[offset[i]])});
+      const auto units =
+          std::bit_cast<Whole>(__builtin_shufflevector(cell, Eight{}, 0, 8, 1, 9, 2, 10, 3, 11));
       ranges += weight * inner[i] * static_cast<float>(ZoneTable::kUnit) *
                 __builtin_convertvector(units, Four);
     }

@@ -94,10 +94,13 @@ class LaunchZone {
   /// be locked on before launch reaches no farther than it sees a target of the default
   /// InfraredSignature at military power, and nothing outside its gimbal.
   [[nodiscard]] EmploymentZone at(const LaunchSituation& situation) const;
+  /// m: no r_ne that at() gives is longer.
+  [[nodiscard]] double longest_no_escape() const { return longest_no_escape_; }
 
  private:
   std::shared_ptr<const ZoneTable> table_;
   double farthest_off_ = 1;           ///< rad
+  double longest_no_escape_ = 0;      ///< m
   std::optional<SeekerType> seeker_;  ///< if it must see the target before launch
 };
 

@@ -92,6 +92,7 @@ RC_GTEST_PROP(LaunchZone, HasItsRangesInOrder, ()) {
   RC_ASSERT(zone.possible());
   RC_ASSERT(zone.r_min > 0);
   RC_ASSERT(zone.r_ne <= zone.r_tr);
+  RC_ASSERT(zone.r_ne <= prepared_medium().zone.longest_no_escape());
   RC_ASSERT(zone.r_tr <= zone.r_max);
 }
 
