@@ -46,12 +46,13 @@ std::string pace(const std::string& text) {
               : fmt::format("{} is no number from {} to {}", quote(text), kSlowest, kFastest);
 }
 
-std::string format_problem(const std::string& text) {
-  constexpr auto kNames = enum_names<ExportFormat>();
-  const bool known = std::find(kNames.begin(), kNames.end(), text) != kNames.end();
-  return known ? std::string{}
-               : fmt::format("must be one of {}, got {}{}", fmt::join(kNames, ", "), quote(text),
-                             did_you_mean(text, kNames));
+std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {
+  return [=](const std::string& text) {
+    const bool known = std::find(names.begin(), names.end(), text) != names.end();
+    return known ? std::string{}
+                 : fmt::format("must be one of {}, got {}{}", fmt::join(names, ", "), quote(text),
+                               did_you_mean(text, names));
+  };
 }
 
 std::string empty_text(std::span<char*> words) {

@@ -7,6 +7,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace eyrie::app {
 
@@ -17,8 +19,8 @@ namespace eyrie::app {
     std::string_view text, std::string_view between);
 /// A factor of real time.
 [[nodiscard]] std::string pace(const std::string& text);
-/// Of an export.
-[[nodiscard]] std::string format_problem(const std::string& text);
+[[nodiscard]] std::function<std::string(const std::string&)> one_of(
+    std::vector<std::string_view> names);
 /// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.
 [[nodiscard]] std::string empty_text(std::span<char*> words);
 

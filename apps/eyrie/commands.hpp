@@ -19,12 +19,21 @@ struct FlyOptions {
   std::optional<double> realtime;   ///< factor
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
+  bool watch = false;   ///< flies again whenever a file of the scenario changes
 };
 
 /// Threads that fly many runs at once: as many as this process may use cores.
 [[nodiscard]] unsigned cores();
 
 int fly(const FlyOptions& options);
+/// What came of a flight.
+struct Flown {
+  std::string folder;
+  std::vector<std::string> files;  ///< of the scenario
+};
+int fly(const FlyOptions& options, Flown& flown);
+/// Until it is interrupted.
+int fly_and_watch(const FlyOptions& options);
 /// With `seeds`; `until` (s) as for a mission.
 int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
               std::optional<double> until);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <unistd.h>
-
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -22,6 +20,7 @@
 
 namespace eyrie::app {
 namespace {
+namespace fs = std::filesystem;
 
 using Clock = std::chrono::steady_clock;
 
@@ -110,6 +109,11 @@ struct Beside {
 }  // namespace
 
 int fly(const FlyOptions& options) {
+  Flown flown;
+  return options.watch ? fly_and_watch(options) : fly(options, flown);
+}
+
+int fly(const FlyOptions& options, Flown& flown) {
   std::optional<double> until;
   if (!options.until.empty()) {
     const Parsed time = parse_quantity(options.until, Dimension::time);
@@ -121,6 +125,8 @@ int fly(const FlyOptions& options) {
       load_scenario(options.scenario, options.sets, options.plugins, options.includes);
   if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
     refuse("--until: {}", *problem);
+  for (const auto& [name, text] : scenario->files)
+    flown.files.push_back(name);
   if (!options.seeds.empty())
     return fly_seeds(options, scenario, until);
   const std::uint64_t seed = options.seed.value_or(scenario->spec.seed);
@@ -131,7 +137,7 @@ int fly(const FlyOptions& options) {
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // whoever follows the story reads each line
 
   // who watches
-  const Report report(*scenario, !options.json && ::isatty(STDOUT_FILENO));
+  const Report report(*scenario, !options.json && colors());
   disk::Sink run = folder.file(record::kRunFileName), events = folder.file(record::kEventsName),
              flight = folder.file(record::kFlightName);
   record::Tally tally(*scenario);
@@ -169,6 +175,12 @@ int fly(const FlyOptions& options) {
     beside.close(flight, record::kFlightName);
     if (const std::string moved = folder.commit(); !moved.empty())
       beside.lost(moved);
+    if (options.out.empty())
+      if (const std::string why =
+              disk::point_link("runs/latest", fs::path(folder.path()).filename());
+          !why.empty())
+        complain("eyrie: {}\n", why);
+    flown.folder = folder.path();
     // the run is in its place, whatever becomes of its page
     if (with_page) {
       const std::string file = fmt::format("{}/{}", folder.path(), record::kRunFileName);

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
+#include "help.hpp"
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
@@ -88,6 +89,9 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
+  auto* watch = fly->add_flag("--watch", o.watch,
+                              "fly again whenever a file of the scenario changes, until ^C");
+  seeds->excludes(watch);
   fly->add_flag("--json", o.json,
                 "one JSON object on standard output instead of words; with --seeds one a line for "
                 "each, and one for all");
@@ -228,6 +232,7 @@ void add_zones(CLI::App& app, Chosen& chosen) {
 }
 
 void add_export(CLI::App& app, Chosen& chosen) {
+  static constexpr auto kFormats = enum_names<ExportFormat>();
   CLI::App* exported = app.add_subcommand("export", "A recorded run for other tools");
   ExportOptions& o = options_of(exported, export_run, chosen);
   add_run(exported, o);
@@ -240,7 +245,7 @@ void add_export(CLI::App& app, Chosen& chosen) {
           "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
           "player proposed)")
       ->required()
-      ->check(format_problem);
+      ->check(one_of({kFormats.begin(), kFormats.end()}));
   exported->add_option("--player", o.player, "only this player's decisions");
   exported->add_option("--out", o.out,
                        "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
@@ -312,15 +317,41 @@ void add_new(CLI::App& app, Chosen& chosen) {
       ->required();
 }
 
+void add_completion(CLI::App& app, Chosen& chosen) {
+  CLI::App* completion = app.add_subcommand(
+      "completion", "What a shell needs to complete commands, options, scenarios and runs");
+  const auto shell = std::make_shared<std::string>();
+  completion
+      ->add_option("shell", *shell,
+                   "bash, zsh or fish: source what is printed, as in source <(eyrie completion "
+                   "bash); man: the manual page")
+      ->required()
+      ->check(one_of({"bash", "zsh", "fish", "man"}));
+  completion->callback([&, shell] {
+    chosen = [&, shell] {
+      say("{}", Composed{*shell == "man" ? manual(app) : completion_script(*shell)});
+      return 0;
+    };
+  });
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework", "eyrie"};
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
   Chosen chosen;
-  for (const auto add : {add_fly, add_campaign, add_report, add_query, add_optimize, add_explain,
-                         add_what_if, add_debrief, add_playground, add_export, add_diff,
-                         add_validate, add_zones, add_catalog, add_replay, add_trust, add_new})
+  for (const auto add :
+       {add_fly, add_campaign, add_report, add_query, add_optimize, add_explain, add_what_if,
+        add_debrief, add_playground, add_export, add_diff, add_validate, add_zones, add_catalog,
+        add_replay, add_trust, add_new, add_completion})
     add(app, chosen);
+  set_help(app);
+  keep_zones();
+  if (argc > 2 && std::string_view(argv[1]) == "completion" &&
+      std::string_view(argv[2]) == "--for") {
+    say("{}", Composed{completions(app, std::span(argv, argv + argc).subspan(3))});
+    return 0;
+  }
   std::vector<char*> typed(argv, argv + argc);
   char help[] = "--help";
   if (argc > 1 && std::string_view(argv[1]) == "help") {  // "help fly" means "fly --help"
@@ -335,7 +366,6 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return say_mistake(app, e, words);
   }
-  keep_zones();
   return chosen();
 }
 

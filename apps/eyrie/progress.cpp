@@ -29,7 +29,10 @@ void Progress::at(std::uint64_t done, std::string_view more) {
   drawn_ = true;
   const double rate =
       static_cast<double>(done) / std::chrono::duration<double>(last_ - begun_).count();
-  complain("{}{}: {} of {}, {:.1f}/s", Composed{"\r"}, what_, done, total_, rate);
+  constexpr std::size_t kWide = 20;
+  const std::string bar(total_ ? kWide * done / total_ : 0, '#');
+  complain("{}{} [{:<{}}] {} of {}, {:.1f}/s", Composed{"\r"}, what_, bar, kWide, done, total_,
+           rate);
   if (done)
     complain(", {} left", record::clock_text(static_cast<double>(total_ - done) / rate));
   complain("{}{}{}", more.empty() ? "" : "; ", more, Composed{"\033[K"});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "say.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 
 namespace eyrie::app {
 namespace {
@@ -14,6 +17,13 @@ void note(bool failed) {
     lost = errno ? errno : EIO;
 }
 }  // namespace
+
+bool colors() {
+  const char* none = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(STDOUT_FILENO) && !(none && *none) &&
+         !(terminal && std::string_view(terminal) == "dumb");
+}
 
 int lost_output() {
   errno = 0;

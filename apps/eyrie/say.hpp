@@ -71,6 +71,8 @@ template <class... T>
   throw Mistake(shown<T...>(format, values...));
 }
 
+/// Whether standard output is a terminal that wants colors (https://no-color.org).
+[[nodiscard]] bool colors();
 /// Writes what standard output still holds back. 0, or the errno for which something of it is lost.
 [[nodiscard]] int lost_output();
 

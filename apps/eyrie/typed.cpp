@@ -7,6 +7,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
+#include "help.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -14,9 +15,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
 Names command_names(const CLI::App& app) {
   Names names;
   for (const CLI::App* command : commands_of(app))

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/in_order.hpp"
+#include "command.hpp"
 #include "commands.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
@@ -75,6 +76,8 @@ Json over_seeds(const debrief::Recorded& recorded,
       {"red shots", [](const debrief::Outcome& o) { return double(o.red.shots); }},
       {"time", [](const debrief::Outcome& o) { return o.time; }}};
   using Both = std::pair<debrief::Outcome, debrief::Outcome>;
+  std::uint64_t flown = 0;
+  listen_for_interrupts();
   {
     Progress progress("seeds", seeds);
     campaign::in_order<Both>(
@@ -85,18 +88,20 @@ Json over_seeds(const debrief::Recorded& recorded,
         },
         [&](std::uint64_t i, const Both& both) {
           for (Figure& figure : figures) {
-            const double flown = figure.of(both.first), changed = figure.of(both.second);
-            figure.flown.add(flown);
-            figure.other.add(changed);
-            figure.difference.add(changed - flown);
+            const double before = figure.of(both.first), after = figure.of(both.second);
+            figure.flown.add(before);
+            figure.other.add(after);
+            figure.difference.add(after - before);
           }
-          progress.at(i + 1);
-          return true;
+          progress.at(flown = i + 1);
+          return !interrupted();
         });
   }
+  if (flown < seeds)
+    complain("eyrie: interrupted: {} of {} seeds were flown\n", flown, seeds);
   Json all = Json::array();
   if (!quiet)
-    say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", seeds);
+    say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", flown);
   for (const Figure& figure : figures) {
     if (!quiet)
       say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {:.2f}\n", figure.name, figure.flown.mean(),
@@ -107,7 +112,7 @@ Json over_seeds(const debrief::Recorded& recorded,
                    {"difference", figure.difference.mean()},
                    {"standard_error", figure.difference.error()}});
   }
-  return {{"seeds", seeds}, {"figures", all}};
+  return {{"seeds", flown}, {"figures", all}};
 }
 
 /// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".

@@ -55,6 +55,10 @@ class FileSystem {
                      unsigned flags) {
     return ::renameat2(from_folder, from, to_folder, to, flags);
   }
+  /// A symbolic link.
+  virtual int link(const char* to, int folder, const char* name) {
+    return ::symlinkat(to, folder, name);
+  }
   /// The names in an open folder, without "." and "..".
   virtual int list(int folder, std::vector<std::string>& names);
   /// Whether another disk, or another part of one, begins at an open folder.

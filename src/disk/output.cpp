@@ -217,4 +217,19 @@ std::string OutputFolder::drop_old(const std::string& name) {
                      quote_path(place_.beside(kept)));
 }
 
+std::string point_link(const std::string& link, const std::string& to) {
+  struct stat found {};
+  if (files().status(AT_FDCWD, link.c_str(), found, AT_SYMLINK_NOFOLLOW) == 0 &&
+      !S_ISLNK(found.st_mode))
+    return fmt::format("'{}' is {}, and not made a link to '{}'", link, kind_text(found.st_mode),
+                       to);
+  const std::string part = fmt::format("{}.{}", link, ::getpid());
+  if (files().link(to.c_str(), AT_FDCWD, part.c_str()) == 0 &&
+      files().rename(AT_FDCWD, part.c_str(), AT_FDCWD, link.c_str(), 0) == 0)
+    return "";
+  const int error = errno;
+  files().remove(AT_FDCWD, part.c_str(), 0);
+  return fmt::format("'{}' cannot be made a link to '{}': {}", link, to, words_of(error));
+}
+
 }  // namespace eyrie::disk

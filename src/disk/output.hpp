@@ -79,4 +79,8 @@ class OutputFolder {
   Temporary part_;
 };
 
+/// Makes `link` a symbolic link to `to`, at once for who looks and whoever else does so; it
+/// replaces nothing but a link. Gives the words for what went wrong, or "".
+[[nodiscard]] std::string point_link(const std::string& link, const std::string& to);
+
 }  // namespace eyrie::disk

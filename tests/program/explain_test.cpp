@@ -2,6 +2,8 @@
 /// \file  explain, whatif and diff as a user has them.
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -212,6 +214,18 @@ TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
   const std::string words = debriefed({"diff", "a", "b"}).out;
   EXPECT_TRUE(says(words, R"(\naction +\S+  eagle\d: [^\n]+; and [^\n]+ in the other\n)")) << words;
   EXPECT_FALSE(says(words, R"(: ([^\n]+); and \1 in the other)")) << words;
+}
+
+TEST(ExplainProgram, KeepsTheSeedsThatWereFlownBeforeAnInterrupt) {
+  const TempFolder folder;
+  ASSERT_EQ(run_program(folder, {"fly", "merge", "--no-debrief", "--quiet"}).code, 0);
+  const Ran ran = run_line(folder, R"sh(
+    "$EYRIE" whatif runs/latest --player viper1 --set root/wvr=fusion --seeds 100000 & asked=$!
+    sleep 1; kill -TERM $asked; wait $asked)sh");
+  EXPECT_EQ(ran.code, 128 + SIGTERM);
+  EXPECT_TRUE(says(ran.err, R"(^eyrie: interrupted: \d+ of 100000 seeds were flown\n$)"))
+      << ran.err;
+  EXPECT_TRUE(says(ran.out, R"(\nover seeds 1 to \d+: )")) << ran.out;
 }
 
 TEST(ExplainProgram, SaysWhatIsWrongWithWhatWasAsked) {

@@ -3,11 +3,14 @@
 /// fails.
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
 #include "support/program.hpp"
+#include "support/small_scenario.hpp"
 
 namespace eyrie::test {
 namespace {
@@ -77,7 +80,7 @@ TEST(FlyWords, TellHeaderStoryAndClosingTable) {
   EXPECT_TRUE(ran.out.ends_with("written to " + place +
                                 ": run.eyrie, events.csv, flight.acmi, debrief.html\n"));
   EXPECT_EQ(folder.everything(),
-            (Names{"runs", place, place + "/debrief.html", place + "/events.csv",
+            (Names{"runs", "runs/latest", place, place + "/debrief.html", place + "/events.csv",
                    place + "/flight.acmi", place + "/run.eyrie"}));
 }
 
@@ -161,6 +164,45 @@ TEST(FlyOut, NumbersItsOwnFoldersAndNeverWritesOverOne) {
             read_text(folder / "runs/merge-8.3/events.csv"));
   EXPECT_EQ(read_text(folder / "runs/merge-8/run.eyrie"),
             read_text(folder / "runs/merge-8.3/run.eyrie"));
+  EXPECT_EQ(std::filesystem::read_symlink(folder / "runs/latest"), "merge-8.3");
+  EXPECT_EQ(run_program(folder, {"replay", "runs/latest"}).code, 0);
+}
+
+TEST(FlyOut, LinksTheLatestRunWhoeverElseFlies) {
+  const TempFolder folder;
+  const Ran ran = run_line(folder,
+                           "for i in 1 2 3 4 5 6; do \"$EYRIE\" fly merge --until '5 s' --json "
+                           "--no-debrief & done; wait");
+  EXPECT_EQ(ran.err, "");
+  EXPECT_TRUE(std::filesystem::exists(folder / "runs/latest/run.eyrie"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "runs"), {}), 7);
+}
+
+TEST(FlyOut, ReplacesNothingButALinkByTheLatest) {
+  const TempFolder folder;
+  folder.write("runs/latest/mine", "kept");
+  const Ran ran = run_program(folder, merge({"--json"}));
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.err, "eyrie: 'runs/latest' is a folder, and not made a link to 'merge-8'\n");
+  EXPECT_EQ(read_text(folder / "runs/latest/mine"), "kept");
+}
+
+TEST(FlyWatch, FliesAgainWhenAFileChangesIntoTheSameFolder) {
+  const TempFolder folder;
+  folder.write("x.yaml", kSmallScenario);
+  const Ran ran = run_line(folder, R"sh(
+    flown() { until [ "$(grep -c waiting said)" = $1 ]; do sleep 0.02; done; }
+    "$EYRIE" fly x.yaml --watch --quiet --no-debrief 2>said & flying=$!
+    flown 1; sed -i 's/until: 2 s/until: 3 s/' x.yaml
+    flown 2; sed -i 's/winner_takes_all/winner_takes_al/' x.yaml
+    flown 3; sed -i 's/winner_takes_al:/winner_takes_all:/; s/until: 3 s/until: 4 s/' x.yaml
+    flown 4; kill -TERM $flying; wait $flying)sh");
+  EXPECT_EQ(ran.code, 128 + SIGTERM);
+  const std::string said = read_text(folder / "said");
+  EXPECT_NE(said.find("did you mean 'winner_takes_all'"), std::string::npos) << said;
+  for (const char* seconds : {"2 s flown", "3 s flown", "4 s flown"})
+    EXPECT_NE(ran.out.find(seconds), std::string::npos) << ran.out << said;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "runs"), {}), 2);
 }
 
 TEST(FlyOut, TakesAnEmptyFolderAndReplacesARunOnlyByForce) {

@@ -25,7 +25,7 @@ TEST(NameOfARun, MakesAFolderBelowRunsWhateverItIs) {
     EXPECT_TRUE(ran.out.starts_with(c.name)) << "people see the name: " << ran.out;
     const auto all = folder.everything();
     EXPECT_EQ(all[0], "runs") << c.name;
-    EXPECT_EQ(all[1], "runs/"s + c.folder) << c.name;
+    EXPECT_NE(std::find(all.begin(), all.end(), "runs/"s + c.folder), all.end()) << c.name;
     EXPECT_EQ(all.back(), "x.yaml");
     EXPECT_EQ(run_program(folder, {"replay", "runs/"s + c.folder}).code, 0);
   }
@@ -107,7 +107,7 @@ TEST(NameOfARun, IsCheckedWhenItIsSet) {
             "--set name=\"a\\nb\":1:6: name: 'a\\x0ab' holds a line break\n");
   EXPECT_EQ(run_program(folder, {"fly", "x.yaml", "--set", "name=../../evil", "--no-debrief"}).code,
             0);
-  EXPECT_EQ(folder.everything()[1], "runs/evil-1");
+  EXPECT_TRUE(std::filesystem::is_directory(folder / "runs/evil-1"));
 }
 
 TEST(HelpOfARun, MayStandInABlock) {

@@ -11,7 +11,7 @@ namespace eyrie::test {
 namespace {
 
 /// Words between spaces; '10 nmi' is one.
-std::vector<std::string> words_of(const std::string& line) {
+std::vector<std::string> typed_words(const std::string& line) {
   std::vector<std::string> words{""};
   bool quoted = false;
   for (const char c : line) {
@@ -41,7 +41,7 @@ TEST(Typos, AreAnsweredWithTheRightWord) {
       continue;
     ++tried;
     const std::string right = line.substr(arrow + 4);
-    const Ran ran = run_program(folder, words_of(line.substr(0, arrow)));
+    const Ran ran = run_program(folder, typed_words(line.substr(0, arrow)));
     EXPECT_EQ(ran.code, 2) << line;
     EXPECT_EQ(ran.out, "") << line;
     EXPECT_NE(ran.err.find(right), std::string::npos) << line << "\n" << ran.err;

@@ -54,7 +54,7 @@ class TempFolder {
   [[nodiscard]] std::vector<std::string> everything() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(path_))
-      names.push_back(std::filesystem::relative(entry.path(), path_).generic_string());
+      names.push_back(entry.path().lexically_relative(path_).generic_string());
     std::sort(names.begin(), names.end());
     return names;
   }
@@ -134,6 +134,18 @@ struct RunOptions {
   ::waitpid(child, &status, 0);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out),
           read_text(err)};
+}
+
+/// A line of a shell, in which `eyrie` is the program, and $EYRIE its path.
+[[nodiscard]] inline Ran run_line(const TempFolder& folder, const std::string& line) {
+  const TempFolder streams;
+  const std::string all = "cd '" + folder.path().string() + "' && export EYRIE='" + program_path() +
+                          "' EYRIE_HOME='" + source_root() + "' EYRIE_VIEWER='" + source_root() +
+                          "/tests/support/viewer.html' XDG_CONFIG_HOME='" + (folder / "config") +
+                          "' && eyrie() { \"$EYRIE\" \"$@\"; } && { " + line + "\n} >" +
+                          (streams / "out") + " 2>" + (streams / "err");
+  const int status = std::system(all.c_str());  // NOLINT: a shell is what is wanted
+  return {WEXITSTATUS(status), read_text(streams / "out"), read_text(streams / "err")};
 }
 
 }  // namespace eyrie::test

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What --help, the manual page and the completion of shells say, all of the same texts. For
+/// main.cpp alone: CLI11 is slow to compile.
+#include <CLI/CLI.hpp>
+#include <span>
+
+namespace eyrie::app {
+
+/// The commands of the program, or what is below one.
+[[nodiscard]] inline std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// From now on --help is in our words: what options take, their texts, examples.
+void set_help(CLI::App& app);
+
+/// eyrie.1, as troff reads it.
+[[nodiscard]] std::string manual(const CLI::App& app);
+/// What a shell sources: "bash", "zsh" or "fish". It asks for completions().
+[[nodiscard]] std::string completion_script(std::string_view shell);
+/// How the last of the words behind "eyrie" may go on, a line each; none: by the name of a file.
+[[nodiscard]] std::string completions(const CLI::App& app, std::span<char*> words);
+
+}  // namespace eyrie::app
