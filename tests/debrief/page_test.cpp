@@ -141,6 +141,19 @@ INSTANTIATE_TEST_SUITE_P(Flown, PageData,
                                          Case{"convoy", "supply1", 200}),
                          [](const auto& flown) { return std::string(flown.param.player); });
 
+TEST(PageOfASequencer, SaysFromWhichTreeToWhichEachConditionLeads) {
+  const debrief::Recorded recorded = test::recorded_flight("sweep_phases", 1);
+  const json trees = Reader(page_data(recorded)).document["trees"];
+  const auto sweep = std::find_if(trees.begin(), trees.end(),
+                                  [](const json& tree) { return tree["name"] == "sweep"; });
+  ASSERT_NE(sweep, trees.end());
+  const json& rules = (*sweep)["nodes"][0]["rules"];
+  ASSERT_EQ(rules.size(), 10U);
+  EXPECT_EQ(rules[0], json::parse("[-1, 3]")) << "from any tree to egress";
+  EXPECT_EQ(rules[6], json::parse("[1, 2]")) << "from bvr to wvr";
+  EXPECT_FALSE((*sweep)["nodes"][1].contains("rules")) << "an arbiter has none";
+}
+
 /// A run with ten times as much time as a page holds: everything is kept ten times less often, and
 /// the page says so.
 TEST(PageOfALongRun, IsAsLargeAsThatOfAShortOne) {

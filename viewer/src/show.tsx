@@ -15,6 +15,7 @@ import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
 import { follow_address, read_link, remembered, said_in } from './ui/link.ts';
 import { first_moment } from './ui/moments.tsx';
+import { speak } from './words/units.ts';
 import { make_page, type Page } from './ui/page.ts';
 
 const kDamaged = 'the data of the run is damaged or incomplete';
@@ -58,10 +59,17 @@ export function put_theme(theme: View['theme']): void {
 
 function pages_of(runs: Run[], view: Partial<View>): Page[] {
   const end = Math.max(...runs.map((run) => run.about.duration));
-  return runs.map((run, i) => {
+  return twinned(runs.map((run, i) => {
     const store = new Store({ ...first_view(0), ...remembered(), ...view, end, ...read_link(run, location.hash, end) });
     return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '');
-  });
+  }));
+}
+
+/** Of two runs each knows the other. */
+function twinned(pages: Page[]): Page[] {
+  const [a, b] = pages;
+  if (a && b) [a.twin, b.twin] = [b, a];
+  return pages;
 }
 
 /** To the first moment worth seeing, unless somebody has said where to be. */
@@ -97,7 +105,13 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   const [first, second] = pages as [Page, Page | undefined];
   if (second) link_pages(first, second);
   const stops = [
-    first.store.subscribe((now, before) => now.theme !== before.theme && put_theme(now.theme)),
+    first.store.subscribe((now, before) => {
+      if (now.theme !== before.theme) put_theme(now.theme);
+      if (now.units === before.units) return;
+      speak(now.units);
+      // once everybody has heard of it
+      queueMicrotask(() => draw(now.units));
+    }),
     run_clock(first.store), keep_in_sight(first), follow_address(first),
   ];
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
@@ -110,11 +124,13 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
     render(<App key={key} pages={pages} back={back} onScene={mounted} />, host);
   };
   host.replaceChildren();
+  put_theme(first.store.get().theme);
+  speak(first.store.get().units);
   begin(first, view);
   draw('first');
   return {
     update(whole) {
-      pages = pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter));
+      pages = twinned(pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter)));
       begin(pages[0]!, view);
       draw('whole');
     },

@@ -40,6 +40,7 @@ async function until<T>(ask: () => Promise<T>, problem: string, { polling = 30, 
 export class UserPage {
   readonly keyboard: Page['keyboard'];
   readonly mouse: Page['mouse'];
+  readonly touch: Page['touchscreen'];
   readonly evaluate: Page['evaluate'];
   readonly evaluateHandle: Page['evaluateHandle'];
   readonly $: Page['$'];
@@ -48,7 +49,7 @@ export class UserPage {
   readonly $$eval: Page['$$eval'];
 
   constructor(private readonly page: Page) {
-    [this.keyboard, this.mouse] = [page.keyboard, page.mouse];
+    [this.keyboard, this.mouse, this.touch] = [page.keyboard, page.mouse, page.touchscreen];
     this.evaluateHandle = page.evaluateHandle.bind(page);
     [this.evaluate, this.$, this.$$, this.$eval, this.$$eval] = [page.evaluate.bind(page), page.$.bind(page), page.$$.bind(page), page.$eval.bind(page), page.$$eval.bind(page)];
   }

@@ -5,6 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import type { Browser } from 'puppeteer-core';
+import { heading_text, reworded } from '../src/words/text.ts';
 import type { Opened, UserPage } from './browsers.ts';
 import {
   ask_command, explain, kNoPage, kNoProgram, kPageFile, open_file, open_page, scratch_folder, shoot, two_runs, with_page, without_labels,
@@ -129,8 +130,10 @@ async function compare_with(decision: DecisionJson): Promise<void> {
     assert.deepEqual([node['asked'], node['status']], [String(asked), asked ? status : 'none'], `${where}: ${path}`);
     if (asked) assert.equal(Math.fround(Number(node['vote'])), Math.fround(vote!), `${where}: ${path}`);
   }
-  assert.deepEqual(fields, decision.action.map(({ name, winner, text, rivals, reason }) =>
-    ({ name, winner, text, rivals: rivals.length, reason })), where);
+  // the page has one sign for degrees, three digits for headings, and no metres among feet
+  const shown = (name: string, text: string, value?: number): string => (name === 'heading' ? heading_text(value!) : reworded(text.replace(' deg', '°')));
+  assert.deepEqual(fields, decision.action.map(({ name, winner, text, value, rivals, reason }) =>
+    ({ name, winner, text: shown(name, text, value), rivals: rivals.length, reason })), where);
 }
 
 describe('a decision is what the program explains', { skip: kNoProgram }, () => {
@@ -254,8 +257,10 @@ describe('what if', { skip: kNoPage }, () => {
     await go_to(480);
   });
   test('is as flown again after a reset', async () => {
+    // out from under the title of its section
+    await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));
     await page.click('.what-if header button');
-    assert.equal((await page.$eval('[data-decisions]', (e) => (e as HTMLElement).dataset['decisions'])), '');
+    await page.waitForFunction(() => document.querySelector<HTMLElement>('[data-decisions]')!.dataset['decisions'] === '');
   });
 });
 
@@ -334,7 +339,14 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
     assert.ok(told.text.includes(who[2]!) && told.text.includes(who[3]!), told.text);
     await two.page.click('[data-divergence-step] button');
     assert.ok(Math.abs((await two.page.evaluate(() => window.eyrie!.store.get().time)) - parting.time_s) < 0.2);
+    // of a quantity both, and how far they are apart
+    await two.page.evaluate(() => window.eyrie!.store.set({ time: 560 }));
+    assert.ok(Number.isFinite(Number(await two.page.$eval('[data-apart]', (e) => (e as HTMLElement).dataset['apart']))));
     await shoot(two.page, 'two-runs');
+    const button = await two.page.$('button[title^="One picture"]');
+    await button!.click();
+    assert.equal((await two.page.$$('.stage')).length, 1);
+    await shoot(two.page, 'two-runs-ghosts');
     assert.deepEqual(two.complaints, []);
     await two.page.close();
   });

@@ -36,9 +36,11 @@ describe('axe finds nothing', { skip: kNoPage }, () => {
       await page.click('[data-path="root/bvr"]');
       await page.selectOption('select[aria-label="Arbiter of bvr"]', 'fusion');
       await page.waitForSelector('.what-if .verdict');
-      await page.$$eval('.stage details, .transport details', (all) => all.forEach((e) => e.setAttribute('open', '')));
-      assert.deepEqual(await findings(page), []);
-      await page.$$eval('details.menu', (all) => all.forEach((e) => e.removeAttribute('open')));
+      for (const menu of await page.$$('details.menu')) {
+        await menu.evaluate((e) => e.setAttribute('open', ''));
+        assert.deepEqual(await findings(page), []);
+        await menu.evaluate((e) => e.removeAttribute('open'));
+      }
       await page.keyboard.press('?');
       assert.deepEqual(await findings(page), []);
       await page.close();
@@ -63,8 +65,8 @@ describe('axe finds nothing', { skip: kNoPage }, () => {
   test('lists are one tab stop each, and arrows go through them', async () => {
     const { page } = await open_page(browser);
     const stops = await page.$$eval('button, input, select, summary, [tabindex]', (all) => all
-      .filter((e) => e.getClientRects().length > 0 && (e as HTMLElement).tabIndex >= 0).length);
-    assert.ok(stops < 90, `${stops} tab stops`);
+      .filter((e) => e.getClientRects().length > 0 && (e as HTMLElement).tabIndex >= 0 && !e.closest('details:not([open]) > :not(summary)')).length);
+    assert.ok(stops < 70, `${stops} tab stops`);
     for (const [list, key] of [['.story ol', 'ArrowDown'], ['.players', 'ArrowDown'], ['.moments ol', 'ArrowRight']] as const) {
       assert.equal(await page.$$eval(`${list} button`, (all) => all.filter((e) => (e as HTMLElement).tabIndex === 0).length), 1, list);
       await page.$eval(`${list} button:not([tabindex="-1"])`, (e) => (e as HTMLElement).focus());

@@ -23,7 +23,7 @@ after(async () => browser?.close());
 
 /** Mean red, green and blue of each square of the air picture. */
 async function squares(page: UserPage): Promise<number[]> {
-  const box = await page.box('[role=img] > canvas');
+  const box = await page.box('.scene > canvas');
   const png = await page.screenshot(box);
   return page.evaluate(async ([data, across, down]) => {
     const bytes = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
@@ -46,7 +46,7 @@ async function squares(page: UserPage): Promise<number[]> {
 /** From where the camera of the page looks, or from `pose`: where it comes to rest depends on how fast pictures came. */
 async function drawn(draw: 'webgl' | 'canvas', theme: 'light' | 'dark', fragment: string, from: Pose | null = null): Promise<{ means: number[]; pose: Pose | null }> {
   const { page, complaints } = await open_page(browser, { draw, theme, fragment });
-  const kind = await page.$eval('[role=img] > canvas', (canvas) =>
+  const kind = await page.$eval('.scene > canvas', (canvas) =>
     (canvas as HTMLCanvasElement).getContext('2d') ? 'canvas' : 'webgl');
   assert.equal(kind, draw, 'it is drawn as the address asks');
   await page.mouse.move(5, 5);
@@ -81,6 +81,6 @@ for (const [theme, fragment] of [
 
 test('without a graphics card none is stood in for', { skip: kNoPage }, async () => {
   const { page } = await open_page(browser);
-  assert.ok(await page.$eval('[role=img] > canvas', (canvas) => (canvas as HTMLCanvasElement).getContext('2d') !== null));
+  assert.ok(await page.$eval('.scene > canvas', (canvas) => (canvas as HTMLCanvasElement).getContext('2d') !== null));
   await page.close();
 });

@@ -23,7 +23,7 @@ test('another value of the action counts, though who leads is the same', () => {
   const turned = { ...kPursues, pursue: { vote: 40, heading: 1.5 } };
   const parted = between(told_run([kPursues, kPursues]), told_run([kPursues, turned]));
   assert.equal(parted?.step, 5);
-  assert.equal(parted?.words, 'heading 57 deg, in B 86 deg');
+  assert.equal(parted?.words, 'heading 057°, in B 086°');
 });
 
 test('a value of somebody who lost does not count', () => {

@@ -3,9 +3,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { kMarks as kLooks, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
+import { fight_of } from '../src/ui/actions.ts';
 import { first_moment, moments_of } from '../src/ui/moments.tsx';
 import { filtered } from '../src/ui/story.tsx';
-import { kPursues, kStory, told_run } from './ui_run.ts';
+import { kPursues, kStory, page_of, told_run } from './ui_run.ts';
 
 const kRun = told_run([kPursues]);
 const kMarks = marks_of(kRun);
@@ -48,6 +49,8 @@ test('the key moments are the first shot, who was lost, leads and phases, and th
   assert.deepEqual(moments_of(run).map((m) => [m.line, m.title]),
     [[1, 'A phase begins'], [2, 'First shot'], [4, 'Why did bogey1 die?'], [5, 'The lead changes']]);
   assert.equal(first_moment(run), 2);
+  assert.deepEqual(fight_of(page_of(run)), [-57, 65]);
+  assert.equal(fight_of(page_of(told_run([kPursues], []))), null);
   assert.equal(first_moment(told_run([kPursues], story.filter(({ kind }) => kind !== 'launch'))), 2);
   assert.equal(first_moment(told_run([kPursues], [])), -1);
   const many = moments_of(told_run([kPursues], [...Array.from({ length: 99 }, (_, i) => line(2 + i, 'phase', 0)), line(200, 'kill', 1)]));

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
-import { fixed, general, value_text, type FieldInfo } from '../src/words/text.ts';
+import { speak } from '../src/words/units.ts';
+import { fixed, general, read_clock, reworded, value_text, type FieldInfo } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
@@ -25,20 +26,36 @@ test('general numbers have six digits, or as many as asked for', () => {
 });
 
 test('quantities are in the units of aviation', () => {
-  assert.equal(text({ name: 'heading', unit: 'rad' }, Math.PI / 4), '45 deg');
+  assert.equal(text({ name: 'heading', unit: 'rad' }, Math.PI / 4), '045°');
   assert.equal(text({ name: 'altitude', unit: 'm' }, 1828.8), '6000 ft');
   assert.equal(text({ name: 'altitude', unit: 'm' }, 9753.6), '32000 ft');
   assert.equal(text({ name: 'height above', unit: 'm' }, 3048), '10000 ft');
   assert.equal(text({ name: 'range', unit: 'm' }, 300), '984 ft');
   assert.equal(text({ name: 'range', unit: 'm' }, 18520), '10.0 nmi');
   assert.equal(text({ name: 'speed', unit: 'm/s' }, 240), '467 kt');
-  assert.equal(text({ name: 'turn', unit: 'rad/s' }, Math.PI / 60), '3.0 deg/s');
+  assert.equal(text({ name: 'turn', unit: 'rad/s' }, Math.PI / 60), '3.0°/s');
   assert.equal(text({ name: 'fuel', unit: 'kg' }, 1000), '2205 lb');
   assert.equal(text({ name: 'time', unit: 's' }, 1234.5), '1234 s');
   assert.equal(text({ name: 'time', unit: 's' }, 12.345), '12.3 s');
   assert.equal(text({ name: 'load_factor' }, 5.285), '5.29');
-  assert.equal(text({ name: 'bearing', unit: 'rad' }, -0.001), '0 deg');
-  assert.equal(text({ name: 'temperature', unit: 'K' }, 288.15), '15 degC');
+  assert.equal(text({ name: 'off_nose', unit: 'rad' }, -0.001), '0°');
+  assert.deepEqual([-0.001, -Math.PI / 2, 7].map((x) => text({ name: 'heading', unit: 'rad' }, x)), ['000°', '270°', '041°']);
+  assert.equal(text({ name: 'crossing', unit: 'rad' }, -Math.PI / 2), '-90°');
+  assert.equal(text({ name: 'temperature', unit: 'K' }, 288.15), '15°C');
+});
+
+test('or metric, in the words of the engine too', () => {
+  assert.equal(reworded('splash bogey1, 14.2 nmi, 305 m behind, at 7.4 km'), 'splash bogey1, 14.2 nmi, 1001 ft behind, at 4.0 nmi');
+  speak('metric');
+  assert.equal(text({ name: 'altitude', unit: 'm' }, 9753.6), '9754 m');
+  assert.equal(text({ name: 'range', unit: 'm' }, 18520), '18.5 km');
+  assert.equal(text({ name: 'speed', unit: 'm/s' }, 100), '360 km/h');
+  assert.equal(reworded('fox 3 on bogey1, 10.0 nmi (AIM-120), 305 m'), 'fox 3 on bogey1, 18.5 km (AIM-120), 305 m');
+  speak('aviation');
+});
+
+test('a time can be typed', () => {
+  assert.deepEqual(['8:20.5', '08:20', '500.5', ' 12 s', '1:75', 'soon', ''].map(read_clock), [500.5, 500, 500.5, 12, 135, null, null]);
 });
 
 test('what is not a number is in words', () => {

@@ -124,6 +124,8 @@ export interface TreeNode {
   /** In SI; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
   params: Record<string, number | string | number[]>;
   remembers: boolean;  // It keeps something from decision to decision.
+  /** Of a sequencer, whose last children are the conditions of these: from which of its first children to which; -1: from any. */
+  rules?: [from: number, to: number][];
 }
 
 /** Nodes in pre-order: children stand behind their parent. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What a player believes at any time, and of the selected one its tracks against the truth, and its missile's zone against its target. */
 import { last_at, type Place, type Player, type Side, type Sight, type TrackSeen } from '../run/run.ts';
-import { kCrowd, nmi, x_of, y_of, z_of, type Frame } from './frame.ts';
+import { kCrowd, range_words, x_of, y_of, z_of, type Frame } from './frame.ts';
 import type { Mark } from './notes.ts';
 import type { Palette } from './palette.ts';
 
@@ -63,7 +63,7 @@ export function draw_zone({ view, players, lines, palette, eye, notes, sight }: 
     }
     const end = bearing + kHalfArc;
     if (eye.project(x + km * Math.sin(end), y, z - km * Math.cos(end)) && eye.on_screen())
-      notes.tag(-10 - width, eye.px, eye.py, label, `${nmi(km)} nmi`, palette.zone, null, 60);
+      notes.tag(-10 - width, eye.px, eye.py, label, range_words(km), palette.zone, null, 60);
   };
   arc(zone.max, 1.5, 0, 0.85, 'max');
   arc(zone.no_escape, 3, 0, 1, 'no escape');

@@ -2,7 +2,8 @@
 /** What was asked of the picture: who is who, how far it is from one to the other, and where another decision led. */
 import type { Player, Run } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
-import { degrees, feet, type Frame, kCrowd, kFoot, kKnot, kNmi, kSideMark, x_of, y_of, z_of } from './frame.ts';
+import { heading_text, quantity_text } from '../words/text.ts';
+import { type Frame, height_words, kCrowd, kSideMark, near_km, x_of, y_of, z_of } from './frame.ts';
 import { convergence, measure } from './geo.ts';
 import { type GhostPoint, ghost_path } from './ghost.ts';
 import { gauge_at, place_at } from './motion.ts';
@@ -18,11 +19,10 @@ function rest_of(player: Player, frame: Frame): string {
   const { players, view } = frame;
   const i = player.index;
   if (player.kind === 'vehicle') return '';
-  const altitude = players.y[i]! / kFoot;
-  if (i !== view.selected) return `${(altitude / 1000).toFixed(1)}k`;
-  const speed = gauge_at(player.motion, player.gauges.speed, view.time) / kKnot;
-  const heading = `${degrees(true_heading(frame.run, players, i))}°`;
-  return `${feet(players.y[i]!)} ft ${Number.isNaN(speed) ? '' : `${speed.toFixed(0)} kt `}${heading}`;
+  if (i !== view.selected) return `${(players.y[i]! / near_km() / 1000).toFixed(1)}k`;
+  const speed = gauge_at(player.motion, player.gauges.speed, view.time);
+  const heading = heading_text(true_heading(frame.run, players, i));
+  return `${height_words(players.y[i]!)} ${Number.isNaN(speed) ? '' : `${quantity_text(speed, 'm/s')} `}${heading}`;
 }
 
 /** Who matters to the selected player: 0 nobody in particular. */
@@ -67,8 +67,8 @@ export function draw_ruler({ run, view, players, lines, palette, eye, notes }: F
   const place = (x: number, y: number, z: number) => ({ east: x * 1000, north: -z * 1000, up: y * 1000 });
   const { range, bearing, higher } = measure(run.origin, place(ax, ay, az), place(bx, by, bz));
   if (!eye.project((ax + bx) / 2, (ay + by) / 2, (az + bz) / 2) || !eye.on_screen(60)) return;
-  const climb = `${higher < 0 ? '-' : '+'}${feet(Math.abs(higher) / 1000)} ft`;
-  const text = `${(range / 1000 / kNmi).toFixed(1)} nmi  ${degrees(bearing)}°  ${climb}`;
+  const climb = `${higher < 0 ? '-' : '+'}${height_words(Math.abs(higher) / 1000)}`;
+  const text = `${quantity_text(range, 'm')}  ${heading_text(bearing)}  ${climb}`;
   notes.tag(-1, eye.px, eye.py, text, '', palette.ruler, null, 97);
 }
 

@@ -9,7 +9,10 @@ import { fit, kFlatFov, kFov, kPace, Rig } from './rig.ts';
 const kTilt = 0.95;
 /** km of the scene in the picture when one aircraft is followed, and at least when all are seen. */
 const kChase = 0.15;
-const kLeast = 16;
+const kLeast = 1.5;
+/** km: a fight no wider is seen without the ground below it; an opponent no further is kept in the picture of who is followed. */
+const kClose = 8;
+const kTogether = 40;
 /** rad: a drag over the height of the picture. */
 const kSwing = 3;
 
@@ -19,6 +22,8 @@ export class SceneCamera {
   readonly rig: Rig;
   private camera: View['camera'] | null = null;
   private followed = -1;
+  private nearer = 1;  // Of what the chasing camera would show.
+  private ways: ReturnType<Poses['ways']> | null = null;  // All that was flown.
   private beside = 0;  // Where the chasing camera looks, from the heading.
   private pose: Pose | null = null;  // As the view has it.
 
@@ -41,7 +46,7 @@ export class SceneCamera {
       goal.polar = 0;
       goal.azimuth = 0;
       if (before === 'follow') goal.height = Math.max(goal.height, 60);
-      if (before === 'whole') this.fit(players, eye);
+      if (before === 'whole') this.fit(players, eye, false);
     } else if (camera === 'free') {
       if (before === 'top') goal.polar = kTilt;
     } else if (camera === 'whole') {
@@ -50,15 +55,23 @@ export class SceneCamera {
     } else {
       goal.polar = 1.25;
       goal.height = kChase;
+      this.nearer = 1;
       this.beside = 0;
     }
   }
 
-  private fit(players: Poses, eye: Eye): void {
-    fit(this.rig.goal, players, eye.width / Math.max(1, eye.height), kLeast);
+  /** In the end all that was flown. */
+  private fit(players: Poses, eye: Eye, at_end: boolean): void {
+    const points = at_end ? (this.ways ??= players.ways()) : players;
+    const span = (of: Float64Array): number => {
+      const there = of.filter((_, i) => points.noted[i]);
+      return there.reduce((a, b) => Math.max(a, b), -Infinity) - there.reduce((a, b) => Math.min(a, b), Infinity);
+    };
+    const close = Math.max(span(points.x), span(points.z)) < kClose;
+    fit(this.rig.goal, points, eye.width / Math.max(1, eye.height), kLeast, close ? 0.6 : 0.8, !close);
   }
 
-  private follow(players: Poses, i: number): void {
+  private follow(players: Poses, i: number, opponent: number): void {
     const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
     const { rig } = this;
     if (this.followed !== i) {
@@ -68,20 +81,24 @@ export class SceneCamera {
     } else {
       rig.carry(x, y, z);
     }
-    rig.goal.x = rig.goal.y = rig.goal.z = 0;
-    const azimuth = players.heading[i]! + this.beside;
+    const [dx, dy, dz] = opponent < 0 ? [0, 0, 0] : [players.x[opponent]! - x, players.y[opponent]! - y, players.z[opponent]! - z];
+    const apart = Math.hypot(dx, dy, dz);
+    const both = apart > 0 && apart < kTogether;
+    [rig.goal.x, rig.goal.y, rig.goal.z] = both ? [dx / 2, dy / 2, dz / 2] : [0, 0, 0];
+    rig.goal.height = Math.max(kChase, both ? 1.1 * apart : 0) * this.nearer;
+    const azimuth = (both ? Math.atan2(dx, -dz) : players.heading[i]!) + this.beside;
     // a turning aircraft swings the camera after it, not at once
     if (Math.abs(Math.sin((azimuth - rig.goal.azimuth) / 2)) > 1e-4 && rig.pace === kPace.hand) rig.pace = kPace.chase;
     rig.goal.azimuth = azimuth;
   }
 
   /** Sets the goal for this picture. */
-  aim(view: View, players: Poses, eye: Eye): void {
+  aim(view: View, players: Poses, eye: Eye, opponent = -1): void {
+    const at_end = view.time >= view.end - 0.05;
     const first = this.camera === null;
     if (this.camera !== view.camera) this.change(view.camera, players, eye);
-    if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected);
-    if (view.camera === 'whole') this.fit(players, eye);
-    if (first && view.camera !== 'follow') this.fit(players, eye);
+    if (view.camera === 'follow' && view.selected < players.count) this.follow(players, view.selected, opponent);
+    if (view.camera === 'whole' || (first && view.camera !== 'follow')) this.fit(players, eye, at_end);
     this.placed(view);
     if (first) this.rig.arrive();
   }
@@ -122,11 +139,16 @@ export class SceneCamera {
   }
 
   zoom(factor: number, px: number, py: number, view: View, eye: Eye): boolean {
-    const freed = this.free(view);
     const { rig } = this;
+    if (view.camera === 'follow') {
+      this.nearer = Math.min(100, Math.max(0.1, this.nearer * factor));
+      rig.pace = kPace.hand;
+      return false;
+    }
+    const freed = this.free(view);
     const { y, height } = eye.stance;
     const farthest = height * (view.camera === 'top' ? 1000 : 4);
-    if (view.camera !== 'follow' && eye.hit(px, py, y, farthest)) rig.zoom(factor, eye.ground_x, eye.ground_z);
+    if (eye.hit(px, py, y, farthest)) rig.zoom(factor, eye.ground_x, eye.ground_z);
     else rig.zoom(factor);
     return freed;
   }

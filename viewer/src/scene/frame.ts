@@ -2,6 +2,7 @@
 /** What every layer draws from and into. Each is a function of this alone, so a picture depends on nothing before it. */
 import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
+import { size_of_unit, spoken } from '../words/units.ts';
 import type { Eyesight } from './beliefs.ts';
 import type { Eye } from './eye.ts';
 import type { Poses } from './motion.ts';
@@ -28,10 +29,9 @@ export interface Frame {
 /** More players than these are a crowd: smaller, and only those who matter are named. */
 export const kCrowd = 40;
 
-export const kNmi = 1.852;
-export const kFoot = 0.0003048;
-export const kKnot = 1.852 / 3.6;
-export const kDegree = 180 / Math.PI;
+/** km: one of the far, or of the near, lengths that people read. */
+export const far_km = (): number => size_of_unit(spoken().far) / 1000;
+export const near_km = (): number => size_of_unit(spoken().near) / 1000;
 
 /** Shapes tell the sides apart where colours do not. */
 export const kSideMark: Record<'blue' | 'red' | 'none', Mark> = { blue: 'circle', red: 'square', none: 'diamond' };
@@ -41,20 +41,16 @@ export const x_of = (place: Place): number => place.east / 1000;
 export const y_of = (place: Place): number => place.up / 1000;
 export const z_of = (place: Place): number => -place.north / 1000;
 
-export function nmi(km: number): string {
-  const value = km / kNmi;
-  return value < 9.95 ? value.toFixed(1) : value.toFixed(0);
+/** "14 nmi" */
+export function range_words(km: number): string {
+  const value = km / far_km();
+  return `${value < 9.95 ? value.toFixed(1) : value.toFixed(0)} ${spoken().far[0]}`;
 }
 
-/** "087": three digits, as on the radio. */
-export function degrees(angle: number): string {
-  const value = Math.round(angle * kDegree) % 360;
-  return String(value < 0 ? value + 360 : value).padStart(3, '0');
-}
-
-/** "27,400" */
-export function feet(km: number): string {
-  const value = Math.round(km / kFoot / 100) * 100;
+/** "27,400 ft" */
+export function height_words(km: number): string {
+  const value = Math.round(km / near_km() / 100) * 100;
   const thousands = Math.trunc(value / 1000);
-  return Math.abs(value) < 1000 ? String(value) : `${thousands},${String(Math.abs(value % 1000)).padStart(3, '0')}`;
+  const figures = Math.abs(value) < 1000 ? String(value) : `${thousands},${String(Math.abs(value % 1000)).padStart(3, '0')}`;
+  return `${figures} ${spoken().near[0]}`;
 }

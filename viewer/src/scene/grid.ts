@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** The grid on the ground in nautical miles, and how much of the picture is ground. */
+/** The grid on the ground in the far lengths that people read, and how much of the picture is ground. */
 import { kReach } from './coast.ts';
 import type { Eye } from './eye.ts';
-import { kNmi } from './frame.ts';
+import { far_km } from './frame.ts';
 import type { Pens } from './painter.ts';
 import type { Palette } from './palette.ts';
 
@@ -27,7 +27,7 @@ export interface Grid {
 export function grid_of(eye: Eye): Grid {
   if (!eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(eye.stance.polar)))) return { step: 1, x: 0, z: 0 };
   const { ground_x: x, ground_z: z } = eye;
-  const wanted = (eye.km_per_px(x, 0, z) * eye.height) / kNmi / 8;
+  const wanted = (eye.km_per_px(x, 0, z) * eye.height) / far_km() / 8;
   return { step: kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!, x, z };
 }
 
@@ -48,7 +48,7 @@ function lay(lines: Pens, km: number, x: number, z: number): void {
 }
 
 export function draw_grid(lines: Pens, { step, x, z }: Grid, palette: Palette): void {
-  const km = step * kNmi;
+  const km = step * far_km();
   lines.pen(palette.grid, 0.9);
   lay(lines, km, x, z);
   lay(lines, km * kCoarse, Math.round(x / km) * km, Math.round(z / km) * km);

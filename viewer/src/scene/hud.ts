@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
-import { type Frame, kFoot, kNmi } from './frame.ts';
+import { spoken } from '../words/units.ts';
+import { far_km, type Frame, near_km } from './frame.ts';
 import { type Grid, grid_of } from './grid.ts';
 import { css } from './palette.ts';
 
@@ -9,7 +10,7 @@ const kMargin = 14;
 const kMost = 60;
 /** Cells of the grid away from its middle that figures are still given for. */
 const kFar = 45;
-/** ft and nmi that a scale may have. */
+/** Near and far lengths that a scale may have. */
 const kFeet = [10, 20, 50, 100, 200, 500, 1000, 2000];
 const kMiles = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
 
@@ -20,11 +21,11 @@ function figure(value: number, plus: string, minus: string): string {
 }
 
 /**
- * Figures where the grid's lines meet the line on screen from (ax, ay) to (bx, by): nmi from the origin. Of both families of
+ * Figures where the grid's lines meet the line on screen from (ax, ay) to (bx, by): far lengths from the origin. Of both families of
  * lines the one that crosses it more often is named.
  */
 function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: number, by: number, { step, x, z }: Grid): void {
-  const km = step * kNmi;
+  const km = step * far_km();
   if (!eye.hit(ax, ay)) return;
   const [ex, ez] = [eye.ground_x, eye.ground_z];
   // the other end may be in the sky, or so far away that nobody asks
@@ -56,7 +57,7 @@ function draw_scale({ eye, notes, palette }: Frame): void {
   const { ui, stance } = eye;
   const c = notes.context;
   const small = stance.height < 4;
-  const unit = small ? kFoot : kNmi;
+  const unit = small ? near_km() : far_km();
   const wanted = stance.height / 4 / unit;
   const size = (small ? kFeet : kMiles).filter((each) => each <= wanted).at(-1) ?? (small ? kFeet : kMiles)[0]!;
   const length = (size * unit) / eye.km_per_px(stance.x, stance.y, stance.z);
@@ -70,7 +71,7 @@ function draw_scale({ eye, notes, palette }: Frame): void {
   c.strokeStyle = css(palette.text, 0.9);
   c.lineWidth = 1.4 * ui;
   c.stroke();
-  notes.write(`${size} ${small ? 'ft' : 'nmi'}`, right - length / 2, y - 11 * ui, palette.text);
+  notes.write(`${size} ${small ? spoken().near[0] : spoken().far[0]}`, right - length / 2, y - 11 * ui, palette.text);
 }
 
 function draw_north({ eye, notes, palette }: Frame): void {

@@ -157,6 +157,14 @@ export class Poses {
     return this.movers.length;
   }
 
+  /** Places on the ways of all, one of `every` samples and the last. */
+  ways(every = 16): Pick<Poses, 'noted' | 'x' | 'y' | 'z'> {
+    const of = (axis: 'east' | 'north' | 'up', sign: number): Float64Array => Float64Array.from(this.movers.flatMap(({ motion }) =>
+      [...motion[axis]].filter((_, i, all) => i % every === 0 || i === all.length - 1)), (v) => (sign * v) / 1000);
+    const x = of('east', 1);
+    return { x, y: of('up', 1), z: of('north', -1), noted: new Uint8Array(x.length).fill(1) };
+  }
+
   /** Of those who are not there (yet, or any more) the first or the last place remains. */
   update(t: number): void {
     if (t === this.time) return;

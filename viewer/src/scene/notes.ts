@@ -28,11 +28,11 @@ const kFont = 11.5;
 const kFamily = 'ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace';
 /** Where a label is tried: directions, then distances (px). */
 const kWays: readonly (readonly [number, number])[] = [[1, -0.6], [1, 0.6], [-1, -0.6], [-1, 0.6], [0, -1], [0, 1]];
-const kRings = [13, 30, 52] as const;
+const kRings = [13, 30, 52, 78, 108] as const;
 
 export class Notes {
   readonly canvas: HTMLCanvasElement;
-  readonly context: CanvasRenderingContext2D;
+  context: CanvasRenderingContext2D;
   palette: Palette;
   ui = 1;
   private tags: Tag[] = [];

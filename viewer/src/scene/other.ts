@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-/** The other future beside the one that was flown: where everybody would be, drawn hollow and broken from where the two part. */
+/** Another run of the same players beside the one that was flown, such as its other future: where everybody would be, drawn hollow and
+ * broken from where the two part. */
 import type { Run, Side } from '../run/run.ts';
 import { kSideMark, type Frame } from './frame.ts';
 import { Poses } from './motion.ts';
-import { draw_way, kTrail } from './trails.ts';
+import { draw_way, trail_of } from './trails.ts';
 
 export interface Other {
   from: number;  // s: where it parts from the run.
   run: Run;
+  label: string;
 }
+export const kFlownOn = 'flown on';
 
 /** km: nearer than this the two futures are one in the picture. */
 const kApart = 0.05;
@@ -31,17 +34,18 @@ export function draw_other(frame: Frame): void {
   for (const player of run.players) {
     const i = player.index;
     const { x, y, z, shown, noted } = poses.players;
+    if (run.players[i]!.name !== frame.run.players[i]?.name) continue;
     const apart = Math.hypot(x[i]! - players.x[i]!, y[i]! - players.y[i]!, z[i]! - players.z[i]!) > kApart || shown[i] !== players.shown[i];
     if (!apart) continue;
     lines.pen(tint(player.side), i === view.selected ? 2.2 : 1.6);
-    if (view.layers.trails) draw_way(frame, player.motion, Math.max(other.from, view.time - kTrail), Math.min(view.time, player.gone), true);
+    if (view.layers.trails) draw_way(frame, player.motion, Math.max(other.from, view.time - trail_of(view)), Math.min(view.time, player.gone), true);
     if (shown[i] && players.shown[i]) {
       lines.pen(palette.faint, 1, 3);
       lines.add(x[i]!, y[i]!, z[i]!, players.x[i]!, players.y[i]!, players.z[i]!, 0.5);
     }
     if (!(shown[i] || noted[i]) || !place(poses.players, i)) continue;
     notes.mark(shown[i] ? kSideMark[player.side] : 'cross', eye.px, eye.py, 6, tint(player.side), 1.8);
-    if (view.layers.labels) notes.tag(30000 + i, eye.px, eye.py, player.name, shown[i] ? 'flown on' : 'lost, flown on', tint(player.side), null, i === view.selected ? 90 : 20);
+    if (view.layers.labels) notes.tag(30000 + i, eye.px, eye.py, player.name, shown[i] ? other.label : `lost, ${other.label}`, tint(player.side), null, i === view.selected ? 90 : 20);
   }
   run.missiles.forEach((missile, i) => {
     if (view.time < missile.born || view.time > missile.gone + kSmoke) return;

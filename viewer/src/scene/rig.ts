@@ -24,8 +24,8 @@ const kLargest = 3000;
 /** s until two thirds of a way are done: for the hand on the mouse, for a change of camera, to keep up with the fight. */
 export const kPace = { hand: 0.05, change: 0.18, chase: 0.3 } as const;
 
-/** Moves `out` along its direction of view so that all noted points, and the ground below, are in the picture. False: nobody. */
-export function fit(out: Stance, points: Pick<Poses, 'noted' | 'x' | 'y' | 'z'>, aspect: number, least: number, margin = 0.8): boolean {
+/** Moves `out` along its direction of view so that all noted points, and with `ground` that below, are in the picture. False: nobody. */
+export function fit(out: Stance, points: Pick<Poses, 'noted' | 'x' | 'y' | 'z'>, aspect: number, least: number, margin = 0.8, ground = true): boolean {
   const [sa, ca, sp, cp] = [Math.sin(out.azimuth), Math.cos(out.azimuth), Math.sin(out.polar), Math.cos(out.polar)];
   const tan_v = Math.tan(out.fov / 2);
   const up_reach = tan_v * margin;
@@ -37,7 +37,7 @@ export function fit(out: Stance, points: Pick<Poses, 'noted' | 'x' | 'y' | 'z'>,
     if (!points.noted[i]) continue;
     const [x, y, z] = [points.x[i]!, points.y[i]!, points.z[i]!];
     const r = x * ca + z * sa;
-    for (const level of [y, 0]) {
+    for (const level of ground ? [y, 0] : [y]) {
       const u = x * sa * cp + level * sp - z * ca * cp;
       const b = -x * sa * sp + level * cp + z * ca * sp;
       // how far back the eye must stand for each edge of the picture to pass outside of the point

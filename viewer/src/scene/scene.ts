@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
-import type { Run } from '../run/run.ts';
+import type { Player, Run } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
+import { listen } from '../events.ts';
 import { measure } from '../ui/actions.ts';
 import { draw_tracks, draw_zone, eyesight } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
@@ -13,20 +14,25 @@ import { draw_hud } from './hud.ts';
 import { Poses } from './motion.ts';
 import { Notes } from './notes.ts';
 import { draw_other, type Other } from './other.ts';
-import { set_up, type Easel } from './painter.ts';
+import { FlatPainter } from './flat/painter.ts';
+import { set_up, type Easel, type Painter } from './painter.ts';
 import { css, palette_of } from './palette.ts';
+import { draw_bullseye, draw_rings } from './rings.ts';
 import { draw_radar, type Volume } from './radar.ts';
 import { Meter, kRest, Sharpness } from './pace.ts';
 import { told } from './told.ts';
+import { SvgPen, with_svg_paths } from './svg.ts';
 import { draw_routes, draw_drop_lines, draw_trails } from './trails.ts';
 import { draw_losses, draw_missiles } from './weapons.ts';
 
 /** What of the view is seen here. */
-const kSeen = ['time', 'selected', 'camera', 'pose', 'ruler', 'ghost', 'layers', 'theme'] as const;
+const kSeen = ['time', 'selected', 'camera', 'pose', 'ruler', 'ghost', 'layers', 'theme', 'trail', 'units', 'end'] as const;
 const kSharpest = 2;
 /** px around an aircraft that still mean it. */
 const kGrasp = 22;
 const kToldEvery = 1000;
+/** px that an arrow key stands for. */
+const kKeyStep = 24;
 
 /** Fills `host`, whose size it follows. */
 export class AirPicture {
@@ -41,6 +47,7 @@ export class AirPicture {
   private told_at = -Infinity;
   private teller = 0;
   private rester = 0;
+  private filmed: (() => void) | null = null;
   private readonly stops: (() => void)[] = [];
 
   constructor(private readonly host: HTMLElement, private readonly run: Run, readonly store: Store, private readonly other: Cell<Other | null>) {
@@ -56,7 +63,8 @@ export class AirPicture {
     const over = this.frame.notes.canvas;
     over.style.cssText = this.easel.canvas.style.cssText;
     over.style.touchAction = 'none';
-    host.setAttribute('role', 'img');
+    host.setAttribute('role', 'application');
+    host.tabIndex = 0;
     host.append(this.easel.canvas, over);
     this.watch();
     this.resize();
@@ -71,7 +79,7 @@ export class AirPicture {
         this.frame.other = now;
         this.wake();
       }), this.store.subscribe((now, before) => this.follow(now, before)),
-      watch_hand(this.frame.notes.canvas, this.hand()));
+      watch_hand(this.frame.notes.canvas, this.hand()), listen(this.host, { keydown: (event) => this.press(event) }));
   }
 
   private follow(now: View, before: View): void {
@@ -136,14 +144,15 @@ export class AirPicture {
     if (this.theme !== view.theme) this.paint();
     players.update(view.time);
     missiles.update(view.time);
-    camera.aim(view, players, eye);
+    const selected = this.run.players[view.selected];
+    frame.sight = selected && players.shown[view.selected] ? eyesight(selected, view.time) : null;
+    camera.aim(view, players, eye, this.opponent());
     const moving = camera.rig.step(Math.min(0.1, Math.max(0.001, (now - this.drawn_at) / 1000)));
     this.drawn_at = now;
     eye.look(camera.rig.stance());
-    const selected = this.run.players[view.selected];
-    frame.sight = selected && players.shown[view.selected] ? eyesight(selected, view.time) : null;
 
-    this.easel.painter.draw(frame, this.fill());
+    this.easel.painter.draw(frame, this.fill(frame, this.easel.painter));
+    this.filmed?.();
     const interval = this.meter.drawn(now, performance.now());
     if (this.sharpness.judge(interval, frame.notes.canvas.width * frame.notes.canvas.height)) this.sharpen();
     this.tell(now);
@@ -153,19 +162,73 @@ export class AirPicture {
     else this.tell_pose();
   }
 
+  /** Of the selected player: its target, or else who of the other side is nearest; -1: nobody. */
+  private opponent(): number {
+    const { view, players, sight } = this.frame;
+    const own = view.selected;
+    const target = sight?.now.tracks.find((track) => track.is_target)?.truth ?? -1;
+    if (players.shown[target]) return target;
+    const side = this.run.players[own]?.side;
+    const far = ({ index, side: its }: Player): number =>
+      (its === side || its === 'none' || !players.shown[index] ? Infinity : Math.hypot(players.x[index]! - players.x[own]!, players.z[index]! - players.z[own]!));
+    const nearest = this.run.players.reduce<[number, number]>((best, one) => (far(one) < best[1] ? [one.index, far(one)] : best), [-1, Infinity]);
+    return nearest[0];
+  }
+
+  /** What is seen, with all that is written in it. */
+  picture(canvas = document.createElement('canvas')): HTMLCanvasElement {
+    const { frame, easel } = this;
+    const over = frame.notes.canvas;
+    // drawn at once, as a graphics card keeps nothing
+    if (!this.filmed) this.draw(performance.now());
+    if (canvas.width !== over.width || canvas.height !== over.height) [canvas.width, canvas.height] = [over.width, over.height];
+    const pen = canvas.getContext('2d')!;
+    pen.drawImage(easel.canvas, 0, 0, over.width, over.height);
+    pen.drawImage(over, 0, 0);
+    return canvas;
+  }
+
+  /** A canvas that shows every picture from now on, until `stop`. */
+  film(): { canvas: HTMLCanvasElement; stop: () => void } {
+    const canvas = this.picture();
+    this.filmed = () => void this.picture(canvas);
+    return { canvas, stop: () => (this.filmed = null) };
+  }
+
+  svg(): string {
+    const { frame } = this;
+    const { notes, eye } = frame;
+    const pen = new SvgPen(notes.context);
+    const like = pen as unknown as CanvasRenderingContext2D;
+    const painter = new FlatPainter(document.createElement('canvas'), like, this.run);
+    painter.paint(frame.palette);
+    with_svg_paths(() => {
+      const real = notes.context;
+      const flat: Frame = { ...frame, lines: painter.lines, puffs: painter.puffs };
+      // marks are drawn at once, and over the picture
+      const over = new SvgPen(real);
+      notes.context = over as unknown as CanvasRenderingContext2D;
+      painter.draw(flat, this.fill(flat, painter));
+      notes.context = real;
+      pen.append(over);
+    });
+    return pen.text(eye.width, eye.height);
+  }
+
   private tell_pose(): void {
     const pose = this.camera.rested(this.frame.view);
     if (pose) this.store.set({ pose });
   }
 
   /** Lines, puffs and marks of all layers; what is left is what the radar sweeps. */
-  private fill(): Volume | null {
-    const { frame } = this;
-    this.easel.painter.begin();
+  private fill(frame: Frame, painter: Painter): Volume | null {
+    painter.begin();
     frame.notes.begin();
     draw_hud(frame);
     draw_trails(frame);
     draw_drop_lines(frame);
+    draw_rings(frame);
+    draw_bullseye(frame);
     const volume = draw_radar(frame);
     draw_routes(frame);
     draw_missiles(frame);
@@ -231,6 +294,19 @@ export class AirPicture {
         this.wake();
       },
     };
+  }
+
+  /** Who has no pointer turns with the arrows, pushes with shift and an arrow, and zooms with plus and minus. */
+  private press(event: KeyboardEvent): void {
+    const { width, height } = this.frame.eye;
+    const hand = this.hand();
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    const factor = { '+': 0.8, '=': 0.8, '-': 1.25 }[event.key];
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (way) hand[event.shiftKey ? 'push' : 'drag'](way[0]! * kKeyStep, way[1]! * kKeyStep);
+    else if (factor) hand.zoom(factor, width / 2, height / 2);
+    else return;
+    event.preventDefault();
   }
 
   dispose(): void {

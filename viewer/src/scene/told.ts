@@ -2,7 +2,8 @@
 /** The picture in words, for those who do not see it. */
 import type { Run } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { degrees, feet } from './frame.ts';
+import { heading_text } from '../words/text.ts';
+import { height_words } from './frame.ts';
 import { convergence } from './geo.ts';
 import type { Poses } from './motion.ts';
 
@@ -31,8 +32,7 @@ export function told(run: Run, view: View, players: Poses, missiles: Poses): str
   const chosen = run.players[view.selected];
   if (chosen) {
     const i = chosen.index;
-    const heading = degrees(true_heading(run, players, i));
-    const there = `${chosen.name}, ${chosen.type}, heading ${heading} degrees at ${feet(players.y[i]!)} feet.`;
+    const there = `${chosen.name}, ${chosen.type}, heading ${heading_text(true_heading(run, players, i))} at ${height_words(players.y[i]!)}.`;
     words.push(players.shown[i] ? `Selected: ${there}` : `Selected: ${chosen.name}, not in the air picture.`);
   }
   return words.join(' ');

@@ -2,13 +2,16 @@
 /** Where everybody came from, and how high they are: trails, drop lines and the selected player's staff of
  * altitudes; and where the selected flight was told to go. */
 import type { Motion } from '../run/run.ts';
-import { kFoot, kSideMark, x_of, y_of, z_of, type Frame } from './frame.ts';
+import type { View } from '../store.ts';
+import { spoken } from '../words/units.ts';
+import { kSideMark, near_km, x_of, y_of, z_of, type Frame } from './frame.ts';
 import { place_at } from './motion.ts';
 import type { Pens } from './painter.ts';
 
-/** s */
-export const kTrail = 60;
-const kTallest = 50;
+/** Legs of a way at most. */
+const kMostLegs = 800;
+/** Steps of the staff. */
+const kTallest = 10;
 const at = { east: 0, north: 0, up: 0 };
 
 /** A way from `first` to `last` (s) in legs that end at whole multiples of `leg` s. `alpha_of` gives the opacity at a time, and
@@ -28,21 +31,27 @@ export function draw_legs(
   }
 }
 
+/** s: how much of each way is drawn; in the end all of it. */
+export function trail_of({ trail, time, end }: View): number {
+  return time >= end - 0.05 ? Infinity : trail;
+}
+
 /** A way, paler with its age; of a broken one a second is drawn and a second left out. */
 export function draw_way({ view, players, lines }: Frame, motion: Motion, first: number, last: number, broken = false): void {
-  const leg = players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5;
+  const leg = Math.max(players.count <= 24 ? 0.5 : players.count <= 80 ? 2 : 5, Math.ceil((last - first) / kMostLegs));
   const dash = Math.max(1, leg);
-  draw_legs(lines, motion, [first, last], leg, (t) => 0.8 * (1 - (view.time - t) / kTrail),
+  const trail = trail_of(view);
+  draw_legs(lines, motion, [first, last], leg, (t) => (trail === Infinity ? 0.6 : 0.8 * (1 - (view.time - t) / trail)),
     (t) => broken && Math.floor((t - 1e-6) / dash) % 2 === 1);
 }
 
-/** Where everybody was in the last minute. */
+/** Where everybody was. */
 export function draw_trails(frame: Frame): void {
   const { run, view, lines, palette } = frame;
   if (!view.layers.trails) return;
   for (const player of run.players) {
     lines.pen(palette.side[player.side], player.index === view.selected ? 2.6 : 1.8);
-    draw_way(frame, player.motion, Math.max(player.born, view.time - kTrail), Math.min(view.time, player.gone));
+    draw_way(frame, player.motion, Math.max(player.born, view.time - trail_of(view)), Math.min(view.time, player.gone));
   }
 }
 
@@ -68,19 +77,21 @@ export function draw_drop_lines(frame: Frame): void {
 function draw_staff({ lines, palette, eye, notes, view, run }: Frame, x: number, y: number, z: number): void {
   const { stance } = eye;
   const km_per_px = eye.km_per_px(x, y / 2, z);
-  const step = 5000 * kFoot;
+  // 5000 ft, or 2 km
+  const thousands = near_km() < 0.0005 ? 5 : 2;
+  const step = thousands * 1000 * near_km();
   const tall = (Math.sin(stance.polar) * step) / km_per_px;
   if (tall < 3) return;
   const figures = [1, 2, 4].find((every) => every * tall > 15 * eye.ui);
   const [rx, rz] = [Math.cos(stance.azimuth), Math.sin(stance.azimuth)];
-  const top = Math.min(kTallest, Math.max(10, Math.ceil(y / (2 * step)) * 10));
+  const top = Math.min(kTallest, Math.max(2, Math.ceil(y / (2 * step)) * 2));
   lines.pen(palette.faint, 1);
-  lines.add(x, y, z, x, top * 1000 * kFoot, z, 0.5);
-  for (let k = 0; k * 5 <= top; ++k) {
+  lines.add(x, y, z, x, top * step, z, 0.5);
+  for (let k = 0; k <= top; ++k) {
     const arm = (k % 2 ? 3 : 6) * eye.ui * km_per_px;
     lines.add(x, k * step, z, x - rx * arm, k * step, z - rz * arm, 0.95);
     if (figures === undefined || k % figures || !eye.project(x, k * step, z) || !eye.on_screen()) continue;
-    notes.write(k === 0 ? '0 ft' : `${k * 5}k`, eye.px - 8 * eye.ui, eye.py, palette.faint, 'right');
+    notes.write(k === 0 ? `0 ${spoken().near[0]}` : `${k * thousands}k`, eye.px - 8 * eye.ui, eye.py, palette.faint, 'right');
   }
   const side = run.players[view.selected]!.side;
   if (eye.project(x, 0, z)) notes.mark(kSideMark[side], eye.px, eye.py, 3, palette.side[side], 1.3);

@@ -113,6 +113,13 @@ export function keep_in_sight(page: Page): () => void {
   });
 }
 
+/** From a minute before the first shot to a minute after the last one or the last loss; null: there was none. */
+export function fight_of({ run, marks }: Pick<Page, 'run' | 'marks'>): [number, number] | null {
+  const times = marks.filter(({ kind }) => kind === 'launch' || kind === 'kill').map(({ t }) => t);
+  const shot = run.story.some(({ kind }) => kind === 'launch' || kind === 'gun_burst');
+  return shot ? [Math.min(...times) - 60, Math.max(...times) + 60] : null;
+}
+
 /** Half a minute around the present, or the whole run again. */
 export function toggle_zoom(page: Page): void {
   const { zoom, time } = page.store.get();

@@ -107,6 +107,11 @@ export function App({ pages, back, onScene }: {
   pages: Page[]; back: Back | undefined; onScene: (page: Page, scene: AirPicture) => void;
 }) {
   const [active, activate] = useState(pages[0]!);
+  const [ghosts, set_ghosts] = useState(false);
+  const show_ghosts = (wanted: boolean): void => {
+    for (const { other, twin } of pages) other.set(wanted && twin ? { from: 0, run: twin.run, label: twin.letter } : null);
+    set_ghosts(wanted);
+  };
   const [help] = useState(() => new Cell(false));
   const layout = use_layout();
   use_keys(active, help);
@@ -114,12 +119,12 @@ export function App({ pages, back, onScene }: {
   return (
     <PageContext.Provider value={active}>
       <div class="page" style={layout.style}>
-        <Header pages={pages} active={active} back={back} help={help} onSwitch={activate}
+        <Header pages={pages} active={active} back={back} help={help} onSwitch={activate} ghosts={ghosts} onGhosts={show_ghosts}
           panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
         <Moments />
         {layout.shown('left') && <aside class="left" aria-label="Players and story"><Players /><Story key={active.letter} /></aside>}
         <main class="stages">
-          {pages.map((page) => (
+          {pages.filter((page) => !ghosts || page === active).map((page) => (
             <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
           ))}
         </main>

@@ -7,13 +7,8 @@ import type { View } from '../store.ts';
 import { value_text, clock_text } from '../words/text.ts';
 import { jump, select } from './actions.ts';
 import { LeaderRow } from './leaders.tsx';
-import { use_page, type Page } from './page.ts';
+import { namesake, use_page, type Page } from './page.ts';
 import { label_of, path_of } from './spans.ts';
-
-/** The player of the same name; -1: there is none. */
-function namesake(page: Page, player: Player | undefined): number {
-  return page.run.players.findIndex((p) => p.name === player?.name);
-}
 
 /** What both views have in common; the other half of it is players of the same name. */
 const kShared = ['time', 'playing', 'rate', 'camera', 'layers', 'zoom', 'theme', 'units', 'trail'] as const;

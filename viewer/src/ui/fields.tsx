@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** What was decided, field by field: who won, why, and what the others wanted. */
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Player, Run, Tree } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { contest, type Rival, type Won } from '../words/contest.ts';
 import { value_text, number_text } from '../words/text.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
+import { use_rove } from './rove.ts';
 
 /** Where `node` would have led; null: it says nothing of where to fly. */
 export function ghost_of(run: Run, player: Player, index: number, node: number): Ghost | null {
@@ -69,6 +70,8 @@ function FieldRow({ won, tree, text, onPoint }: { won: Won; tree: Tree; text: (v
 
 export function Fields({ player, index, tree }: { player: Player; index: number; tree: Tree }) {
   const page = use_page();
+  const table = useRef<HTMLTableElement>(null);
+  use_rove(table);
   const fields = useMemo(() => contest(page.run, player.index, index), [page, player, index]);
   const [pointed, point] = useState(-1);
   const asks = pointed >= 0 && fields.some(({ rivals }) => rivals.some(({ node }) => node === pointed));
@@ -83,7 +86,7 @@ export function Fields({ player, index, tree }: { player: Player; index: number;
   }, [page, player, index, pointed, asks]);
   if (!fields.length) return <p class="dim">Nobody asked for anything; the last order stands.</p>;
   return (
-    <table class="fields">
+    <table class="fields" ref={table}>
       <colgroup><col class="field-name" /><col class="field-value" /><col /></colgroup>
       <thead class="unseen"><tr><th>field</th><th>value</th><th>who won, and why</th></tr></thead>
       {fields.map((won) => (

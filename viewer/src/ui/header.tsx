@@ -68,8 +68,9 @@ export interface Back {
   go: () => void;
 }
 
-export function Header({ pages, active, back, help, panels, onSwitch }: {
+export function Header({ pages, active, back, help, panels, onSwitch, ghosts, onGhosts }: {
   pages: Page[]; active: Page; back: Back | undefined; help: Cell<boolean>; panels: PanelSwitch[]; onSwitch: (page: Page) => void;
+  ghosts: boolean; onGhosts: (wanted: boolean) => void;
 }) {
   const theme = use_view(active.store, (v) => v.theme);
   return (
@@ -84,6 +85,7 @@ export function Header({ pages, active, back, help, panels, onSwitch }: {
             <button type="button" key={page.letter} aria-pressed={page === active} aria-label={`Panels of run ${page.letter}`}
               onClick={() => onSwitch(page)}>{page.letter}</button>
           ))}
+          <button type="button" aria-pressed={ghosts} title="One picture, with the other run hollow and broken in it" onClick={() => onGhosts(!ghosts)}>ghosts</button>
         </div>
       )}
       {panels.map(({ panel, label, shown, flip }) => (

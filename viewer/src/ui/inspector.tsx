@@ -13,6 +13,7 @@ import { NodeDetails } from './node_details.tsx';
 import { use_page } from './page.ts';
 import { fate_at, fate_words } from './players.tsx';
 import { Seen } from './seen.tsx';
+import { Machine } from './machine.tsx';
 import { label_of, leader_spans, path_of, type Span } from './spans.ts';
 import { TreeView } from './tree_view.tsx';
 import { use_cell, use_decision, use_paced } from './use.ts';
@@ -89,6 +90,8 @@ export function Inspector() {
       {shape && tree && (
         <div class="inspector-body">
           <Section title="Tree" note={tree.name}>
+            {tree.nodes.map(({ rules }, n) => rules && shape.status[n] !== null
+              && <Machine key={`${shape.tree}/${n}`} player={player} index={index} tree={tree} shape={shape} node={n} />)}
             <TreeView tree={tree} shape={shape} />
             {node >= 0 && tree.nodes[node] && <NodeDetails player={player} index={index} tree={tree} shape={shape} node={node} />}
             <WhatIf player={player} tree={shape.tree} />

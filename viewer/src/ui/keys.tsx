@@ -83,6 +83,7 @@ export function Help({ open }: { open: Cell<boolean> }) {
       </dl>
       <h2>Pointer</h2>
       <dl>
+        <div><dt>air picture</dt><dd>drag turns, the wheel zooms; with the focus on it arrows turn, shift and arrows push, + and − zoom</dd></div>
         <div><dt>timeline</dt><dd>drag moves the time; a glyph jumps to its event</dd></div>
         <div><dt>strips</dt><dd>click jumps; wheel or drag zooms, shift and wheel moves, a double click shows the whole run</dd></div>
         <div><dt>players</dt><dd>click selects; with shift, range and bearing to the selected one</dd></div>

@@ -2,9 +2,10 @@
 /** Who was in charge in a player's tree over time, as flown and as it would have been. */
 import { useEffect, useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
+import { kFlownOn } from '../scene/other.ts';
 import { clock_text } from '../words/text.ts';
 import { fitted, use_canvas, type Sheet } from './canvas.ts';
-import { use_page } from './page.ts';
+import { namesake, use_page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';
 import { use_cell, use_range, use_view } from './use.ts';
@@ -120,7 +121,7 @@ export function WhatIfRow({ player }: { player: Player }) {
 /** Who led in the other future. */
 export function OtherRow({ player }: { player: Player }) {
   const other = use_cell(use_page().other);
-  return other && <LeaderRow player={other.run.players[player.index]!} run={other.run} label="flown on" />;
+  return other && other.label === kFlownOn && <LeaderRow player={other.run.players[player.index]!} run={other.run} label={kFlownOn} />;
 }
 
 /** What the colours mean, for one player. */
@@ -156,11 +157,15 @@ export function EveryoneRow() {
   const { players } = page.run;
   const { box, canvas } = use_canvas((sheet) => {
     const lane = sheet.height / players.length;
-    players.forEach((player, i) =>
-      draw_spans(sheet, leader_spans(page.run, player), range, { top: i * lane, height: lane - 1.5, words: false }));
+    players.forEach((player, i) => {
+      const twin = page.twin?.run.players[namesake(page.twin, player)];
+      const height = (lane - 1.5) / (twin ? 2 : 1);
+      draw_spans(sheet, leader_spans(page.run, player), range, { top: i * lane, height, words: false });
+      if (twin) draw_spans(sheet, leader_spans(page.twin!.run, twin), range, { top: i * lane + height, height, words: false });
+    });
   }, [range]);
   return (
-    <div class="row everyone" data-row="everyone" style={{ height: `${players.length * 0.95}rem` }}>
+    <div class="row everyone" data-row="everyone" style={{ height: `${players.length * (page.twin ? 1.3 : 0.95)}rem` }}>
       <div class="row-label">
         {players.map((player) => (
           <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>

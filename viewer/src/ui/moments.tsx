@@ -3,7 +3,7 @@
  * which phase began. */
 import { useMemo, useRef } from 'preact/hooks';
 import type { Run } from '../run/run.ts';
-import { clock_text } from '../words/text.ts';
+import { clock_text, reworded } from '../words/text.ts';
 import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
@@ -61,7 +61,7 @@ export function Moments() {
               <button type="button" class="moment" data-moment={mark.kind} aria-current={line === now} title={`${text}: shows the decision it comes of`}
                 onClick={() => show_cause(page, line)}>
                 <b><Glyph kind={mark.kind} side={mark.side} />{title}</b>
-                <span><time>{clock_text(t)}</time> {text}</span>
+                <span><time>{clock_text(t)}</time> {reworded(text)}</span>
               </button>
             </li>
           );

@@ -3,7 +3,7 @@
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
-import { general, value_text } from '../words/text.ts';
+import { general, quantity_text, value_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
 import { ask, change_of, use_node_types, type Change } from './what_if_answer.ts';
@@ -117,7 +117,7 @@ export function NodeDetails(looked: Looked) {
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
   const units = new Map(use_node_types(tree.kind).find(({ name }) => name === type)?.parameters.map((one) => [one.name, one.unit]));
-  const told = Object.entries(params).map(([name, value]) => `${name} ${flown_text(value, units.get(name))}`).join(', ');
+  const told = Object.entries(params).map(([name, value]) => `${name} ${typeof value === 'number' ? quantity_text(value, units.get(name) ?? '') : flown_text(value)}`).join(', ');
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>

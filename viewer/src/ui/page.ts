@@ -2,7 +2,7 @@
 /** One run on the page with what its panels share. */
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
-import type { Run } from '../run/run.ts';
+import type { Player, Run } from '../run/run.ts';
 import type { Other } from '../scene/other.ts';
 import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
@@ -27,6 +27,7 @@ export interface Page {
   run: Run;
   store: Store;
   letter: string;  // "" for the only run, otherwise "A" or "B".
+  twin: Page | null;  // The other one of two runs.
   /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
   readonly duration: number;
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
@@ -39,9 +40,14 @@ export interface Page {
   strips: Cell<StripChoice>;
 }
 
+/** The player of the same name in another run; -1: there is none. */
+export function namesake({ run }: Page, player: Player | undefined): number {
+  return run.players.findIndex((p) => p.name === player?.name);
+}
+
 export function make_page(run: Run, store: Store, letter: string): Page {
   return {
-    run, store, letter, marks: marks_of(run),
+    run, store, letter, twin: null, marks: marks_of(run),
     get duration() { return store.get().end; },
     other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),

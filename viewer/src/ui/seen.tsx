@@ -3,7 +3,7 @@
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
 import { new_pose, place_at } from '../scene/motion.ts';
-import { height_text, quantity_text, value_text, clock_text, number_text } from '../words/text.ts';
+import { heading_text, height_text, quantity_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { use_page } from './page.ts';
 
@@ -26,7 +26,7 @@ function Track({ track, own }: { track: TrackSeen; own: Place }) {
               onClick={() => select(page, truth.index)}>({truth.name})</button>
           : <span class="truth">(nothing there)</span>}
       </td>
-      <td>{quantity_text(range, 'm')}</td><td>{quantity_text(bearing, 'rad')}</td><td>{height_text(track.place.up)}</td>
+      <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{height_text(track.place.up)}</td>
       <td>{number_text(track.age, 1)} s</td><td class="accent">{track.is_target ? 'target' : ''}</td>
     </tr>
   );
@@ -43,7 +43,7 @@ function Perceived({ player, sight }: { player: Player; sight: Sight }) {
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
             <th scope="row">⚠ {kind}</th><td><span class="truth">({name})</span></td>
-            <td>{quantity_text(range, 'm')}</td><td>{quantity_text(bearing, 'rad')}</td><td colSpan={3} />
+            <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td colSpan={3} />
           </tr>
         ))}
       </tbody>

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 /** Quantities over time for the strips, in the units people fly by. */
 import type { Player, Run } from '../run/run.ts';
+import { size_of_unit, spoken, type Unit } from '../words/units.ts';
 
 export type QuantityKey = 'altitude' | 'mach' | 'g' | 'fuel' | 'energy' | 'range' | 'closure' | 'vote';
 
 export interface Quantity {
   key: QuantityKey;
   label: string;
-  unit: string;
+  unit: () => Unit;
   digits: number;
   steps: boolean;  // Between two samples it stays what it was.
+  least: number;  // Of the unit: a smaller span is not made larger.
+  /** In SI. */
   of(run: Run, player: Player): Series | null;
 }
 export interface Series {
@@ -17,44 +20,51 @@ export interface Series {
   v: Float64Array;
 }
 
-/** m/s^2; and what a foot, a nautical mile, a knot and a pound are in SI. */
+/** m/s^2 */
 const kGravity = 9.80665;
-const [kFoot, kMile, kKnot, kPound] = [0.3048, 1852, 1852 / 3600, 0.45359237] as const;
 
-function seen(run: Run, player: Player, name: string, unit: number): Series | null {
+function seen(run: Run, player: Player, name: string): Series | null {
   const field = run.platforms[player.kind].state.findIndex((f) => f.name === name);
-  if (field < 0) return null;
-  return { t: player.sights.t, v: player.sights.channel(field).map((x) => x / unit) };
+  return field < 0 ? null : { t: player.sights.t, v: player.sights.channel(field) };
 }
-function flown(player: Player, values: Float64Array, unit: number): Series | null {
-  return values.every(Number.isNaN) ? null : { t: player.motion.t, v: values.map((x) => x / unit) };
+function flown({ motion }: Player, v: Float64Array): Series | null {
+  return v.every(Number.isNaN) ? null : { t: motion.t, v };
 }
+const none = (): Unit => ['', 1];
+const near = (): Unit => spoken().near;
 
 export const kQuantities: Quantity[] = [
-  { key: 'altitude', label: 'altitude', unit: 'ft', digits: 0, steps: false, of: (_, p) => flown(p, p.motion.up, kFoot) },
-  { key: 'mach', label: 'Mach', unit: '', digits: 2, steps: false, of: (_, p) => flown(p, p.gauges.mach, 1) },
-  { key: 'g', label: 'load factor', unit: 'g', digits: 1, steps: false, of: (_, p) => flown(p, p.gauges.load_factor, 1) },
-  { key: 'fuel', label: 'fuel', unit: 'lb', digits: 0, steps: false, of: (_, p) => flown(p, p.gauges.fuel, kPound) },
+  { key: 'altitude', label: 'altitude', unit: near, digits: 0, steps: false, least: 500, of: (_, p) => (p.kind === 'vehicle' ? null : flown(p, p.motion.up)) },
+  { key: 'mach', label: 'Mach', unit: none, digits: 2, steps: false, least: 0.1, of: (_, p) => flown(p, p.gauges.mach) },
+  { key: 'g', label: 'load factor', unit: () => ['g', 1], digits: 1, steps: false, least: 1, of: (_, p) => flown(p, p.gauges.load_factor) },
+  { key: 'fuel', label: 'fuel', unit: () => spoken().others['kg']!, digits: 0, steps: false, least: 100, of: (_, p) => flown(p, p.gauges.fuel) },
   {
-    key: 'energy', label: 'energy height', unit: 'ft', digits: 0, steps: false,
-    of: (_, p) => flown(p, p.motion.up.map((h, i) => h + p.gauges.speed[i]! ** 2 / (2 * kGravity)), kFoot),
+    key: 'energy', label: 'energy height', unit: near, digits: 0, steps: false, least: 500,
+    of: (_, p) => flown(p, p.motion.up.map((h, i) => h + p.gauges.speed[i]! ** 2 / (2 * kGravity))),
   },
-  { key: 'range', label: 'range to target', unit: 'nmi', digits: 1, steps: false, of: (run, p) => seen(run, p, 'range', kMile) },
-  { key: 'closure', label: 'closure', unit: 'kt', digits: 0, steps: false, of: (run, p) => seen(run, p, 'closing', kKnot) },
+  { key: 'range', label: 'range to target', unit: () => spoken().far, digits: 1, steps: false, least: 0.5, of: (run, p) => seen(run, p, 'range') },
+  { key: 'closure', label: 'closure', unit: () => spoken().others['m/s']!, digits: 0, steps: false, least: 20, of: (run, p) => seen(run, p, 'closing') },
   {
-    key: 'vote', label: 'vote of who leads', unit: '', digits: 0, steps: true,
+    key: 'vote', label: 'vote of who leads', unit: none, digits: 0, steps: true, least: 10,
     of: (run, p) => ({ t: p.decisions.t, v: Float64Array.from(p.decisions.shape, (s) => run.shapes[s]!.vote[0]!) }),
   },
 ];
 
-const kMade = new WeakMap<Player, Map<QuantityKey, Series | null>>();
+const kMade = new WeakMap<Player, Map<string, Series | null>>();
 
-/** Made once for each player; null if there is no such thing for it. */
+/** In the unit that people read, made once for each player; null if there is no such thing for it. */
 export function series_of(run: Run, player: Player, quantity: Quantity): Series | null {
   let made = kMade.get(player);
   if (!made) kMade.set(player, (made = new Map()));
-  let series = made.get(quantity.key);
-  if (series === undefined) made.set(quantity.key, (series = quantity.of(run, player)));
+  const [symbol, ...unit] = quantity.unit();
+  const key = `${quantity.key} ${symbol}`;
+  let series = made.get(key);
+  if (series === undefined) {
+    series = quantity.of(run, player);
+    const one = size_of_unit([symbol, ...unit]);
+    if (series && one !== 1) series = { t: series.t, v: series.v.map((x) => x / one) };
+    made.set(key, (series = series?.v.every(Number.isNaN) ? null : series));
+  }
   return series;
 }
 

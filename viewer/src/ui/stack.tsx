@@ -4,7 +4,7 @@
 import type { ComponentChildren, RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
-import { clock_text } from '../words/text.ts';
+import { clock_text, reworded } from '../words/text.ts';
 import { jump, pan_by, show_cause, zoom_by, zoom_to } from './actions.ts';
 import { kMarks, pick_mark } from './marks.ts';
 import { range_of, use_page, type Page } from './page.ts';
@@ -48,7 +48,7 @@ function tip_words(page: Page, t: number, row: string, per_pixel: number): strin
     const mark = pick_mark(page.marks, t, kReach * per_pixel);
     if (!mark) return '';
     const told = page.run.story[mark.line]!;
-    return `${kMarks[mark.kind].word} at ${clock_text(told.t)}: ${told.name} ${told.text}`;
+    return `${kMarks[mark.kind].word} at ${clock_text(told.t)}: ${told.name} ${reworded(told.text)}`;
   }
   return page.tips.get(row)?.(t) ?? '';
 }

@@ -4,6 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { AirPicture } from '../scene/scene.ts';
 import { kCameras, kLayers, kTrails, kUnits, type Camera, type Layer, type Units } from '../store.ts';
 import { use_page } from './page.ts';
+import { SaveMenu } from './save.tsx';
 import { use_view } from './use.ts';
 
 const kCameraHelp: Record<Camera, string> = {
@@ -16,7 +17,7 @@ const kLayerWords: Record<Layer, string> = {
 };
 const kUnitWords: Record<Units, string> = { aviation: 'ft, nmi, kt', metric: 'm, km, km/h' };
 
-function Tools() {
+function Tools({ scene }: { scene: { current: AirPicture | null } }) {
   const { store } = use_page();
   const camera = use_view(store, (v) => v.camera);
   const layers = use_view(store, (v) => v.layers);
@@ -46,6 +47,7 @@ function Tools() {
           </select></label>
         </div>
       </details>
+      <SaveMenu scene={scene} />
       {ruler && <button type="button" aria-label="Take the ruler away" onClick={() => store.set({ ruler: null })}>ruler ✕</button>}
     </div>
   );
@@ -54,16 +56,17 @@ function Tools() {
 export function Stage({ onMount }: { onMount: (scene: AirPicture) => void }) {
   const { run, store, other, letter } = use_page();
   const host = useRef<HTMLDivElement>(null);
+  const scene = useRef<AirPicture | null>(null);
   useEffect(() => {
-    const scene = new AirPicture(host.current!, run, store, other);
-    onMount(scene);
-    return () => scene.dispose();
+    const made = (scene.current = new AirPicture(host.current!, run, store, other));
+    onMount(made);
+    return () => made.dispose();
   }, [run, store]);
   return (
     <section class="stage" aria-label={letter ? `Air picture of run ${letter}` : 'Air picture'} data-run={letter}>
       <div class="scene" ref={host} />
       {letter && <b class="stage-letter">{letter}</b>}
-      <Tools />
+      <Tools scene={scene} />
     </section>
   );
 }

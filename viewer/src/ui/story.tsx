@@ -2,7 +2,7 @@
 /** What happened, in words; the present is marked, a click goes there. */
 import { useEffect, useLayoutEffect, useMemo, useReducer, useRef, useState } from 'preact/hooks';
 import type { Run, StoryLine } from '../run/run.ts';
-import { clock_text } from '../words/text.ts';
+import { clock_text, reworded } from '../words/text.ts';
 import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
@@ -26,10 +26,11 @@ export function filtered(run: Run, { who, kind, text }: Filter): number[] {
   return run.story.flatMap((line, i) => (passes(line) ? [i] : []));
 }
 
-/** The position in `lines` of the last one at or before `t`; -1: none. */
+/** The position in `lines` of the last one that has happened, or has been decided, by `t`; -1: none. */
 function current(run: Run, lines: number[], t: number): number {
   let at = -1;
-  while (at + 1 < lines.length && run.story[lines[at + 1]!]!.t <= t + 0.011) ++at;
+  const due = ({ t: then, decided }: StoryLine): boolean => Math.min(then, decided) <= t + 0.011;
+  while (at + 1 < lines.length && due(run.story[lines[at + 1]!]!)) ++at;
   return at;
 }
 
@@ -63,7 +64,7 @@ function Told({ page, line }: { page: Page; line: number }) {
         onClick={() => show_cause(page, line)}>
         <time>{clock_text(t)}</time>
         <Glyph kind={mark?.kind ?? null} side={mark?.side ?? ''} />
-        <span><b class={page.run.players[who]?.side ?? 'none'}>{name}</b> {text}</span>
+        <span><b class={page.run.players[who]?.side ?? 'none'}>{name}</b> {reworded(text)}</span>
       </button>
     </li>
   );

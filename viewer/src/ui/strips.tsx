@@ -2,10 +2,10 @@
 /** Quantities over time, several players over each other, on the axis of the timeline. */
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import uPlot from 'uplot';
-import type { Player } from '../run/run.ts';
+import type { Player, Run } from '../run/run.ts';
 import { count_text } from '../words/text.ts';
 import { rem_size } from './canvas.ts';
-import { use_page, type Page } from './page.ts';
+import { namesake, use_page, type Page } from './page.ts';
 import { kQuantities, resample, series_of, type Quantity } from './series.ts';
 import { ticks_of } from './timeline.tsx';
 import { use_cell, use_paced, use_range, use_size, use_view } from './use.ts';
@@ -17,6 +17,8 @@ const kDashes = [[1, 2], [6, 3], [8, 3, 2, 3], [3, 3], [12, 4], [2, 5]];
 
 interface Line {
   player: Player;
+  run: Run;
+  name: string;
   selected: boolean;
 }
 
@@ -27,11 +29,11 @@ function side_color(player: Player): string {
   return color(player.side === 'none' ? 'ink' : player.side);
 }
 
-function data_of(page: Page, quantity: Quantity, lines: Line[], [from, to]: [number, number], width: number): uPlot.AlignedData {
+function data_of(quantity: Quantity, lines: Line[], [from, to]: [number, number], width: number): uPlot.AlignedData {
   const count = Math.max(Math.round(width * kFine), 2);
   const grid = Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
-  return [grid, ...lines.map(({ player }) => {
-    const series = series_of(page.run, player, quantity);
+  return [grid, ...lines.map(({ player, run }) => {
+    const series = series_of(run, player, quantity);
     return series ? resample(series, grid, quantity.steps, player.gone) : grid.map(() => null);
   })];
 }
@@ -41,10 +43,10 @@ function is_empty(data: uPlot.AlignedData): boolean {
 }
 
 /** Room above and below; an axis also where there is nothing to see, and no noise made large. */
-function y_range({ digits }: Quantity): uPlot.Range.Function {
+function y_range({ least: span }: Quantity): uPlot.Range.Function {
   return (_, least: number | null, most: number | null) => {
     if (least === null || most === null) return [0, 1];
-    const room = Math.max((most - least) * 0.08, 5 * 10 ** -digits);
+    const room = Math.max((most - least) * 0.08, (span - (most - least)) / 2);
     return [least - room, most + room];
   };
 }
@@ -63,12 +65,12 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
         splits: (u, _, from, to) => ticks_of(from, to, u.width - gutter - edge, rem).ticks,
       },
       {
-        size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: 1.7 * rem,
+        size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: 1.4 * rem,
         values: (u, splits) => splits.map((v) => (is_empty(u.data) ? '' : count_text(Number(v.toFixed(quantity.digits + 1)) || 0))),
       },
     ],
-    series: [{}, ...lines.map(({ player, selected }, i): uPlot.Series => ({
-      label: player.name, stroke: side_color(player), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
+    series: [{}, ...lines.map(({ player, name, selected }, i): uPlot.Series => ({
+      label: name, stroke: side_color(player), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
       ...(selected ? {} : { dash: kDashes[(i - 1) % kDashes.length]! }),
       ...(quantity.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
     }))],
@@ -88,7 +90,7 @@ function Strip({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
     const gutter = parseFloat(style.getPropertyValue('--gutter')) * rem_size();
     const edge = parseFloat(style.getPropertyValue('--edge')) * rem_size();
     const options = options_of(quantity, lines, width, height, gutter, edge);
-    const made = new uPlot(options, data_of(page, quantity, lines, [from, to], width), host.current!);
+    const made = new uPlot(options, data_of(quantity, lines, [from, to], width), host.current!);
     plot.current = made;
     const stop = page.hover.subscribe((hover) => {
       const left = hover ? made.valToPos(hover.t, 'x') : -10;
@@ -101,7 +103,7 @@ function Strip({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
     };
   }, [page, quantity, lines, width, height, theme]);
   useEffect(() => {
-    plot.current?.setData(data_of(page, quantity, lines, [from, to], width));
+    plot.current?.setData(data_of(quantity, lines, [from, to], width));
   }, [from, to]);
   return (
     <div class="row strip" data-row={quantity.key}>
@@ -117,17 +119,21 @@ function Readout({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
   const hover = use_cell(page.hover);
   const now = use_paced(page.store, (v) => v.time);
   const t = hover ? hover.t : now;
-  const value = (player: Player): string => {
-    const series = series_of(page.run, player, quantity);
-    const v = series && resample(series, [t], quantity.steps, player.gone)[0];
-    return typeof v === 'number' ? count_text(Number(v.toFixed(quantity.digits))) : '–';
+  const [unit] = quantity.unit();
+  const at = ({ player, run }: Line): number => {
+    const series = series_of(run, player, quantity);
+    return (series && resample(series, [t], quantity.steps, player.gone)[0]) ?? NaN;
   };
+  const said = (v: number): string => (Number.isNaN(v) ? '–' : count_text(Number(v.toFixed(quantity.digits))));
+  const twin = page.twin && lines.find(({ run }) => run === page.twin!.run);
+  const apart = twin ? at(twin) - at(lines[0]!) : NaN;
   return (
     <div class="readout">
-      <b>{quantity.label}</b>{quantity.unit && <span class="dim"> {quantity.unit}</span>}
-      {lines.map(({ player, selected }) => (
-        <span key={player.name} class={`${player.side} ${selected ? 'strong' : ''}`}>{player.name} <output>{value(player)}</output></span>
+      <b>{quantity.label}</b>{unit && <span class="dim"> {unit}</span>}
+      {lines.map((line) => (
+        <span key={line.name} class={`${line.player.side} ${line.selected ? 'strong' : ''}`}>{line.name} <output>{said(at(line))}</output></span>
       ))}
+      {twin && <span data-apart={apart}>Δ {apart > 0 && '+'}{said(apart)}</span>}
     </div>
   );
 }
@@ -136,9 +142,14 @@ export function Strips() {
   const page = use_page();
   const { quantities, players } = use_cell(page.strips);
   const selected = use_view(page.store, (v) => v.selected);
-  const lines = useMemo(() => [selected, ...players.filter((p) => p !== selected)].map((p): Line =>
-    ({ player: page.run.players[p]!, selected: p === selected })), [page, selected, players]);
-  return <>{kQuantities.filter((q) => quantities.includes(q.key)).map((q) => <Strip key={q.key} quantity={q} lines={lines} />)}</>;
+  // the same player in the other run comes second
+  const lines = useMemo(() => [selected, ...players.filter((p) => p !== selected)].flatMap((p): Line[] => {
+    const line = ({ run, letter }: Page, player: Player): Line => ({ player, run, name: `${letter} ${player.name}`.trim(), selected: run === page.run && p === selected });
+    const [own, twin] = [page.run.players[p]!, page.twin?.run.players[namesake(page.twin, page.run.players[p])]];
+    return [line(page, own), ...(twin ? [line(page.twin!, twin)] : [])];
+  }), [page, selected, players]);
+  const is_there = (q: Quantity): boolean => quantities.includes(q.key) && lines.some(({ player, run }) => series_of(run, player, q));
+  return <>{kQuantities.filter(is_there).map((q) => <Strip key={q.key} quantity={q} lines={lines} />)}</>;
 }
 
 /** Which strips there are, and of whom. */

@@ -3,8 +3,8 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { subscribe_paced } from '../clock.ts';
-import { clock_text } from '../words/text.ts';
-import { jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by } from './actions.ts';
+import { clock_text, read_clock } from '../words/text.ts';
+import { fight_of, jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by, zoom_to } from './actions.ts';
 import { Glyph, Icon, IconButton } from './icon.tsx';
 import { kMarks, type MarkKind } from './marks.ts';
 import { use_page } from './page.ts';
@@ -15,17 +15,26 @@ import { use_view } from './use.ts';
 function Time() {
   const { store } = use_page();
   const end = use_view(store, (v) => v.end);
-  const text = useRef<HTMLOutputElement>(null);
+  const page = use_page();
+  const text = useRef<HTMLInputElement>(null);
   useEffect(() => {
     const write = (): void => {
-      text.current!.textContent = clock_text(store.get().time);
+      // who types in it is not disturbed
+      if (document.activeElement !== text.current) text.current!.value = clock_text(store.get().time);
     };
     write();
     return subscribe_paced(store, write);
   }, [store]);
   return (
     <span class="time">
-      <output ref={text} aria-label="Time" aria-live="off" /><span class="dim"> / {clock_text(end)}</span>
+      <input type="text" ref={text} aria-label="Time" title="Type a time, such as 8:20.5, and press enter" inputMode="decimal" size={7}
+        onFocus={(event) => event.currentTarget.select()} onBlur={(event) => (event.currentTarget.value = clock_text(store.get().time))}
+        onKeyDown={(event) => {
+          if (event.key !== 'Enter') return;
+          const time = read_clock(event.currentTarget.value);
+          if (time !== null) jump(page, time);
+          event.currentTarget.blur();
+        }} /><span class="dim"> / {clock_text(end)}</span>
     </span>
   );
 }
@@ -35,6 +44,7 @@ export function Transport({ children }: { children?: ComponentChildren }) {
   const { store } = page;
   const playing = use_view(store, (v) => v.playing);
   const rate = use_view(store, (v) => v.rate);
+  const fight = fight_of(page);
   const zoomed = use_view(store, (v) => v.zoom !== null);
   return (
     <div class="transport" role="toolbar" aria-label="Time">
@@ -57,6 +67,7 @@ export function Transport({ children }: { children?: ComponentChildren }) {
       <IconButton icon="closer" label="Zoom in around now" onClick={() => zoom_by(page, 0.5, store.get().time)} />
       <button type="button" class="tool words" title={zoomed ? 'Show the whole run (z)' : 'Show half a minute around now (z)'}
         onClick={() => toggle_zoom(page)}>{zoomed ? 'whole run' : '30 s'}</button>
+      {fight && <button type="button" class="tool words" title="From the first shot to the last" onClick={() => zoom_to(page, ...fight)}>fight</button>}
       <StripMenu />
     </div>
   );

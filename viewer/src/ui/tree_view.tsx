@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-/** The tree at one decision: who was asked, what each answered, and the way to who leads. The root is at the left, there is a row
- * for each node that is shown, and columns are as wide as they must be. */
+/** The tree at one decision: who was asked, what each answered, and the way to who leads. An outline: a row for each node that is shown,
+ * children below their parent and to the right of where it begins. */
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { hierarchy, tree as tidy } from 'd3-hierarchy';
 import type { Shape, Tree } from '../run/run.ts';
 import { answer_words, path_of_leader } from '../words/contest.ts';
 import { number_text } from '../words/text.ts';
 import { use_page } from './page.ts';
+import { text_width } from './text_width.ts';
 import { use_cell } from './use.ts';
 import { change_of } from './what_if_answer.ts';
 
@@ -25,45 +25,34 @@ interface Layout {
   height: number;
 }
 
+/** Trees no larger are seen as a whole. */
+const kFew = 12;
 const kFont = 12;
-const kRow = 20.5;
-const kPill = 17;
-const kGap = 20;
+const kRow = 24;
+const kPill = 18;
 const kPadding = 3;
+/** Of each depth. */
+const kStep = 14;
 
 /** Nodes below `node`, without itself. */
 function below(tree: Tree, node: number): number {
   return tree.nodes[node]!.children.reduce((sum, child) => sum + 1 + below(tree, child), 0);
 }
 
-function link(x0: number, y0: number, x1: number, y1: number): string {
-  const bend = x1 - kGap / 2;
-  return `M${x0} ${y0}L${bend - 6} ${y0}C${bend + 4} ${y0} ${bend - 4} ${y1} ${x1} ${y1}`;
-}
-
 /** `width_of` gives what a node needs; below those that are not open nothing is shown. */
 export function layout_tree(tree: Tree, is_open: (node: number) => boolean, width_of: (node: number, hidden: number) => number): Layout {
-  const root = hierarchy<number>(0, (node) => (is_open(node) ? tree.nodes[node]!.children : []));
-  const points = tidy<number>().nodeSize([kRow, 1]).separation(() => 1)(root).descendants();
-  const hidden = points.map(({ data }) => (is_open(data) ? 0 : below(tree, data)));
-  const widths = points.map(({ data }, i) => width_of(data, hidden[i]!));
-
-  const columns: number[] = [];
-  points.forEach(({ depth }, i) => (columns[depth] = Math.max(columns[depth] ?? 0, widths[i]!)));
-  const left = columns.map((_, depth) => kPadding + columns.slice(0, depth).reduce((sum, width) => sum + width + kGap, 0));
-  const top = Math.min(...points.map((p) => p.x)) - kRow / 2 - kPadding;
-
-  const index = new Map(points.map((point, i) => [point, i]));
-  const placed = points.map((point, i): Placed => {
-    const [x, y] = [left[point.depth]!, point.x - top];
-    const parent = point.parent && { x: left[point.depth - 1]! + widths[index.get(point.parent)!]!, y: point.parent.x - top };
-    return { node: point.data, x, y, width: widths[i]!, hidden: hidden[i]!, link: parent ? link(parent.x, parent.y, x, y) : '' };
-  });
-  return {
-    placed,
-    width: left.at(-1)! + columns.at(-1)! + kPadding,
-    height: Math.max(...placed.map((p) => p.y)) + kRow / 2 + kPadding,
+  const placed: Placed[] = [];
+  const place = (node: number, above: Placed | null): void => {
+    const { depth, children } = tree.nodes[node]!;
+    const hidden = is_open(node) ? 0 : below(tree, node);
+    const [x, y] = [kPadding + depth * kStep, kPadding + (placed.length + 0.5) * kRow];
+    const here = { node, x, y, width: width_of(node, hidden), hidden, link: above ? `M${above.x + 6} ${above.y + kPill / 2}V${y}H${x}` : '' };
+    placed.push(here);
+    if (is_open(node)) for (const child of children) place(child, here);
   };
+  place(0, null);
+  // beside the last one is the handle that closes it
+  return { placed, width: Math.max(...placed.map(({ x, width }) => x + width)) + kPadding + 8, height: kRow * placed.length + 2 * kPadding };
 }
 
 /** Of the status, in a box from 0 to 10; `open` ones are stroked. */
@@ -74,22 +63,12 @@ const kIcons: Record<string, { path: string; open: boolean }> = {
   none: { path: 'M3 5H7', open: true },
 };
 
-let measuring: CanvasRenderingContext2D | null = null;
-const kMeasured = new Map<string, number>();
-function text_width(text: string, size: number): number {
-  const key = `${size}/${text}`;
-  let width = kMeasured.get(key);
-  if (width === undefined) {
-    measuring ??= document.createElement('canvas').getContext('2d')!;
-    measuring.font = `${size}px system-ui, sans-serif`;
-    kMeasured.set(key, (width = measuring.measureText(text).width));
-  }
-  return width;
-}
-
-/** The type of a composite, where its label does not say it. */
+/** The type of a composite, where its label does not say it; of a sequencer's condition where it leads. */
 function type_words(tree: Tree, shape: Shape, node: number): string {
-  const { label, type, kind } = tree.nodes[node]!;
+  const { label, type, kind, parent } = tree.nodes[node]!;
+  const above = tree.nodes[parent];
+  const rule = above?.rules?.[above.children.indexOf(node) - above.children.length + above.rules.length];
+  if (rule) return `→ ${tree.nodes[above!.children[rule[1]]!]!.label}`;
   return shape.status[node] === null || label === type || kind === 'condition' || kind === 'decorator' ? '' : type;
 }
 
@@ -201,18 +180,32 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
 
   // who leads is in sight
   useEffect(() => {
-    const place = layout.placed.find(({ node }) => node === shape.leader);
+    const place = layout.placed.find(({ node }) => node === (looked >= 0 ? looked : shape.leader));
     const view = scroller.current!;
     if (!place) return;
     const scale = view.scrollHeight / layout.height;
     const [top, bottom] = [(place.y - kPill) * scale, (place.y + kPill) * scale];
     if (top < view.scrollTop || bottom > view.scrollTop + view.clientHeight) view.scrollTop = (top + bottom - view.clientHeight) / 2;
     view.scrollLeft = Math.max((place.x + place.width) * scale - view.clientWidth, 0);
-  }, [layout, shape.leader]);
+  }, [layout, shape.leader, looked]);
 
   const toggle = (node: number): void => set_turned(new Map(turned).set(node, !is_open(node)));
   const focusable = layout.placed.some(({ node }) => node === looked) ? looked : 0;
-  return (
+  /** Of the nodes whose path has these words the first one that is not yet looked at, then the next. */
+  const find = (words: string): void => {
+    const found = words ? tree.nodes.flatMap(({ path }, node) => (path.includes(words) ? [node] : [])) : [];
+    const next = found.find((node) => node > looked) ?? found[0];
+    if (next === undefined) return;
+    const open = new Map(turned);
+    for (let node = tree.nodes[next]!.parent; node >= 0; node = tree.nodes[node]!.parent) open.set(node, true);
+    set_turned(open);
+    page.node.set(next);
+  };
+  return (<>
+    {tree.nodes.length > kFew && (
+      <input type="search" class="find" placeholder="find a node, enter for the next" aria-label="Find a node of the tree"
+        onKeyDown={(event) => event.key === 'Enter' && find(event.currentTarget.value.trim())} />
+    )}
     <div class="tree" ref={scroller} tabIndex={0} role="group" aria-label="Tree">
       <svg role="tree" aria-label="Decision tree" viewBox={`0 0 ${layout.width} ${layout.height}`} onKeyDown={walk}
         style={{ width: `${layout.width / kFont}rem`, height: `${layout.height / kFont}rem` }}>
@@ -227,6 +220,6 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
         ))}
       </svg>
     </div>
-  );
+  </>);
 }
 

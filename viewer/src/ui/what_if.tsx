@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
-import type { Other } from '../scene/other.ts';
+import { kFlownOn, type Other } from '../scene/other.ts';
 import { clock_text, count_text } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
@@ -114,7 +114,7 @@ function FlyOn({ player }: { player: Player }) {
     branch(page.run, player.index, changes, step).then(
       (value) => {
         put({ from: time, value });
-        show({ from: step * dt, run: value.run });
+        show({ from: step * dt, run: value.run, label: kFlownOn });
       },
       (error: unknown) => put({ from: time, problem: words_of(error) }),
     );

@@ -39,10 +39,16 @@ function quoted(text: string): string {
   return `'${text.replaceAll("'", "'\\''")}'`;
 }
 
-/** The same question for the terminal; RUN stands for the folder of the run. */
+/** The folder beside whose run the page lies; RUN where that is unknown. */
+function folder_of_run(): string {
+  const path = globalThis.location?.protocol === 'file:' && /^(.*)\/debrief\.html$/.exec(decodeURI(location.pathname))?.[1];
+  return path ? (/^[\w./-]+$/.test(path) ? path : quoted(path)) : 'RUN';
+}
+
+/** The same question for the terminal. */
 export function command_of(run: Run, player: number, changes: readonly Change[]): string {
   const sets = sets_of(run, player, changes).map((set) => `--set ${quoted(set)}`);
-  return ['eyrie whatif RUN', `--player ${run.players[player]!.name}`, ...sets].join(' ');
+  return [`eyrie whatif ${folder_of_run()}`, `--player ${run.players[player]!.name}`, ...sets].join(' ');
 }
 
 /** An answer, or why there is none; neither of them yet. */

@@ -2,6 +2,7 @@
 /** Values, numbers and times in words, as the terminal writes them: src/debrief/values.hpp, and {:.Nf} and {:g} of fmt, which
  * round halves to even. */
 import type { Run } from '../run/run.ts';
+import { spoken, type Unit } from './units.ts';
 
 /** What value_text needs of an ActionField or a StateField; only a field of the state has choices. */
 export interface FieldInfo {
@@ -11,32 +12,16 @@ export interface FieldInfo {
   choices?: string[];
 }
 
-/** In SI as a fraction, whose factors are those of src/core/units.hpp; then the decimals it is written with, and where it begins. */
-type AviationUnit = [symbol: string, numerator: number, denominator?: number, decimals?: number, offset?: number];
-
-const kFeet: AviationUnit = ['ft', 3048, 10000];
-const kMiles: AviationUnit = ['nmi', 1852, 1, 1];
-const kUnits: Record<string, AviationUnit> = {
-  'm/s': ['kt', 1852, 3600],
-  'm/s2': ['g', 980665, 100000, 1],
-  rad: ['deg', Math.PI / 180],
-  'rad/s': ['deg/s', Math.PI / 180, 1, 1],
-  kg: ['lb', 45359237, 1e8],
-  'kg/s': ['lb/h', 45359237, 3600e8],
-  N: ['lbf', 44482216152605, 1e13],
-  Pa: ['hPa', 100, 1, 1],
-  K: ['degC', 1, 1, 0, 273.15],
-};
-
-function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, offset = 0]: AviationUnit): string {
+function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, offset = 0]: Unit): string {
   const number = fixed(((si - offset) * denominator) / numerator, decimals);
-  return `${/^-[0.]*$/.test(number) ? number.slice(1) : number} ${symbol}`;
+  return `${/^-[0.]*$/.test(number) ? number.slice(1) : number}${symbol.startsWith('°') ? '' : ' '}${symbol}`;
 }
 
-/** "10.0 nmi", "467 kt", "45 deg", "5.29"; "-" for NaN. `unit` is that of SI. */
+/** "10.0 nmi", "467 kt", "45°", "5.29"; "-" for NaN. `unit` is that of SI. */
 export function quantity_text(si: number, unit: string): string {
   if (Number.isNaN(si)) return '-';
-  const u = unit === 'm' ? (Math.abs(si) < 1852 ? kFeet : kMiles) : kUnits[unit];
+  const { far, near, far_from, others } = spoken();
+  const u = unit === 'm' ? (Math.abs(si) < far_from ? near : far) : others[unit];
   if (u) return in_unit(si, u);
   const size = Math.abs(si);
   const number = size >= 100 && size < 1e9 ? fixed(si, 0) : general(si, 3);
@@ -45,7 +30,22 @@ export function quantity_text(si: number, unit: string): string {
 
 /** "6000 ft" however large it is. */
 export function height_text(m: number): string {
-  return in_unit(m, kFeet);
+  return in_unit(m, spoken().near);
+}
+
+/** "087°": from north, always three digits from 000 to 359, as on the radio. */
+export function heading_text(rad: number): string {
+  const degrees = ((Math.round((rad * 180) / Math.PI) % 360) + 360) % 360;
+  return `${String(degrees).padStart(3, '0')}°`;
+}
+
+/** Words of the engine with their lengths in the units that people read. */
+export function reworded(text: string): string {
+  const { far, near } = spoken();
+  return text.replace(/(\d+(?:\.\d+)?) (nmi|ft|km|m)\b/g, (said, number: string, unit: 'nmi' | 'ft' | 'km' | 'm') => {
+    const wanted: Unit = unit === 'nmi' || unit === 'km' ? far : near;
+    return unit === wanted[0] ? said : in_unit(Number(number) * { nmi: 1852, ft: 0.3048, km: 1000, m: 1 }[unit], wanted);
+  });
 }
 
 /** A value in SI of a field of an action or of a state; NaN: not set. */
@@ -56,12 +56,13 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
     case 'flag':
       return value ? 'true' : 'false';
     case 'text':
-      return run.texts[value] ?? '-';
+      return reworded(run.texts[value] ?? '-');
     case 'choice':
       return choices?.[value] ?? '-';
     case 'id':
       return value ? `#${value}` : 'nobody';
     default:
+      if (unit === 'rad' && /heading|bearing/.test(name)) return heading_text(value);
       return /altitude|above/.test(name) ? height_text(value) : quantity_text(value, unit);
   }
 }
@@ -97,6 +98,12 @@ export function clock_text(time: number): string {
   const minutes = Math.floor(tenths / 600);
   const seconds = Math.floor(tenths / 10) % 60;
   return `${String(minutes).padStart(2, '0')}:${String(seconds).padStart(2, '0')}.${tenths % 10}`;
+}
+
+/** s of "8:20.5", "08:20" or "500.5"; null: no time. */
+export function read_clock(text: string): number | null {
+  const found = /^\s*(?:(\d+):)?(\d+(?:\.\d*)?)\s*s?\s*$/.exec(text);
+  return found && 60 * Number(found[1] ?? 0) + Number(found[2]);
 }
 
 /** "5:48" for axes; with tenths where the ticks are closer than a second. */

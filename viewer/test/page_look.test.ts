@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+/** What is shown, and in which form: state machines, trees that fit, units, times that are typed, pictures and films, fingers. */
+import assert from 'node:assert/strict';
+import { describe, test } from 'node:test';
+import type { Browser } from 'puppeteer-core';
+import type { UserPage } from './browsers.ts';
+import { kNoPage, kWhere, open_page, shoot, with_page } from './page_kit.ts';
+
+let page: UserPage;
+let browser: Browser;
+with_page({ fragment: '#t=480&p=eagle1', height: 900 }, (opened, launched) => {
+  ({ page } = opened);
+  browser = launched;
+});
+
+async function go_to(time: number, player = 0): Promise<void> {
+  await page.evaluate(([t, p]) => window.eyrie!.store.set({ time: t!, selected: p!, playing: false }), [time, player] as const);
+}
+const machine = () => page.$eval('.machine', (e) => ({ ...(e as HTMLElement).dataset }));
+
+describe('a sequencer', { skip: kNoPage }, () => {
+  test('is a state machine: its state, its transitions by name, and the one that fires', async () => {
+    await go_to(480);
+    assert.deepEqual([(await machine())['state'], (await machine())['fired']], ['bvr', '-1']);
+    const t = await page.evaluate(() => window.eyrie!.run.story.filter((line) => line.kind === 'phase' && line.text.endsWith('wvr'))[0]!.decided);
+    await go_to(t);
+    await page.waitForSelector('.machine[data-state=wvr]');
+    assert.match(await page.textContent('.rules .now'), /bvr → wvr: in_sight within 8.0 nmi/);
+    assert.equal((await page.$$('.arc.now')).length, 1);
+    await shoot(page, 'machine');
+  });
+  test('leads through its history', async () => {
+    const visits = await page.$$eval('.visits button', (all) => all.map((e) => e.textContent!.split(' ')[1]));
+    assert.deepEqual(visits.slice(0, 3), ['ingress', 'bvr', 'wvr']);
+    await page.click('.visits button:nth-child(2)');
+    await page.waitForSelector('.machine[data-state=bvr]');
+    assert.notEqual((await machine())['fired'], '-1');
+  });
+});
+
+test('a tree fits its panel, and a node is found by its name', { skip: kNoPage }, async () => {
+  await go_to(560);
+  const [wide, room] = await page.$eval('.tree', (e) => [e.scrollWidth, e.clientWidth] as const);
+  assert.ok(wide <= room, `${wide} px in ${room}`);
+  await page.fill('.find', 'egress/egress');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-node="root/egress/egress"]');
+  assert.ok(await page.$eval('[data-path="root/egress/egress"]', (e) => e.classList.contains('looked')));
+});
+
+test('units are metric if somebody wants that, everywhere', { skip: kNoPage }, async () => {
+  const value = (field: string) => page.$eval(`[data-field=${field}]`, (e) => (e as HTMLElement).dataset['value']!);
+  await go_to(480);
+  assert.match(await value('altitude'), / ft$/);
+  await page.evaluate(() => window.eyrie!.store.set({ units: 'metric' }));
+  await page.waitForFunction(() => / m$/.test(document.querySelector<HTMLElement>('[data-field=altitude]')?.dataset['value'] ?? ''));
+  assert.match(await value('speed'), / km\/h$/);
+  assert.match(await value('heading'), /^\d{3}°$/);
+  const text = await page.evaluate(() => document.body.innerText);
+  assert.doesNotMatch(text, /\d (ft|nmi|kt|lb)\b/);
+  await page.waitForFunction(() => location.hash.includes('u=metric'));
+  await page.evaluate(() => window.eyrie!.store.set({ units: 'aviation' }));
+});
+
+test('a time can be typed', { skip: kNoPage }, async () => {
+  await page.fill('input[aria-label=Time]', '8:20.5');
+  await page.keyboard.press('Enter');
+  assert.equal(await page.evaluate(() => window.eyrie!.store.get().time), 500.5);
+});
+
+test('in the end all of it is seen, and who is followed has the opponent beside it', { skip: kNoPage }, async () => {
+  const height = () => page.evaluate(() => (window.eyrie!.scene as unknown as { frame: { eye: { stance: { height: number } } } }).frame.eye.stance.height);
+  await page.evaluate(() => window.eyrie!.store.set({ time: window.eyrie!.store.get().end, camera: 'whole' }));
+  await page.at_rest('.scene');
+  // the way there and back is a hundred miles long
+  assert.ok((await height()) > 100, `${await height()} km`);
+  await page.evaluate(() => window.eyrie!.store.set({ time: 530, camera: 'follow' }));
+  await page.at_rest('.scene');
+  const seen = await page.evaluate(() => {
+    const { frame } = window.eyrie!.scene as unknown as { frame: { sight: { now: { tracks: { is_target: boolean; truth: number }[] } }; players: { x: number[]; y: number[]; z: number[] };
+      eye: { project(x: number, y: number, z: number): boolean; on_screen(): boolean } } };
+    const foe = frame.sight.now.tracks.find((track) => track.is_target)!.truth;
+    return frame.eye.project(frame.players.x[foe]!, frame.players.y[foe]!, frame.players.z[foe]!) && frame.eye.on_screen();
+  });
+  assert.ok(seen, 'the opponent is out of the picture');
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole' }));
+});
+
+describe('saves', { skip: kNoPage }, () => {
+  /** Bytes of what the page hands to the browser to be kept. */
+  const saved = (index: number) => page.evaluate(async (i) => {
+    const blob = (window as unknown as { kept: Blob[] }).kept[i];
+    return blob ? { type: blob.type, size: blob.size, head: [...new Uint8Array(await blob.slice(0, 4).arrayBuffer())], text: blob.type.includes('svg') ? await blob.text() : '' } : null;
+  }, index);
+  const choose = async (words: string): Promise<void> => {
+    await page.$$eval('.stage .menu-body button', (all, wanted) => (all.find((e) => e.textContent === wanted) as HTMLElement).click(), words);
+  };
+  test('pictures as PNG and as SVG, with the names in them', async () => {
+    await page.evaluate(() => {
+      const kept: Blob[] = [];
+      Object.assign(window, { kept });
+      URL.createObjectURL = (blob) => `about:blank#${kept.push(blob as Blob)}`;
+      HTMLAnchorElement.prototype.click = () => {};
+    });
+    await choose('picture, PNG');
+    await page.waitForFunction(() => (window as unknown as { kept: Blob[] }).kept.length === 1);
+    assert.deepEqual((await saved(0))!.head, [0x89, 0x50, 0x4e, 0x47]);
+    await choose('picture, SVG');
+    const svg = (await saved(1))!.text;
+    const [broken, names] = await page.evaluate((text) => {
+      const made = new DOMParser().parseFromString(text, 'image/svg+xml');
+      return [made.querySelector('parsererror') !== null, [...made.querySelectorAll('text')].map((e) => e.textContent)] as const;
+    }, svg);
+    assert.ok(!broken && names.includes('eagle1') && !svg.includes('NaN'), svg.slice(0, 400));
+  });
+  test('a film of what plays', async () => {
+    await choose('film from here, WebM');
+    await page.waitForSelector('.filming');
+    await page.waitForTimeout(1500);
+    await page.click('.filming');
+    await page.waitForFunction(() => (window as unknown as { kept: Blob[] }).kept.length === 3);
+    const film = (await saved(2))!;
+    assert.deepEqual(film.head, [0x1a, 0x45, 0xdf, 0xa3]);
+    assert.ok(film.size > 10_000, `${film.size} bytes`);
+  });
+});
+
+test('in a window of any width the picture has its place, and nothing lies outside', { skip: kNoPage }, async () => {
+  for (const [width, height] of [[390, 844], [800, 1100], [1280, 800], [1920, 1080], [3840, 2160]] as const) {
+    const { page: other } = await open_page(browser, { width, height });
+    const { height: high, width: wide } = await other.box('.scene');
+    assert.ok(high > 0.4 * height && wide > 0.45 * width, `the picture has ${wide} x ${high} of ${width} x ${height}`);
+    const outside = () => other.$$eval('.top button, .transport button, .transport select, .stage-tools button', (all) => all
+      .filter((e) => e.getClientRects().length > 0 && !e.closest('details:not([open])'))
+      .filter((e) => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0).map((e) => e.outerHTML.slice(0, 80)));
+    assert.deepEqual(await outside(), [], `${width}`);
+    if (width < 900)
+      for (const sheet of ['Players and story', 'Decision']) {
+        await other.click(`button[aria-label="Show: ${sheet}"]`);
+        assert.ok((await other.box('.scene')).height > 0.2 * height, `the picture above ${sheet}`);
+        assert.deepEqual(await outside(), [], `${width} with ${sheet}`);
+      }
+    await other.close();
+  }
+});
+
+test('the air picture is turned and zoomed by keys, too', { skip: kNoPage }, async () => {
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'free', playing: false, time: 480 }));
+  await page.at_rest('.scene');
+  const pose = () => page.evaluate(() => window.eyrie!.store.get().pose!);
+  const [before, time] = [await pose(), await page.evaluate(() => window.eyrie!.store.get().time)];
+  await page.press('.scene', 'ArrowRight');
+  await page.keyboard.press('+');
+  await page.at_rest('.scene');
+  const after = await pose();
+  assert.ok(after[3] < before[3] && after[4] !== before[4], `${before} to ${after}`);
+  assert.equal(await page.evaluate(() => window.eyrie!.store.get().time), time, 'the arrow was not the timeline\'s');
+});
+
+test('two fingers zoom and one turns', { skip: kNoPage || (kWhere !== 'chromium' && 'fingers are those of Chromium') }, async () => {
+  const { x, y, width, height } = await page.box('.scene');
+  const [cx, cy] = [x + width / 2, y + height / 2];
+  const pose = () => page.evaluate(() => window.eyrie!.store.get().pose!);
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'free', playing: false }));
+  await page.at_rest('.scene');
+  const before = await pose();
+  const [one, two] = [await page.touch.touchStart(cx - 40, cy), await page.touch.touchStart(cx + 40, cy)];
+  for (const reach of [60, 80, 100, 120]) {
+    await one.move(cx - reach, cy);
+    await two.move(cx + reach, cy);
+  }
+  await one.end();
+  await two.end();
+  await page.at_rest('.scene');
+  const zoomed = await pose();
+  assert.ok(zoomed[3] < 0.6 * before[3], `${before[3]} to ${zoomed[3]} km`);
+  const finger = await page.touch.touchStart(cx, cy);
+  for (const way of [20, 40, 80]) await finger.move(cx + way, cy);
+  await finger.end();
+  await page.at_rest('.scene');
+  assert.notEqual((await pose())[4], zoomed[4]);
+});
