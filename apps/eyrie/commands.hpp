@@ -142,14 +142,18 @@ struct PlaygroundOptions {
 };
 int playground(const PlaygroundOptions& options);
 
-enum class ExportFormat { czml, geojson, decisions };
+enum class ExportFormat { czml, geojson, decisions, answers, sqlite };
 constexpr auto names_of(ExportFormat) {
-  return names_from_zero<ExportFormat>("czml", "geojson", "decisions");
+  return names_from_zero<ExportFormat>("czml", "geojson", "decisions", "answers", "sqlite");
 }
 struct ExportOptions {
-  std::string run, player;  ///< player: of decisions; empty: everybody's
+  std::string run;
   ExportFormat format = ExportFormat::czml;
-  std::string out;  ///< file; empty: run.czml, run.geojson or decisions.csv beside the run
+  // of decisions, answers and sqlite
+  std::string player;         ///< whose decisions; empty: everybody's
+  std::string every;          ///< a time: at most one decision of a player in it
+  bool changes_only = false;  ///< only decisions that are others than those before them
+  std::string out;            ///< file; empty: run.czml, run.geojson, run.sqlite ... beside the run
   bool force = false;
   std::vector<std::string> plugins;
 };
@@ -159,6 +163,7 @@ struct CatalogOptions {
   std::string node;                            ///< only this one; empty: everything
   bool markdown = false, json_schema = false;  ///< neither: a short list
   bool events = false;  ///< instead: what each kind of event means, as docs/events.md
+  bool tables = false;  ///< instead: what run.sqlite holds, as docs/tables.md
   std::vector<std::string> plugins;
 };
 int catalog(const CatalogOptions& options);

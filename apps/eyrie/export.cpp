@@ -4,12 +4,13 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "debrief/decision.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "record/paths.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
+#include "tables/csv_files.hpp"
+#include "tables/database.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -25,52 +26,50 @@ void write_paths(const debrief::Recorded& recorded, ExportFormat format, disk::S
   sink.write(format == ExportFormat::czml ? record::czml(paths) : record::geojson(paths));
 }
 
-/// Every decision of every player, or of one.
-void write_decisions(const debrief::Recorded& recorded, std::optional<PlayerId> who,
-                     disk::Sink& sink) {
-  const scenario::Scenario& scenario = *recorded.scenario;
-  debrief::Reflight flight(recorded);
-  std::vector<debrief::Decision> decisions;
-  bool first = true;
-  const auto flush = [&] {
-    const std::string text = debrief::decisions_csv(decisions, scenario.roster);
-    sink.write(first ? std::string_view(text) : std::string_view(text).substr(text.find('\n') + 1));
-    first = false;
-    decisions.clear();
-  };
-  while (!interrupted() && flight.step()) {
-    for (std::uint32_t id = 1; id <= scenario.roster.players.size(); ++id)
-      if (!who || *who == PlayerId{id})
-        if (auto decision = debrief::explain(scenario, flight.before(), flight.after(),
-                                             PlayerId{id}, flight.orders()))
-          decisions.push_back(std::move(*decision));
-    if (decisions.size() > 1000)
-      flush();
+tables::Selection selection_of(const ExportOptions& options, const debrief::Recorded& recorded) {
+  tables::Selection selection;
+  selection.changes_only = options.changes_only;
+  if (!options.player.empty())
+    selection.who = player_named(recorded.scenario->roster, options.player);
+  if (!options.every.empty())
+    selection.every = time_named("--every", options.every);
+  return selection;
+}
+
+void write_tables(const debrief::Recorded& recorded, const ExportOptions& options,
+                  const std::string& file, disk::Sink& sink) {
+  const tables::Selection selection = selection_of(options, recorded);
+  if (options.format == ExportFormat::sqlite) {
+    if (const auto bytes = tables::run_database(recorded, selection, interrupted))
+      sink.write(*bytes);
+    return;
   }
-  flush();
+  tables::TextFile text(sink, file.ends_with(".gz"));
+  (options.format == ExportFormat::decisions ? tables::write_decisions : tables::write_answers)(
+      recorded, selection, text, interrupted);
 }
 
 }  // namespace
 
 int export_run(const ExportOptions& options) {
+  const bool paths =
+      options.format == ExportFormat::czml || options.format == ExportFormat::geojson;
+  if (paths && (!options.player.empty() || !options.every.empty() || options.changes_only))
+    refuse(
+        "--player, --every and --changes-only are for decisions: paths are those of all players");
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
-  std::optional<PlayerId> who;
-  if (!options.player.empty()) {
-    who = player_named(recorded.scenario->roster, options.player);
-    if (options.format != ExportFormat::decisions)
-      refuse("--player is for decisions: paths are those of all players");
-  }
-  constexpr const char* kNames[] = {record::kCzmlName, record::kGeojsonName,
-                                    record::kDecisionsName};
+  selection_of(options, recorded);
+  constexpr const char* kNames[] = {record::kCzmlName, record::kGeojsonName, record::kDecisionsName,
+                                    record::kAnswersName, record::kDatabaseName};
   const std::string beside =
       fs::path(recorded.file).parent_path() / kNames[static_cast<int>(options.format)];
   const std::string& file = options.out.empty() ? beside : options.out;
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || options.out.empty());
-  if (options.format == ExportFormat::decisions)
-    write_decisions(recorded, who, out.sink());
-  else
+  if (paths)
     write_paths(recorded, options.format, out.sink());
+  else
+    write_tables(recorded, options, file, out.sink());
   finish(out);
   return 0;
 }

@@ -242,13 +242,18 @@ void add_export(CLI::App& app, Chosen& chosen) {
           [&o](const std::string& name) {
             o.format = enum_named<ExportFormat>(name).value_or(o.format);
           },
-          "czml (Cesium), geojson (maps), or decisions (CSV: every field that every node of every "
-          "player proposed)")
+          "sqlite (everything in one database), decisions (CSV: one a row), answers (CSV: those of "
+          "every node), czml (Cesium), or geojson (maps)")
       ->required()
       ->check(one_of({kFormats.begin(), kFormats.end()}));
   exported->add_option("--player", o.player, "only this player's decisions");
+  exported->add_option("--every", o.every,
+                       "at most one decision of a player in so much time: '1 s'");
+  exported->add_flag("--changes-only", o.changes_only,
+                     "only decisions with another leader, tree or order than the one before");
   exported->add_option("--out", o.out,
-                       "the file (default: run.czml, run.geojson or decisions.csv beside the run)");
+                       "the file (default: run.sqlite, decisions.csv.gz ... beside the run; a name "
+                       "without .gz gives plain CSV)");
   exported->add_flag("--force", o.force, "replace the file given by --out");
 }
 
@@ -292,9 +297,10 @@ void add_catalog(CLI::App& app, Chosen& chosen) {
   catalog->add_flag("--markdown", o.markdown, "as the reference page")->excludes(schema);
   schema->excludes(node);
   catalog->get_option("--markdown")->excludes(node);
-  catalog->add_flag("--events", o.events, "the kinds of events instead, as a page")
-      ->excludes("node")
-      ->excludes(schema);
+  auto* events = catalog->add_flag("--events", o.events, "the kinds of events instead, as a page");
+  auto* tables = catalog->add_flag("--tables", o.tables, "the tables of run.sqlite instead");
+  events->excludes(node)->excludes(schema)->excludes(tables);
+  tables->excludes(node)->excludes(schema);
   add_plugins(catalog, o.plugins, kPluginHelp);
 }
 

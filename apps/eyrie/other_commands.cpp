@@ -8,6 +8,7 @@
 #include "say.hpp"
 #include "scenario/catalog.hpp"
 #include "scenario/plugins.hpp"
+#include "tables/schema.hpp"
 
 namespace eyrie::app {
 
@@ -57,8 +58,8 @@ int validate(const ValidateOptions& options) {
 }
 
 int catalog(const CatalogOptions& options) {
-  if (options.events) {
-    say("{}", lines(record::events_markdown()));
+  if (options.events || options.tables) {
+    say("{}", lines(options.events ? record::events_markdown() : tables::tables_markdown()));
     return 0;
   }
   scenario::Source source = scenario::Source::disk(home());

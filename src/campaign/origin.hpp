@@ -3,10 +3,12 @@
 /// \file  What a campaign was begun with, against what it would go on with.
 #include <map>
 
-#include "campaign/database.hpp"
 #include "campaign/spec.hpp"
+#include "sql/database.hpp"
 
 namespace eyrie::campaign {
+
+using sql::Database, sql::Statement, sql::sql_name;
 
 /// What a campaign is flown with: every file by its name, with its text or what stands for it.
 using Origin = std::map<std::string, std::string>;

@@ -3,9 +3,11 @@
 /// \file  The table of the results as Parquet, by DuckDB's library where that is installed.
 #include <memory>
 
-#include "campaign/database.hpp"
+#include "sql/database.hpp"
 
 namespace eyrie::campaign {
+
+using sql::Database, sql::Statement, sql::sql_name;
 
 inline constexpr const char* kParquetName = "results.parquet";
 

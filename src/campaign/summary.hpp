@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the results in a folder say: cell by cell, and one cell against another.
-#include "campaign/database.hpp"
 #include "campaign/estimate.hpp"
+#include "sql/database.hpp"
 
 namespace eyrie::campaign {
+
+using sql::Database, sql::Statement, sql::sql_name;
 
 /// The results of a campaign, read from its database alone.
 struct Summary {

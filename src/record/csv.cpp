@@ -48,7 +48,7 @@ EventsCsv::EventsCsv(const scenario::Scenario& scenario, disk::Sink& sink)
 void EventsCsv::observe(const sim::World&, const sim::StepInfo& info,
                         std::span<const sim::Event> events) {
   for (const sim::Event& e : events) {
-    const std::vector<EventCell> row = table_.row(e, info);
+    const std::vector<Cell> row = table_.row(e, info);
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (i > 0)
         out_ += ',';

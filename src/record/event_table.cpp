@@ -20,15 +20,15 @@ std::size_t place_of(std::string_view column) {
       all.begin());
 }
 
-EventCell cell_of(std::string text) {
-  return text.empty() ? EventCell() : EventCell(std::move(text));
+Cell cell_of(std::string text) {
+  return text.empty() ? Cell() : Cell(std::move(text));
 }
 template <class Enum>
-EventCell word(float number) {
+Cell word(float number) {
   return std::string(enum_name(static_cast<Enum>(static_cast<int>(number))));
 }
 
-EventCell source_words(float number) {
+Cell source_words(float number) {
   constexpr std::array kNames{"radar", "eyes", "datalink", "truth", "infrared"};
   std::string text;
   for (std::size_t bit = 0; bit < kNames.size(); ++bit)
@@ -37,7 +37,7 @@ EventCell source_words(float number) {
   return cell_of(text);
 }
 
-EventCell defense_word(float number) {
+Cell defense_word(float number) {
   constexpr std::array kNames{"turn_in", "break", "notch", "drag", "last_ditch", "out"};
   const auto i = static_cast<std::size_t>(std::max(number, 1.0F)) - 1;
   return std::string(kNames[std::min(i, kNames.size() - 1)]);
@@ -50,7 +50,7 @@ const std::vector<EventColumn>& event_columns() {
     std::vector<EventColumn> columns{
         {"time_s", "since the beginning of the run, at the end of the step", "{:.3f}"},
         {"step", "of the simulation, from 0", "{:.0f}"},
-        {"event", "its kind, see below"},
+        {"event", "its kind"},
         {"who", "who does it: a player, or a missile as `AIM-120C #7 of eagle1`"},
         {"who_id", "its number", "{:.0f}"},
         {"whom", "whom it is done to; empty: nobody"},
@@ -75,8 +75,7 @@ const std::vector<EventColumn>& event_columns() {
   return all;
 }
 
-EventCell EventTable::value(const sim::Event& e, const model::EventValue& what,
-                            float number) const {
+Cell EventTable::value(const sim::Event& e, const model::EventValue& what, float number) const {
   switch (what.code) {
     case EventCode::number:
       return what.unit.dimension == Dimension::angle
@@ -101,7 +100,7 @@ EventCell EventTable::value(const sim::Event& e, const model::EventValue& what,
     case EventCode::flight: {
       const auto& flights = scenario_.roster.flights;
       const auto i = static_cast<std::size_t>(number);
-      return number >= 0 && i < flights.size() ? cell_of(flights[i].name) : EventCell();
+      return number >= 0 && i < flights.size() ? cell_of(flights[i].name) : Cell();
     }
     case EventCode::defense:
       return defense_word(number);
@@ -111,19 +110,17 @@ EventCell EventTable::value(const sim::Event& e, const model::EventValue& what,
   return {};
 }
 
-std::vector<EventCell> EventTable::row(const sim::Event& e, const sim::StepInfo& info) {
+std::vector<Cell> EventTable::row(const sim::Event& e, const sim::StepInfo& info) {
   missiles_.note(e);
-  std::vector<EventCell> cells(event_columns().size());
+  std::vector<Cell> cells(event_columns().size());
   const model::EventKind kind = kind_of(e);
-  const auto id = [](PlayerId who) {
-    return who ? EventCell(static_cast<double>(who.value)) : EventCell();
-  };
+  const auto id = [](PlayerId who) { return who ? Cell(static_cast<double>(who.value)) : Cell(); };
   const bool by_weapon = kind == model::EventKind::hit || kind == model::EventKind::kill;
   const PlayerId missile = missiles_.find(e.who)    ? e.who
                            : missiles_.find(e.whom) ? e.whom
                            : by_weapon              ? PlayerId{e.detail}
                                                     : PlayerId{};
-  EventCell weapon, shooter;
+  Cell weapon, shooter;
   if (const Missiles::Missile* of = missiles_.find(missile)) {
     weapon = cell_of(of->label);
     shooter = cell_of(scenario_.roster.name(of->shooter));
@@ -133,7 +130,7 @@ std::vector<EventCell> EventTable::row(const sim::Event& e, const sim::StepInfo&
   }
   const Geodetic place = scenario_.library->reference.to_geodetic(e.place);
   std::size_t at = 0;
-  for (EventCell& cell : std::array<EventCell, kFixed>{
+  for (Cell& cell : std::array<Cell, kFixed>{
            info.time() + info.dt, static_cast<double>(info.step),
            cell_of(std::string(model::event_name(kind))), cell_of(missiles_.name(e.who)), id(e.who),
            cell_of(missiles_.name(e.whom)), id(e.whom), weapon, shooter, id(missile), e.place.x,

@@ -14,7 +14,7 @@ struct EventColumn {
   std::string_view format = "";  ///< of its numbers in a text, such as "{:.3f}"; "": words
 };
 /// Nothing, a number or words.
-using EventCell = std::variant<std::monostate, double, std::string>;
+using Cell = std::variant<std::monostate, double, std::string>;
 
 /// The columns of every table of events: when, what, who, whom, which missile and where, then each
 /// value that an event of any kind carries.
@@ -27,11 +27,10 @@ class EventTable {
       : scenario_(scenario), missiles_(scenario) {}
 
   /// A cell for each column. Words are as files gave them.
-  [[nodiscard]] std::vector<EventCell> row(const sim::Event& e, const sim::StepInfo& info);
+  [[nodiscard]] std::vector<Cell> row(const sim::Event& e, const sim::StepInfo& info);
 
  private:
-  [[nodiscard]] EventCell value(const sim::Event& e, const model::EventValue& what,
-                                float number) const;
+  [[nodiscard]] Cell value(const sim::Event& e, const model::EventValue& what, float number) const;
 
   const scenario::Scenario& scenario_;
   Missiles missiles_;

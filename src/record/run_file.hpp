@@ -117,10 +117,12 @@ inline constexpr const char* kPageName = "debrief.html";
 inline constexpr const char* kPageOfTwoName = "debrief-two.html";
 inline constexpr const char* kCzmlName = "run.czml";
 inline constexpr const char* kGeojsonName = "run.geojson";
-inline constexpr const char* kDecisionsName = "decisions.csv";
+inline constexpr const char* kDecisionsName = "decisions.csv.gz";
+inline constexpr const char* kAnswersName = "answers.csv.gz";
+inline constexpr const char* kDatabaseName = "run.sqlite";
 
-inline constexpr std::array kRunFolderNames{kRunFileName, kEventsName,    kFlightName,
-                                            kPageName,    kPageOfTwoName, kCzmlName,
-                                            kGeojsonName, kDecisionsName};
+inline constexpr std::array kRunFolderNames{
+    kRunFileName, kEventsName,    kFlightName,  kPageName,     kPageOfTwoName, kCzmlName,
+    kGeojsonName, kDecisionsName, kAnswersName, kDatabaseName, "decisions.csv"};
 
 }  // namespace eyrie::record

@@ -113,6 +113,9 @@ class AgentSystem final : public Agents {
     const Agent& agent = world.rows(setup_.agents.agent)[row];
     return {.ticks = agent.ticks, .vote = agent.vote, .tree = agent.tree, .node = agent.node};
   }
+  [[nodiscard]] std::span<const ubf::ActionFieldInfo> action_fields() const override {
+    return ubf::action_fields<Action>();
+  }
   [[nodiscard]] sim::Order order_tree(std::uint64_t step, PlayerId player,
                                       std::uint16_t tree) const override {
     return swap_tree_order(step, player, tree);

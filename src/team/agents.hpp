@@ -4,6 +4,7 @@
 #include "sim/event.hpp"
 #include "sim/system.hpp"
 #include "team/decision.hpp"
+#include "ubf/action_traits.hpp"
 
 namespace eyrie::team {
 
@@ -58,6 +59,8 @@ class Agents : public sim::System {
   /// From `step` on the player uses that tree, which begins with nothing remembered.
   [[nodiscard]] virtual sim::Order order_tree(std::uint64_t step, PlayerId player,
                                               std::uint16_t tree) const = 0;
+  /// What an action of theirs consists of.
+  [[nodiscard]] virtual std::span<const ubf::ActionFieldInfo> action_fields() const = 0;
   /// Whether two rows of controls have the same bytes.
   [[nodiscard]] virtual bool want_alike(const sim::World& a, std::size_t row, const sim::World& b,
                                         std::size_t other_row) const = 0;

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/enum_names.hpp"
 #include "core/units.hpp"
 #include "ubf/blend.hpp"
 #include "ubf/memory.hpp"
@@ -129,6 +130,7 @@ struct ActionFieldInfo {
   std::string_view name;
   Unit unit;
   bool is_number, is_real, is_direction, is_mean;
+  bool is_words;  ///< neither a number, a flag nor an id
   /// A number as it is; of anything else 1, but 0 for a flag that says no. Nothing if it is not
   /// set.
   std::optional<double> (*get)(const void* action);
@@ -152,22 +154,25 @@ constexpr ActionFieldInfo action_field() {
           .is_real = Field::is_real,
           .is_direction = Field::is_direction,
           .is_mean = std::is_same_v<typename Field::BlendTag, blend::Mean>,
-          .get = [](const void* action) -> std::optional<double> {
-            const auto& value = member_of<const Action, I>(*static_cast<const Action*>(action));
-            if (!value)
-              return std::nullopt;
-            if constexpr (std::is_arithmetic_v<T>)
-              return static_cast<double>(*value);
-            else
-              return 1;
-          },
-          .set =
-              [](void* action, std::optional<double> value) {
-                if constexpr (Field::is_real)
-                  member_of<Action, I>(*static_cast<Action*>(action)) =
-                      value ? std::optional(static_cast<T>(*value)) : std::nullopt;
-              }};
+          .is_words = NamedEnum<T> || requires(const T& value){to_text(value);
 }
+,
+    .get = [](const void* action) -> std::optional<double> {
+      const auto& value = member_of<const Action, I>(*static_cast<const Action*>(action));
+      if (!value)
+        return std::nullopt;
+      if constexpr (std::is_arithmetic_v<T>)
+        return static_cast<double>(*value);
+      else
+        return 1;
+    },
+    .set = [](void* action, std::optional<double> value) {
+      if constexpr (Field::is_real)
+        member_of<Action, I>(*static_cast<Action*>(action)) =
+            value ? std::optional(static_cast<T>(*value)) : std::nullopt;
+    }
+};  // namespace detail
+}  // namespace eyrie::ubf
 template <class Action>
 inline constexpr auto kActionFields = []<std::size_t... I>(std::index_sequence<I...>) {
   return std::array<ActionFieldInfo, sizeof...(I)>{action_field<Action, I>()...};

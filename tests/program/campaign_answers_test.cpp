@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign/database.hpp"
+#include "sql/database.hpp"
 #include "support/campaign/two_speeds.hpp"
 #include "support/plugin.hpp"
 
@@ -91,7 +91,7 @@ TEST_F(Campaign, SaysWhatIsDamaged) {
     const std::string out = "spoiled";
     std::filesystem::remove_all(folder / out);
     std::filesystem::copy(folder / "undisturbed", folder / out);
-    campaign::Database(folder / out + "/results.db", campaign::Database::Access::write).run(sql);
+    sql::Database(folder / out + "/results.db", sql::Database::Access::write).run(sql);
     std::string said;
     for (const std::vector<std::string>& command :
          {std::vector<std::string>{"report", out}, {"query", out, "--decisions", "1 s"}}) {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "campaign/database.hpp"
+#include "sql/database.hpp"
 #include "support/campaign/background.hpp"
 #include "support/campaign/two_speeds.hpp"
 #include "support/plugin.hpp"
@@ -51,8 +51,8 @@ TEST_F(Campaign, InterruptedKeepsWhatWasFlownAndSaysHowToGoOn) {
   const Background process(folder, {"campaign", "c.yaml", "--out", "cut"});
   const auto kept = [&] {
     try {
-      campaign::Database results(folder / "cut/results.db", campaign::Database::Access::read);
-      campaign::Statement rows = results.prepare("SELECT count(*) FROM replicates");
+      sql::Database results(folder / "cut/results.db", sql::Database::Access::read);
+      sql::Statement rows = results.prepare("SELECT count(*) FROM replicates");
       return rows.step() ? rows.integer(0) : 0;
     } catch (const std::exception&) {  // it is not yet there
       return std::int64_t{0};

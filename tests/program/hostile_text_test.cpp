@@ -81,6 +81,8 @@ const std::vector<std::vector<std::string>> kCommands{
     {"export", "run", "--to", "czml", "--out", "run.czml", "--force"},
     {"export", "run", "--to", "geojson", "--out", "run.geojson", "--force"},
     {"export", "run", "--to", "decisions", "--out", "decisions.csv", "--force"},
+    {"export", "run", "--to", "answers", "--out", "answers.csv", "--force"},
+    {"export", "run", "--to", "sqlite", "--out", "run.sqlite", "--force"},
 };
 
 void expect_clean(const std::string& output, const std::string& what) {
@@ -182,14 +184,33 @@ TEST_F(HostileTexts, AreReadBackFromTablesAndAreNoFormulas) {
   const Ran ran = fly(kPrintable);
   ASSERT_EQ(ran.code, 0) << ran.err;
   expect_table(csv_rows(folder / "run/events.csv"));
-  ASSERT_EQ(run_program(folder, {"export", "run", "--to", "decisions"}).code, 0);
+  for (const char* format : {"decisions", "answers"})
+    ASSERT_EQ(run_program(folder, {"export", "run", "--to", format, "--out",
+                                   folder / (std::string("run/") + format + ".csv")})
+                  .code,
+              0);
   folder.write("explained.csv",
                run_program(folder, {"explain", "run", "--player", "eagle1", "--csv"}).out);
-  for (const char* name : {"run/decisions.csv", "explained.csv"}) {
+  for (const char* name : {"run/decisions.csv", "run/answers.csv", "explained.csv"}) {
     const json rows = csv_rows(folder / name);
     expect_table(rows);
     EXPECT_TRUE(holds(rows, "/" + kPrintable.phase + "/" + kPrintable.node)) << name;
   }
+}
+
+/// By Python, which refuses what is no UTF-8.
+TEST_F(HostileTexts, AreReadBackFromTheDatabase) {
+  const Ran ran = fly(kPrintable);
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  ASSERT_EQ(run_program(folder, {"export", "run", "--to", "sqlite"}).code, 0);
+  const json read = json::parse(python(R"(
+import json, sqlite3, sys
+run = sqlite3.connect(sys.argv[1])
+tables = [name for (name,) in run.execute("SELECT name FROM sqlite_schema WHERE sql IS NOT NULL")]
+print(json.dumps([run.execute(f"SELECT * FROM {name}").fetchall() for name in tables])))",
+                                       {folder / "run/run.sqlite"}));
+  EXPECT_TRUE(holds(read, "root/" + kPrintable.phase + "/" + kPrintable.node));
+  EXPECT_TRUE(holds(read, kPrintable.model));
 }
 
 TEST_F(HostileTexts, AreReadBackFromJson) {

@@ -21,6 +21,7 @@ std::vector<std::vector<std::string>> commands() {
           {"explain", "run.eyrie", "--player", "viper1"},
           {"export", "run.eyrie", "--to", "czml"},
           {"export", "run.eyrie", "--to", "decisions"},
+          {"export", "run.eyrie", "--to", "sqlite"},
           {"debrief", "run.eyrie"},
           {"whatif", "run.eyrie", "--player", "viper1", "--set", "root.vote=2"},
           {"diff", "run.eyrie", "run.eyrie"}};

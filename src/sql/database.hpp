@@ -9,7 +9,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace eyrie::campaign {
+namespace eyrie::sql {
 
 /// A prepared statement. What fails throws disk::Failed.
 class Statement {
@@ -55,13 +55,15 @@ class Statement {
 class Database {
  public:
   enum class Access { create, write, read };
-  /// Throws disk::Failed if there is none, or none can be made. One that is being written is read
-  /// as it was at the last commit.
+  /// ":memory:" is no file. Throws disk::Failed if there is none, or none can be made. One that is
+  /// being written is read as it was at the last commit.
   Database(const std::string& path, Access access);
 
   [[nodiscard]] Statement prepare(std::string_view sql);
   /// Statements without a result.
   void run(const std::string& sql);
+  /// The whole file that it is or would be, also of one in memory.
+  [[nodiscard]] std::string bytes() const;
 
  private:
   struct Close {
@@ -73,4 +75,4 @@ class Database {
 /// A name as SQL writes it, whatever stands in it.
 [[nodiscard]] std::string sql_name(std::string_view name);
 
-}  // namespace eyrie::campaign
+}  // namespace eyrie::sql

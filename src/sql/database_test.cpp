@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/database.hpp"
+#include "sql/database.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "disk/file_system.hpp"
 #include "support/program.hpp"
 
-namespace eyrie::campaign {
+namespace eyrie::sql {
 namespace {
 
 using Access = Database::Access;
@@ -62,4 +62,4 @@ TEST(Database, NamesColumnsWhateverTheyAreCalled) {
 }
 
 }  // namespace
-}  // namespace eyrie::campaign
+}  // namespace eyrie::sql

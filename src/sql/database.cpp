@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/database.hpp"
+#include "sql/database.hpp"
 
 #include <fmt/format.h>
 #include <sqlite3.h>
@@ -10,7 +10,7 @@
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
 
-namespace eyrie::campaign {
+namespace eyrie::sql {
 namespace {
 
 /// To be called right after what has failed: SQLite keeps no errno of a write.
@@ -125,6 +125,15 @@ void Database::run(const std::string& sql) {
     fail(database_.get());
 }
 
+std::string Database::bytes() const {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(
+      sqlite3_serialize(database_.get(), "main", &size, 0), sqlite3_free);
+  if (!bytes)
+    throw std::bad_alloc();
+  return {reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size)};
+}
+
 std::string sql_name(std::string_view name) {
   std::string text = "\"";
   for (const char c : name)
@@ -132,4 +141,4 @@ std::string sql_name(std::string_view name) {
   return text + "\"";
 }
 
-}  // namespace eyrie::campaign
+}  // namespace eyrie::sql
