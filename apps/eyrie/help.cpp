@@ -42,7 +42,9 @@ const std::map<std::string_view, Names>& examples() {
         "eyrie whatif runs/latest --player viper1 --set root/wvr=fusion --seeds 20"}},
       {"debrief", {"eyrie debrief runs/latest", "eyrie debrief runs/merge-8 runs/latest"}},
       {"playground", {"eyrie playground", "eyrie playground --out site"}},
-      {"export", {"eyrie export runs/latest --to czml", "eyrie export runs/latest --to geojson"}},
+      {"export",
+       {"eyrie export runs/latest --to sqlite",
+        "eyrie export runs/latest --to decisions --every '1 s'"}},
       {"diff",
        {"eyrie diff runs/merge-8 runs/latest", "eyrie diff runs/merge-8 runs/latest --json"}},
       {"validate", {"eyrie validate mine.yaml", "eyrie validate sweep merge"}},
@@ -58,16 +60,13 @@ const std::map<std::string_view, Names>& examples() {
 /// What stands behind an option: "N"; "" for a flag.
 std::string value_of(const CLI::App& app, const CLI::Option& option) {
   static const std::map<std::string_view, std::string_view> kNames{
-      {"set", "PATH=VALUE"},      {"seeds", "FIRST..LAST"},
-      {"plugin", "FILE"},         {"out", "PATH"},
-      {"until", "TIME"},          {"at", "TIME"},
-      {"from", "TIME"},           {"player", "NAME"},
-      {"event", "WORD"},          {"part", "K/N"},
-      {"of", "MEASURE"},          {"to", "TIME"},
-      {"decisions", "TIME"},      {"remove", "FILE"},
-      {"realtime", "FACTOR"},     {"altitude", "HEIGHT"},
-      {"speed", "SPEED"},         {"units", "UNITS"},
-      {"allow-include", "FOLDER"}};
+      {"set", "PATH=VALUE"},  {"seeds", "FIRST..LAST"},   {"plugin", "FILE"},
+      {"out", "PATH"},        {"until", "TIME"},          {"at", "TIME"},
+      {"from", "TIME"},       {"player", "NAME"},         {"event", "WORD"},
+      {"part", "K/N"},        {"of", "MEASURE"},          {"to", "TIME"},
+      {"every", "TIME"},      {"decisions", "TIME"},      {"remove", "FILE"},
+      {"realtime", "FACTOR"}, {"altitude", "HEIGHT"},     {"speed", "SPEED"},
+      {"units", "UNITS"},     {"allow-include", "FOLDER"}};
   if (option.get_items_expected_max() == 0)
     return "";
   const auto found = kNames.find(option.get_lnames().front());

@@ -25,7 +25,9 @@ Pose pose_of(const model::Kinematics& k, double time) {
 }  // namespace
 
 AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink)
-    : scenario_(scenario), sink_(sink) {}
+    : scenario_(scenario),
+      sink_(sink),
+      story_(scenario, [this](const StoryLine& line) { tell_story(line); }) {}
 
 AcmiSample AcmiWriter::sample_of(const model::Kinematics& k) const {
   return {.step = step_, .pose = pose_of(k, time_)};
@@ -155,10 +157,6 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
              acmi_event_text(scenario_.roster.name(e.who)),
              acmi_event_text(phase_name(scenario_, e)));
       break;
-    case EventKind::lead_change:
-      tell("0,Event=Message|{:x}|{} leads\n", e.who.value,
-           acmi_event_text(scenario_.roster.name(e.who)));
-      break;
     default:
       break;
   }
@@ -166,10 +164,22 @@ void AcmiWriter::happened(const sim::Event& e, const sim::World& world) {
     gone(fate->who);
 }
 
+/// Of phases every player's own are told already.
+void AcmiWriter::tell_story(const StoryLine& line) {
+  const std::string text = acmi_event_text(fmt::format("{}: {}", line.who, line.text));
+  const bool phase = line.kind == EventKind::phase;
+  if (!phase)
+    tell("0,Event=Message|{:x}|{}\n", line.player.value, text);
+  if (phase || line.tone == Tone::kill || line.kind == EventKind::launch ||
+      line.kind == EventKind::commit || line.kind == EventKind::defend)
+    tell("0,Event=Bookmark|{:x}|{}\n", line.player.value, text);
+}
+
 void AcmiWriter::observe(const sim::World& world, const sim::StepInfo& info,
                          std::span<const sim::Event> events) {
   time_ = info.time() + info.dt;
   step_ = world.step();
+  story_.observe(world, info, events);
   for (const sim::Event& e : events)
     happened(e, world);
   if (step_ % players_every_ == 0)

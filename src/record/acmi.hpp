@@ -13,6 +13,7 @@
 #include "core/vec.hpp"
 #include "disk/sink.hpp"
 #include "model/frames.hpp"
+#include "record/story.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 
@@ -113,7 +114,8 @@ class AcmiObject {
 
 /// Writes a flight recording while a run is flown. Players are sampled at 5 Hz and
 /// missiles at 10 Hz; of these samples the file has those that a reader needs who draws straight
-/// lines between them (AcmiObject::kTolerance), one in five seconds at least. Births, deaths,
+/// lines between them (AcmiObject::kTolerance), one in five seconds at least. The story is there as
+/// messages; shots, defenses, losses and flights' phases are bookmarks, too. Births, deaths,
 /// events, locks and whom the tree obeys stand at their time. Positions are relative to the
 /// reference point, so that seven decimals of a degree (about 1 cm) stay short.
 class AcmiWriter final : public sim::Observer {
@@ -137,6 +139,7 @@ class AcmiWriter final : public sim::Observer {
   void born(const sim::Event& launch, const sim::World& world);
   void gone(PlayerId id);
   void happened(const sim::Event& event, const sim::World& world);
+  void tell_story(const StoryLine& line);
   template <class... T>
   void tell(fmt::format_string<T...> format, T&&... values) {
     lines_.push_back(
@@ -153,6 +156,7 @@ class AcmiWriter final : public sim::Observer {
   std::map<std::uint32_t, AcmiObject> objects_;                                ///< by id
   std::map<std::pair<const void*, std::uint32_t>, std::string> labels_;        ///< by tree and node
   std::vector<AcmiLine> lines_;
+  Story story_;
   std::string written_frame_;
 };
 

@@ -40,6 +40,10 @@ void Paths::see(PlayerId id, const Vec3& position, bool keep_it) {
 void Paths::look(const sim::World& world, bool players, bool missiles) {
   scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
     see(id, fleet.motion(world, row).position, players);
+    const PlayerId locked = fleet.gauges(world, row).locked;
+    auto& locks = all_[id.value].locks;
+    if (locks.empty() ? bool(locked) : locks.back().target != locked)
+      locks.push_back({time_, locked});
     const team::LastDecision last = fleet.agents->last_decision(world, row);
     if (!last.ticks)
       return;
@@ -78,6 +82,7 @@ void Paths::happened(const sim::Event& e) {
     path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
     path.side = shooter ? shooter->side : model::Side::none;
     path.target = scenario_.roster.name(e.whom);
+    path.locks = {{time_, e.whom}};
   }
   const auto fate = fate_of(e);
   const auto at = fate ? all_.find(fate->who.value) : all_.end();
@@ -142,7 +147,7 @@ ordered_json position(const Path& path) {
           {"cartographicDegrees", std::move(samples)}};
 }
 
-/// Name, who leads and its vote, over time.
+/// Name, of a player who leads and its vote, over time.
 ordered_json label(const Path& path, double end) {
   ordered_json texts = ordered_json::array();
   for (std::size_t i = 0; i < path.led.size(); ++i) {
@@ -174,9 +179,39 @@ ordered_json packet(std::uint32_t id, const Path& path) {
                {"leadTime", 0},
                {"trailTime", missile ? 30 : 120},
                {"material", {{"solidColor", {{"color", color(path.side)}}}}}};
-  if (!missile)
-    j["label"] = label(path, to);
+  j["label"] = label(path, to);
   return j;
+}
+
+/// The lines from who attacks to whom, one packet per pair.
+void add_lines(const Paths& paths, std::uint32_t id, const Path& path, ordered_json& all) {
+  std::map<std::uint32_t, ordered_json> when;  // by target
+  for (std::size_t i = 0; i < path.locks.size(); ++i) {
+    const auto [from, target] = path.locks[i];
+    const auto other = paths.all().find(target.value);
+    if (other == paths.all().end() || other->second.points.size() < 2)
+      continue;
+    double to = std::min(path.points.back().time, other->second.points.back().time);
+    if (i + 1 < path.locks.size())
+      to = std::min(to, path.locks[i + 1].time);
+    if (to > from)
+      when[target.value].push_back(interval(from, to));
+  }
+  for (auto& [target, intervals] : when) {
+    ordered_json stroke = color(path.side);
+    stroke["rgba"][3] = 120;
+    all.push_back(
+        {{"id", fmt::format("line-{}-{}", id, target)},
+         {"name", fmt::format("{} at {}", path.name, paths.all().at(target).name)},
+         {"availability", std::move(intervals)},
+         {"polyline",
+          {{"positions",
+            {{"references",
+              {fmt::format("player-{}#position", id), fmt::format("player-{}#position", target)}}}},
+           {"arcType", "NONE"},
+           {"width", 1},
+           {"material", {{"solidColor", {{"color", std::move(stroke)}}}}}}}});
+  }
 }
 
 }  // namespace
@@ -195,6 +230,9 @@ std::string czml(const Paths& paths) {
   for (const auto& [id, path] : paths.all())
     if (path.points.size() > 1)
       all.push_back(packet(id, path));
+  for (const auto& [id, path] : paths.all())
+    if (path.points.size() > 1)
+      add_lines(paths, id, path, all);
   return json_text(all) + "\n";
 }
 
@@ -211,43 +249,52 @@ ordered_json feature(ordered_json geometry, ordered_json properties) {
           {"properties", std::move(properties)}};
 }
 
-/// Lines, cut where they cross the 180th meridian: at the last point before and the first behind.
-ordered_json lines(const std::vector<Path::Point>& points) {
+/// Lines along the points, cut where they cross the 180th meridian.
+ordered_json way(std::span<const Path::Point> points) {
   ordered_json all = ordered_json::array();
-  ordered_json line = ordered_json::array();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool crosses = i > 0 && std::fabs(wrap_pi(points[i].place.longitude) -
-                                            wrap_pi(points[i - 1].place.longitude)) > kPi;
-    if (crosses && line.size() > 1)
-      all.push_back(line);
-    if (crosses)
-      line = ordered_json::array();
-    line.push_back(coordinates(points[i].place));
+  ordered_json line = ordered_json::array({coordinates(points.front().place)});
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Geodetic &a = points[i - 1].place, &b = points[i].place;
+    const double west = wrap_pi(a.longitude), step = wrap_pi(b.longitude - a.longitude);
+    if (std::fabs(west + step) > kPi) {
+      const double edge = step > 0 ? kPi : -kPi, part = (edge - west) / step;
+      const Geodetic cut{a.latitude + part * (b.latitude - a.latitude), edge,
+                         a.altitude + part * (b.altitude - a.altitude)};
+      line.push_back(coordinates(cut, edge));
+      all.push_back(std::move(line));
+      line = ordered_json::array({coordinates(cut, -edge)});
+    }
+    line.push_back(coordinates(b));
   }
-  if (line.size() > 1)
-    all.push_back(std::move(line));
-  return all;
+  all.push_back(std::move(line));
+  return {{"type", "MultiLineString"}, {"coordinates", std::move(all)}};
 }
 
-ordered_json path_feature(const Path& path) {
-  ordered_json times = ordered_json::array(), led = ordered_json::array();
-  for (const Path::Point& p : path.points)
-    times.push_back(std::round(p.time * 100) / 100);
-  for (const Path::Led& l : path.led)
-    led.push_back({{"from_s", l.time}, {"behavior", l.behavior}, {"vote", l.vote}});
-  ordered_json properties{{"name", path.name},
-                          {"kind", path.kind},
-                          {"type", path.type},
-                          {"side", scenario::side_name(path.side)}};
-  if (!path.target.empty())
-    properties["target"] = path.target;
-  if (!path.end.empty())
-    properties["end"] = path.end;
-  properties["times_s"] = std::move(times);
-  if (!led.empty())
-    properties["led_by"] = std::move(led);
-  return feature({{"type", "MultiLineString"}, {"coordinates", lines(path.points)}},
-                 std::move(properties));
+/// A feature for each way between two fixes.
+void add_path(const Path& path, ordered_json& features) {
+  std::size_t led = 0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const Path::Point &from = path.points[i - 1], &to = path.points[i];
+    ordered_json properties{{"name", path.name},
+                            {"kind", path.kind},
+                            {"type", path.type},
+                            {"side", scenario::side_name(path.side)},
+                            {"begin", date(from.time)},
+                            {"end", date(to.time)},
+                            {"time_s", std::round(from.time * 100) / 100}};
+    while (led + 1 < path.led.size() && path.led[led + 1].time <= from.time)
+      ++led;
+    if (led < path.led.size() && path.led[led].time <= from.time) {
+      properties["behavior"] = path.led[led].behavior;
+      properties["vote"] = path.led[led].vote;
+    }
+    if (!path.target.empty())
+      properties["target"] = path.target;
+    if (!path.end.empty())
+      properties["fate"] = path.end;
+    features.push_back(
+        feature(way(std::span(path.points).subspan(i - 1, 2)), std::move(properties)));
+  }
 }
 
 /// The route of a flight with its home.
@@ -262,8 +309,7 @@ void add_plan(const model::Library& library, const model::Flight& flight, ordere
     }
     ordered_json properties = about;
     properties["kind"] = "route";
-    features.push_back(feature({{"type", "MultiLineString"}, {"coordinates", lines(points)}},
-                               std::move(properties)));
+    features.push_back(feature(way(points), std::move(properties)));
   }
   if (flight.home) {
     ordered_json properties = about;
@@ -284,11 +330,16 @@ std::string geojson(const Paths& paths) {
   for (const auto& [id, path] : paths.all()) {
     if (path.points.size() < 2)
       continue;
-    features.push_back(path_feature(path));
+    add_path(path, features);
     if (path.end == "lost")
       features.push_back(
           feature({{"type", "Point"}, {"coordinates", coordinates(path.points.back().place)}},
-                  {{"name", path.name}, {"kind", "loss"}, {"time_s", path.points.back().time}}));
+                  {{"name", path.name},
+                   {"kind", "loss"},
+                   {"side", scenario::side_name(path.side)},
+                   {"begin", date(path.points.back().time)},
+                   {"end", date(paths.end_time())},
+                   {"time_s", path.points.back().time}}));
   }
   return json_text(ordered_json{{"type", "FeatureCollection"}, {"features", std::move(features)}}) +
          "\n";

@@ -20,11 +20,17 @@ struct Path {
     std::string behavior;  ///< label, "nobody"
     float vote = 0;
   };
+  /// Whom it attacks from `time` on.
+  struct Lock {
+    double time = 0;
+    PlayerId target;  ///< nobody
+  };
   std::string name;  ///< "eagle1"; of a missile "AIM-120 of eagle1"
   std::string type;  ///< "F-15C"
   model::Side side = model::Side::none;
-  std::string_view kind;  ///< "missile", or of the player: "aircraft"
-  std::string target;     ///< of a missile
+  std::string_view kind;    ///< "missile", or of the player: "aircraft"
+  std::string target;       ///< of a missile
+  std::vector<Lock> locks;  ///< of a missile: whom it was shot at
   std::vector<Point> points;
   std::vector<Led> led;
   std::string end;  ///< "home", "lost", "kill", "miss", "trashed"; "" until the end of the run
@@ -72,14 +78,16 @@ class Paths final : public sim::Observer {
 };
 
 /// The run for Cesium: a packet per player and missile with its path over time, its attitude along
-/// the velocity, and a label that says which behavior leads, with its vote. Times count from
-/// 2026-01-01T12:00:00Z, as in the Tacview file.
+/// the velocity, and a label, of a player with the behavior that leads and its vote; and a packet
+/// per pair with the line from who attacks to whom, from missiles to their targets. Times count
+/// from 2026-01-01T12:00:00Z, as in the Tacview file.
 /// https://github.com/AnalyticalGraphicsInc/czml-writer/wiki/CZML-Guide (as of 2025).
 [[nodiscard]] std::string czml(const Paths& paths);
 
 /// Paths, routes and ends on a map: RFC 7946. Positions are longitude and latitude in degrees, then
-/// metres above the ellipsoid; times (s) stand beside them in `properties.times_s`. A path over the
-/// 180th meridian is cut there (section 3.1.9).
+/// metres above the ellipsoid. A feature is the way between two fixes, with the times of both
+/// (ISO 8601) as `begin` and `end`, as QGIS' temporal controller takes them. A way over the 180th
+/// meridian is cut there (section 3.1.9).
 [[nodiscard]] std::string geojson(const Paths& paths);
 
 }  // namespace eyrie::record

@@ -202,5 +202,33 @@ TEST(AcmiFile, ShowsLocksAndPhases) {
     EXPECT_TRUE(messages.contains(std::string("eagle1: ") + phase)) << phase;
 }
 
+TEST(AcmiFile, TellsTheStoryAsMessagesAndMarksItsKeyMoments) {
+  const Acmi& f = Flown::get().file;
+  std::map<std::string, std::size_t> messages, bookmarks;
+  const std::array words{"commit on ", "fox 3 on ", "pitbull on ", "defending: ", "splash "};
+  for (const AcmiEvent& e : f.events) {
+    if (e.type != "Message" && e.type != "Bookmark")
+      continue;
+    ASSERT_EQ(e.parts.size(), 2U);
+    const auto who = f.objects.find(hex(e.parts[0]));
+    ASSERT_NE(who, f.objects.end());
+    if (e.type == "Bookmark") {
+      EXPECT_TRUE(e.parts[1].starts_with(who->second.last("CallSign") + ": ")) << e.parts[1];
+    }
+    for (const char* word : words)
+      if (e.parts[1].find(word) != std::string::npos)
+        ++(e.type == "Message" ? messages : bookmarks)[word];
+  }
+  for (const char* word : words)
+    EXPECT_GT(messages[word], 0U) << word;
+  std::size_t launched = 0;
+  for (const auto& [id, o] : f.objects)
+    launched += o.last("Type") == "Weapon+Missile";
+  EXPECT_EQ(messages["fox 3 on "], launched);
+  for (const char* word : {"commit on ", "fox 3 on ", "defending: ", "splash "})
+    EXPECT_EQ(bookmarks[word], messages[word]) << word;
+  EXPECT_EQ(bookmarks["pitbull on "], 0U) << "a mark on everything marks nothing";
+}
+
 }  // namespace
 }  // namespace eyrie::test

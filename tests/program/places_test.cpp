@@ -2,6 +2,9 @@
 /// \file  The places in GeoJSON and CZML, read by the textbook, against the truth and the scenario.
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -56,26 +59,40 @@ Place place_of(const json& coordinates) {
   return {coordinates.at(0), coordinates.at(1), coordinates.at(2)};
 }
 
+/// Of a run that begins at 2026-01-01T12:00:00Z and is over before midnight.
+double seconds_of(const std::string& date) {
+  EXPECT_EQ(date.size(), std::string("2026-01-01T12:00:00.00Z").size()) << date;
+  EXPECT_TRUE(date.starts_with("2026-01-01T") && date.ends_with("Z")) << date;
+  return std::stod(date.substr(11, 2)) * 3600 - 12 * 3600 + std::stod(date.substr(14, 2)) * 60 +
+         std::stod(date.substr(17, 5));
+}
+
 void expect_true(Exported& e) {
-  auto path = e.paths.all().begin();
+  std::map<std::string, std::uint32_t> ids;
+  for (const auto& [id, path] : e.paths.all())
+    ids.emplace(path.name, id);
+  std::map<std::string, std::string> last;
   for (const json& feature : e.geojson["features"]) {
-    if (!feature["properties"].contains("times_s"))
+    const json& about = feature["properties"];
+    if (!about.contains("begin") || feature["geometry"]["type"] == "Point")
       continue;
-    while (path->second.points.size() < 2)
-      ++path;
-    ASSERT_EQ(feature["properties"]["name"], path->second.name);
-    const json& times = feature["properties"]["times_s"];
-    std::size_t i = 0;
-    for (const json& line : feature["geometry"]["coordinates"])
-      for (const json& point : line)
-        e.expect_at(path->first, times.at(i++), place_of(point));
-    EXPECT_EQ(i, times.size());
-    ++path;
+    const std::string name = about["name"];
+    ASSERT_LT(about["begin"], about["end"]);
+    const bool player = e.paths.all().at(ids.at(name)).kind != "missile";
+    if (player && last.contains(name)) {
+      ASSERT_EQ(about["begin"], last[name]) << "a gap in the path of " << name;
+    }
+    last[name] = about["end"];
+    const json& lines = feature["geometry"]["coordinates"];
+    if (player) {  // two missiles may have one name
+      e.expect_at(ids[name], seconds_of(about["begin"]), place_of(lines.front().front()));
+      e.expect_at(ids[name], seconds_of(about["end"]), place_of(lines.back().back()));
+    }
   }
   EXPECT_GT(e.compared, 500u);
   e.compared = 0;
   for (const json& packet : e.czml) {
-    if (packet["id"] == "document")
+    if (!packet["id"].get<std::string>().starts_with("player-"))
       continue;
     const auto id = std::stoul(packet["id"].get<std::string>().substr(7));
     const json& all = packet["position"]["cartographicDegrees"];
@@ -93,6 +110,40 @@ TEST(Places, AreTrueInAFightWithMissiles) {
 TEST(Places, AreTrueForVehicles) {
   Exported e(load_scenario("convoy"), 10 * 60);
   expect_true(e);
+}
+
+/// A line is there while its end is attacked, and both ends are where the packets say.
+TEST(Places, OfCesiumHaveLabelsAndTheLinesOfLocksAndLaunches) {
+  const Exported e(load_scenario("sweep"), 14 * 60);
+  std::set<std::string> ids;
+  std::size_t missiles = 0, locks = 0, shots = 0;
+  for (const json& packet : e.czml)
+    ids.insert(packet["id"]);
+  for (const json& packet : e.czml) {
+    const std::string id = packet["id"];
+    if (id.starts_with("player-")) {
+      ASSERT_TRUE(packet.contains("label")) << id;
+      missiles += packet["label"]["text"] == packet["name"];
+    }
+    if (!id.starts_with("line-"))
+      continue;
+    const json& ends = packet["polyline"]["positions"]["references"];
+    ASSERT_EQ(ends.size(), 2u);
+    for (const json& end : ends) {
+      const std::string name = end;
+      EXPECT_TRUE(name.ends_with("#position"));
+      EXPECT_TRUE(ids.contains(name.substr(0, name.find('#')))) << name;
+    }
+    (packet["name"].get<std::string>().find(" of ") == std::string::npos ? locks : shots) += 1;
+    ASSERT_FALSE(packet["availability"].empty());
+    for (const std::string when : packet["availability"]) {
+      const std::size_t bar = when.find('/');
+      EXPECT_LT(seconds_of(when.substr(0, bar)), seconds_of(when.substr(bar + 1)));
+    }
+  }
+  EXPECT_GT(missiles, 2u);
+  EXPECT_EQ(shots, missiles);
+  EXPECT_GT(locks, 2u);
 }
 
 /// scenarios/sweep.yaml gives places north and east of 33 N 68 W.
@@ -141,20 +192,27 @@ blue:
       route: [{north: 0 nmi, east: 60 nmi, altitude: 25000 ft, speed: 400 kt}]
 )");
   Exported e(scenario::load({file}, scenario::Source::disk(".")), 240);
+  std::size_t cut = 0;
   for (const json& feature : e.geojson["features"]) {
     if (feature["properties"]["kind"] != "aircraft")
       continue;
     const json& lines = feature["geometry"]["coordinates"];
-    ASSERT_EQ(lines.size(), 2u);
-    EXPECT_GT(lines[0].back()[0], 179);
-    EXPECT_LT(lines[1].front()[0], -179);
-    std::size_t i = 0;
     for (const json& line : lines)
-      for (const json& point : line) {
+      for (const json& point : line)
         EXPECT_LE(std::fabs(point[0].get<double>()), 180);
-        e.expect_at(1, feature["properties"]["times_s"].at(i++), place_of(point));
-      }
+    e.expect_at(1, seconds_of(feature["properties"]["begin"]), place_of(lines.front().front()));
+    e.expect_at(1, seconds_of(feature["properties"]["end"]), place_of(lines.back().back()));
+    if (lines.size() == 1) {
+      EXPECT_LT(std::fabs(lines[0][0][0].get<double>() - lines[0][1][0].get<double>()), 1);
+      continue;
+    }
+    ++cut;
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0].back()[0], 180);
+    EXPECT_EQ(lines[1].front()[0], -180);
+    EXPECT_EQ(lines[0].back()[1], lines[1].front()[1]);
   }
+  EXPECT_EQ(cut, 1u);
   EXPECT_GT(e.compared, 200u);
 }
 

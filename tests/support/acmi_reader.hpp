@@ -219,7 +219,7 @@ class Acmi {
       if (!kTypes.contains(event.type))
         throw std::runtime_error("no such event: " + event.type);
       event.parts.assign(parts.begin() + 1, parts.end());
-      if (event.type == "Message")  // ids, then the text
+      if (event.type == "Message" || event.type == "Bookmark")  // ids, then the text
         for (std::size_t i = 0; i + 1 < event.parts.size(); ++i)
           static_cast<void>(id_of(event.parts[i]));
       events.push_back(std::move(event));
