@@ -151,6 +151,7 @@ TEST(PageOfASequencer, SaysFromWhichTreeToWhichEachConditionLeads) {
   ASSERT_EQ(rules.size(), 10U);
   EXPECT_EQ(rules[0], json::parse("[-1, 3]")) << "from any tree to egress";
   EXPECT_EQ(rules[6], json::parse("[1, 2]")) << "from bvr to wvr";
+  EXPECT_EQ(rules[9], json::parse("[2, 1]")) << "and back";
   EXPECT_FALSE((*sweep)["nodes"][1].contains("rules")) << "an arbiter has none";
 }
 

@@ -328,7 +328,7 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
 
   test('part where the program says, at one clock', async () => {
     const { file, parting } = await two_runs(folder, ['trees.bvr.per_field.release_weapon.zone=1']);
-    const who = /^(\w+): (\w+) leads, and (\w+) in the other/.exec(parting.text);
+    const who = /^(\w+): (\w+) leads\b.*? and (\w+) leads\b.* in the other$/.exec(parting.text);
     assert.ok(who, parting.text);
     const two = await open_file(browser, file, { fragment: `#p=${who[1]}`, width: 1600, height: 900 });
     await two.page.waitForSelector('body[data-ready=true]');
