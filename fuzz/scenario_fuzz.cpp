@@ -26,6 +26,7 @@ using namespace eyrie;
 
 constexpr const char* kFile = "scenarios/fuzzed.yaml";
 constexpr const char* kPackage = "scenarios/packages/pilots.yaml";
+constexpr const char* kShipped = "scenarios/sweep_phases.yaml";  ///< what may be extended
 constexpr std::string_view kSet = "#set ";
 
 std::map<std::string, std::string> g_files;
@@ -77,12 +78,13 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
       files[file] = without_comments(small ? *small : disk.read(file).value());
     }
   }
-  const auto package = disk.read(root + "/" + kPackage);
-  if (files.empty() || !package) {
+  const auto package = disk.read(root + "/" + kPackage), shipped = disk.read(root + "/" + kShipped);
+  if (files.empty() || !package || !shipped) {
     std::fprintf(stderr, "no data and packages in '%s': set EYRIE_HOME\n", root.c_str());
     std::exit(2);
   }
   files[kPackage] = without_comments(*package);
+  files[kShipped] = without_comments(*shipped);
   g_files = std::move(files);
   return 0;
 }

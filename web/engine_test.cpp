@@ -37,6 +37,22 @@ Engine flown(const std::vector<test::Change>& changes = {}) {
   return engine;
 }
 
+/// As the playground has them: the shipped texts under their own names, and a file beside them.
+TEST(WebEngine, ReadsAScenarioThatExtendsAShippedOne) {
+  const auto hash = [](const std::string& words) {
+    Texts texts = texts_of(words);
+    auto disk = scenario::Source::disk(".");
+    for (const char* file : {"scenarios/merge.yaml", "scenarios/packages/veteran.yaml",
+                             "scenarios/packages/pilots.yaml", "scenarios/packages/defense.yaml"})
+      texts.files[file] = disk.read(file).value();
+    Engine engine;
+    engine.load({.texts = texts, .seed = {}, .until = {}});
+    return engine.fly({.until = 5.0}).hash;
+  };
+  EXPECT_EQ(hash("extends: merge\n"), hash("extends: scenarios/merge.yaml\n"));
+  EXPECT_NE(hash("extends: merge\n"), hash("extends: merge\nseed: 99\n"));
+}
+
 TEST(WebEngine, FliesToTheWorldThatAMissionFliesTo) {
   Engine engine;
   const About about =

@@ -51,7 +51,8 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
   const fs::path folder = fs::path(scenario_).remove_filename();
   for (const auto& [name, text] : files_) {
     const fs::path from_there = fs::path(name).lexically_relative(folder);
-    origin_[name.starts_with("data/") || from_there.empty() ? name : from_there.string()] = text;
+    const bool is_ours = name.starts_with("data/") || name.starts_with(scenario::Source::kOwn);
+    origin_[is_ours || from_there.empty() ? name : from_there.string()] = text;
   }
   origin_[campaign::kCampaignText] = spec.text;
   origin_[campaign::kProgramText] = version_text();

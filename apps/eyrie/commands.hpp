@@ -40,6 +40,7 @@ int fly_seeds(const FlyOptions& options, const std::shared_ptr<const scenario::S
 
 struct ValidateOptions {
   std::vector<std::string> files, plugins, includes;
+  bool print = false;  ///< the whole scenario, with what it extends and includes
 };
 int validate(const ValidateOptions& options);
 

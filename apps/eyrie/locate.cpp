@@ -115,10 +115,7 @@ std::string scenario_file(const std::string& name) {
                                                                     : shipped.generic_string();
 }
 
-std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
-                                                        const std::vector<std::string>& sets,
-                                                        const std::vector<std::string>& plugins,
-                                                        const std::vector<std::string>& includes) {
+Located locate(const std::string& name, const std::vector<std::string>& includes) {
   const std::string there = home();
   std::error_code ignored;
   for (const std::string& folder : includes)
@@ -136,8 +133,16 @@ std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
     refuse("eyrie: there is no scenario {}{}", quote(name),
            did_you_mean(fs::path(name).stem().string(), names));
   }
-  return scenario::load({.file = file, .sets = sets, .plugins = plugins, .may_open = trusted()},
-                        scenario::Source::disk(there, includes));
+  return {file, scenario::Source::disk(there, includes)};
+}
+
+std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,
+                                                        const std::vector<std::string>& sets,
+                                                        const std::vector<std::string>& plugins,
+                                                        const std::vector<std::string>& includes) {
+  Located at = locate(name, includes);
+  return scenario::load({.file = at.file, .sets = sets, .plugins = plugins, .may_open = trusted()},
+                        std::move(at.source));
 }
 
 namespace {

@@ -26,6 +26,13 @@ namespace eyrie::app {
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 
+/// The same, and what it is read from. Throws Mistake if there is no such file.
+struct Located {
+  std::string file;
+  scenario::Source source;
+};
+[[nodiscard]] Located locate(const std::string& name, const std::vector<std::string>& includes);
+
 /// Loads it. Throws Mistake or ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(
     const std::string& name, const std::vector<std::string>& sets,

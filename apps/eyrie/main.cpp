@@ -281,9 +281,11 @@ void add_diff(CLI::App& app, Chosen& chosen) {
 }
 
 void add_validate(CLI::App& app, Chosen& chosen) {
-  CLI::App* validate = app.add_subcommand("validate", "Check scenario files");
+  CLI::App* validate = app.add_subcommand("validate", "Check scenarios and packages");
   ValidateOptions& o = options_of(validate, app::validate, chosen);
-  validate->add_option("files", o.files, "scenario files")->required();
+  validate->add_option("files", o.files, "scenario files, or what they include")->required();
+  validate->add_flag("--print", o.print,
+                     "print each as one file, with what it extends and includes");
   add_plugins(validate, o.plugins, kPluginHelp);
   add_includes(validate, o.includes);
 }

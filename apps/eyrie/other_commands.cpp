@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  validate, catalog and --version.
+#include "campaign/whole_scenario.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "locate.hpp"
@@ -45,15 +46,24 @@ std::string players_text(const scenario::Scenario& scenario) {
 }  // namespace
 
 int validate(const ValidateOptions& options) {
+  const auto check = [&](const std::string& name) {
+    const auto [file, source] = locate(name, options.includes);
+    const scenario::LoadRequest request{
+        .file = file, .plugins = options.plugins, .may_open = trusted()};
+    if (const auto trees = scenario::check_package(request, source)) {
+      say("{}: a package, {}\n", file, counted(*trees, "tree"));
+      return 0;
+    }
+    const auto scenario = scenario::load(request, source);
+    if (options.print)
+      say("{}", lines(campaign::whole_scenario(file, {}, source)));
+    else
+      say("{}: {}, {}\n", file, players_text(*scenario), counted(scenario->tree_count(), "tree"));
+    return 0;
+  };
   int code = 0;
   for (const std::string& file : options.files)
-    code = std::max(code, attempt([&] {
-                      const auto scenario =
-                          load_scenario(file, {}, options.plugins, options.includes);
-                      say("{}: {}, {}\n", scenario->file, players_text(*scenario),
-                          counted(scenario->tree_count(), "tree"));
-                      return 0;
-                    }));
+    code = std::max(code, attempt([&] { return check(file); }));
   return code;
 }
 

@@ -228,7 +228,7 @@ class Builder {
 /// libyaml's parser over a text.
 class Parser {
  public:
-  explicit Parser(std::string_view text) {
+  explicit Parser(std::string_view text) : text_(text) {
     if (!yaml_parser_initialize(&parser_))
       throw std::bad_alloc();
     yaml_parser_set_input_string(&parser_, reinterpret_cast<const unsigned char*>(text.data()),
@@ -259,6 +259,8 @@ class Parser {
 
   /// "not YAML: while parsing a flow sequence from line 3: did not find expected ',' or ']'"
   [[nodiscard]] std::string problem() const {
+    if (is_tab(parser_.problem_mark))
+      return "a tab; YAML is indented with spaces";
     std::string context;
     if (parser_.context) {
       context = parser_.context;
@@ -269,6 +271,18 @@ class Parser {
     return fmt::format("not YAML: {}{}", context, parser_.problem ? parser_.problem : "?");
   }
 
+  /// Whether a tab stands there with nothing but blanks before it.
+  [[nodiscard]] bool is_tab(const yaml_mark_t& mark) const {
+    std::size_t line = 0;
+    for (std::size_t i = 0; i < mark.line && line != text_.npos; ++i) {
+      line = text_.find('\n', line);
+      line += line != text_.npos;
+    }
+    const std::size_t begin = line == text_.npos ? line : text_.find_first_not_of(" \r", line);
+    return begin != text_.npos && text_[begin] == '\t';
+  }
+
+  std::string_view text_;
   yaml_parser_t parser_;
 };
 

@@ -76,6 +76,13 @@ TEST(Yaml, RefusesWhatItWouldOtherwiseSilentlyIgnore) {
   EXPECT_EQ(mistakes(""), "a.yaml:1:1: the file is empty");
 }
 
+TEST(Yaml, SaysThatATabIsOne) {
+  EXPECT_EQ(mistakes("a:\n\tb: 1\n"), "a.yaml:2:1: a tab; YAML is indented with spaces");
+  EXPECT_EQ(mistakes("a:\n  - b\n \t- c\n"), "a.yaml:3:2: a tab; YAML is indented with spaces");
+  EXPECT_EQ(mistakes("a: [1,\n\t2]\nb: \"\t\"\n"), "") << "where it does no harm";
+  EXPECT_EQ(mistakes("a: 1\nb: @\tc\n").find("a tab"), std::string::npos);
+}
+
 TEST(Yaml, RefusesAnchorsInsideAnchorsThatWouldKeepCopiesOfCopies) {
   std::string text;
   for (int i = 0; i < 50; ++i)

@@ -224,25 +224,38 @@ Json include_schema() {
   return any_of({{"type", "string"}}, {{"type", "array"}, {"items", {{"type", "string"}}}});
 }
 
+/// Where a change is made, and what is put there.
+Json changes_schema(bool beside) {
+  return {{"type", "object"},
+          {"additionalProperties", true},
+          {"propertyNames",
+           {{"pattern", fmt::format("^{}[^.]+(\\.[^.]+)*$", beside ? "(before |after )?" : "")}}}};
+}
+
 class Root {
  public:
   explicit Root(const Catalog& catalog) : catalog_(catalog) {}
 
   Json write() {
     Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                {"$id", "urn:eyrie:scenario:1"},
                 {"title", "Eyrie scenario"}};
     const FilePart& top = part("scenario");
     Json map = map_schema(top.parameters);
     schema["description"] = top.help;
     schema.update(map);
     schema["properties"].at("orders")["items"]["anyOf"] = {needing("swap_tree"), needing("lose")};
+    put(schema, "extends", {{"type", "string"}, {"examples", catalog_.scenarios}});
     put(schema, "include", include_schema());
+    put(schema, "insert", changes_schema(true));
+    put(schema, "replace", changes_schema(false));
+    put(schema, "remove", include_schema());
     put(schema, "plugins", one_or_nothing(include_schema()));
     put(schema, "trees", trees());
     put(schema, "data", data_schema(catalog_));
     put(schema, "blue", reference_to("side"));
     put(schema, "red", reference_to("side"));
-    schema["anyOf"] = {needing("blue"), needing("red")};
+    demand_if_alone(schema);
     schema["definitions"] = definitions();
     return schema;
   }
@@ -260,6 +273,20 @@ class Root {
       shape = {{"allOf", Json::array({shape})}};
     shape["description"] = place.at("description");
     place = std::move(shape);
+  }
+
+  /// Neither a scenario that extends another nor a package needs what a scenario does.
+  static void demand_if_alone(Json& schema) {
+    static constexpr std::array<std::string_view, 4> kOfPackages{"include", "plugins", "trees",
+                                                                 "data"};
+    Json is_scenario = Json::array();
+    for (const auto& [key, shape] : schema["properties"].items())
+      if (std::find(kOfPackages.begin(), kOfPackages.end(), key) == kOfPackages.end())
+        is_scenario.push_back(needing(key));
+    schema["if"] = {{"anyOf", is_scenario}, {"not", needing("extends")}};
+    schema["then"] = {{"required", schema["required"]},
+                      {"anyOf", {needing("blue"), needing("red")}}};
+    schema.erase("required");
   }
 
   static Json trees() {
@@ -301,11 +328,6 @@ class Root {
       result[kind.group] = map_schema(part(kind.group).parameters);
       put(result["side"], kind.key, map_of(reference_to(kind.group)));
     }
-    result["package"] = closed_map({{"include", include_schema()},
-                                    {"plugins", one_or_nothing(include_schema())},
-                                    {"trees", trees()},
-                                    {"data", data_schema(catalog_)}});
-    result["package"]["description"] = "a file that scenarios include";
     return result;
   }
 
@@ -339,10 +361,33 @@ class Root {
   const Catalog& catalog_;
 };
 
+/// On one line what fits, the rest with a line for each of its parts: short for a file that is
+/// kept, and one change is one line.
+void write(const Json& json, std::size_t indent, std::string& out) {
+  constexpr std::size_t kLine = 200;
+  std::string line = json_text(json);
+  if (!json.is_structured() || indent + line.size() < kLine) {
+    out += line;
+    return;
+  }
+  out += json.is_object() ? "{" : "[";
+  for (const auto& [key, value] : json.items()) {
+    if (out.back() != '{' && out.back() != '[')
+      out += ",";
+    out += "\n" + std::string(indent + 1, ' ');
+    if (json.is_object())
+      out += json_text(Json(key)) + ": ";
+    write(value, indent + 1, out);
+  }
+  out += "\n" + std::string(indent, ' ') + (json.is_object() ? "}" : "]");
+}
+
 }  // namespace
 
 std::string catalog_json_schema(const scenario::Catalog& catalog) {
-  return json_lines(Root(catalog).write());
+  std::string text;
+  write(Root(catalog).write(), 0, text);
+  return text + "\n";
 }
 
 }  // namespace eyrie::record

@@ -8,9 +8,9 @@
 
 namespace eyrie::record {
 
-/// JSON Schema draft-07. The root describes a scenario file; `#/definitions/package` what a
-/// scenario includes, and `#/definitions/model.<folder>` a file in data/<folder>. It is for
-/// YAML 1.2: there `1e-6` is a number and `on` a text.
+/// JSON Schema draft-07. The root describes a scenario, whole or on top of another, and what
+/// scenarios include; `#/definitions/model.<folder>` a file in data/<folder>. It is for YAML 1.2:
+/// there `1e-6` is a number and `on` a text.
 ///
 /// It knows shapes, names of keys and nodes, units and the ranges of plain numbers. What needs a
 /// look elsewhere only the program finds: names of trees and models, ranges of quantities, flights

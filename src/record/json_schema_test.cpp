@@ -34,6 +34,26 @@ void each_object(const json& at, const Visit& visit) {
       each_object(below, visit);
 }
 
+/// Editors take it from there: what scenarios say in their first line.
+TEST(JsonSchema, IsKeptBesideTheData) {
+  std::ifstream kept("data/eyrie.schema.json");
+  EXPECT_TRUE(schema_text() == std::string(std::istreambuf_iterator<char>(kept), {}))
+      << "data/eyrie.schema.json is not what the program says. Make it anew:\n"
+         "  ./eyrie catalog --json-schema > data/eyrie.schema.json";
+  for (const auto& file : fs::recursive_directory_iterator("scenarios")) {
+    if (file.path().extension() != ".yaml")
+      continue;
+    constexpr std::string_view kModeline = "# yaml-language-server: $schema=";
+    std::ifstream text(file.path());
+    std::string line;
+    std::getline(text, line);
+    ASSERT_TRUE(line.starts_with(kModeline)) << file.path();
+    EXPECT_TRUE(fs::equivalent(file.path().parent_path() / line.substr(kModeline.size()),
+                               "data/eyrie.schema.json"))
+        << file.path();
+  }
+}
+
 TEST(JsonSchema, RefersOnlyToWhatItDefines) {
   const json schema = json::parse(schema_text());
   int references = 0;

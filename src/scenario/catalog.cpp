@@ -58,8 +58,16 @@ std::vector<FilePart> file_parts() {
   return {
       {"scenario", "", std::string(ScenarioSpec::help),
        with(parameters<ScenarioSpec>(),
-            {custom("include", "text or list of texts",
+            {custom("extends", "text",
+                    "a scenario that this one changes: one of Eyrie's own by its name, or a file; "
+                    "then nothing else is required, and what is said here takes its place"),
+             custom("include", "text or list of texts",
                     "a file, or a list of files, whose `trees`, `data` and `plugins` are added"),
+             custom("insert", "map",
+                    "what is added to that which is extended and included, by path: to a list at "
+                    "its end, or `before` or `after` one of its items; to a map under a new key"),
+             custom("replace", "map", "what takes the place of something else, by path"),
+             custom("remove", "text or list of texts", "what is taken out: a path, or a list"),
              custom("plugins", "text or list of texts",
                     "a plug-in, or a list of them: shared libraries whose nodes and models may "
                     "then be named; relative to this file"),
@@ -96,6 +104,8 @@ ModelKind kind(const KindOfModel<Model>& of, const Source& source) {
 
 Catalog make_catalog(const Source& source, const Plugins& plugins) {
   Catalog result;
+  result.scenarios = source.shipped_names();
+  std::sort(result.scenarios.begin(), result.scenarios.end());
   result.file = file_parts();
   const auto nodes = plugins.registries().pilots.catalog();
   result.nodes.assign(nodes.begin(), nodes.end());

@@ -46,6 +46,7 @@ inline constexpr std::array kNodeSections{
     NodeSection{ubf::Kind::decorator, "Decorators", "A decorator changes what its child answers."}};
 
 struct Catalog {
+  std::vector<std::string> scenarios;  ///< that come with Eyrie, by name
   /// "scenario", "side", "flight", "player", "convoy", "vehicle", and groups of plug-ins.
   std::vector<FilePart> file;
   std::vector<ubf::NodeInfo> nodes;         ///< in the order of registration

@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <iterator>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/text.hpp"
 #include "core/yaml.hpp"
+#include "scenario/changes.hpp"
+#include "scenario/path.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -22,11 +24,8 @@ constexpr std::array<std::string_view, 3> kMergeable{"trees", "data", "plugins"}
 /// values in all of them.
 constexpr std::size_t kLongestChain = 50, kMostFiles = 1000, kMostValues = 500'000;
 
-Value* find(Value& map, std::string_view key) {
-  for (Value::Entry& e : map.entries)
-    if (e.key == key)
-      return &e.value;
-  return nullptr;
+bool is_mergeable(std::string_view key) {
+  return std::find(kMergeable.begin(), kMergeable.end(), key) != kMergeable.end();
 }
 
 std::size_t values_in(const Value& v) {
@@ -38,12 +37,13 @@ std::size_t values_in(const Value& v) {
   return count;
 }
 
-/// Adds what included files hold to the document. It remembers where each key stands, so that many
-/// files with many names cost no more than their sum.
+/// Adds what included files hold to the document, and before that the scenario's own words to what
+/// it extends. It remembers where each key stands, so that many files with many names cost no more
+/// than their sum.
 class Merger {
  public:
-  Merger(Value& document, Diagnostics& diagnostics)
-      : document_(document), diagnostics_(diagnostics) {}
+  Merger(Value& document, FileName own, Diagnostics& diagnostics)
+      : document_(document), own_(own), diagnostics_(diagnostics) {}
 
   void add(Value package) {
     for (Value::Entry& e : package.entries)
@@ -51,17 +51,51 @@ class Merger {
         add_entry(std::move(e));
   }
 
+  /// Trees, data, plug-ins, flights and convoys are added to those there are; everything else takes
+  /// the place of what the extended scenario says.
+  void add_own(const Value& own) {
+    for (const Value::Entry& e : own.entries) {
+      if (is_done_before_sets(e.key))
+        continue;
+      if (is_mergeable(e.key)) {
+        add_entry(e);
+        continue;
+      }
+      Value* there = value_of(document_, e.key);
+      if ((e.key == "blue" || e.key == "red") && there && there->is_map() && e.value.is_map())
+        add_side(*there, e);
+      else
+        put(document_, e);
+    }
+  }
+
  private:
   using Index = std::unordered_map<std::string, std::size_t>;
 
+  static void put(Value& map, const Value::Entry& e) {
+    if (Value* there = value_of(map, e.key))
+      *there = e.value;
+    else
+      map.entries.push_back(e);
+  }
+  void add_side(Value& side, const Value::Entry& own) {
+    for (const Value::Entry& e : own.value.entries) {
+      Value* there = value_of(side, e.key);
+      if (e.key != "home" && there && there->is_map() && e.value.is_map())
+        add_map(*there, e.value, own.key + "." + e.key);
+      else
+        put(side, e);
+    }
+  }
+
   void add_entry(Value::Entry e) {
-    if (std::find(kMergeable.begin(), kMergeable.end(), e.key) == kMergeable.end()) {
+    if (!is_mergeable(e.key)) {
       diagnostics_.error(e.where,
                          fmt::format("an included file holds trees, data and plugins, not {}{}",
                                      quote(e.key), did_you_mean(e.key, kMergeable)));
       return;
     }
-    Value* there = find(document_, e.key);
+    Value* there = value_of(document_, e.key);
     if (e.key == "plugins")
       return there ? add_plugins(*there, std::move(e.value))
                    : document_.entries.push_back(std::move(e));
@@ -79,7 +113,7 @@ class Merger {
   }
 
   /// Appends the entries of `from` to the map `into`, refusing what is there already. `section`:
-  /// "trees", "data", or "data/radars".
+  /// "trees", "data", "data.radars" or "blue.flights".
   void add_map(Value& into, Value from, const std::string& section) {
     const bool kinds = section == "data";
     Index& index = index_of(into, section);
@@ -89,14 +123,27 @@ class Merger {
         into.entries.push_back(std::move(e));
         continue;
       }
-      Value& there = into.entries[place->second].value;
-      if (kinds && there.is_map() && e.value.is_map())
-        add_map(there, std::move(e.value), section + "/" + e.key);
+      Value::Entry& there = into.entries[place->second];
+      if (kinds && there.value.is_map() && e.value.is_map())
+        add_map(there.value, std::move(e.value), section + "." + e.key);
       else
-        diagnostics_.error(e.where, fmt::format("{} {} is defined twice (also at {})",
-                                                section == "trees" ? "tree" : "data", quote(e.key),
-                                                there.where.text()));
+        refuse(e, there, section);
     }
+  }
+  /// Whoever writes a name that what he builds on has already means to change that.
+  void refuse(const Value::Entry& added, const Value::Entry& there, const std::string& section) {
+    const bool is_own = there.where.file == own_;
+    const Value::Entry& mine = is_own ? there : added;
+    const Value::Entry& other = is_own ? added : there;
+    const std::string path = section + "." + mine.key;
+    if (mine.where.file == own_)
+      diagnostics_.error(mine.where,
+                         fmt::format("{} is defined already, at {}; change that one by its path, "
+                                     "as in 'replace: {{{}: ...}}', or with 'insert' and 'remove'",
+                                     quote(path), other.where.text(), path));
+    else
+      diagnostics_.error(added.where, fmt::format("{} is defined twice (also at {})", quote(path),
+                                                  there.where.text()));
   }
   Index& index_of(const Value& map, const std::string& section) {
     const auto [found, fresh] = indices_.try_emplace(section);
@@ -116,25 +163,89 @@ class Merger {
   }
 
   Value& document_;
+  FileName own_;
   Diagnostics& diagnostics_;
   std::map<std::string, Index> indices_;  ///< by section: where each key is
 };
 
-class Includer {
+/// Reads a scenario with all that it extends and includes, and changes that as it asks.
+class Composer {
  public:
-  Includer(Source& source, Diagnostics& diagnostics)
-      : source_(source), diagnostics_(diagnostics), merger_(document_, diagnostics) {}
+  Composer(Source& source, Diagnostics& diagnostics, std::vector<Removed>& removed)
+      : source_(source), diagnostics_(diagnostics), removed_(removed) {}
 
   Value load(const std::string& file) {
-    document_ = read(file, {file, 0, 0});
+    Value own = read(file, {file, 0, 0});
     source_.confine_to_folder_of(file);
-    const Value* found = document_.find("include");
-    if (found)
-      follow(Value(*found), file, normal(file));
-    return std::move(document_);
+    return whole(std::move(own), file);
   }
 
  private:
+  /// The document of a scenario as if one file said it all.
+  Value whole(Value own, const std::string& file) {
+    chain_.push_back(normal(file));
+    Value document;
+    const Value* extended = own.find("extends");
+    if (extended)
+      document = base(*extended, file);
+    if (document.is_null()) {
+      document = own;
+      std::erase_if(document.entries, [](const Value::Entry& e) {
+        return e.key != "include" && is_done_before_sets(e.key);
+      });
+    }
+    Merger merger(document, own.where.file, diagnostics_);
+    if (extended)
+      merger.add_own(own);
+    if (const Value* found = own.find("include"))
+      follow(*found, file, merger);
+    chain_.pop_back();
+    if (diagnostics_.ok())
+      make_changes(document, own, removed_, diagnostics_);
+    return document;
+  }
+
+  /// The scenario that another extends; null after saying why there is none.
+  Value base(const Value& name, const std::string& file) {
+    if (!name.is_scalar()) {
+      diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown());
+      return {};
+    }
+    const bool is_shipped = name.text.find_first_of("./") == name.text.npos;
+    const std::string base_file =
+        is_shipped ? source_.shipped(name.text) : relative_to(file, name.text);
+    if (base_file.empty()) {
+      diagnostics_.error(name.where,
+                         fmt::format("there is no scenario {} (a file is named with its ending, "
+                                     "as in '{}.yaml'){}",
+                                     quote(name.text), printable(name.text, 40),
+                                     did_you_mean(name.text, source_.shipped_names())));
+      return {};
+    }
+    if (refuse_cycle(normal(base_file), "extends", name.where) || !fits(base_file, name.where))
+      return {};
+    Value own = read(base_file, name.where);
+    if (own.is_null())
+      return {};
+    if (is_package(own)) {
+      diagnostics_.error(name.where, fmt::format("{} is no scenario but a package: 'include' it",
+                                                 quote_path(base_file)));
+      return {};
+    }
+    return whole(std::move(own), base_file);
+  }
+
+  bool refuse_cycle(const std::string& same, std::string_view does, const Location& where) {
+    const auto open = std::find(chain_.begin(), chain_.end(), same);
+    if (open == chain_.end())
+      return false;
+    std::string chain;
+    for (auto f = open; f != chain_.end(); ++f)
+      chain += *f + " -> ";
+    diagnostics_.error(where, fmt::format("'{}' {} itself: {}{}", same, does, chain, same));
+    return true;
+  }
+
   /// "./a.yaml" and "a.yaml" are one file.
   static std::string normal(const std::string& file) {
     return std::filesystem::path(file).lexically_normal().generic_string();
@@ -170,21 +281,19 @@ class Includer {
     return {};
   }
 
-  void follow(const Value& include, const std::string& file, const std::string& same) {
-    chain_.push_back(same);
+  void follow(const Value& include, const std::string& file, Merger& merger) {
     if (include.is_list()) {
       for (const Value& item : include.items)
-        one(item, file);
+        one(item, file, merger);
     } else if (include.is_scalar()) {
-      one(include, file);
+      one(include, file, merger);
     } else {
       diagnostics_.error(include.where,
                          "include: expected a file or a list of files, got " + include.shown());
     }
-    chain_.pop_back();
   }
 
-  void one(const Value& item, const std::string& file) {
+  void one(const Value& item, const std::string& file, Merger& merger) {
     if (stopped_)
       return;
     if (!item.is_scalar()) {
@@ -192,189 +301,55 @@ class Includer {
       return;
     }
     const std::string name = relative_to(file, item.text), same = normal(name);
-    if (const auto open = std::find(chain_.begin(), chain_.end(), same); open != chain_.end()) {
-      std::string chain;
-      for (auto f = open; f != chain_.end(); ++f)
-        chain += *f + " -> ";
-      diagnostics_.error(item.where, fmt::format("'{}' includes itself: {}{}", same, chain, same));
-      return;
-    }
-    if (!known_.insert(same).second)
+    if (refuse_cycle(same, "includes", item.where) || !known_.insert(same).second ||
+        !fits(same, item.where))
       return;  // the same package through two ways is read once
-    if (known_.size() > kMostFiles || chain_.size() > kLongestChain) {
-      stopped_ = true;
-      diagnostics_.error(
-          item.where,
-          known_.size() > kMostFiles
-              ? fmt::format("a scenario includes at most {} files", kMostFiles)
-              : fmt::format("includes in includes, more than {} deep: {} -> {} -> ... -> {}",
-                            kLongestChain, quote_path(chain_[0]), quote_path(chain_[1]),
-                            quote_path(same)));
-      return;
-    }
     Value package = read(name, item.where);
     const Value* found = package.find("include");
     const Value include = found ? *found : Value{};
-    merger_.add(std::move(package));
+    merger.add(std::move(package));
+    chain_.push_back(same);
     if (found)
-      follow(include, name, same);
+      follow(include, name, merger);
+    chain_.pop_back();
+  }
+
+  /// False after saying that there are too many files, or one behind the other.
+  bool fits(const std::string& same, const Location& where) {
+    const bool many = known_.size() > kMostFiles, long_chain = chain_.size() > kLongestChain;
+    if (many || long_chain) {
+      stopped_ = true;
+      diagnostics_.error(
+          where, many
+                     ? fmt::format("a scenario includes at most {} files", kMostFiles)
+                     : fmt::format("includes in includes, more than {} deep: {} -> {} -> ... -> {}",
+                                   kLongestChain, quote_path(chain_[0]), quote_path(chain_[1]),
+                                   quote_path(same)));
+    }
+    return !stopped_;
   }
 
   Source& source_;
   Diagnostics& diagnostics_;
-  Value document_;
-  Merger merger_;
+  std::vector<Removed>& removed_;
   std::vector<std::string> chain_;         ///< files that are being read, the scenario first
   std::unordered_set<std::string> known_;  ///< included files
   std::size_t values_ = 0;
   bool stopped_ = false;  ///< a limit is said once
 };
 
-/// What a list item is called: its text, or the only key of a map.
-std::string_view item_name(const Value& item) {
-  if (item.is_scalar())
-    return item.text;
-  if (item.is_map() && item.entries.size() == 1)
-    return item.entries[0].key;
-  return {};
-}
-
-std::vector<std::string> names_in(const Value& v) {
-  std::vector<std::string> names;
-  for (const Value::Entry& e : v.entries)
-    names.push_back(e.key);
-  for (const Value& item : v.items)
-    if (!item_name(item).empty())
-      names.emplace_back(item_name(item));
-  return names;
-}
-
-/// What mistakes in an override carry for a file.
-std::string named(const std::string& text) {
-  return "--set " + text;
-}
-
-/// Moves every place in a parsed override to where the value stands in the --set text.
-void place_in_override(Value& v, const std::string& text, std::size_t offset) {
-  auto move = [&](Location& where) {
-    const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
-    where = {named(text), std::max(where.line, 1), before + std::max(where.column, 1)};
-  };
-  move(v.where);
-  for (Value& item : v.items)
-    place_in_override(item, text, offset);
-  for (Value::Entry& e : v.entries) {
-    move(e.where);
-    place_in_override(e.value, text, offset);
-  }
-}
-
-class Override {
- public:
-  Override(const std::string& text, Diagnostics& diagnostics)
-      : text_(text), diagnostics_(diagnostics) {}
-
-  void apply(Value& document) {
-    const auto equals = text_.find('=');
-    if (equals == std::string::npos || equals == 0)
-      return error(0, "expected path=value");
-    const std::string_view after = std::string_view(text_).substr(equals + 1);
-    const std::size_t first = after.find_first_not_of(" \t\r\n");
-    if (first != after.npos && after[first] == '#')
-      return error(equals + 1 + first, "'#' begins a comment; put the value in quotes");
-    Diagnostics found;
-    Value value = first == after.npos ? Value::null() : parse_yaml(after, "--set", found);
-    if (!found.ok())
-      return error(equals + 1, found.sorted().front().message);
-    place_in_override(value, text_, equals + 1);
-    if (text_.substr(0, std::min(equals, text_.find('.'))) == "include")
-      return error(0, "files are included before anything is set");
-    Value* at = &document;
-    std::size_t begin = 0;
-    while (at) {
-      const std::size_t end = std::min(text_.find('.', begin), equals);
-      const std::string key = text_.substr(begin, end - begin);
-      if (key.empty())
-        return error(begin, "an empty name in the path");
-      if (end == equals)
-        return put(*at, key, begin, std::move(value));
-      at = step(*at, key, begin);
-      begin = end + 1;
-    }
-  }
-
- private:
-  void error(std::size_t offset, const std::string& message) {
-    diagnostics_.error({named(text_), 1, static_cast<int>(offset) + 1}, message);
-  }
-
-  /// The value below `at` that `key` names, or null after saying why there is none.
-  Value* step(Value& at, const std::string& key, std::size_t offset) {
-    if (at.is_list())
-      return item(at, key, offset);
-    Value* next = at.is_map() ? find(at, key) : nullptr;
-    if (!next)
-      error(offset, fmt::format("there is no {} here{}", quote(key),
-                                at.is_map() ? did_you_mean(key, names_in(at))
-                                            : fmt::format(", only {}", at.shown())));
-    return next;
-  }
-
-  Value* item(Value& list, const std::string& key, std::size_t offset) {
-    std::size_t index = 0;
-    const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), index);
-    if (failed == std::errc{} && end == key.data() + key.size()) {
-      if (index < list.items.size())
-        return &list.items[index];
-      error(offset, fmt::format("there is no item {} here: the list has {}, counted from 0", key,
-                                list.items.size()));
-      return nullptr;
-    }
-    Value* found = nullptr;
-    for (Value& one : list.items) {
-      if (item_name(one) != key)
-        continue;
-      if (found) {
-        error(offset, fmt::format("{} is in this list more than once; say which by its index, "
-                                  "counted from 0",
-                                  quote(key)));
-        return nullptr;
-      }
-      found = &one;
-    }
-    if (!found) {
-      error(offset,
-            fmt::format("there is no {} here{}", quote(key), did_you_mean(key, names_in(list))));
-      return nullptr;
-    }
-    // a bare name becomes the map that its overrides go to: eagle2 -> {eagle2: {}}
-    if (found->is_scalar())
-      *found = Value::map({{key, found->where, Value::map({}, found->where)}}, found->where);
-    Value& inside = found->entries[0].value;
-    return inside.is_null() ? &(inside = Value::map({}, found->where)) : &inside;
-  }
-
-  void put(Value& at, const std::string& key, std::size_t offset, Value value) {
-    if (at.is_map() && !find(at, key))
-      at.entries.push_back(
-          {key, {named(text_), 1, static_cast<int>(offset) + 1}, std::move(value)});
-    else if (Value* there = step(at, key, offset))
-      *there = std::move(value);
-  }
-
-  const std::string& text_;
-  Diagnostics& diagnostics_;
-};
-
 }  // namespace
 
-Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics) {
-  return Includer(source, diagnostics).load(file);
+bool is_package(const Value& document) {
+  return std::all_of(document.entries.begin(), document.entries.end(), [](const Value::Entry& e) {
+    return e.key == "include" || is_mergeable(e.key);
+  });
 }
 
-void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics) {
-  for (const std::string& text : sets)
-    Override(text, diagnostics).apply(document);
+Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics,
+                    std::vector<Removed>* removed) {
+  std::vector<Removed> nobody_asks;
+  return Composer(source, diagnostics, removed ? *removed : nobody_asks).load(file);
 }
 
 }  // namespace eyrie::scenario

@@ -109,13 +109,16 @@ TEST(Document, RefusesNamesThatAreDefinedTwice) {
                   {"dir/b.yaml", "trees: {t: egress, u: egress}\n"},
                   {"dir/c.yaml", "trees: {u: navigate}\n"}})
                 .mistakes,
-            "dir/b.yaml:1:9: tree 't' is defined twice (also at dir/a.yaml:2:12)\n"
-            "dir/c.yaml:1:9: tree 'u' is defined twice (also at dir/b.yaml:1:23)");
-  EXPECT_EQ(load({{"dir/a.yaml", "include: b.yaml\ndata: {guns: {g: {}}}\n"},
-                  {"dir/b.yaml", "data: {guns: {g: {}}, radars: {}, radars: {}}\n"}})
-                .mistakes,
-            "dir/b.yaml:1:15: data 'g' is defined twice (also at dir/a.yaml:2:18)\n"
-            "dir/b.yaml:1:35: 'radars' is given twice (first at line 1)");
+            "dir/a.yaml:2:9: 'trees.t' is defined already, at dir/b.yaml:1:9; change that one by "
+            "its path, as in 'replace: {trees.t: ...}', or with 'insert' and 'remove'\n"
+            "dir/c.yaml:1:9: 'trees.u' is defined twice (also at dir/b.yaml:1:20)");
+  EXPECT_EQ(
+      load({{"dir/a.yaml", "include: b.yaml\ndata: {guns: {g: {}}}\n"},
+            {"dir/b.yaml", "data: {guns: {g: {}}, radars: {}, radars: {}}\n"}})
+          .mistakes,
+      "dir/b.yaml:1:35: 'radars' is given twice (first at line 1)\n"
+      "dir/a.yaml:2:15: 'data.guns.g' is defined already, at dir/b.yaml:1:15; change that one "
+      "by its path, as in 'replace: {data.guns.g: ...}', or with 'insert' and 'remove'");
   EXPECT_EQ(load({{"dir/a.yaml", "include: b.yaml\n"},
                   {"dir/b.yaml", "trees: {t: navigate}\ntrees: {u: navigate}\n"}})
                 .mistakes,
@@ -247,7 +250,7 @@ TEST(Overrides, RefuseWhatIsNoOverride) {
   EXPECT_EQ(with({"=1"}).mistakes, "--set =1:1:1: expected path=value");
   EXPECT_EQ(with({"blue..eagle=1"}).mistakes, "--set blue..eagle=1:1:6: an empty name in the path");
   EXPECT_EQ(with({"include=b.yaml"}).mistakes,
-            "--set include=b.yaml:1:1: files are included before anything is set");
+            "--set include=b.yaml:1:1: 'include' is carried out before anything is set");
   EXPECT_EQ(with({"seed.=1"}).mistakes, "--set seed.=1:1:6: an empty name in the path");
   EXPECT_EQ(with({"help= # x"}).mistakes,
             "--set help= # x:1:7: '#' begins a comment; put the value in quotes");

@@ -22,8 +22,9 @@
 namespace eyrie::scenario {
 namespace {
 
-constexpr std::array<std::string_view, 8> kByHand{"include", "plugins", "environment", "trees",
-                                                  "data",    "routes",  "blue",        "red"};
+constexpr std::array<std::string_view, 11> kByHand{"extends", "insert",  "replace",     "remove",
+                                                   "include", "plugins", "environment", "trees",
+                                                   "data",    "blue",    "red"};
 
 class Loader {
  public:
@@ -37,7 +38,7 @@ class Loader {
 
   std::shared_ptr<const Scenario> load() {
     stop_if_wrong();
-    document_ = load_document(out_->file, source_, diagnostics_);
+    document_ = load_document(out_->file, source_, diagnostics_, &removed_);
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))
@@ -84,7 +85,7 @@ class Loader {
  private:
   void stop_if_wrong() const {
     if (!diagnostics_.ok())
-      throw ConfigError(diagnostics_);
+      throw ConfigError(removed_.empty() ? diagnostics_ : blame_removals(diagnostics_, removed_));
   }
   void error(const Location& where, std::string message) {
     diagnostics_.error(where, std::move(message));
@@ -372,6 +373,7 @@ class Loader {
   Plugins plugins_;
   Diagnostics diagnostics_;
   Value document_;
+  std::vector<Removed> removed_;
   Plans plans_;
   TreeBook trees_;
   std::shared_ptr<model::Library> library_;

@@ -97,4 +97,8 @@ struct LoadRequest {
 /// Reads, checks and builds. Throws ConfigError with every mistake that was found.
 [[nodiscard]] std::shared_ptr<const Scenario> load(const LoadRequest& request, Source source);
 
+/// Checks a file of trees and data for others to include: every tree is read for whom it can serve.
+/// Gives how many there are, or nothing if it is a scenario; throws as load() does.
+[[nodiscard]] std::optional<std::size_t> check_package(const LoadRequest& request, Source source);
+
 }  // namespace eyrie::scenario

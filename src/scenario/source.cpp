@@ -76,21 +76,38 @@ std::optional<std::string> Source::origin(std::string_view kind, std::string_vie
   return added == models_.end() ? std::nullopt : std::optional(added->second.origin);
 }
 
-std::vector<std::string> Source::data_names(std::string_view kind) const {
+std::string Source::shipped(std::string_view name) const {
+  const std::vector<std::string> names = shipped_names();
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    return {};
+  const std::string file = fmt::format("scenarios/{}.yaml", name);
+  return folders_ || files_.contains(kOwn + file) ? kOwn + file : file;
+}
+
+std::vector<std::string> Source::shipped_names() const {
+  std::vector<std::string> names = names_below("scenarios/");
+  const std::vector<std::string> recorded = folders_ ? names : names_below(kOwn + "scenarios/");
+  names.insert(names.end(), recorded.begin(), recorded.end());
+  return names;
+}
+
+/// The names of the YAML files in a folder, without their ending.
+std::vector<std::string> Source::names_below(const std::string& folder) const {
+  if (folders_)
+    return folders_->names_in(folder);
   std::vector<std::string> names;
-  const std::string folder = fmt::format("data/{}/", kind);
+  for (const auto& [name, text] : files_)
+    if (name.starts_with(folder) && name.ends_with(".yaml") &&
+        name.find('/', folder.size()) == name.npos)
+      names.push_back(name.substr(folder.size(), name.size() - folder.size() - 5));
+  return names;
+}
+
+std::vector<std::string> Source::data_names(std::string_view kind) const {
+  std::vector<std::string> names = names_below(fmt::format("data/{}/", kind));
   for (const auto& [key, model] : models_)
     if (key.first == kind)
       names.push_back(key.second);
-  if (folders_) {
-    for (std::string& name : folders_->names_in(folder))
-      names.push_back(std::move(name));
-  } else {
-    for (const auto& [name, text] : files_)
-      if (name.starts_with(folder) && name.ends_with(".yaml") &&
-          name.find('/', folder.size()) == name.npos)
-        names.push_back(name.substr(folder.size(), name.size() - folder.size() - 5));
-  }
   std::sort(names.begin(), names.end());
   return names;
 }

@@ -9,6 +9,7 @@
 #include "core/diagnostics.hpp"
 #include "core/value.hpp"
 #include "core/yaml.hpp"
+#include "scenario/changes.hpp"
 
 namespace eyrie::scenario {
 
@@ -50,6 +51,11 @@ class Source {
   [[nodiscard]] std::optional<std::string> origin(std::string_view kind,
                                                   std::string_view name) const;
 
+  /// The file of one of Eyrie's own scenarios by its name, "sweep", or "" if there is none: from
+  /// the disk "eyrie:scenarios/sweep.yaml", which stands below `home`.
+  [[nodiscard]] std::string shipped(std::string_view name) const;
+  [[nodiscard]] std::vector<std::string> shipped_names() const;
+
   /// Kind and name of every model of a plug-in.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> added_models() const;
 
@@ -72,7 +78,12 @@ class Source {
     [[nodiscard]] virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
   };
 
+  /// What the names of files below `home` begin with that are no data.
+  static const inline std::string kOwn = "eyrie:";
+
  private:
+  [[nodiscard]] std::vector<std::string> names_below(const std::string& folder) const;
+
   std::shared_ptr<Folders> folders_;  ///< if it reads from the disk
   std::map<std::string, std::string> files_;
 
@@ -89,17 +100,20 @@ class Source {
 /// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);
 
-/// Reads `file` and merges what its `include:` names: the maps `trees` and `data` and the list
-/// `plugins` of the included files (nothing else may stand in them). A file that is reached in two
-/// ways is read once. A name that is defined twice, a file that is missing and a file that includes
-/// itself are mistakes.
-[[nodiscard]] Value load_document(const std::string& file, Source& source,
-                                  Diagnostics& diagnostics);
+/// Whether a file is none to fly but one to include: it holds trees, data and plugins alone.
+[[nodiscard]] bool is_package(const Value& document);
 
-/// Applies `path.to.key=value` to the document. The value is YAML, so `[1, 2]` is a list. A path
-/// goes through maps by key and through lists by index, from 0, or by the name of the item (a
-/// scalar, or the only key of a map; it must be the only one of that name). The last key of a path
-/// may be new, everything before it must exist. No value is null. Mistakes stand in the file
+/// Reads `file` on top of the scenario that it `extends:` and with what both `include:`: the maps
+/// `trees` and `data` and the list `plugins` of these files (nothing else may stand in them); then
+/// makes its changes (scenario/changes.hpp). A file that is reached in two ways is read once. A
+/// name that is defined twice, a file that is missing, and one that extends or includes itself are
+/// mistakes. What was taken out on the way goes to `removed`.
+[[nodiscard]] Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics,
+                                  std::vector<Removed>* removed = nullptr);
+
+/// Applies `path.to.key=value` to the document. The value is YAML, so `[1, 2]` is a list; it stands
+/// behind the key, or the name of an item, that the path (scenario/path.hpp) ends with. The last
+/// key may be new, everything before it must exist. No value is null. Mistakes stand in the file
 /// "--set <text>", and so do later mistakes in what was set.
 void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics);
 

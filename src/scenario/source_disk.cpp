@@ -89,10 +89,12 @@ class Disk final : public Source::Folders {
   }
 
  private:
-  /// data/ stands below home whatever the working folder is; everything else is as the user wrote
-  /// it.
+  /// data/ and Eyrie's own scenarios stand below home whatever the working folder is; everything
+  /// else is as the user wrote it.
   [[nodiscard]] fs::path place_of(const std::string& name) const {
     std::error_code failed;
+    if (name.starts_with(Source::kOwn))
+      return fs::path(home_) / name.substr(Source::kOwn.size());
     if (const fs::path data = fs::path(home_) / name;
         name.starts_with("data/") && fs::is_regular_file(data, failed))
       return data;

@@ -178,8 +178,12 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
     std::vector<std::string_view> names{kTreeReference};
     for (const NodeInfo& info : registry_.catalog())
       names.push_back(info.name);
-    error(spec.where,
-          fmt::format("there is no node {}{}", quote(spec.type), did_you_mean(spec.type, names)));
+    const std::string first = spec.type.substr(0, spec.type.find_first_of(" {["));
+    error(spec.where, fmt::format("there is no node {}{}", quote(spec.type),
+                                  first != spec.type && registry_.find(first)
+                                      ? fmt::format("; a colon is missing behind '{}'", first)
+                                      : did_you_mean(spec.type, names)));
+    read_below_unknown(*spec.body);
     return nullptr;
   }
   try {
@@ -191,6 +195,16 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
                                   registry_.infos_[found->second].origin, e.what()));
     return nullptr;
   }
+}
+
+/// The mistakes in what are children whatever the node is.
+void NodeReader::read_below_unknown(const Value& body) {
+  const Value* const only = body.find("child");
+  const Value* const list = body.is_list() ? &body : body.find("children");
+  if (only)
+    static_cast<void>(read(*only));
+  if (list)
+    static_cast<void>(read_list(list->items));
 }
 
 NodeReader::Child NodeReader::make(const NodeType& type, const NodeSpec& spec) {

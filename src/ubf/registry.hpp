@@ -110,6 +110,7 @@ class NodeReader {
   [[nodiscard]] Child make_changed(NodeSpec spec);
   [[nodiscard]] Child make(const NodeSpec& spec);
   [[nodiscard]] Child make(const NodeType& type, const NodeSpec& spec);
+  void read_below_unknown(const Value& body);
   [[nodiscard]] Child make_voting(const NodeType& type, const NodeSpec& spec, const Value& vote);
   [[nodiscard]] Value with_pending(const NodeType& type, const Value& body);
   bool bind(AnyNode& node, const Value& body, std::vector<std::string_view> also);

@@ -62,12 +62,11 @@ def main():
     part = lambda name: {"$ref": "#/definitions/" + name, "definitions": schema["definitions"]}
     bad = []
 
-    files = [(f, schema) for f in glob.glob(root + "/scenarios/*.yaml")]
-    files += [(f, part("package")) for f in glob.glob(root + "/scenarios/packages/*.yaml")]
+    files = [(f, schema) for f in glob.glob(root + "/scenarios/**/*.yaml", recursive=True)]
     files += [(f, part("model." + os.path.basename(os.path.dirname(f))))
               for f in glob.glob(root + "/data/*/*.yaml")]
     if len({id(s) for _, s in files}) < 3:
-        bad.append("no scenarios, packages or data below " + root)
+        bad.append("no scenarios or data below " + root)
     for file, its_schema in sorted(files, key=lambda pair: pair[0]):
         bad += [f"{file}: {said}" for said in mistakes(its_schema, read(file))]
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "scenario/changes.hpp"
+#include "scenario/path.hpp"
+#include "scenario/source.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+/// What mistakes in an override carry for a file.
+std::string named(const std::string& text) {
+  return "--set " + text;
+}
+
+/// Moves every place in a parsed override to where the value stands in the --set text.
+void place_in_override(Value& v, const std::string& text, std::size_t offset) {
+  auto move = [&](Location& where) {
+    const int before = where.line <= 1 ? static_cast<int>(offset) : 0;
+    where = {named(text), std::max(where.line, 1), before + std::max(where.column, 1)};
+  };
+  move(v.where);
+  for (Value& item : v.items)
+    place_in_override(item, text, offset);
+  for (Value::Entry& e : v.entries) {
+    move(e.where);
+    place_in_override(e.value, text, offset);
+  }
+}
+
+class Override {
+ public:
+  Override(const std::string& text, Diagnostics& diagnostics)
+      : text_(text), diagnostics_(diagnostics) {}
+
+  void apply(Value& document) {
+    const auto equals = text_.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return error(0, "expected path=value");
+    const std::string_view after = std::string_view(text_).substr(equals + 1);
+    const std::size_t first = after.find_first_not_of(" \t\r\n");
+    if (first != after.npos && after[first] == '#')
+      return error(equals + 1 + first, "'#' begins a comment; put the value in quotes");
+    Diagnostics found;
+    Value value = first == after.npos ? Value::null() : parse_yaml(after, "--set", found);
+    if (!found.ok())
+      return error(equals + 1, found.sorted().front().message);
+    place_in_override(value, text_, equals + 1);
+    const auto keys =
+        path_keys(std::string_view(text_).substr(0, equals), {named(text_), 1, 1}, diagnostics_);
+    if (!keys)
+      return;
+    if (is_done_before_sets(keys->front().text))
+      return error(0,
+                   fmt::format("'{}' is carried out before anything is set", keys->front().text));
+    Value* at = &document;
+    for (std::size_t i = 0; at && i + 1 < keys->size(); ++i)
+      at = step(*at, (*keys)[i], diagnostics_);
+    if (!at)
+      return;
+    const PathKey& last = keys->back();
+    if (at->is_map() && !value_of(*at, last.text))
+      at->entries.push_back({last.text, last.where, std::move(value)});
+    else if (Value* there = step(*at, last, diagnostics_))
+      *there = std::move(value);
+  }
+
+ private:
+  void error(std::size_t offset, const std::string& message) {
+    diagnostics_.error({named(text_), 1, static_cast<int>(offset) + 1}, message);
+  }
+
+  const std::string& text_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void apply_overrides(Value& document, std::span<const std::string> sets, Diagnostics& diagnostics) {
+  for (const std::string& text : sets)
+    Override(text, diagnostics).apply(document);
+}
+
+}  // namespace eyrie::scenario

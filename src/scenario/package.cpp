@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/data.hpp"
+#include "scenario/plugins.hpp"
+#include "scenario/scenario.hpp"
+#include "scenario/trees.hpp"
+
+namespace eyrie::scenario {
+
+std::optional<std::size_t> check_package(const LoadRequest& request, Source source) {
+  Diagnostics diagnostics;
+  const auto stop_if_wrong = [&] {
+    if (!diagnostics.ok())
+      throw ConfigError(diagnostics);
+  };
+  Plugins plugins;
+  load_plugins(request.plugins, plugins, source, diagnostics);
+  const Value document = load_document(request.file, source, diagnostics);
+  stop_if_wrong();
+  if (!is_package(document))
+    return std::nullopt;
+  if (const Value* v = document.find("plugins"))
+    load_plugins(*v, request.may_open, plugins, source, diagnostics);
+  stop_if_wrong();
+  const Value* trees = document.find("trees");
+  static_cast<void>(TreeBook::read(trees, {}, {}, plugins.registries(), {}, diagnostics));
+  model::Library library;
+  static_cast<void>(DataLoader(library, document.find("data"), source, diagnostics));
+  stop_if_wrong();
+  return trees ? trees->entries.size() : 0;
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/path.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace eyrie::scenario {
+namespace {
+
+std::vector<std::string> names_in(const Value& v) {
+  std::vector<std::string> names;
+  for (const Value::Entry& e : v.entries)
+    names.push_back(e.key);
+  for (const Value& item : v.items)
+    if (!item_name(item).empty())
+      names.emplace_back(item_name(item));
+  return names;
+}
+
+/// The whole of a key that is a number, or nothing.
+std::optional<std::size_t> index_in(std::string_view key) {
+  std::size_t index = 0;
+  const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), index);
+  return failed == std::errc{} && end == key.data() + key.size() ? std::optional(index)
+                                                                 : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<PathKey>> path_keys(std::string_view path, Location where,
+                                              Diagnostics& diagnostics) {
+  std::vector<PathKey> keys;
+  for (std::size_t begin = 0, end = 0; end != path.npos; begin = end + 1) {
+    end = path.find('.', begin);
+    Location place = where;
+    place.column += static_cast<int>(begin);
+    keys.push_back({std::string(path.substr(begin, end - begin)), place});
+    if (keys.back().text.empty()) {
+      diagnostics.error(place, "an empty name in the path");
+      return std::nullopt;
+    }
+  }
+  return keys;
+}
+
+std::string_view item_name(const Value& item) {
+  if (item.is_scalar())
+    return item.text;
+  if (item.is_map() && item.entries.size() == 1)
+    return item.entries[0].key;
+  return {};
+}
+
+std::string not_here(const Value& at, std::string_view key, std::string_view note) {
+  return fmt::format("there is no {} here{}{}", quote(key), note,
+                     at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
+                                                 : fmt::format(", only {}", at.shown()));
+}
+
+Value* value_of(Value& map, std::string_view key) {
+  for (Value::Entry& e : map.entries)
+    if (e.key == key)
+      return &e.value;
+  return nullptr;
+}
+
+Value* list_for(Value& at, std::string_view key) {
+  if (at.is_list())
+    return &at;
+  Value* children = value_of(at, key) ? nullptr : value_of(at, "children");
+  return children && children->is_list() ? children : nullptr;
+}
+
+std::optional<std::size_t> item_index(const Value& list, const PathKey& key,
+                                      Diagnostics& diagnostics) {
+  const auto error = [&](const std::string& message) {
+    diagnostics.error(key.where, message);
+    return std::nullopt;
+  };
+  if (const auto index = index_in(key.text)) {
+    if (*index < list.items.size())
+      return index;
+    return error(fmt::format("there is no item {} here: the list has {}, counted from 0", key.text,
+                             list.items.size()));
+  }
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < list.items.size(); ++i) {
+    if (item_name(list.items[i]) != key.text)
+      continue;
+    if (found)
+      return error(
+          fmt::format("{} is in this list more than once; say which by its index, "
+                      "counted from 0",
+                      quote(key.text)));
+    found = i;
+  }
+  return found ? found : error(not_here(list, key.text));
+}
+
+Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
+            std::vector<const Value*>* passed) {
+  const auto pass = [&](Value* value) {
+    if (passed && value)
+      passed->push_back(value);
+    return value;
+  };
+  Value* list = list_for(at, key.text);
+  if (!list) {
+    Value* next = value_of(at, key.text);
+    if (!next)
+      diagnostics.error(key.where, not_here(at, key.text));
+    return pass(next);
+  }
+  if (list != &at)
+    pass(list);
+  const auto index = item_index(*list, key, diagnostics);
+  if (!index)
+    return nullptr;
+  Value& item = *pass(&list->items[*index]);
+  if (index_in(key.text))
+    return &item;
+  if (item.is_scalar())
+    item = Value::map({{key.text, item.where, Value::map({}, item.where)}}, item.where);
+  Value& inside = *pass(&item.entries[0].value);
+  if (inside.is_null())
+    inside = Value::map({}, item.where);
+  return &inside;
+}
+
+}  // namespace eyrie::scenario

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Paths into a document, the same for --set, for factors of campaigns and for what a
+/// scenario changes of another: `trees.wall.winner_takes_all.navigate.speed`. They go through maps
+/// by key and through lists by index, from 0, or by the name of the item: a scalar, or the only key
+/// of a map, which must be the only one of that name. Where children stand below `children:`, that
+/// word may be left out.
+#include <optional>
+
+#include "core/value.hpp"
+
+namespace eyrie::scenario {
+
+/// One key of a path, and where it stands.
+struct PathKey {
+  std::string text;
+  Location where;
+};
+
+/// The keys of a path that begins at `where`, or nothing after saying that one is empty.
+[[nodiscard]] std::optional<std::vector<PathKey>> path_keys(std::string_view path, Location where,
+                                                            Diagnostics& diagnostics);
+
+/// The list that a key means an item of: the value, or its `children`. Null if it is none.
+[[nodiscard]] Value* list_for(Value& at, std::string_view key);
+
+/// The index of the item, or nothing after saying why there is none.
+[[nodiscard]] std::optional<std::size_t> item_index(const Value& list, const PathKey& key,
+                                                    Diagnostics& diagnostics);
+
+/// The value of that key, without children left out; null if there is none.
+[[nodiscard]] Value* value_of(Value& map, std::string_view key);
+
+/// The value below `at` that the key names, or null after saying why there is none. Of an item that
+/// is named it is what stands behind the name; a bare name becomes a map with nothing: `eagle2` to
+/// `{eagle2: {}}`. What is passed on the way goes to `passed`.
+[[nodiscard]] Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
+                          std::vector<const Value*>* passed = nullptr);
+
+/// What a list's item is called; empty if it has no name.
+[[nodiscard]] std::string_view item_name(const Value& item);
+
+/// "there is no 'x' here<note>; did you mean 'y'?"
+[[nodiscard]] std::string not_here(const Value& at, std::string_view key,
+                                   std::string_view note = "");
+
+}  // namespace eyrie::scenario
