@@ -3,7 +3,8 @@
 # The plug-in libNAME.so (target NAME_plugin). It holds what it uses of Eyrie and shows EYRIE_PLUGIN alone, so that two
 # plug-ins, or a plug-in and the program, never take each other's functions; the floating-point flags of Eyrie come with
 # its targets. With TEST also the test NAME: sources in the words of GoogleTest and pilot/testing.hpp, whose decide()
-# knows the plug-in's nodes. Each SCENARIO must pass `eyrie validate`.
+# knows the plug-in's nodes. Each SCENARIO must pass `eyrie validate`. Editors find the JSON schema of scenarios with the
+# plug-in's nodes in the build folder, eyrie.schema.json.
 function(eyrie_add_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "TEST;SCENARIO")
   add_library(${name}_objects OBJECT ${ARG_UNPARSED_ARGUMENTS})
@@ -15,6 +16,8 @@ function(eyrie_add_plugin name)
   set_target_properties(${name}_plugin PROPERTIES OUTPUT_NAME ${name} LINKER_LANGUAGE CXX)
   target_link_libraries(${name}_plugin PRIVATE ${name}_objects)
   target_link_options(${name}_plugin PRIVATE LINKER:--exclude-libs,ALL LINKER:--no-undefined)
+  add_custom_command(TARGET ${name}_plugin POST_BUILD VERBATIM
+                     COMMAND ${Eyrie_PROGRAM} catalog --json-schema --plugin $<TARGET_FILE:${name}_plugin> > eyrie.schema.json)
   if(ARG_TEST)
     find_package(GTest REQUIRED)
     add_executable(${name}_test ${ARG_TEST} ${Eyrie_SHARE}/plugin_test_main.cpp)

@@ -22,7 +22,10 @@ std::map<std::string, Stamp> stamps(const std::set<std::string>& files) {
   std::map<std::string, Stamp> all;
   std::error_code missing;
   for (const std::string& file : files) {
-    const fs::path there = fs::exists(file, missing) ? fs::path(file) : fs::path(home()) / file;
+    const std::string& own = scenario::Source::kOwn;
+    const std::string name = file.starts_with(own) ? file.substr(own.size()) : file;
+    const fs::path there =
+        name == file && fs::exists(file, missing) ? fs::path(file) : fs::path(home()) / name;
     all[file] = {fs::last_write_time(there, missing), fs::file_size(there, missing)};
   }
   return all;

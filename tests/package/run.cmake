@@ -34,17 +34,30 @@ run(${prefix}/bin/eyrie debrief ${WORK}/run --out ${WORK}/page.html)
 run(${prefix}/bin/eyrie replay ${WORK}/run)
 run(${prefix}/bin/eyrie explain ${WORK}/run --player viper1 --at 0:05)
 
-# a reader with an empty folder, Eyrie in ~/eyrie, and nothing in the environment
-file(MAKE_DIRECTORY ${WORK}/empty)
-run(sed -n "/^```sh$/,/^```$/{/^```/!p}" ${PAGE})
-if(NOT output MATCHES "cmake --build build\nctest ")
-  message(FATAL_ERROR "${PAGE} builds and tests nothing:\n${output}")
-endif()
-file(WRITE ${WORK}/page.sh "${output}")
-run(env -C ${WORK}/empty -i HOME=${WORK}/home PATH=/usr/bin:/bin sh -ex ${WORK}/page.sh)
-foreach(said "100% tests passed, 0 tests failed out of 2" "turns its back on who is near .of libveer_off.so."
-             "the same, 9000 steps")
-  if(NOT output MATCHES "${said}")
-    message(FATAL_ERROR "the commands of ${PAGE} do not say '${said}':\n${output}")
+# type(PAGE FOLDER WORD...)   what PAGE tells its reader to type, in FOLDER, with nothing in the environment, says each WORD
+function(type page folder)
+  run(sed -n "/^```sh\$/,/^```\$/{/^```/!p}" ${page})
+  if(NOT output MATCHES "cmake --build build\n")
+    message(FATAL_ERROR "${page} builds nothing:\n${output}")
   endif()
-endforeach()
+  file(WRITE ${WORK}/page.sh "${output}")
+  run(env -C ${folder} -i HOME=${WORK}/home PATH=/usr/bin:/bin sh -ex ${WORK}/page.sh)
+  foreach(said ${ARGN})
+    if(NOT output MATCHES "${said}")
+      message(FATAL_ERROR "the commands of ${page} do not say '${said}':\n${output}")
+    endif()
+  endforeach()
+endfunction()
+
+# a reader with an empty folder and Eyrie in ~/eyrie
+file(MAKE_DIRECTORY ${WORK}/empty)
+type(${PAGE} ${WORK}/empty "100% tests passed, 0 tests failed out of 2"
+     "turns its back on who is near .of libveer_off.so." "the same, [0-9]+ steps")
+file(STRINGS ${WORK}/empty/veer_off/build/eyrie.schema.json known REGEX "turns its back on who is near")
+if(NOT known)
+  message(FATAL_ERROR "the schema of a plug-in does not know its behavior")
+endif()
+# one in a checkout: from a behavior to the decisions that it wins
+file(MAKE_DIRECTORY ${WORK}/checkout)
+file(CREATE_LINK ${prefix}/bin/eyrie ${WORK}/checkout/eyrie SYMBOLIC)
+type(${CMAKE_CURRENT_LIST_DIR}/../../README.md ${WORK}/checkout "navigate +-> greet +navigate voted 10 against 50")

@@ -71,16 +71,6 @@ TEST(Extends, IsPrintedAsOneFileThatFliesTheSame) {
             hash_of(fly(folder, {"eager.yaml", "--out", "b"})));
 }
 
-TEST(Extends, IsAsTheHowToSays) {
-  const TempFolder folder;
-  const std::string page = read_text(source_root() + "/docs/howto/write-a-scenario.md");
-  const std::size_t begin = page.find("```yaml\nextends:") + 8;
-  folder.write("eager.yaml", page.substr(begin, page.find("```", begin) - begin));
-  const Ran ran = run_program(folder, {"validate", "eager.yaml"});
-  EXPECT_EQ(ran.err, "");
-  EXPECT_EQ(ran.out, "eager.yaml: 5 aircraft in 2 flights, 18 trees\n");
-}
-
 TEST(Extends, IsRefusedAtTheLineThatIsWrong) {
   const TempFolder folder;
   folder.write("secret.yaml", "seed: [\n");
@@ -124,6 +114,8 @@ TEST(Validate, ChecksPackages) {
   const Ran good = run_program(folder, {"validate", "good.yaml", "more.yaml"});
   EXPECT_EQ(good.err, "");
   EXPECT_EQ(good.out, "good.yaml: a package, 2 trees\nmore.yaml: a package, 1 tree\n");
+  EXPECT_EQ(run_program(folder, {"fly", "more.yaml"}).err,
+            "more.yaml:1:1: a package of trees and data: fly a scenario that includes it\n");
   folder.write("bad.yaml",
                "trees:\n"
                "  a: {winner_takes_al: [{pursue: {vote: ten}}, {tree: b}]}\n"

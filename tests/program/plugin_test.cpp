@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "record/run_file.hpp"
 #include "support/plugin.hpp"
@@ -64,14 +65,28 @@ TEST_F(PluggedProgram, FindsThePluginBesideTheScenario) {
   EXPECT_NE(why.out.find("> last_word"), std::string::npos) << why.out;
 }
 
-TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadme) {
-  folder.write("x.yaml", kSmallScenario);
-  const std::vector<std::string> line{"fly",          "x.yaml",
-                                      "--plugin",     plugin("greet"),
-                                      "--set",        "trees.cruise={greet: {within: 3 nmi}}",
-                                      "--no-debrief", "--quiet"};
-  const Ran ran = run_program(folder, line);
-  EXPECT_EQ(ran.code, 0) << ran.err;
+/// With the file that the README puts it into the sweep by, which is the one that `new` writes.
+TEST_F(PluggedProgram, FliesTheBehaviorOfTheReadmeInTheSweepAndSeesItWin) {
+  const std::string page = read_text(source_root() + "/README.md");
+  const std::size_t begin = page.find("```yaml\nextends:") + 8;
+  const std::string sweep = page.substr(begin, page.find("```", begin) - begin);
+  ASSERT_EQ(run_program(folder, {"new", "behavior", "greet"}).code, 0);
+  const std::string written = read_text(folder / "greet/greet.yaml");
+  EXPECT_EQ(written.substr(written.find('\n') + 1), sweep);
+  EXPECT_EQ(written.substr(0, written.find('\n')),
+            "# yaml-language-server: $schema=build/eyrie.schema.json");
+
+  std::filesystem::create_directories(folder / "greet/build");
+  std::filesystem::copy_file(plugin("greet"), folder / "greet/build/libgreet.so");
+  const std::string library = folder / "greet/build/libgreet.so";
+  const Ran ran = run_program(folder, {"fly", "greet/greet.yaml", "--plugin", library, "--until",
+                                       "1 min", "--quiet", "--no-debrief"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const Ran why =
+      run_program(folder, {"explain", "runs/greet-1", "--player", "eagle1", "--plugin", library});
+  EXPECT_TRUE(
+      std::regex_search(why.out, std::regex("navigate +-> greet +navigate voted 10 against 50")))
+      << why.out << why.err;
 }
 
 TEST_F(PluggedProgram, TakesPluginsFromTheCommandLine) {

@@ -20,6 +20,14 @@ test('a file is shown with what it includes, each once', () => {
   assert.equal(with_includes(circle, circle.scenario).length, 3);
 });
 
+test('a file is shown with the scenario that it extends', () => {
+  const other = { ...edited(kProject, 'scenarios/other.yaml', 'extends: sweep  # by name\ntrees:\n  more: navigate\n'), scenario: 'scenarios/other.yaml' };
+  assert.deepEqual(with_includes(other, other.scenario), ['scenarios/other.yaml', ...with_includes(kProject, kProject.scenario)]);
+  assert.deepEqual(tree_names(other), ['more', 'own', 'sweep', 'patrol']);
+  const file = edited(other, 'scenarios/other.yaml', 'extends: sweep.yaml\n');
+  assert.equal(with_includes(file, other.scenario)[1], 'scenarios/sweep.yaml');
+});
+
 test('trees are known by their names, of included files too', () => {
   assert.deepEqual(tree_names(kProject), ['own', 'sweep', 'patrol']);
 });

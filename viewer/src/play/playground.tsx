@@ -58,6 +58,7 @@ async function write_link(project: Project): Promise<void> {
 function names_for(project: Project, path: readonly string[]): string[] {
   const key = path.at(-1);
   if (key === 'tree' || key === 'swap_tree') return tree_names(project);
+  if (key === 'extends') return scenarios(project.shipped).map(name_of);
   if (key === 'include') return Object.keys(project.shipped).filter((file) => file.startsWith('scenarios/packages/')).map((file) => file.replace('scenarios/', ''));
   const folder = ['aircraft', 'vehicles'].find((kind) => kind.replace(/s$/, '') === key);
   return folder ? Object.keys(project.shipped).filter((file) => file.startsWith(`data/${folder}/`)).map(name_of) : [];

@@ -44,15 +44,16 @@ export function seed_of(text: string): string {
   return /^seed:\s*(\d+)/m.exec(text)?.[1] ?? '1';
 }
 
-/** A file with all that it includes, itself first. */
+/** A file with all that it extends and includes, itself first. */
 export function with_includes(project: Project, file: string, known: string[] = []): string[] {
   known.push(file);
-  const said = /^include:((?:.|\n[ \t-])*)/m.exec(text_of(project, file))?.[1] ?? '';
+  const text = text_of(project, file);
   const folder = file.replace(/[^/]*$/, '');
-  for (const [name] of said.replace(/#.*/g, '').matchAll(/[\w./-]+\.yaml/g)) {
-    const included = folder + name;
-    if (included in project.shipped && !known.includes(included)) with_includes(project, included, known);
-  }
+  const [, base] = /^extends:[ \t]*([\w./-]+)/m.exec(text) ?? [];
+  const said = /^include:((?:.|\n[ \t-])*)/m.exec(text)?.[1] ?? '';
+  const names = [...said.replace(/#.*/g, '').matchAll(/[\w./-]+\.yaml/g)].map(([name]) => folder + name);
+  if (base) names.unshift(/[./]/.test(base) ? folder + base : `scenarios/${base}.yaml`);
+  for (const name of names) if (name in project.shipped && !known.includes(name)) with_includes(project, name, known);
   return known;
 }
 
