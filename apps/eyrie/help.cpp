@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "locate.hpp"
 #include "model/events.hpp"
 #include "record/run_file.hpp"
@@ -192,6 +193,10 @@ Names values_of(const std::string& name, std::span<char*> words) {
   if (name == "--to") {
     constexpr auto kFormats = enum_names<ExportFormat>();
     return {kFormats.begin(), kFormats.end()};
+  }
+  if (name == "--units") {
+    constexpr auto kSystems = enum_names<UnitSystem>();
+    return {kSystems.begin(), kSystems.end()};
   }
   if (name == "--event") {
     Names names;

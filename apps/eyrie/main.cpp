@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "help.hpp"
 #include "locate.hpp"
 #include "say.hpp"
@@ -61,6 +62,17 @@ void add_run(CLI::App* app, Options& o) {
   add_run_plugins(app, o.plugins);
 }
 
+void add_units(CLI::App* app) {
+  static constexpr auto kSystems = enum_names<UnitSystem>();
+  app->add_option_function<std::string>(
+         "--units",
+         [](const std::string& name) {
+           write_units(enum_named<UnitSystem>(name).value_or(UnitSystem::us));
+         },
+         "of what is printed: us (ft, nmi, kt, lb) or metric (m, km, km/h, kg)")
+      ->check(one_of({kSystems.begin(), kSystems.end()}));
+}
+
 void add_fly(CLI::App& app, Chosen& chosen) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
   FlyOptions& o = options_of(fly, app::fly, chosen);
@@ -95,6 +107,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_flag("--json", o.json,
                 "one JSON object on standard output instead of words; with --seeds one a line for "
                 "each, and one for all");
+  add_units(fly);
   for (const char* of_one :
        {"--seed", "--out", "--paranoid", "--realtime", "--force", "--quiet", "--no-debrief"})
     seeds->excludes(fly->get_option(of_one));
@@ -168,6 +181,7 @@ void add_explain(CLI::App& app, Chosen& chosen) {
   auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
   csv->excludes(changes);
   explain->add_flag("--json", o.json, "for tools")->excludes(csv);
+  add_units(explain);
   for (const char* of_player : {"--at", "--from", "--to", "--changes", "--event", "--csv"})
     explain->get_option(of_player)->needs(player);
 }
@@ -191,6 +205,7 @@ void add_what_if(CLI::App& app, Chosen& chosen) {
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
       ->check(whole_number(1, 100'000));
   what_if->add_flag("--json", o.json, "for tools");
+  add_units(what_if);
 }
 
 void add_debrief(CLI::App& app, Chosen& chosen) {
@@ -277,6 +292,7 @@ void add_diff(CLI::App& app, Chosen& chosen) {
   diff->add_option("left", o.runs[0], "a run folder or its run file")->required();
   diff->add_option("right", o.runs[1], "another one")->required();
   diff->add_flag("--json", o.json, "for tools");
+  add_units(diff);
   add_run_plugins(diff, o.plugins);
 }
 

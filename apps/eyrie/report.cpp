@@ -74,10 +74,9 @@ void Ends::observe(const sim::World& world, const sim::StepInfo& info,
                    std::span<const sim::Event> events) {
   for (const sim::Event& e : events) {
     if (record::kind_of(e) == model::EventKind::launch)
-      missiles_[e.who] =
-          fmt::format("{}'s {} from {}", scenario_.roster.name(PlayerId{e.detail}),
-                      record::store_label(scenario_, e.values[1]),
-                      format_quantity(static_cast<double>(e.values[0]), Dimension::length));
+      missiles_[e.who] = fmt::format("{}'s {} from {}", scenario_.roster.name(PlayerId{e.detail}),
+                                     record::store_label(scenario_, e.values[1]),
+                                     format_range(static_cast<double>(e.values[0])));
     if (record::kind_of(e) == model::EventKind::kill && scenario_.roster.find(e.whom))
       players_[e.whom.value - 1].by =
           e.detail ? missiles_[PlayerId{e.detail}] : scenario_.roster.name(e.who) + "'s gun";

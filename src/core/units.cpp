@@ -286,25 +286,62 @@ std::string format_in(double si, UnitName unit, int decimals) {
                      unit.info().symbol);
 }
 
+namespace {
+
+UnitSystem unit_system = UnitSystem::us;
+
+std::string in_system(double si, UnitName us, UnitName metric, int decimals = 0) {
+  return format_in(si, unit_system == UnitSystem::us ? us : metric, decimals);
+}
+
+}  // namespace
+
+void write_units(UnitSystem system) {
+  unit_system = system;
+}
+
 std::string format_quantity(double si, Dimension dimension) {
-  struct Usual {
-    Dimension dimension;
-    UnitName unit;
-    int decimals = 0;
-  };
-  static constexpr Usual kUsual[] = {
-      {Dimension::length, "nmi", 1},     {Dimension::speed, "kt"},
-      {Dimension::acceleration, "g", 1}, {Dimension::mass, "lb"},
-      {Dimension::mass_flow, "lb/h"},    {Dimension::force, "lbf"},
-      {Dimension::pressure, "hPa", 1},   {Dimension::temperature, "degC"},
-      {Dimension::angle, "deg"},         {Dimension::angular_rate, "deg/s", 1}};
-  if (dimension == Dimension::length && std::fabs(si) < 1852)
-    return format_in(si, "ft");
-  for (const Usual& usual : kUsual)
-    if (usual.dimension == dimension)
-      return format_in(si, usual.unit, usual.decimals);
-  const std::string_view symbol = detail::si_symbol(dimension);
-  return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
+  switch (dimension) {
+    case Dimension::length: {
+      const double far = unit_system == UnitSystem::us ? 1852 : 1000;  // m
+      return std::fabs(si) < far ? format_height(si) : format_range(si);
+    }
+    case Dimension::speed:
+      return in_system(si, "kt", "km/h");
+    case Dimension::acceleration:
+      return format_in(si, "g", 1);
+    case Dimension::mass:
+      return in_system(si, "lb", "kg");
+    case Dimension::mass_flow:
+      return in_system(si, "lb/h", "kg/h");
+    case Dimension::force:
+      return in_system(si, "lbf", "N");
+    case Dimension::pressure:
+      return format_in(si, "hPa", 1);
+    case Dimension::temperature:
+      return format_in(si, "degC");
+    case Dimension::angle:
+      return format_in(si, "deg");
+    case Dimension::angular_rate:
+      return format_in(si, "deg/s", 1);
+    default: {
+      const std::string_view symbol = detail::si_symbol(dimension);
+      return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
+    }
+  }
+}
+
+std::string format_range(double meters) {
+  return in_system(meters, "nmi", "km", 1);
+}
+
+std::string format_height(double meters) {
+  return in_system(meters, "ft", "m");
+}
+
+std::string format_direction(double radians) {
+  const double whole = std::fmod(std::nearbyint(in_unit(radians, "deg")), 360);
+  return fmt::format("{:03.0f} deg", whole < 0 ? whole + 360 : whole + 0.0);
 }
 
 template <std::floating_point Real>

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/angle.hpp"
+#include "core/enum_names.hpp"
 
 namespace eyrie {
 
@@ -210,9 +211,24 @@ struct Parsed {
 /// beyond a double, a unit of another dimension, and anything before or after. Any bytes are safe.
 [[nodiscard]] Parsed parse_quantity(std::string_view text, Dimension expected);
 
-/// For people, in the units of aviation and rounded to what they can use: "6000 ft" below one mile
-/// and "1.0 nmi" from there, "467 kt", "30 deg". Do not parse it back.
+/// In which units people read: "6000 ft", "5.0 nmi", "467 kt", "5000 lb", or "1829 m", "9.3 km",
+/// "865 km/h", "2268 kg".
+enum class UnitSystem : std::uint8_t { us, metric };
+constexpr auto names_of(UnitSystem) {
+  return names_from_zero<UnitSystem>("us", "metric");
+}
+/// For the process, before it has threads; us until then. Files keep the units that they are in.
+void write_units(UnitSystem system);
+
+/// For people, rounded to what they can use: "6000 ft" below one mile and "1.0 nmi" from there,
+/// "467 kt", "30 deg". Do not parse it back.
 [[nodiscard]] std::string format_quantity(double si, Dimension dimension);
+/// A range, in miles or kilometers however short it is: "0.4 nmi".
+[[nodiscard]] std::string format_range(double meters);
+/// A height, in feet or meters however large it is: "36000 ft".
+[[nodiscard]] std::string format_height(double meters);
+/// A direction over the ground, clockwise from north: "075 deg", from 000 to 359.
+[[nodiscard]] std::string format_direction(double radians);
 
 /// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
 [[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);

@@ -347,5 +347,28 @@ RC_GTEST_PROP(ExactQuantity, ReadsBackToTheSameFloat, ()) {
   reads_back<float>();
 }
 
+TEST(FormatDirection, IsWrittenInThreeDigitsFrom000To359) {
+  EXPECT_EQ(format_direction(0), "000 deg");
+  EXPECT_EQ(format_direction(radians(7.4)), "007 deg");
+  EXPECT_EQ(format_direction(radians(-75)), "285 deg");
+  EXPECT_EQ(format_direction(radians(359.6)), "000 deg");
+  EXPECT_EQ(format_direction(radians(-0.2)), "000 deg");
+  EXPECT_EQ(format_direction(radians(720 + 90)), "090 deg");
+}
+
+TEST(WriteUnits, SaysTheSameInMetricOnes) {
+  write_units(UnitSystem::metric);
+  EXPECT_EQ(format_quantity(999, Dimension::length), "999 m");
+  EXPECT_EQ(format_quantity(18520, Dimension::length), "18.5 km");
+  EXPECT_EQ(format_range(700), "0.7 km");
+  EXPECT_EQ(format_height(11000), "11000 m");
+  EXPECT_EQ(format_quantity(100, Dimension::speed), "360 km/h");
+  EXPECT_EQ(format_quantity(1000, Dimension::mass), "1000 kg");
+  EXPECT_EQ(format_quantity(9.80665, Dimension::acceleration), "1.0 g");
+  write_units(UnitSystem::us);
+  EXPECT_EQ(format_range(700), "0.4 nmi");
+  EXPECT_EQ(format_quantity(1000, Dimension::mass), "2205 lb");
+}
+
 }  // namespace
 }  // namespace eyrie

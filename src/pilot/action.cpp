@@ -25,7 +25,8 @@ std::string to_text(const Follow& follow) {
   std::string text;
   const auto add = [&](double meters, const char* positive, const char* negative) {
     if (meters != 0)
-      text += fmt::format("{}{:.0f} m {}", text.empty() ? "" : ", ", std::fabs(meters),
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                          format_quantity(std::fabs(meters), Dimension::length),
                           meters > 0 ? positive : negative);
   };
   add(follow.offset.x, "ahead", "behind");

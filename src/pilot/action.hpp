@@ -15,7 +15,7 @@ struct Follow {
   friend constexpr bool operator==(const Follow&, const Follow&) = default;
 };
 [[nodiscard]] std::optional<ubf::ImplausiblePart> implausible_part(const Follow& follow);
-/// "2000 m behind, 1829 m left, 152 m below", for traces.
+/// "1.1 nmi behind, 6001 ft left, 500 ft below", for traces.
 [[nodiscard]] std::string to_text(const Follow& follow);
 
 /// Which store at which track.

@@ -12,7 +12,10 @@ using model::EventKind;
 namespace {
 
 std::string miles(float meters) {
-  return fmt::format("{:.1f} nmi", in_unit(static_cast<double>(meters), "nmi"));
+  return format_range(static_cast<double>(meters));
+}
+std::string close_range(float meters) {
+  return format_quantity(static_cast<double>(meters), Dimension::length);
 }
 
 Tone tone_of(model::Side side) {
@@ -107,8 +110,8 @@ void Story::ended(const sim::Event& e) {
             "{} at {} is trashed: {}", missile.label, name(missile.target),
             enum_name(static_cast<model::weapon::MissileEnd>(static_cast<int>(e.values[0])))));
   else if (e.values[1] <= e.values[2])  // the draw was above the kill probability
-    say(missile.shooter,
-        fmt::format("{} misses {} by {:.0f} m", missile.label, name(missile.target), e.values[0]));
+    say(missile.shooter, fmt::format("{} misses {} by {}", missile.label, name(missile.target),
+                                     close_range(e.values[0])));
 }
 
 void Story::tell(const sim::Event& e) {
@@ -139,7 +142,8 @@ void Story::tell(const sim::Event& e) {
         say(m->shooter, fmt::format("pitbull on {}", name(m->target)));
       break;
     case EventKind::gun_burst:
-      say(e.who, e.whom ? fmt::format("guns on {}, {:.0f} m", name(e.whom), e.values[1]) : "guns");
+      say(e.who,
+          e.whom ? fmt::format("guns on {}, {}", name(e.whom), close_range(e.values[1])) : "guns");
       break;
     case EventKind::defend:
       say(e.who, defense(e.values[0]));
@@ -166,7 +170,7 @@ void Story::tell(const sim::Event& e) {
         say(e.who, "is lost", Tone::kill);
       break;
     case EventKind::scatter:
-      say(e.who, e.whom ? fmt::format("scatters: {} at {:.1f} km", name(e.whom), e.values[0] / 1000)
+      say(e.who, e.whom ? fmt::format("scatters: {} at {}", name(e.whom), miles(e.values[0]))
                         : "scatters");
       break;
     case EventKind::fuel_out:

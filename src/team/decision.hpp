@@ -74,13 +74,18 @@ struct Changed {
   std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
 };
 
-/// "45 deg", "6000 ft", "467 kt"; "-" for no value. Heights are in feet however large they are.
+/// "045 deg", "6000 ft", "467 kt"; "-" for no value. Headings and bearings are directions, from 000
+/// to 359; heights are in feet however large they are.
 [[nodiscard]] inline std::string number_text(std::string_view name, const Unit& unit,
                                              double number) {
   if (std::isnan(number))
     return "-";
   const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
-  return height ? format_in(number, "ft") : format_quantity(number, unit.dimension);
+  const bool direction = name == "heading" || name == "bearing" || name == "course";
+  return height ? format_height(number)
+         : direction && unit.dimension == Dimension::angle
+             ? format_direction(number)
+             : format_quantity(number, unit.dimension);
 }
 
 [[nodiscard]] inline Value number_value(std::string_view name, const Unit& unit, double number) {

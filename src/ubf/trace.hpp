@@ -100,13 +100,13 @@ namespace detail {
 
 /// A value of an action's field. A type of one's own brings a `to_text` found next to it.
 template <class T>
-[[nodiscard]] std::string field_text(const T& value, const Unit& unit) {
+[[nodiscard]] std::string field_text(const T& value, const Unit& unit, bool direction = false) {
   if constexpr (std::same_as<T, bool>)
     return value ? "yes" : "no";
   else if constexpr (std::floating_point<T>)
-    return unit.dimension == Dimension::none
-               ? fmt::format("{:g}", value)
-               : format_quantity(static_cast<double>(value), unit.dimension);
+    return unit.dimension == Dimension::none ? fmt::format("{:g}", value)
+           : direction                       ? format_direction(static_cast<double>(value))
+                       : format_quantity(static_cast<double>(value), unit.dimension);
   else if constexpr (std::integral<T>)
     return fmt::format("{}", +value);
   else if constexpr (NamedEnum<T>)
@@ -119,7 +119,7 @@ template <class T>
 
 }  // namespace detail
 
-/// "heading 90 deg, speed 480 kt": the fields that are set.
+/// "heading 090 deg, speed 480 kt": the fields that are set.
 template <class Action>
 [[nodiscard]] std::string to_text(const Action& action) requires requires {
   ActionTraits<Action>::fields;
@@ -129,7 +129,7 @@ template <class Action>
   for_each_field<Action>([&](const auto& f, auto) {
     if (const auto& value = action.*f.member)
       text += fmt::format("{}{} {}", text.empty() ? "" : ", ", f.name,
-                          detail::field_text(*value, f.unit));
+                          detail::field_text(*value, f.unit, f.is_direction));
   });
   return text;
 }
@@ -155,7 +155,8 @@ template <class State, class Action>
       const auto& value = row.proposal.action.*f.member;
       if (!value)
         return;
-      line += fmt::format("{}{} {}", separator, f.name, detail::field_text(*value, f.unit));
+      line += fmt::format("{}{} {}", separator, f.name,
+                          detail::field_text(*value, f.unit, f.is_direction));
       if (row.supplier[field] != index)
         line += fmt::format(" ({})", tree.path(row.supplier[field]));
       separator = ", ";

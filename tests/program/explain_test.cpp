@@ -47,7 +47,7 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
   EXPECT_TRUE(says(ran.out, R"(\n>     follow_lead +running, votes 20: heading)"));
   EXPECT_TRUE(says(ran.out, R"(\n        break_turn +failed: no missile is known to come\n)"));
   EXPECT_TRUE(says(
-      ran.out, R"(\n  heading +97 deg +follow_lead +voted 20 against 10 \(navigate 123 deg\)\n)"));
+      ran.out, R"(\n  heading +097 deg +follow_lead +voted 20 against 10 \(navigate 123 deg\)\n)"));
   // which of the two it is, is the sort's choice: pilot/sort_test.cpp
   EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey\d\): identity hostile, range)"));
 }
@@ -214,6 +214,20 @@ TEST(ExplainProgram, WhatIfAndDiffAgreeOnTheFirstActionThatIsAnotherOne) {
   const std::string words = debriefed({"diff", "a", "b"}).out;
   EXPECT_TRUE(says(words, R"(\naction +\S+  eagle\d: [^\n]+; and [^\n]+ in the other\n)")) << words;
   EXPECT_FALSE(says(words, R"(: ([^\n]+); and \1 in the other)")) << words;
+}
+
+TEST(ExplainProgram, SpeaksOneSetOfUnitsAndWritesDirectionsInThreeDigits) {
+  for (const bool metric : {false, true}) {
+    std::vector<std::string> line{"explain", "a", "--player", "eagle2", "--at", "5:00"};
+    if (metric)
+      line.insert(line.end(), {"--units", "metric"});
+    const Ran ran = debriefed(line);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(says(ran.out, R"(\d (ft|nmi|kt|lb)\b)"), !metric) << ran.out;
+    EXPECT_EQ(says(ran.out, R"(\d (m|km|km/h|kg)\b)"), metric) << ran.out;
+    EXPECT_TRUE(says(ran.out, R"(\bheading \d\d\d deg\b)")) << ran.out;
+    EXPECT_FALSE(says(ran.out, R"(\b(heading|bearing) +(-?\d|-?\d\d|-\d+) deg)")) << ran.out;
+  }
 }
 
 TEST(ExplainProgram, KeepsTheSeedsThatWereFlownBeforeAnInterrupt) {
