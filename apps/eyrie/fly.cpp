@@ -179,7 +179,7 @@ int fly(const FlyOptions& options, Flown& flown) {
       if (const std::string why =
               disk::point_link("runs/latest", fs::path(folder.path()).filename());
           !why.empty())
-        complain("eyrie: {}\n", why);
+        beside.lost(why);
     flown.folder = folder.path();
     // the run is in its place, whatever becomes of its page
     if (with_page) {

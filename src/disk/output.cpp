@@ -223,7 +223,8 @@ std::string point_link(const std::string& link, const std::string& to) {
       !S_ISLNK(found.st_mode))
     return fmt::format("'{}' is {}, and not made a link to '{}'", link, kind_text(found.st_mode),
                        to);
-  const std::string part = fmt::format("{}.{}", link, ::getpid());
+  const std::string part = link.substr(0, link.rfind('/') + 1) + temporary_name();
+  const Moving moving;
   if (files().link(to.c_str(), AT_FDCWD, part.c_str()) == 0 &&
       files().rename(AT_FDCWD, part.c_str(), AT_FDCWD, link.c_str(), 0) == 0)
     return "";

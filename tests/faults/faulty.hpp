@@ -76,6 +76,9 @@ class Faulty final : public disk::FileSystem {
       std::exchange(before_first_move, {})();
     return fails() ? -1 : FileSystem::rename(from_folder, from, to_folder, to, flags);
   }
+  int link(const char* to, int folder, const char* name) override {
+    return fails() ? -1 : FileSystem::link(to, folder, name);
+  }
   int list(int folder, std::vector<std::string>& names) override {
     return fails() ? -1 : FileSystem::list(folder, names);
   }

@@ -268,13 +268,17 @@ std::string broken(const Try& t, const Fault& fault) {
           without(d.before, [&](const std::string& name) { return is_below(name, beside); }) &&
       below(after, t.target).empty() && below(d.before, t.target).empty())
     return "";  // a folder for it has been made
+  if (const auto link = after.find(beside + "/latest");
+      link != after.end() && !link->second.starts_with("-> truck-2"))
+    return say("has spoilt the link");
   // the rest is a run: whole, without what could not be written beside it, or ended early
   if (ran.code == 0)
     return say("is another one without a word");
   for (int i = 1; i < 5; ++i) {
     const std::string place = i == 1 ? t.target : fmt::format("{}.{}", t.target, i);
     const auto ours = [&](const std::string& name) {
-      return is_below(name, place) || (!beside.empty() && name == beside + "/");
+      return is_below(name, place) || (!beside.empty() && name == beside + "/") ||
+             name == beside + "/latest";
     };
     if (below(after, place) == below(d.before, place) ||
         without(after, ours) != without(d.before, ours))

@@ -182,7 +182,7 @@ TEST(FlyOut, ReplacesNothingButALinkByTheLatest) {
   const TempFolder folder;
   folder.write("runs/latest/mine", "kept");
   const Ran ran = run_program(folder, merge({"--json"}));
-  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.code, 1);
   EXPECT_EQ(ran.err, "eyrie: 'runs/latest' is a folder, and not made a link to 'merge-8'\n");
   EXPECT_EQ(read_text(folder / "runs/latest/mine"), "kept");
 }
