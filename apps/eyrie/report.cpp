@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/hash.hpp"
 #include "core/units.hpp"
 #include "record/json_text.hpp"
 
