@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <map>
 
+#include "arguments.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "locate.hpp"
 #include "model/events.hpp"
 #include "record/run_file.hpp"
+#include "say.hpp"
 #include "scenario/catalog.hpp"
 
 namespace eyrie::app {
@@ -232,14 +234,6 @@ Names values_of(const std::string& name, std::span<char*> words) {
   return {};
 }
 
-}  // namespace
-
-void set_help(CLI::App& app) {
-  app.formatter(std::make_shared<Words>());
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
-    set_help(*command);
-}
-
 std::string manual(const CLI::App& app) {
   const auto list = [](const std::vector<Line>& lines) {
     std::string text;
@@ -287,6 +281,32 @@ compdef _eyrie eyrie
 )sh";
   return R"sh(complete -c eyrie -a '(eyrie completion --for (commandline -opc)[2..] (commandline -ct) 2>/dev/null)'
 )sh";
+}
+
+}  // namespace
+
+void set_help(CLI::App& app) {
+  app.formatter(std::make_shared<Words>());
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    set_help(*command);
+}
+
+void add_completion(CLI::App& app, std::function<int()>& chosen) {
+  CLI::App* completion = app.add_subcommand(
+      "completion", "What a shell needs to complete commands, options, scenarios and runs");
+  const auto shell = std::make_shared<std::string>();
+  completion
+      ->add_option("shell", *shell,
+                   "bash, zsh or fish: source what is printed, as in source <(eyrie completion "
+                   "bash); man: the manual page")
+      ->required()
+      ->check(one_of({"bash", "zsh", "fish", "man"}));
+  completion->callback([&, shell] {
+    chosen = [&, shell] {
+      say("{}", Composed{*shell == "man" ? manual(app) : completion_script(*shell)});
+      return 0;
+    };
+  });
 }
 
 std::string completions(const CLI::App& app, std::span<char*> words) {

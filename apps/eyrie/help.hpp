@@ -15,10 +15,8 @@ namespace eyrie::app {
 /// From now on --help is in our words: what options take, their texts, examples.
 void set_help(CLI::App& app);
 
-/// eyrie.1, as troff reads it.
-[[nodiscard]] std::string manual(const CLI::App& app);
-/// What a shell sources: "bash", "zsh" or "fish". It asks for completions().
-[[nodiscard]] std::string completion_script(std::string_view shell);
+/// The command that prints what a shell sources, and eyrie.1.
+void add_completion(CLI::App& app, std::function<int()>& chosen);
 /// How the last of the words behind "eyrie" may go on, a line each; none: by the name of a file.
 [[nodiscard]] std::string completions(const CLI::App& app, std::span<char*> words);
 

@@ -341,24 +341,6 @@ void add_new(CLI::App& app, Chosen& chosen) {
       ->required();
 }
 
-void add_completion(CLI::App& app, Chosen& chosen) {
-  CLI::App* completion = app.add_subcommand(
-      "completion", "What a shell needs to complete commands, options, scenarios and runs");
-  const auto shell = std::make_shared<std::string>();
-  completion
-      ->add_option("shell", *shell,
-                   "bash, zsh or fish: source what is printed, as in source <(eyrie completion "
-                   "bash); man: the manual page")
-      ->required()
-      ->check(one_of({"bash", "zsh", "fish", "man"}));
-  completion->callback([&, shell] {
-    chosen = [&, shell] {
-      say("{}", Composed{*shell == "man" ? manual(app) : completion_script(*shell)});
-      return 0;
-    };
-  });
-}
-
 int run(int argc, char** argv) {
   CLI::App app{"Eyrie: autonomous agents in the air, by the Unified Behavior Framework", "eyrie"};
   app.require_subcommand(1);
