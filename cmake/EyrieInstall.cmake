@@ -42,7 +42,8 @@ install(FILES tests/support/model/flying.hpp tests/support/model/stores.hpp DEST
 install(FILES cmake/EyriePlugin.cmake DESTINATION ${package} COMPONENT library)
 install(FILES cmake/plugin_test_main.cpp DESTINATION share/eyrie COMPONENT library)
 
-# the package beside the build, for whoever works from a checkout (./eyrie new)
+# all that is installed; and the package beside the build, for whoever works from a checkout (./eyrie new)
 list(TRANSFORM layers PREPEND eyrie_ OUTPUT_VARIABLE targets)
-add_custom_target(eyrie_package DEPENDS eyrie eyrie_testing ${targets} VERBATIM
+add_custom_target(eyrie_parts DEPENDS eyrie eyrie_testing ${targets})
+add_custom_target(eyrie_package DEPENDS eyrie_parts VERBATIM
                   COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${PROJECT_BINARY_DIR}/package > install.log)

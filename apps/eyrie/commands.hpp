@@ -193,7 +193,7 @@ struct NewOptions {
 };
 int new_behavior(const NewOptions& options);
 
-/// "eyrie 0.1.0 (gcc 12.2.0, Release)"
+/// "eyrie 0.2.0 (gcc 12.2.0, Release)"
 [[nodiscard]] std::string version_text();
 
 }  // namespace eyrie::app

@@ -75,7 +75,7 @@ std::string playground_file() {
 std::string mpi_library() {
   if (const char* set = std::getenv("EYRIE_MPI"))
     return set;
-  return beside_program("bin/libeyrie_mpi.so", "lib/libeyrie_mpi.so");
+  return beside_program("bin/libeyrie_mpi.so", "lib/eyrie/libeyrie_mpi.so");
 }
 
 std::string duckdb_library() {

@@ -4,6 +4,6 @@
 namespace eyrie {
 
 /// Of the whole project. CMakeLists.txt reads it from this line.
-inline constexpr const char* kVersion = "0.1.0";
+inline constexpr const char* kVersion = "0.2.0";
 
 }  // namespace eyrie
