@@ -2,10 +2,11 @@
 #include "stats/sample.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "stats/distributions.hpp"
 
 namespace eyrie::stats {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double t_of(std::uint64_t n, double confidence) {
-  const boost::math::students_t student(static_cast<double>(n - 1));
+  const StudentsT student(static_cast<double>(n - 1));
   return boost::math::quantile(student, (1 + confidence) / 2);
 }
 
@@ -54,7 +55,7 @@ double t_test(const Moments& moments) {
     return 1;
   if (moments.error() == 0)
     return 0;
-  const boost::math::students_t student(static_cast<double>(moments.n() - 1));
+  const StudentsT student(static_cast<double>(moments.n() - 1));
   return 2 * cdf(complement(student, std::abs(moments.mean()) / moments.error()));
 }
 

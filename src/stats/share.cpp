@@ -2,17 +2,16 @@
 #include "stats/share.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+
+#include "stats/distributions.hpp"
 
 namespace eyrie::stats {
 
 Interval wilson(const Share& share, double confidence) {
   if (!share.n)
     return {};
-  const double z = quantile(boost::math::normal(), (1 + confidence) / 2);
+  const double z = quantile(Normal(), (1 + confidence) / 2);
   const auto n = static_cast<double>(share.n);
   const double p = share.value(), spread = z * z / n;
   const double middle = (p + spread / 2) / (1 + spread);
@@ -24,8 +23,8 @@ Interval wilson(const Share& share, double confidence) {
 Interval clopper_pearson(const Share& share, double confidence) {
   const auto yes = static_cast<double>(share.count), no = static_cast<double>(share.n) - yes;
   const double tail = (1 - confidence) / 2;
-  return {yes > 0 ? quantile(boost::math::beta_distribution(yes, no + 1), tail) : 0,
-          no > 0 ? quantile(complement(boost::math::beta_distribution(yes + 1, no), tail)) : 1};
+  return {yes > 0 ? quantile(Beta(yes, no + 1), tail) : 0,
+          no > 0 ? quantile(complement(Beta(yes + 1, no), tail)) : 1};
 }
 
 Interval newcombe(const Share& one, const Share& other, double confidence) {
@@ -55,7 +54,7 @@ Interval newcombe_paired(std::uint64_t both, std::uint64_t only_one, std::uint64
 }
 
 double mcnemar(std::uint64_t only_one, std::uint64_t only_other) {
-  const boost::math::binomial fair(static_cast<double>(only_one + only_other), 0.5);
+  const Binomial fair(static_cast<double>(only_one + only_other), 0.5);
   return std::min(1.0, 2 * cdf(fair, static_cast<double>(std::min(only_one, only_other))));
 }
 
