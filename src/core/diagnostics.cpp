@@ -64,6 +64,8 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
   std::optional<std::string_view> best;
   std::size_t best_distance = kLongestName;
   for (const std::string_view name : names) {
+    if (name == wrong)
+      return fmt::format("; did you mean '{}'?", name);
     if (name.empty() || name.size() > kLongestName)
       continue;
     // as many edits as one is longer than the other it takes at least

@@ -132,6 +132,8 @@ TEST(DidYouMean, NamesTheNearest) {
 }
 
 TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {
+  EXPECT_EQ(did_you_mean("line", std::vector<std::string>{"lane", "line", "lone"}),
+            "; did you mean 'line'?");
   EXPECT_EQ(did_you_mean("lane", std::vector<std::string>{"line", "lone"}),
             "; did you mean 'line'?");
 }
