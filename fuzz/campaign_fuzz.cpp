@@ -9,15 +9,12 @@
 #include "campaign/search.hpp"
 #include "core/text.hpp"
 #include "core/yaml.hpp"
+#include "fuzz/demand.hpp"
 
 namespace {
 
 using namespace eyrie;
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using fuzz::demand;
 
 /// Many cells cost time and tell nothing more.
 bool is_small(const campaign::Spec& spec) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  Any texts as names in tables: a reader of RFC 4180 finds as many cells in every row, each
 /// text as a terminal shows it, and none that a spreadsheet takes for a formula.
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -68,6 +69,21 @@ void expect_text(const std::string& cell, const std::string& text) {
   demand(cell == shown || cell == '\'' + shown);
 }
 
+std::size_t place_of(const Row& header, const char* column) {
+  const auto at = std::find(header.begin(), header.end(), column);
+  demand(at != header.end());
+  return static_cast<std::size_t>(at - header.begin());
+}
+
+/// A player by its name, a missile by its number and somebody.
+void expect_named(const scenario::Roster& roster, const std::string& cell, const std::string& id) {
+  const auto number = id.empty() ? 0 : static_cast<std::uint32_t>(std::stoul(id));
+  if (number > roster.players.size())
+    demand(cell.find(fmt::format(" #{} of ", number)) != cell.npos);
+  else
+    expect_text(cell, number ? roster.players[number - 1].name : "");
+}
+
 debrief::Decision decision_of(fuzz::Texts& texts) {
   debrief::Decision d;
   d.player = PlayerId{1};
@@ -97,9 +113,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const scenario::Roster& roster = fuzz::flight().scenario().roster;
   const std::vector<Row> events = expect_table(fuzz::written<record::EventsCsv>());
   demand(events.size() == 1 + fuzz::flight().events());
-  for (std::size_t i = 1; i < events.size(); ++i)
-    expect_text(events[i][3],
-                roster.name(PlayerId{static_cast<std::uint32_t>(std::stoul(events[i][4]))}));
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    const auto cell = [&](const char* column) { return events[i][place_of(events[0], column)]; };
+    expect_named(roster, cell("who"), cell("who_id"));
+    expect_named(roster, cell("whom"), cell("whom_id"));
+  }
 
   const debrief::Decision decision = decision_of(texts);
   const std::vector<Row> rows = expect_table(debrief::decisions_csv({&decision, 1}, roster));

@@ -10,6 +10,7 @@
 
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
+#include "fuzz/demand.hpp"
 #include "ubf/expression.hpp"
 
 namespace {
@@ -20,11 +21,6 @@ struct State {
   bool alarm = true;
 };
 constexpr std::string_view kPhases[] = {"home", "fetch", "carry"};
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
 
 }  // namespace
 
@@ -50,6 +46,7 @@ struct eyrie::ubf::StateFields<State> : eyrie::ubf::FieldsOf<State> {
 namespace {
 
 using namespace eyrie;
+using fuzz::demand;
 
 /// Whether it holds, or nothing if it was refused.
 std::optional<bool> read(const std::string& text) {

@@ -11,15 +11,11 @@
 #include <string_view>
 #include <vector>
 
+#include "fuzz/demand.hpp"
 #include "scenario/mission.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::fuzz {
-
-inline void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
 
 /// The texts in an input: each is as long as the byte before it says, modulo 64. They come again
 /// from the first one when they are used up.

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "core/hash.hpp"
+#include "fuzz/demand.hpp"
 #include "record/run_file.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -21,12 +22,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace {
 
 using namespace eyrie;
+using fuzz::demand;
 using Random = std::minstd_rand;
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
 
 std::string signed_again(std::string bytes) {
   if (bytes.size() < sizeof(std::uint64_t))

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/diagnostics.hpp"
+#include "fuzz/demand.hpp"
 #include "fuzz/line_mutator.hpp"
 #include "scenario/data.hpp"
 #include "scenario/scenario.hpp"
@@ -23,6 +24,7 @@
 namespace {
 
 using namespace eyrie;
+using fuzz::demand;
 
 constexpr const char* kFile = "scenarios/fuzzed.yaml";
 constexpr const char* kPackage = "scenarios/packages/pilots.yaml";
@@ -30,11 +32,6 @@ constexpr const char* kShipped = "scenarios/sweep_phases.yaml";  ///< what may b
 constexpr std::string_view kSet = "#set ";
 
 std::map<std::string, std::string> g_files;
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
 
 std::vector<std::string> sets_in(const std::string& text) {
   std::vector<std::string> sets;

@@ -13,11 +13,13 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "core/yaml.hpp"
+#include "fuzz/demand.hpp"
 #include "scenario/source.hpp"
 
 namespace {
 
 using namespace eyrie;
+using fuzz::demand;
 
 constexpr std::string_view kScenario = R"(eyrie: 1
 name: small
@@ -28,11 +30,6 @@ trees:
 blue:
   flights: {eagle: {aircraft: f15c, players: [eagle1, eagle2: {fuel: 3000 kg}], loadout: [aim9]}}
 )";
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
 
 bool equal(const Value& a, const Value& b) {
   if (a.kind != b.kind || a.text != b.text || a.quoted != b.quoted || a.tag != b.tag ||

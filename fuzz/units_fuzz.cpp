@@ -11,15 +11,12 @@
 
 #include "core/diagnostics.hpp"
 #include "core/units.hpp"
+#include "fuzz/demand.hpp"
 
 namespace {
 
 using namespace eyrie;
-
-void demand(bool condition) {
-  if (!condition)
-    std::abort();
-}
+using fuzz::demand;
 
 void check_error(const Parsed& parsed) {
   demand(parsed.value == 0);
