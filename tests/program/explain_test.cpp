@@ -233,13 +233,17 @@ TEST(ExplainProgram, SpeaksOneSetOfUnitsAndWritesDirectionsInThreeDigits) {
 TEST(ExplainProgram, KeepsTheSeedsThatWereFlownBeforeAnInterrupt) {
   const TempFolder folder;
   ASSERT_EQ(run_program(folder, {"fly", "merge", "--no-debrief", "--quiet"}).code, 0);
+  // a terminal shows the progress: the first seeds were flown when it does
   const Ran ran = run_line(folder, R"sh(
-    "$EYRIE" whatif runs/latest --player viper1 --set root/wvr=fusion --seeds 100000 & asked=$!
-    sleep 1; kill -TERM $asked; wait $asked)sh");
+    script -qefc 'echo $$ >asked; exec "$EYRIE" whatif runs/latest --player viper1 \
+      --set root/wvr=fusion --seeds 100000 >told' shown </dev/null >/dev/null & asked=$!
+    while kill -0 $asked && ! grep -qs 'of 100000' shown; do sleep 0.02; done
+    kill -TERM $(cat asked); wait $asked)sh");
   EXPECT_EQ(ran.code, 128 + SIGTERM);
-  EXPECT_TRUE(says(ran.err, R"(^eyrie: interrupted: \d+ of 100000 seeds were flown\n$)"))
-      << ran.err;
-  EXPECT_TRUE(says(ran.out, R"(\nover seeds 1 to \d+: )")) << ran.out;
+  EXPECT_TRUE(says(read_text(folder / "shown"),
+                   R"(\x1b\[Keyrie: interrupted: [1-9]\d* of 100000 seeds were flown\r\n)"))
+      << read_text(folder / "shown");
+  EXPECT_TRUE(says(read_text(folder / "told"), R"(\nover seeds 1 to [1-9]\d*: )"));
 }
 
 TEST(ExplainProgram, SaysWhatIsWrongWithWhatWasAsked) {
