@@ -89,12 +89,15 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
                      Workspace& work) const {
   for (const System* system : by_phase_[index_of(phase)]) {
     const std::uint32_t rows = world.rows(system->table());
+    if (rows == 0)
+      continue;
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
     work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
       (system->*part)(world, info, Chunk{begin, end}, work.by_chunk_[chunk]);
     });
-    work.collect(chunk_count(rows));
+    if (!work.untouched(chunk_count(rows)))
+      work.collect(chunk_count(rows));
     if (work.fault_) [[unlikely]] {
       work.fault_->system = system->name();
       work.fault_->step = info.step;

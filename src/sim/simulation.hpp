@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  The step: const systems in order, six phases, one world at a time.
+#include <algorithm>
+
 #include "core/executor.hpp"
 #include "sim/check.hpp"
 #include "sim/event.hpp"
@@ -38,6 +40,10 @@ class Workspace {
 
  private:
   friend class Simulation;
+  [[nodiscard]] bool untouched(std::size_t chunks) const {
+    return std::all_of(by_chunk_.begin(), by_chunk_.begin() + chunks,
+                       [](const Outbox& chunk) { return chunk.untouched(); });
+  }
   void collect(std::size_t chunks);
 
   Executor executor_;
