@@ -36,14 +36,15 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_v
   return good ? std::optional(two) : std::nullopt;
 }
 
-std::string pace(const std::string& text) {
-  constexpr double kSlowest = 0.001, kFastest = 1000;
+std::string rate(const std::string& text) {
+  constexpr double kSlowest = 0.1, kFastest = 100;
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = failed == std::errc{} && end == text.data() + text.size() &&
                     value >= kSlowest && value <= kFastest;
-  return good ? std::string{}
-              : fmt::format("{} is no number from {} to {}", quote(text), kSlowest, kFastest);
+  return good || text == "max"
+             ? std::string{}
+             : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
 }
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {

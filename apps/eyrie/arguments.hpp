@@ -17,8 +17,8 @@ namespace eyrie::app {
 /// "1..500" with ".." between them; nothing if it is anything else.
 [[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
     std::string_view text, std::string_view between);
-/// A factor of real time.
-[[nodiscard]] std::string pace(const std::string& text);
+/// Of real time: a number, or max.
+[[nodiscard]] std::string rate(const std::string& text);
 [[nodiscard]] std::function<std::string(const std::string&)> one_of(
     std::vector<std::string_view> names);
 /// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.

@@ -16,7 +16,7 @@ struct FlyOptions {
   std::string until;                ///< quantity; empty: as the scenario says
   std::optional<unsigned> workers;  ///< 1, with `seeds` all cores
   unsigned paranoid = 0;            ///< workers of the second step; 0: off
-  std::optional<double> realtime;   ///< factor
+  std::optional<double> real_time;  ///< seconds of the mission in one of the clock; 0: unpaced
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
   bool watch = false;   ///< flies again whenever a file of the scenario changes

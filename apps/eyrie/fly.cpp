@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "command.hpp"
 #include "commands.hpp"
@@ -10,6 +8,7 @@
 #include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
+#include "net/pacing.hpp"
 #include "record/acmi.hpp"
 #include "record/csv.hpp"
 #include "record/run_file.hpp"
@@ -22,49 +21,28 @@ namespace eyrie::app {
 namespace {
 namespace fs = std::filesystem;
 
-using Clock = std::chrono::steady_clock;
-
-/// Keeps the mission at `factor` times real time and counts the steps that came late.
-class Pacer {
- public:
-  Pacer(double dt, double factor) : step_(dt / factor), begin_(Clock::now()) {}
-
-  void wait(Timing& timing) {
-    ++timing.deadlines;
-    const std::chrono::duration<double> due(step_ * static_cast<double>(timing.deadlines));
-    const auto deadline = begin_ + std::chrono::duration_cast<Clock::duration>(due);
-    const std::chrono::duration<double> late = Clock::now() - deadline;
-    if (late.count() > step_) {  // a whole step too late
-      ++timing.missed;
-      timing.worst_late = std::max(timing.worst_late, late.count());
-    }
-    // in short pieces: a step may last long, and nobody waits for it who wants to end
-    constexpr std::chrono::milliseconds kPiece(50);
-    for (auto now = Clock::now(); now < deadline && !interrupted(); now = Clock::now())
-      std::this_thread::sleep_until(std::min(deadline, now + kPiece));
-  }
-
- private:
-  double step_;
-  Clock::time_point begin_;
-};
-
 /// Or until it cannot be recorded any more.
 void fly_to_the_end(scenario::Mission& mission, const disk::Sink& file, const FlyOptions& options,
                     Timing& timing) {
-  const auto begun = Clock::now();
-  Pacer pacer(mission.run().simulation().dt(), options.realtime.value_or(1));
-  timing.paced = options.realtime.has_value();
-  while (mission.step()) {
-    if (interrupted())
+  using net::Clock;
+  const Clock::time_point start = Clock::now();
+  Clock::time_point begun = start;
+  if (const double rate = options.real_time.value_or(0); rate > 0)
+    timing.pacing.emplace(mission.run().simulation().dt() / rate, start);
+  for (;;) {
+    if (timing.pacing) {
+      net::sleep_until(timing.pacing->due(), interrupted);
+      begun = Clock::now();
+    }
+    if (!mission.step())
+      break;
+    if (timing.pacing)
+      timing.pacing->made(begun, Clock::now());
+    if (interrupted() || mission.run().difference() || !file.error().empty())
       mission.stop();
-    if (mission.run().difference() || !file.error().empty())
-      mission.stop();
-    if (timing.paced)
-      pacer.wait(timing);
   }
   mission.run().finish();
-  timing.wall = std::chrono::duration<double>(Clock::now() - begun).count();
+  timing.wall = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 /// The folder of the run: the one that was asked for, or the next free one in runs/.

@@ -94,10 +94,12 @@ void add_fly(CLI::App& app, Chosen& chosen) {
       ->expected(0, 1)
       ->default_str("2")
       ->check(whole_number(1, 256));
-  fly->add_option("--realtime", o.realtime, "pace by the clock, times this factor")
+  fly->add_option("--real-time", o.real_time,
+                  "by the clock, at this rate: 0.1 to 100, or max, which waits for nothing")
       ->expected(0, 1)
       ->default_str("1")
-      ->check(pace);
+      ->check(rate)
+      ->transform([](const std::string& text) { return text == "max" ? "0" : text; });
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
@@ -109,7 +111,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                 "each, and one for all");
   add_units(fly);
   for (const char* of_one :
-       {"--seed", "--out", "--paranoid", "--realtime", "--force", "--quiet", "--no-debrief"})
+       {"--seed", "--out", "--paranoid", "--real-time", "--force", "--quiet", "--no-debrief"})
     seeds->excludes(fly->get_option(of_one));
 }
 

@@ -116,6 +116,38 @@ void Report::table(const record::Tally& tally, const Ends& ends) const {
   say("\n{}\n", fmt::format("{}", fmt::join(phases, "   ")));
 }
 
+namespace {
+
+std::string pacing_text(const net::Pacing& p) {
+  const net::Histogram &late = p.late(), &work = p.work();
+  std::string text = fmt::format(
+      "by the clock: {} of {} frames of {:.4g} ms missed; begun late by {:.2f} ms (p50), {:.2f} "
+      "(p99), {:.2f} (p99.9), {:.2f} at most; load {:.1f} %, {:.0f} % at most\n",
+      p.missed(), p.frames(), p.frame() * 1e3, late.percentile(0.5) * 1e3,
+      late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3,
+      100 * work.mean() / p.frame(), 100 * work.max() / p.frame());
+  if (p.stalls())
+    text += fmt::format("fell behind {} {} and gave up {:.1f} s\n", p.stalls(),
+                        p.stalls() == 1 ? "time" : "times", p.given_up());
+  return text;
+}
+
+nlohmann::ordered_json pacing_json(const net::Pacing& p) {
+  const auto spread = [](const net::Histogram& h) {
+    return nlohmann::ordered_json{{"mean", h.mean()},
+                                  {"p50", h.percentile(0.5)},
+                                  {"p99", h.percentile(0.99)},
+                                  {"p999", h.percentile(0.999)},
+                                  {"max", h.max()}};
+  };
+  return {{"frame_s", p.frame()},       {"frames", p.frames()},
+          {"missed", p.missed()},       {"late_s", spread(p.late())},
+          {"work_s", spread(p.work())}, {"load", p.work().mean() / p.frame()},
+          {"stalls", p.stalls()},       {"given_up_s", p.given_up()}};
+}
+
+}  // namespace
+
 void Report::closing(const scenario::Mission& mission, const record::Tally& tally, const Ends& ends,
                      const Timing& timing, const std::string& run_dir,
                      const std::string& files) const {
@@ -129,9 +161,8 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
       mission.run().world().step());
   say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
       timing.wall > 0 ? time / timing.wall : 0);
-  if (timing.paced)
-    say("paced by the clock: {} of {} deadlines missed, the worst by {:.1f} ms\n", timing.missed,
-        timing.deadlines, timing.worst_late * 1000);
+  if (timing.pacing)
+    say("{}", Composed{pacing_text(*timing.pacing)});
   say("written to {}: {}\n", run_dir, files);
 }
 
@@ -165,10 +196,8 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
   if (const sim::Fault* fault = mission.run().fault())
     j["fault"] =
         scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());
-  if (timing.paced)
-    j["deadlines"] = {{"total", timing.deadlines},
-                      {"missed", timing.missed},
-                      {"worst_late_s", timing.worst_late}};
+  if (timing.pacing)
+    j["real_time"] = pacing_json(*timing.pacing);
   j["run_dir"] = run_dir;
   return record::json_lines(j);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
+#include "net/pacing.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
@@ -8,12 +9,10 @@
 
 namespace eyrie::app {
 
-/// How long flying took, and what was asked for.
+/// How long flying took, and how well it kept to the clock.
 struct Timing {
-  double wall = 0;  ///< s
-  std::uint64_t deadlines = 0, missed = 0;
-  double worst_late = 0;  ///< s
-  bool paced = false;
+  double wall = 0;                      ///< s
+  std::optional<net::Pacing> pacing{};  ///< if that was asked for
 };
 
 /// How each player ended: who lost it, and its fuel at most a second before.

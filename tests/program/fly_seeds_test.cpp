@@ -70,7 +70,7 @@ TEST(FlySeeds, RefusesWhatIsNoRangeAndWhatIsForOneFlight) {
               "--seeds: '" + range + "' is no range of seeds such as 1..500\n");
   EXPECT_EQ(seeds(folder, "1..1000001").err, "--seeds: '1..1000001' are more than 1000000 seeds\n");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--out", "x"},
-                                               {"--realtime"},
+                                               {"--real-time"},
                                                {"--paranoid"},
                                                {"--force"},
                                                {"--quiet"},

@@ -246,16 +246,55 @@ TEST(FlyOut, SaysThatTheDiskIsFullAndLeavesNothing) {
   EXPECT_EQ(folder.everything(), Names{});
 }
 
-TEST(FlyRealtime, KeepsThePaceAndCountsItsDeadlines) {
+TEST(FlyRealTime, KeepsThePaceMeasuresItAndChangesNothing) {
   const TempFolder folder;
-  const Ran ran =
-      run_program(folder, {"fly", "merge", "--until", "4 s", "--realtime", "4", "--json"});
+  const Names until{"fly", "merge", "--until", "4 s", "--json", "--no-debrief"};
+  Names paced = until;
+  paced.insert(paced.end(), {"--real-time", "4"});
+  const Ran ran = run_program(folder, paced);
   ASSERT_EQ(ran.code, 0) << ran.err;
   const json j = json::parse(ran.out);
   EXPECT_GE(j["wall_time_s"].get<double>(), 0.98);
-  EXPECT_EQ(j["deadlines"]["total"], 200);
-  EXPECT_LE(j["deadlines"]["missed"].get<int>(), 200);
-  EXPECT_GE(j["deadlines"]["worst_late_s"].get<double>(), 0);
+  const json& real = j["real_time"];
+  EXPECT_EQ(real["frames"], 200);
+  EXPECT_EQ(real["frame_s"], 0.005);
+  EXPECT_LE(real["missed"].get<int>(), 200);
+  EXPECT_GT(real["load"].get<double>(), 0);
+  for (const char* of : {"late_s", "work_s"}) {
+    const json& spread = real[of];
+    EXPECT_GE(spread["p50"].get<double>(), 0);
+    EXPECT_LE(spread["p50"], spread["p99"]);
+    EXPECT_LE(spread["p99"], spread["p999"]);
+    EXPECT_LE(spread["p999"], spread["max"]);
+  }
+  const json free = json::parse(run_program(folder, until).out);
+  EXPECT_EQ(free["hash"], j["hash"]);
+  EXPECT_FALSE(free.contains("real_time"));
+}
+
+TEST(FlyRealTime, TellsPeopleHowWellTheClockWasKept) {
+  const TempFolder folder;
+  const Ran ran =
+      run_program(folder, {"fly", "merge", "--until", "4 s", "--real-time", "20", "--quiet"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  EXPECT_TRUE(has(ran.out,
+                  R"(\nby the clock: \d+ of 200 frames of 1 ms missed; begun late by [0-9.]+ ms )"
+                  R"(\(p50\), [0-9.]+ \(p99\), [0-9.]+ \(p99\.9\), [0-9.]+ at most; load )"
+                  R"([0-9.]+ %, \d+ % at most\n)"))
+      << ran.out;
+  EXPECT_FALSE(has(run_program(folder, merge({"--real-time", "max"})).out, "by the clock"));
+}
+
+TEST(FlyRealTime, KeepsTheRunWhenItIsStopped) {
+  const TempFolder folder;
+  const Ran ran = run_line(folder,
+                           "\"$EYRIE\" fly merge --real-time 0.1 --out run >out 2>err & "
+                           "until grep -q seed out; do sleep 0.05; done; sleep 0.5; "
+                           "kill -TERM $!; wait $!");
+  EXPECT_EQ(ran.code, 128 + SIGTERM);
+  EXPECT_TRUE(has(read_text(folder / "out"), "by the clock: ")) << read_text(folder / "err");
+  const Ran again = run_line(folder, "eyrie replay run");
+  EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
 TEST(Version, NamesProgramVersionAndCompiler) {

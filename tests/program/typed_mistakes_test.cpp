@@ -128,11 +128,11 @@ INSTANTIATE_TEST_SUITE_P(
               {"fly", "x.yaml", "--allow-include", ""},
               "eyrie: --allow-include must not be empty\neyrie fly --help says more\n"},
         Typed{"EmptyRealtime",
-              {"fly", "x.yaml", "--realtime", ""},
-              "eyrie: --realtime must not be empty\neyrie fly --help says more\n"},
+              {"fly", "x.yaml", "--real-time", ""},
+              "eyrie: --real-time must not be empty\neyrie fly --help says more\n"},
         Typed{"EmptyRealtimeBehindAnEqualsSign",
-              {"fly", "x.yaml", "--realtime="},
-              "eyrie: --realtime must not be empty\neyrie fly --help says more\n"},
+              {"fly", "x.yaml", "--real-time="},
+              "eyrie: --real-time must not be empty\neyrie fly --help says more\n"},
         Typed{"EmptyScenario",
               {"fly", ""},
               "eyrie: an argument must not be empty\neyrie fly --help says more\n"},
@@ -161,20 +161,20 @@ INSTANTIATE_TEST_SUITE_P(
               {"replay", ""},
               "eyrie: an argument must not be empty\neyrie replay --help says more\n"},
         Typed{"RealtimeNan",
-              {"fly", "x.yaml", "--realtime=nan"},
-              "eyrie: --realtime: 'nan' is no number from 0.001 to 1000\neyrie fly --help says "
+              {"fly", "x.yaml", "--real-time=nan"},
+              "eyrie: --real-time: 'nan' is no rate: 0.1 to 100, or max\neyrie fly --help says "
               "more\n"},
         Typed{"RealtimeTiny",
-              {"fly", "x.yaml", "--realtime=1e-300"},
-              "eyrie: --realtime: '1e-300' is no number from 0.001 to 1000\neyrie fly --help says "
+              {"fly", "x.yaml", "--real-time=1e-300"},
+              "eyrie: --real-time: '1e-300' is no rate: 0.1 to 100, or max\neyrie fly --help says "
               "more\n"},
         Typed{"RealtimeNegative",
-              {"fly", "x.yaml", "--realtime=-1"},
-              "eyrie: --realtime: '-1' is no number from 0.001 to 1000\neyrie fly --help says "
+              {"fly", "x.yaml", "--real-time=-1"},
+              "eyrie: --real-time: '-1' is no rate: 0.1 to 100, or max\neyrie fly --help says "
               "more\n"},
         Typed{"RealtimeInfinite",
-              {"fly", "x.yaml", "--realtime=inf"},
-              "eyrie: --realtime: 'inf' is no number from 0.001 to 1000\neyrie fly --help says "
+              {"fly", "x.yaml", "--real-time=inf"},
+              "eyrie: --real-time: 'inf' is no rate: 0.1 to 100, or max\neyrie fly --help says "
               "more\n"},
         Typed{"ExportToAnUnknownFormat",
               {"export", "r", "--to", "cmzl"},
@@ -232,7 +232,7 @@ TEST(LongArguments, AreNotEchoedWhole) {
       {"fly", "x.yaml", "--set", "blue." + huge + ".x=1"},
       {"fly", "x.yaml", "--plugin", huge},
       {"fly", "x.yaml", "--allow-include", huge},
-      {"fly", "x.yaml", "--realtime", huge},
+      {"fly", "x.yaml", "--real-time", huge},
       {"fly", "x.yaml", "--out", huge},
       {"fly", "x.yaml", "--out", huge, "--force"},
       {"validate", huge},
