@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <memory>
 #include <string>
 
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
+#include "line_abreast.hpp"
 #include "model/flight/flight_system.hpp"
 #include "page/page_data.hpp"
 #include "scenario/mission.hpp"
@@ -23,51 +23,7 @@
 namespace {
 
 using namespace eyrie;
-
-std::string home() {
-  const char* set = std::getenv("EYRIE_HOME");
-  return set ? set : EYRIE_SOURCE_DIR;
-}
-
-/// "a", "b", ... "z", "ba" ...: flight names must not end in a digit.
-std::string letters(int i) {
-  std::string text;
-  do
-    text.insert(text.begin(), static_cast<char>('a' + i % 26));
-  while (i /= 26);
-  return text;
-}
-
-std::string side(const char* name, int aircraft, double east, int heading) {
-  std::string text = fmt::format("{}:\n  flights:\n", name);
-  for (int i = 0; i < aircraft; i += 4) {
-    const std::string flight = fmt::format("{}_{}", name, letters(i / 4));
-    text += fmt::format(
-        "    {}:\n      aircraft: paper_fighter\n      tree: pilot\n"
-        "      start: {{altitude: 20000 ft, heading: {} deg, speed: 480 kt}}\n"
-        "      route: [{{north: 0 nmi, east: {} nmi, altitude: 20000 ft, speed: 480 kt}}]\n"
-        "      players:\n",
-        flight, heading, -4 * east);
-    for (int k = i; k < std::min(i + 4, aircraft); ++k)
-      text += fmt::format("        - {}{}: {{start: {{north: {:.1f} ft, east: {} nmi}}}}\n", flight,
-                          k - i + 1, (k - (aircraft - 1) / 2.0) * 6000, east);
-  }
-  return text;
-}
-
-/// As facts about the peer describe it, so that both can be read side by side.
-std::shared_ptr<const scenario::Scenario> line_abreast(int aircraft) {
-  const std::string text =
-      "eyrie: 1\nname: line_abreast\nreference: {latitude: 33 deg, longitude: -68 deg}\n"
-      "ends: time\nuntil: 1 h\n"
-      "trees:\n  pilot:\n    winner_takes_all:\n      - avoid_ground: {vote: 100}\n"
-      "      - break_turn: {vote: 70}\n      - egress: {vote: 1}\n"
-      "      - follow_lead: {vote: 5}\n      - navigate: {vote: 10}\n" +
-      side("blue", aircraft / 2, -20, 90) + side("red", aircraft - aircraft / 2, 20, 270);
-  auto source = scenario::Source::disk(home());
-  source.add("line_abreast.yaml", text);
-  return scenario::load({"line_abreast.yaml", {}}, std::move(source));
-}
+using bench::home;
 
 void count_bytes(benchmark::State& state, const scenario::Scenario& s) {
   std::size_t bytes = 0;
@@ -78,7 +34,7 @@ void count_bytes(benchmark::State& state, const scenario::Scenario& s) {
 
 void line_abreast(benchmark::State& state) {
   const int aircraft = static_cast<int>(state.range(0));
-  const auto scene = line_abreast(aircraft);
+  const auto scene = bench::line_abreast(aircraft);
   sim::Workspace work(*scene->simulation);
   sim::World warm = scene->world(1);
   for (int i = 0; i < 500; ++i)  // ten seconds: radars have turned, tracks are there
@@ -106,7 +62,7 @@ BENCHMARK(line_abreast)->Arg(2)->Arg(6)->Arg(20)->Arg(100)->Arg(500)->Arg(1000);
 
 /// The same aircraft flown in a bare loop: autopilot, dynamics and vertical, nothing else.
 void bare_loop(benchmark::State& state) {
-  const auto scene = line_abreast(static_cast<int>(state.range(0)));
+  const auto scene = bench::line_abreast(static_cast<int>(state.range(0)));
   sim::World world = scene->world(1);
   const auto kinematics = world.rows(scene->aircraft.kinematics);
   const auto flying = world.rows(scene->aircraft.flying);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/text.hpp"
-#include "fuzz/memory_file.hpp"
+#include "fuzz/named_flight.hpp"
 #include "record/acmi.hpp"
 #include "support/acmi_reader.hpp"
 
@@ -45,6 +45,17 @@ void expect_story(const test::Acmi& file) {
   fuzz::flight().show(story);
 }
 
+/// The file of the flight, and in `late` what somebody gets who joins at its end.
+std::string written(std::string* late = nullptr) {
+  std::string text;
+  record::AcmiWriter writer(fuzz::flight().scenario(),
+                            [&](std::string_view lines) { text += lines; });
+  fuzz::flight().show(writer);
+  if (late)
+    *late = writer.whole();
+  return text;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
@@ -53,10 +64,13 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const test::Acmi plain(fuzz::written<record::AcmiWriter>());
+  static const test::Acmi plain(written());
   fuzz::Texts texts(data, size);
   fuzz::flight().rename(texts);
-  const test::Acmi file(fuzz::written<record::AcmiWriter>());
+  std::string late;
+  const test::Acmi file(written(&late));
+  for (const auto& [id, object] : test::Acmi(late).objects)
+    demand(object.last("CallSign") == file.objects.at(id).last("CallSign"));
 
   const scenario::Scenario& scenario = fuzz::flight().scenario();
   demand(file.frames == plain.frames && file.globals.size() == plain.globals.size());

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "net/endpoint.hpp"
 
 namespace eyrie::app {
 
@@ -36,15 +37,26 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_v
   return good ? std::optional(two) : std::nullopt;
 }
 
-std::string rate(const std::string& text) {
+std::string endpoint(const std::string& text) {
+  return net::endpoint_of(text, {}) ? std::string{}
+                                    : fmt::format(
+                                          "{} is no port or address such as 42674, 0.0.0.0 "
+                                          "or 192.168.1.5:42674",
+                                          quote(text));
+}
+
+std::string rate(std::string& text) {
   constexpr double kSlowest = 0.1, kFastest = 100;
+  if (text == "max") {
+    text = "0";
+    return {};
+  }
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool good = failed == std::errc{} && end == text.data() + text.size() &&
                     value >= kSlowest && value <= kFastest;
-  return good || text == "max"
-             ? std::string{}
-             : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
+  return good ? std::string{}
+              : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
 }
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {

@@ -17,8 +17,10 @@ namespace eyrie::app {
 /// "1..500" with ".." between them; nothing if it is anything else.
 [[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
     std::string_view text, std::string_view between);
-/// Of real time: a number, or max.
-[[nodiscard]] std::string rate(const std::string& text);
+/// Where to listen.
+[[nodiscard]] std::string endpoint(const std::string& text);
+/// Of real time: a number, or max, of which it makes 0.
+[[nodiscard]] std::string rate(std::string& text);
 [[nodiscard]] std::function<std::string(const std::string&)> one_of(
     std::vector<std::string_view> names);
 /// What is given as an empty text: mostly an empty variable of a shell. "" if nothing is.

@@ -17,6 +17,9 @@ struct FlyOptions {
   std::optional<unsigned> workers;  ///< 1, with `seeds` all cores
   unsigned paranoid = 0;            ///< workers of the second step; 0: off
   std::optional<double> real_time;  ///< seconds of the mission in one of the clock; 0: unpaced
+  std::string tacview;              ///< where to listen for it; empty: nowhere
+  std::string tacview_password;     ///< file; empty: none
+  bool tacview_wait = false;        ///< flies when somebody has joined
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
   bool watch = false;   ///< flies again whenever a file of the scenario changes

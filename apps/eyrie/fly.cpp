@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "disk/file_system.hpp"
 #include "disk/output.hpp"
+#include "live.hpp"
 #include "locate.hpp"
 #include "net/pacing.hpp"
 #include "record/acmi.hpp"
@@ -27,7 +28,7 @@ void fly_to_the_end(scenario::Mission& mission, const disk::Sink& file, const Fl
   using net::Clock;
   const Clock::time_point start = Clock::now();
   Clock::time_point begun = start;
-  if (const double rate = options.real_time.value_or(0); rate > 0)
+  if (const double rate = options.real_time.value_or(options.tacview.empty() ? 0 : 1); rate > 0)
     timing.pacing.emplace(mission.run().simulation().dt() / rate, start);
   for (;;) {
     if (timing.pacing) {
@@ -121,8 +122,19 @@ int fly(const FlyOptions& options, Flown& flown) {
   record::Tally tally(*scenario);
   Ends ends(*scenario);
   record::EventsCsv csv(*scenario, events);
-  record::AcmiWriter acmi(*scenario, flight);
+  const std::unique_ptr<net::TelemetryHost> tacview =
+      host_tacview(options, record::acmi_name(scenario->spec.name));
+  record::AcmiWriter acmi(
+      *scenario,
+      [&](std::string_view lines) {
+        flight.write(lines);
+        if (tacview)
+          tacview->send(lines, tacview->wanted() ? acmi.whole() : "");
+      },
+      tacview ? record::AcmiWriter::kWatched : record::AcmiWriter::kRecorded);
   record::RunFileWriter recorder(run, record::run_file_of(*scenario, seed, version_text()));
+  if (tacview && options.tacview_wait)
+    wait_for_tacview(*tacview);
   record::Story story(*scenario, [&](const record::StoryLine& line) { report.line(line); });
   scenario::Mission mission(
       scenario, seed, until,
@@ -196,6 +208,10 @@ int fly(const FlyOptions& options, Flown& flown) {
       }
     });
     fly_to_the_end(mission, run, options, timing);
+  }
+  if (tacview) {
+    tacview->close(std::chrono::seconds(1));
+    timing.tacview = tacview->counts();
   }
   if (const auto& difference = mission.run().difference()) {
     complain("eyrie: the step is not deterministic: {}\n", difference->text());

@@ -98,8 +98,18 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                   "by the clock, at this rate: 0.1 to 100, or max, which waits for nothing")
       ->expected(0, 1)
       ->default_str("1")
-      ->check(rate)
-      ->transform([](const std::string& text) { return text == "max" ? "0" : text; });
+      ->transform(CLI::Validator(rate, ""));
+  auto* tacview =
+      fly->add_option("--tacview", o.tacview,
+                      "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
+                      "by the clock, if --real-time says nothing else")
+          ->expected(0, 1)
+          ->default_str("42674")
+          ->check(endpoint);
+  fly->add_option("--tacview-password", o.tacview_password,
+                  "a file whose first line Tacview has to know")
+      ->needs(tacview);
+  fly->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")->needs(tacview);
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
@@ -110,8 +120,8 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                 "one JSON object on standard output instead of words; with --seeds one a line for "
                 "each, and one for all");
   add_units(fly);
-  for (const char* of_one :
-       {"--seed", "--out", "--paranoid", "--real-time", "--force", "--quiet", "--no-debrief"})
+  for (const char* of_one : {"--seed", "--out", "--paranoid", "--real-time", "--tacview", "--force",
+                             "--quiet", "--no-debrief"})
     seeds->excludes(fly->get_option(of_one));
 }
 

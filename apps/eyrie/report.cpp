@@ -163,6 +163,10 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
       timing.wall > 0 ? time / timing.wall : 0);
   if (timing.pacing)
     say("{}", Composed{pacing_text(*timing.pacing)});
+  if (const auto& t = timing.tacview)
+    say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,
+        t->joined == 1 ? "client" : "clients", t->refused, t->dropped,
+        static_cast<double>(t->bytes) / 1e6);
   say("written to {}: {}\n", run_dir, files);
 }
 
@@ -198,6 +202,11 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
         scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());
   if (timing.pacing)
     j["real_time"] = pacing_json(*timing.pacing);
+  if (const auto& t = timing.tacview)
+    j["tacview"] = {{"clients", t->joined},
+                    {"refused", t->refused},
+                    {"dropped", t->dropped},
+                    {"bytes", t->bytes}};
   j["run_dir"] = run_dir;
   return record::json_lines(j);
 }

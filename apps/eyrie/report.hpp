@@ -2,6 +2,7 @@
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
 #include "net/pacing.hpp"
+#include "net/telemetry_host.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
 #include "say.hpp"
@@ -13,6 +14,7 @@ namespace eyrie::app {
 struct Timing {
   double wall = 0;                      ///< s
   std::optional<net::Pacing> pacing{};  ///< if that was asked for
+  std::optional<net::TelemetryHost::Counts> tacview{};
 };
 
 /// How each player ended: who lost it, and its fuel at most a second before.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "record/acmi.hpp"
 
+#include <cmath>
 #include <iterator>
 
 #include "core/angle.hpp"
@@ -12,7 +13,6 @@ using model::EventKind;
 namespace {
 
 constexpr double kPlayers = 0.2, kMissiles = 0.1;  // s between two samples
-constexpr std::uint64_t kWindow = 25;              // samples of a player between two writings
 
 const char* coalition(bool blue) {
   return blue ? ",Coalition=Allies,Color=Blue" : ",Coalition=Enemies,Color=Red";
@@ -24,9 +24,10 @@ Pose pose_of(const model::Kinematics& k, double time) {
 
 }  // namespace
 
-AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink)
+AcmiWriter::AcmiWriter(const scenario::Scenario& scenario, Out out, double window)
     : scenario_(scenario),
-      sink_(sink),
+      out_(std::move(out)),
+      window_(window),
       story_(scenario, [this](const StoryLine& line) { tell_story(line); }) {}
 
 AcmiSample AcmiWriter::sample_of(const model::Kinematics& k) const {
@@ -46,16 +47,16 @@ void AcmiWriter::begin(const sim::World& world, double dt) {
   dt_ = dt;
   players_every_ = steps_in(kPlayers, dt);
   missiles_every_ = steps_in(kMissiles, dt);
-  lines_every_ = players_every_ * kWindow;
+  lines_every_ = players_every_ * static_cast<std::uint64_t>(std::lround(window_ / kPlayers));
   const Geodetic& origin = scenario_.library->reference.origin();
-  sink_.write(
-      fmt::format("\xEF\xBB\xBF"
-                  "FileType=text/acmi/tacview\nFileVersion=2.2\n"
-                  "0,ReferenceTime=2026-01-01T12:00:00Z\n0,DataSource=Eyrie\n0,DataRecorder=Eyrie\n"
-                  "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
-                  "0,ReferenceLatitude={:.10f}\n",
-                  acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
-                  degrees(origin.longitude), degrees(origin.latitude)));
+  header_ = fmt::format(
+      "\xEF\xBB\xBF"
+      "FileType=text/acmi/tacview\nFileVersion=2.2\n"
+      "0,ReferenceTime=2026-01-01T12:00:00Z\n0,DataSource=Eyrie\n0,DataRecorder=Eyrie\n"
+      "0,Title={}\n0,Comments={}\n0,ReferenceLongitude={:.10f}\n"
+      "0,ReferenceLatitude={:.10f}\n",
+      acmi_name(scenario_.spec.name), acmi_text(scenario_.spec.help_text),
+      degrees(origin.longitude), degrees(origin.latitude));
   step_ = world.step();
   time_ = static_cast<double>(step_) * dt;
   for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i) {
@@ -218,7 +219,7 @@ void AcmiWriter::write_lines() {
   std::sort(sorted.begin(), sorted.end(), [](const AcmiLine* a, const AcmiLine* b) {
     return std::tuple(a->step, a->kind, a) < std::tuple(b->step, b->kind, b);
   });
-  std::string text;
+  std::string text = written_frame_.empty() ? header_ : "";
   for (const AcmiLine* at : sorted) {
     const AcmiLine& line = *at;
     const std::string frame = fmt::format("#{:.2f}\n", static_cast<double>(line.step) * dt_);
@@ -226,7 +227,14 @@ void AcmiWriter::write_lines() {
       text += written_frame_ = frame;
     text += line.text;
   }
-  sink_.write(text);
+  out_(text);
+}
+
+std::string AcmiWriter::whole() const {
+  std::string text = header_ + written_frame_;
+  for (const auto& [id, object] : objects_)
+    object.write_whole(text);
+  return text;
 }
 
 void AcmiWriter::finish(const sim::World& world) {

@@ -2,6 +2,8 @@
 #pragma once
 /// \file  Tacview ACMI 2.2 text: aircraft, missiles, kills, locks, fuel and who is in charge.
 /// Format: https://www.tacview.net/documentation/acmi/ (as of 2024-06-20).
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,7 +13,6 @@
 #include "core/angle.hpp"
 #include "core/id.hpp"
 #include "core/vec.hpp"
-#include "disk/sink.hpp"
 #include "model/frames.hpp"
 #include "record/story.hpp"
 #include "scenario/scenario.hpp"
@@ -81,9 +82,21 @@ class AcmiObject {
 
   /// Everything since the last time, its last sample included.
   void write(const Reference& reference, std::vector<AcmiLine>& lines);
+  /// Adds a line with everything that has been written of it, as it stands now.
+  void write_whole(std::string& text) const;
 
  private:
+  /// What stands in the file of it.
+  struct Told {
+    std::array<std::string, 6> place;
+    double speed = -1, mach = -1, load_factor = -1e9, fuel = -1e9;
+    std::optional<std::uint32_t> lock;  ///< none: it never had one
+    std::string winner;
+    float vote = -1;
+  };
   void line(const AcmiSample& sample, const Reference& reference, std::string& text);
+  /// Adds the line that makes `before` what is told now.
+  void write_line(const Told& before, std::string& text) const;
 
   PlayerId id_;
   std::string introduction_;
@@ -91,12 +104,7 @@ class AcmiObject {
   Pose last_;
   bool begun_ = false, gone_ = false;
   float noted_vote_ = -1;
-  // as it stands in the file
-  std::array<std::string, 6> place_;
-  double speed_ = -1, mach_ = -1, load_factor_ = -1e9, fuel_ = -1e9;
-  std::uint32_t lock_ = 0;
-  std::string winner_;
-  float vote_ = -1;
+  Told told_;
 };
 
 // Texts as values of a Tacview ACMI 2.2 file. The published rules escape the comma and, in
@@ -120,7 +128,18 @@ class AcmiObject {
 /// reference point, so that seven decimals of a degree (about 1 cm) stay short.
 class AcmiWriter final : public sim::Observer {
  public:
-  AcmiWriter(const scenario::Scenario& scenario, disk::Sink& sink);
+  /// Takes the next lines of the file.
+  using Out = std::function<void(std::string_view)>;
+  /// Of a recording, and what somebody who watches does not mind to wait for: s, whole fifths.
+  static constexpr double kRecorded = 5, kWatched = 1;
+
+  /// `out` gets the lines of so many seconds (`window`) at once: what is left out of the file is
+  /// left out between two of these times.
+  AcmiWriter(const scenario::Scenario& scenario, Out out, double window = kRecorded);
+
+  /// A file that begins here: all that `out` got so far made no more of what there is now. To be
+  /// called by `out`.
+  [[nodiscard]] std::string whole() const;
 
   void begin(const sim::World& world, double dt) override;
   void observe(const sim::World& world, const sim::StepInfo& info,
@@ -149,7 +168,9 @@ class AcmiWriter final : public sim::Observer {
   void write_lines();
 
   const scenario::Scenario& scenario_;
-  disk::Sink& sink_;
+  Out out_;
+  double window_;
+  std::string header_;
   std::uint64_t step_ = 0;
   double time_ = 0, dt_ = 0;
   std::uint64_t players_every_ = 10, missiles_every_ = 5, lines_every_ = 250;  // steps

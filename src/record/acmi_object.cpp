@@ -64,12 +64,10 @@ std::string rounded(double value, int decimals) {
   return text.find_first_not_of("-0.") == text.npos ? text.substr(text[0] == '-') : text;
 }
 
-/// Whether it is far enough from what stands in the file, which then is it.
-bool moved(double& written, double value, double by) {
-  if (std::fabs(value - written) < by)
-    return false;
-  written = value;
-  return true;
+/// What stands in the file follows what is, by no smaller steps.
+void follow(double& written, double value, double step) {
+  if (std::fabs(value - written) >= step)
+    written = value;
 }
 
 }  // namespace
@@ -119,38 +117,57 @@ void AcmiObject::write(const Reference& reference, std::vector<AcmiLine>& lines)
 }
 
 void AcmiObject::line(const AcmiSample& s, const Reference& reference, std::string& text) {
-  const auto to = std::back_inserter(text);
   const Geodetic at = reference.to_geodetic(s.pose.position);
   const Geodetic& origin = reference.origin();
-  const std::string place[] = {rounded(degrees(wrap_pi(at.longitude - origin.longitude)), 7),
-                               rounded(degrees(at.latitude - origin.latitude), 7),
-                               rounded(at.altitude, 2),
-                               rounded(degrees(s.pose.roll), 1),
-                               rounded(degrees(s.pose.pitch), 1),
-                               rounded(degrees(wrap_tau(s.pose.heading)), 1)};
+  const Told before = told_;
+  told_.place = {rounded(degrees(wrap_pi(at.longitude - origin.longitude)), 7),
+                 rounded(degrees(at.latitude - origin.latitude), 7),
+                 rounded(at.altitude, 2),
+                 rounded(degrees(s.pose.roll), 1),
+                 rounded(degrees(s.pose.pitch), 1),
+                 rounded(degrees(wrap_tau(s.pose.heading)), 1)};
+  if (s.speed >= 0)
+    follow(told_.speed, s.speed, kSpeedStep);
+  if (s.mach > 0) {
+    follow(told_.mach, s.mach, kMachStep);
+    follow(told_.load_factor, s.load_factor, kLoadStep);
+  }
+  if (s.fuel >= 0)
+    follow(told_.fuel, s.fuel, kFuelStep);
+  if (s.lock || told_.lock)
+    told_.lock = s.lock;
+  if (!s.winner.empty()) {
+    told_.winner = s.winner;
+    told_.vote = s.vote;
+  }
+  write_line(before, text);
+}
+
+void AcmiObject::write_whole(std::string& text) const {
+  if (begun_)
+    write_line({}, text);
+}
+
+void AcmiObject::write_line(const Told& before, std::string& text) const {
+  const auto to = std::back_inserter(text);
   fmt::format_to(to, "{:x},T=", id_.value);
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    if (i > 0)
-      text += '|';
-    if (place[i] != place_[i])
-      text += place_[i] = place[i];
-  }
-  text += std::exchange(introduction_, {});
-  if (s.speed >= 0 && moved(speed_, s.speed, kSpeedStep))
-    fmt::format_to(to, ",TAS={:.1f}", s.speed);
-  if (s.mach > 0 && moved(mach_, s.mach, kMachStep))
-    fmt::format_to(to, ",Mach={:.3f}", s.mach);
-  if (s.mach > 0 && moved(load_factor_, s.load_factor, kLoadStep))
-    fmt::format_to(to, ",VerticalGForce={:.1f}", s.load_factor);
-  if (s.fuel >= 0 && moved(fuel_, s.fuel, kFuelStep))
-    fmt::format_to(to, ",FuelWeight={:.0f}", s.fuel);
-  if (s.lock != std::exchange(lock_, s.lock))
-    fmt::format_to(to, ",LockedTargetMode={},LockedTarget={:x}", s.lock ? 1 : 0, s.lock);
-  if (!s.winner.empty() && (s.winner != winner_ || s.vote != vote_)) {
-    fmt::format_to(to, ",UbfWinner={0},UbfVote={1:g},Label={0} {1:g}", s.winner, s.vote);
-    winner_ = s.winner;
-    vote_ = s.vote;
-  }
+  for (std::size_t i = 0; i < told_.place.size(); ++i)
+    fmt::format_to(to, "{}{}", i > 0 ? "|" : "",
+                   told_.place[i] != before.place[i] ? told_.place[i] : "");
+  if (before.place[0].empty())
+    text += introduction_;
+  if (told_.speed != before.speed)
+    fmt::format_to(to, ",TAS={:.1f}", told_.speed);
+  if (told_.mach != before.mach)
+    fmt::format_to(to, ",Mach={:.3f}", told_.mach);
+  if (told_.load_factor != before.load_factor)
+    fmt::format_to(to, ",VerticalGForce={:.1f}", told_.load_factor);
+  if (told_.fuel != before.fuel)
+    fmt::format_to(to, ",FuelWeight={:.0f}", told_.fuel);
+  if (told_.lock != before.lock)
+    fmt::format_to(to, ",LockedTargetMode={},LockedTarget={:x}", *told_.lock ? 1 : 0, *told_.lock);
+  if (told_.winner != before.winner || told_.vote != before.vote)
+    fmt::format_to(to, ",UbfWinner={0},UbfVote={1:g},Label={0} {1:g}", told_.winner, told_.vote);
   text += '\n';
 }
 

@@ -166,7 +166,7 @@ TEST(WorkersObservers, ChangeNothing) {
   const TempFolder folder;
   disk::Sink events(folder / "events.csv"), acmi(folder / "flight.acmi");
   record::EventsCsv csv(*scenario, events);
-  record::AcmiWriter tacview(*scenario, acmi);
+  record::AcmiWriter tacview(*scenario, [&](std::string_view lines) { acmi.write(lines); });
   std::size_t lines = 0, traced = 0;
   record::Story story(*scenario, [&](const record::StoryLine&) { ++lines; });
   sim::TrailRecorder trail;

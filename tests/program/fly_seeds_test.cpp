@@ -71,6 +71,7 @@ TEST(FlySeeds, RefusesWhatIsNoRangeAndWhatIsForOneFlight) {
   EXPECT_EQ(seeds(folder, "1..1000001").err, "--seeds: '1..1000001' are more than 1000000 seeds\n");
   for (const std::vector<std::string>& more : {std::vector<std::string>{"--out", "x"},
                                                {"--real-time"},
+                                               {"--tacview"},
                                                {"--paranoid"},
                                                {"--force"},
                                                {"--quiet"},

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eyrie::test {
@@ -91,49 +93,74 @@ struct RunOptions {
   std::size_t file_size_limit = 0;
 };
 
-/// Runs the program in `folder`. Nothing of the surroundings reaches it; standard input is empty,
-/// and no stream is a terminal.
+/// The program while it runs in `folder`. Nothing of the surroundings reaches it; standard input is
+/// empty, and no stream is a terminal. It is killed if nobody waits for it.
+class Running {
+ public:
+  Running(const TempFolder& folder, const std::vector<std::string>& arguments,
+          const RunOptions& options = {}) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    for (const auto& [file, name] : {std::pair{STDOUT_FILENO, "out"}, {STDERR_FILENO, "err"}})
+      posix_spawn_file_actions_addopen(&actions, file, (streams_ / name).c_str(),
+                                       O_WRONLY | O_CREAT, 0600);
+    posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
+
+    std::vector<std::string> words{program_path()};
+    std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C",
+                                      "EYRIE_DUCKDB=./libduckdb.so",  // nobody else's
+                                      "EYRIE_VIEWER=" + options.viewer};
+    if (!options.config.empty())
+      settings.push_back("XDG_CONFIG_HOME=" + options.config);
+    if (!options.cache.empty())
+      settings.push_back("XDG_CACHE_HOME=" + options.cache);
+    if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
+      words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
+               std::to_string(options.file_size_limit / 512), words[0]};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const auto pointers = [](std::vector<std::string>& strings) {
+      std::vector<char*> p;
+      for (std::string& s : strings)
+        p.push_back(s.data());
+      p.push_back(nullptr);
+      return p;
+    };
+    const int failed = ::posix_spawn(&child_, words[0].c_str(), &actions, nullptr,
+                                     pointers(words).data(), pointers(settings).data());
+    posix_spawn_file_actions_destroy(&actions);
+    if (failed)
+      throw std::runtime_error("cannot run " + words[0]);
+  }
+  ~Running() {
+    if (child_) {
+      kill(SIGKILL);
+      static_cast<void>(wait());
+    }
+  }
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  /// What it has printed so far.
+  [[nodiscard]] std::string err() const { return read_text(streams_ / "err"); }
+  void kill(int signal) const { ::kill(child_, signal); }
+  /// Until it ends.
+  [[nodiscard]] Ran wait() {
+    int status = 0;
+    ::waitpid(std::exchange(child_, 0), &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            read_text(streams_ / "out"), err()};
+  }
+
+ private:
+  TempFolder streams_;
+  pid_t child_ = 0;
+};
+
 [[nodiscard]] inline Ran run_program(const TempFolder& folder,
                                      const std::vector<std::string>& arguments,
                                      const RunOptions& options = {}) {
-  const TempFolder streams;
-  const std::string out = streams / "out", err = streams / "err";
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.path().c_str());
-
-  std::vector<std::string> words{program_path()};
-  std::vector<std::string> settings{"EYRIE_HOME=" + options.home, "LC_ALL=C",
-                                    "EYRIE_DUCKDB=./libduckdb.so",  // nobody else's
-                                    "EYRIE_VIEWER=" + options.viewer};
-  if (!options.config.empty())
-    settings.push_back("XDG_CONFIG_HOME=" + options.config);
-  if (!options.cache.empty())
-    settings.push_back("XDG_CACHE_HOME=" + options.cache);
-  if (options.file_size_limit)  // in units of 512 bytes; without the signal a write just fails
-    words = {"/bin/sh", "-c", "trap '' XFSZ; ulimit -f $0; exec \"$@\"",
-             std::to_string(options.file_size_limit / 512), words[0]};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const auto pointers = [](std::vector<std::string>& strings) {
-    std::vector<char*> p;
-    for (std::string& s : strings)
-      p.push_back(s.data());
-    p.push_back(nullptr);
-    return p;
-  };
-  pid_t child = 0;
-  const int failed = ::posix_spawn(&child, words[0].c_str(), &actions, nullptr,
-                                   pointers(words).data(), pointers(settings).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed)
-    throw std::runtime_error("cannot run " + words[0]);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_text(out),
-          read_text(err)};
+  return Running(folder, arguments, options).wait();
 }
 
 /// A line of a shell, in which `eyrie` is the program, and $EYRIE its path.

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+/// \file  A flight by the clock, as `eyrie fly --tacview` makes it: line_abreast with everything
+/// that is recorded, and Tacviews that watch. Arguments: aircraft, clients. It takes
+/// EYRIE_BENCH_SECONDS, 60 if that is not set. Times are ms: how late frames of 20 ms began.
+#include <benchmark/benchmark.h>
+
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include "line_abreast.hpp"
+#include "net/pacing.hpp"
+#include "net/telemetry_host.hpp"
+#include "record/acmi.hpp"
+#include "record/csv.hpp"
+#include "record/run_file.hpp"
+#include "scenario/mission.hpp"
+#include "support/tcp_client.hpp"
+
+namespace {
+
+using namespace eyrie;
+
+void live(benchmark::State& state) {
+  const char* set = std::getenv("EYRIE_BENCH_SECONDS");
+  const double seconds = set ? std::atof(set) : 60;
+  const auto scene = bench::line_abreast(static_cast<int>(state.range(0)));
+  const auto folder = std::filesystem::temp_directory_path() / "eyrie-live-bench";
+  std::filesystem::create_directories(folder);
+  for (auto _ : state) {
+    disk::Sink run(folder / "run.eyrie"), events(folder / "events.csv"),
+        flight(folder / "flight.acmi");
+    net::TelemetryHost host({});
+    record::AcmiWriter acmi(
+        *scene,
+        [&](std::string_view lines) {
+          flight.write(lines);
+          host.send(lines, host.wanted() ? acmi.whole() : "");
+        },
+        record::AcmiWriter::kWatched);
+    record::EventsCsv csv(*scene, events);
+    record::RunFileWriter recorder(run, record::run_file_of(*scene, 1, "bench"));
+    std::vector<std::size_t> got(static_cast<std::size_t>(state.range(1)));
+    std::vector<std::thread> clients;
+    for (std::size_t& bytes : got)
+      clients.emplace_back([&bytes, client = test::join_telemetry(host.at().port)]() mutable {
+        bytes = client.read_all().size();
+      });
+    while (host.counts().joined < got.size())
+      std::this_thread::yield();
+
+    scenario::Mission mission(scene, 1, seconds);
+    for (sim::Observer* o : std::initializer_list<sim::Observer*>{&csv, &acmi, &recorder})
+      mission.run().attach(*o);
+    net::Pacing pacing(mission.run().simulation().dt(), net::Clock::now());
+    for (bool more = true; more;) {
+      net::sleep_until(pacing.due(), [] { return false; });
+      const auto begun = net::Clock::now();
+      more = mission.step();
+      if (more)
+        pacing.made(begun, net::Clock::now());
+    }
+    mission.run().finish();
+    host.close(std::chrono::seconds(1));
+    for (std::thread& client : clients)
+      client.join();
+    if (std::any_of(got.begin(), got.end(), [&](std::size_t n) { return n != flight.size(); }))
+      state.SkipWithError("a client has not got everything");
+
+    state.counters["missed"] = static_cast<double>(pacing.missed());
+    state.counters["p50"] = pacing.late().percentile(0.5) * 1e3;
+    state.counters["p99"] = pacing.late().percentile(0.99) * 1e3;
+    state.counters["p99.9"] = pacing.late().percentile(0.999) * 1e3;
+    state.counters["max"] = pacing.late().max() * 1e3;
+    state.counters["load_%"] = 100 * pacing.work().mean() / pacing.frame();
+    state.counters["most_%"] = 100 * pacing.work().max() / pacing.frame();
+    state.counters["kB/s"] = static_cast<double>(host.counts().bytes) / seconds / 1e3 /
+                             std::max(1.0, double(got.size()));
+  }
+  std::filesystem::remove_all(folder);
+}
+BENCHMARK(live)
+    ->Args({6, 1})
+    ->Args({100, 0})
+    ->Args({100, 3})
+    ->Args({1000, 3})
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
