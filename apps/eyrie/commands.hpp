@@ -146,9 +146,9 @@ struct PlaygroundOptions {
 };
 int playground(const PlaygroundOptions& options);
 
-enum class ExportFormat { czml, geojson, decisions, answers, sqlite };
+enum class ExportFormat { czml, geojson, decisions, answers, sqlite, pcap };
 constexpr auto names_of(ExportFormat) {
-  return names_from_zero<ExportFormat>("czml", "geojson", "decisions", "answers", "sqlite");
+  return names_from_zero<ExportFormat>("czml", "geojson", "decisions", "answers", "sqlite", "pcap");
 }
 struct ExportOptions {
   std::string run;

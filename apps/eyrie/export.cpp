@@ -4,6 +4,8 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "dis/announcer.hpp"
+#include "dis/pcap.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "record/paths.hpp"
@@ -16,14 +18,26 @@ namespace eyrie::app {
 namespace {
 namespace fs = std::filesystem;
 
-void write_paths(const debrief::Recorded& recorded, ExportFormat format, disk::Sink& sink) {
-  record::Paths paths(*recorded.scenario);
+void fly_again(const debrief::Recorded& recorded, sim::Observer& observer) {
   debrief::Reflight flight(recorded);
-  flight.attach(paths);
+  flight.attach(observer);
   while (!interrupted() && flight.step()) {
   }
-  paths.finish(flight.after());
+  observer.finish(flight.after());
+}
+
+void write_paths(const debrief::Recorded& recorded, ExportFormat format, disk::Sink& sink) {
+  record::Paths paths(*recorded.scenario);
+  fly_again(recorded, paths);
   sink.write(format == ExportFormat::czml ? record::czml(paths) : record::geojson(paths));
+}
+
+void write_packets(const debrief::Recorded& recorded, disk::Sink& sink) {
+  dis::PcapWriter pcap(sink, std::uint64_t{dis::kFirstHour} * 3600);
+  dis::Announcer announcer(*recorded.scenario, {}, [&](double time, const dis::Packet& packet) {
+    pcap.write(time, dis::encode(packet));
+  });
+  fly_again(recorded, announcer);
 }
 
 tables::Selection selection_of(const ExportOptions& options, const debrief::Recorded& recorded) {
@@ -54,13 +68,16 @@ void write_tables(const debrief::Recorded& recorded, const ExportOptions& option
 int export_run(const ExportOptions& options) {
   const bool paths =
       options.format == ExportFormat::czml || options.format == ExportFormat::geojson;
-  if (paths && (!options.player.empty() || !options.every.empty() || options.changes_only))
-    refuse(
-        "--player, --every and --changes-only are for decisions: paths are those of all players");
+  const bool packets = options.format == ExportFormat::pcap;
+  if ((paths || packets) &&
+      (!options.player.empty() || !options.every.empty() || options.changes_only))
+    refuse("--player, --every and --changes-only are for decisions: {} are those of all players",
+           packets ? "packets" : "paths");
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   selection_of(options, recorded);
-  constexpr const char* kNames[] = {record::kCzmlName, record::kGeojsonName, record::kDecisionsName,
-                                    record::kAnswersName, record::kDatabaseName};
+  constexpr const char* kNames[] = {record::kCzmlName,      record::kGeojsonName,
+                                    record::kDecisionsName, record::kAnswersName,
+                                    record::kDatabaseName,  record::kPcapName};
   const std::string beside =
       fs::path(recorded.file).parent_path() / kNames[static_cast<int>(options.format)];
   const std::string& file = options.out.empty() ? beside : options.out;
@@ -68,6 +85,8 @@ int export_run(const ExportOptions& options) {
   disk::OutputFile out(file, options.force || options.out.empty());
   if (paths)
     write_paths(recorded, options.format, out.sink());
+  else if (packets)
+    write_packets(recorded, out.sink());
   else
     write_tables(recorded, options, file, out.sink());
   finish(out);

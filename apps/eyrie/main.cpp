@@ -270,7 +270,7 @@ void add_export(CLI::App& app, Chosen& chosen) {
             o.format = enum_named<ExportFormat>(name).value_or(o.format);
           },
           "sqlite (everything in one database), decisions (CSV: one a row), answers (CSV: those of "
-          "every node), czml (Cesium), or geojson (maps)")
+          "every node), czml (Cesium), geojson (maps), or pcap (DIS, for Wireshark)")
       ->required()
       ->check(one_of({kFormats.begin(), kFormats.end()}));
   exported->add_option("--player", o.player, "only this player's decisions");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of aircraft: which models it is put together from.
+#include "model/entity_type.hpp"
 #include "model/flight/airframe.hpp"
 #include "model/signature.hpp"
 
@@ -22,7 +23,8 @@ struct StationFit {
 /// Put together from models that files name; whoever loads them looks the names up in the Library.
 /// What has no name is not on board.
 struct AircraftType {
-  std::string label;  ///< what the story and Tacview call it: "F-15C"
+  std::string label;                ///< what the story and Tacview call it: "F-15C"
+  std::string entity_type = "1.2";  ///< see EntityType
   std::string airframe;
   flight::Dynamics dynamics = flight::Dynamics::point_mass;
   Signature signature;
@@ -47,6 +49,7 @@ struct AircraftType {
     using A = AircraftType;
     return std::tuple{
         param("label", &A::label, "name in the story and in Tacview").items(1, 40).required(),
+        param("entity_type", &A::entity_type, kEntityTypeHelp).items(3, 27),
         param("airframe", &A::airframe, "how it flies").required(),
         param("dynamics", &A::dynamics, "by which equations of motion"),
         param("signature", &A::signature, "how big it looks to radar and eye"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/library.hpp"
 
+#include "core/text.hpp"
 #include "sim/system.hpp"
 
 namespace eyrie::model {
@@ -33,6 +34,25 @@ std::vector<LibraryProblem> problems_of(const Library& library, double dt) {
     if (library.jammers[i].power <= 0 && !library.jammers[i].pull_off)
       problems.push_back({"jammers", library.jammers.name(i), "power",
                           "it radiates neither noise nor false echoes (pull_off)"});
+  const auto name = [&](std::string_view kind, const auto& shelf, std::string_view parameter,
+                        auto text, auto parsed, std::string_view wanted) {
+    for (std::size_t i = 0; i < shelf.size(); ++i)
+      if (!parsed(shelf[i].*text))
+        problems.push_back({kind, shelf.name(i), parameter,
+                            fmt::format("'{}' is not {}", printable(shelf[i].*text), wanted)});
+  };
+  const auto type = [&](std::string_view kind, const auto& shelf, auto text) {
+    name(kind, shelf, "entity_type", text, entity_type_of,
+         "two to seven numbers between dots, such as 1.2.225.1.5.3 (the third at most 65535, the "
+         "others 255)");
+  };
+  type("aircraft", library.aircraft, &AircraftType::entity_type);
+  type("vehicles", library.vehicles, &VehicleType::entity_type);
+  type("missiles", library.missiles, &MissileType::entity_type);
+  type("guns", library.guns, &GunType::entity_type);
+  constexpr std::string_view kNumber = "a number up to 65535";
+  name("radars", library.radars, "emitter", &Radar::emitter, emitter_of, kNumber);
+  name("missiles", library.missiles, "emitter", &MissileType::emitter, emitter_of, kNumber);
   return problems;
 }
 

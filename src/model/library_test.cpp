@@ -75,5 +75,18 @@ TEST(ProblemsOf, NamesEachModelWhoseRateDoesNotDivideTheStepOrThatDoesNothing) {
   EXPECT_EQ(problems[2].model, "dead");
 }
 
+TEST(ProblemsOf, NamesEachTypeWhoseNumberOtherSimulationsCannotRead) {
+  Library library;
+  library.aircraft.add("good", {.label = "F-15C", .entity_type = "1.2.225.1.5.3"});
+  library.aircraft.add("named", {.label = "F-15C", .entity_type = "F-15C"});
+  library.missiles.add("large", {.label = "large", .emitter = "70000"});
+  const auto problems = problems_of(library, 0.02);
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_EQ(problems[0].model, "named");
+  EXPECT_EQ(problems[0].parameter, "entity_type");
+  EXPECT_EQ(problems[1].parameter, "emitter");
+  EXPECT_EQ(problems[1].problem, "'70000' is not a number up to 65535");
+}
+
 }  // namespace
 }  // namespace eyrie::model

@@ -120,9 +120,10 @@ inline constexpr const char* kGeojsonName = "run.geojson";
 inline constexpr const char* kDecisionsName = "decisions.csv.gz";
 inline constexpr const char* kAnswersName = "answers.csv.gz";
 inline constexpr const char* kDatabaseName = "run.sqlite";
+inline constexpr const char* kPcapName = "run.pcap";
 
 inline constexpr std::array kRunFolderNames{
     kRunFileName, kEventsName,    kFlightName,  kPageName,     kPageOfTwoName, kCzmlName,
-    kGeojsonName, kDecisionsName, kAnswersName, kDatabaseName, "decisions.csv"};
+    kGeojsonName, kDecisionsName, kAnswersName, kDatabaseName, kPcapName,      "decisions.csv"};
 
 }  // namespace eyrie::record

@@ -145,9 +145,10 @@ class Loader {
       names.members.push_back(id);
       const std::string& name = player.spec.*type;
       const auto index = shelf.find(name);
-      out_->roster.players.push_back(
-          {player.name, name, index ? shelf[*index].label : name, plan.side,
-           static_cast<std::uint16_t>(library_->flights.size()), player.rank, fleet});
+      out_->roster.players.push_back({player.name, name, index ? shelf[*index].label : name,
+                                      plan.side,
+                                      static_cast<std::uint16_t>(library_->flights.size()),
+                                      player.rank, fleet, index ? shelf[*index].entity_type : ""});
     }
     out_->roster.flights.push_back(std::move(names));
     return flight;

@@ -83,6 +83,7 @@ const std::vector<std::vector<std::string>> kCommands{
     {"export", "run", "--to", "decisions", "--out", "decisions.csv", "--force"},
     {"export", "run", "--to", "answers", "--out", "answers.csv", "--force"},
     {"export", "run", "--to", "sqlite", "--out", "run.sqlite", "--force"},
+    {"export", "run", "--to", "pcap", "--out", "run.pcap", "--force"},
 };
 
 void expect_clean(const std::string& output, const std::string& what) {

@@ -258,7 +258,7 @@ TEST(TablesProgram, WritesTheSameEveryTimeAndRefusesWhatIsNoSelection) {
                                  "--out", "run"})
                 .code,
             0);
-  for (const char* format : {"sqlite", "decisions", "answers"}) {
+  for (const char* format : {"sqlite", "decisions", "answers", "pcap"}) {
     for (const char* out : {"a", "b"})
       ASSERT_EQ(
           run_program(folder, {"export", "run", "--to", format, "--out", out, "--force"}).code, 0);
@@ -270,7 +270,8 @@ TEST(TablesProgram, WritesTheSameEveryTimeAndRefusesWhatIsNoSelection) {
                                              {"--to", "sqlite", "--every", "-1 s"},
                                              {"--to", "answers", "--player", "eagle9"},
                                              {"--to", "czml", "--changes-only"},
-                                             {"--to", "geojson", "--every", "1 s"}}) {
+                                             {"--to", "geojson", "--every", "1 s"},
+                                             {"--to", "pcap", "--player", "eagle1"}}) {
     std::vector<std::string> command{"export", "run"};
     command.insert(command.end(), wrong.begin(), wrong.end());
     const Ran ran = run_program(folder, command);

@@ -178,7 +178,8 @@ INSTANTIATE_TEST_SUITE_P(
               "more\n"},
         Typed{"ExportToAnUnknownFormat",
               {"export", "r", "--to", "cmzl"},
-              "eyrie: --to: must be one of czml, geojson, decisions, answers, sqlite, got 'cmzl'; "
+              "eyrie: --to: must be one of czml, geojson, decisions, answers, sqlite, pcap, got "
+              "'cmzl'; "
               "did you mean "
               "'czml'?\neyrie export --help says more\n"},
         Typed{"ExplainAtNegative",

@@ -108,6 +108,8 @@ class DataFile {
     scalar.erase(scalar.find_last_not_of(' ') + 1);
     if (scalar == "null" || scalar == "~")
       return Value::null(where);
+    if (scalar.size() > 1 && scalar.front() == '"' && scalar.back() == '"')
+      scalar = scalar.substr(1, scalar.size() - 2);
     return Value::scalar(std::move(scalar), where);
   }
 

@@ -4,6 +4,7 @@
 /// the interrogator that rides on its looks. docs/models/radar.md has the equations and what they
 /// are worth.
 #include "core/draw.hpp"
+#include "model/entity_type.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/signature.hpp"
@@ -69,6 +70,7 @@ struct Radar {
   double side_lobes = 35;               ///< dB
   double track_angle_floor = 0.0125;    ///< of the beam width
   std::uint32_t max_contacts = 24;
+  std::string emitter = "0";  ///< see emitter_of()
 
   static constexpr std::string_view type_name = "radar";
   static constexpr std::string_view help = "air-to-air radar of a fighter";
@@ -118,7 +120,8 @@ struct Radar {
         param("side_lobes", &Radar::side_lobes, "dB", range(0, 100),
               "how far its antenna's gain beside the beam is below that in its middle"),
         param("max_contacts", &Radar::max_contacts, range(1, 32),
-              "the nearest so many detections of a frame are kept")};
+              "the nearest so many detections of a frame are kept"),
+        param("emitter", &Radar::emitter, kEmitterHelp).items(1, 5)};
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of ground vehicle, its rows, and how it moves over the surface of the ellipsoid.
+#include "model/entity_type.hpp"
 #include "model/flight/flying.hpp"
 #include "model/flight/guidance.hpp"
 #include "model/frames.hpp"
@@ -12,6 +13,7 @@ namespace eyrie::model::vehicle {
 /// Const and shared. docs/models/vehicle.md has the equations and what they are worth.
 struct VehicleType {
   std::string label;                       ///< what the story and Tacview call it: "M939"
+  std::string entity_type = "1.1";         ///< see EntityType
   double wheelbase = 4.5;                  ///< m
   double top_speed = si(85, "km/h");       ///< m/s
   double acceleration = 1;                 ///< m/s^2
@@ -38,6 +40,7 @@ struct VehicleType {
     using V = VehicleType;
     return std::tuple{
         param("label", &V::label, "name in the story and in Tacview").items(1, 40).required(),
+        param("entity_type", &V::entity_type, kEntityTypeHelp).items(3, 27),
         param("wheelbase", &V::wheelbase, "m", range(0.5, 20), "from axle to axle"),
         param("top_speed", &V::top_speed, "m/s", range(1, 100), "drives no faster"),
         param("acceleration", &V::acceleration, "m/s2", range(0.1, 15), "the most it gathers"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A gun: its type, what it remembers, how its rounds fly and how likely they are to hit.
+#include "model/entity_type.hpp"
 #include "model/kinematics.hpp"
 #include "model/signature.hpp"
 
@@ -26,6 +27,7 @@ struct GunState {
 /// Const and shared by every aircraft that carries it. Fixed forward along the nose.
 struct GunType {
   std::string label;
+  std::string entity_type = "2.9";  ///< see EntityType, of a round
   std::uint32_t rounds = 500;
   double rate = 100;                 ///< Hz
   double muzzle_velocity = 1030;     ///< m/s
@@ -44,6 +46,9 @@ struct GunType {
     using G = GunType;
     return std::tuple{
         param("label", &G::label, "name in the story").items(1, 40).required(),
+        param("entity_type", &G::entity_type,
+              "SISO-REF-010 number by which other simulations know its rounds")
+            .items(3, 27),
         param("rounds", &G::rounds, range(1, 10000), "in the drum").required(),
         param("rate", &G::rate, "Hz", range(0.1, 200), "rounds per second").required(),
         param("muzzle_velocity", &G::muzzle_velocity, "m/s", range(100, 3000),

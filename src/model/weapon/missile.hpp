@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A type of missile, and the rows of one that flies.
+#include "model/entity_type.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/track.hpp"
@@ -137,7 +138,9 @@ struct Warhead {
 
 /// A type of missile. Const after prepare(); shared by every missile of the type.
 struct MissileType {
-  std::string label;  ///< what the story calls it
+  std::string label;                ///< what the story calls it
+  std::string entity_type = "2.1";  ///< see EntityType
+  std::string emitter = "0";        ///< see emitter_of(), of its seeker
   Motor motor;
   MissileAero aero;
   MissileGuidance guidance;
@@ -161,6 +164,8 @@ struct MissileType {
     using M = MissileType;
     return std::tuple{
         param("label", &M::label, "name in the story").items(1, 40).required(),
+        param("entity_type", &M::entity_type, kEntityTypeHelp).items(3, 27),
+        param("emitter", &M::emitter, kEmitterHelp).items(1, 5),
         param("motor", &M::motor, "mass and thrust").required(),
         param("aero", &M::aero, "lift and drag").required(),
         param("guidance", &M::guidance, "how it steers").required(),

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Tells other simulations of a mission as it is flown: docs/dis.md says what, and when.
+#include <map>
+
+#include "dis/dead_reckoning.hpp"
+#include "dis/emissions.hpp"
+#include "record/names.hpp"
+#include "scenario/scenario.hpp"
+#include "sim/system.hpp"
+#include "team/agents.hpp"
+
+namespace eyrie::dis {
+
+/// Who we are in the exercise.
+struct Station {
+  std::uint16_t site = 1, application = 1;
+  std::uint8_t exercise = 1;
+  Thresholds thresholds;
+};
+
+/// The full hour of the first step: 2026-01-01, 12:00 UTC, in hours since 1970, as in flight.acmi.
+inline constexpr std::uint32_t kFirstHour = 490908;
+
+/// Numbers of the datums that tell of decisions; free for use by the exercise.
+enum Datum : std::uint32_t {
+  kVote = 0xE1000001,      ///< as a 32-bit float
+  kNode = 0xE1000002,      ///< index in its tree of the behavior in charge
+  kTree = 0xE1000003,      ///< index of the tree among those of its kind of player
+  kBehavior = 0xE1000004,  ///< its label
+  kDecision = 0xE1000005,  ///< a sentence for people
+};
+
+/// Makes packets of a run; the same ones whatever the number of workers.
+class Announcer final : public sim::Observer {
+ public:
+  /// Called with each packet and its time (s).
+  using Send = std::function<void(double time, const Packet& packet)>;
+  Announcer(const scenario::Scenario& scenario, const Station& station, Send send);
+
+  void begin(const sim::World& world, double dt) override;
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override;
+  void finish(const sim::World& world) override;
+
+  /// Players and missiles that have no number of 16 bits and so are not told of.
+  [[nodiscard]] std::size_t nameless() const { return nameless_; }
+
+ private:
+  struct Entity {
+    EntityState state;  ///< as it was told last, and how it moves by it
+    Motion reckoned;
+    double told = -1e9;  ///< s; before the run if never
+    Motion now;
+    bool moved = false;  ///< `now` has been taken twice: its acceleration and spin are known
+    bool here = false;   ///< it has a row in this step
+    bool destroyed = false;
+    Emission emission;
+    double radiated = -1e9;  ///< s
+    team::LastDecision decision;
+    EventId shot;  ///< of a missile, and by whom
+    EntityId shooter;
+  };
+
+  [[nodiscard]] EntityId id_of(PlayerId who) const;
+  [[nodiscard]] Entity* find(PlayerId who);
+  void look(const sim::World& world);
+  void look(PlayerId who, const model::Kinematics& k);
+  void introduce(PlayerId who, model::Side side, std::string_view type, std::string_view marking);
+  void tell_events(std::span<const sim::Event> events);
+  void launch(const sim::Event& e);
+  void burst(const sim::Event& e);
+  void end_of_missile(const sim::Event& e, Result result);
+  void tell_states();
+  void tell_state(Entity& entity, std::uint32_t appearance);
+  void tell_emission(PlayerId who, std::vector<Emission::System> systems);
+  void tell_emissions(const sim::World& world);
+  void tell_decisions(const sim::World& world);
+  void tell_decision(Entity& entity, const scenario::Fleet& fleet, const team::LastDecision& now);
+  void send(Pdu pdu);
+  [[nodiscard]] ClockTime clock() const;
+
+  const scenario::Scenario& scenario_;
+  Station station_;
+  Send send_;
+  std::map<PlayerId, Entity> entities_;
+  double time_ = 0, dt_ = 0;
+  std::uint16_t shots_ = 0, emissions_ = 0;
+  std::size_t nameless_ = 0;
+};
+
+}  // namespace eyrie::dis

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include "dis/announcer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/flight.hpp"
+
+namespace eyrie::dis {
+namespace {
+
+struct Told {
+  double time = 0;
+  Packet packet;
+};
+
+/// What is told of a flight, and what somebody makes of it who only hears that.
+struct Listener final : sim::Observer {
+  explicit Listener(const scenario::Scenario& scenario)
+      : scenario_(scenario), announcer(scenario, {}, [this](double time, const Packet& packet) {
+          told.push_back({time, decode(encode(packet)).packet});
+        }) {}
+
+  void begin(const sim::World& world, double dt) override { announcer.begin(world, dt); }
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    announcer.observe(world, info, events);
+    for (; heard_ < told.size(); ++heard_)
+      if (const auto* state = std::get_if<EntityState>(&told[heard_].packet.pdu))
+        latest_[state->id.entity] = {told[heard_].time, *state};
+    const double now = info.time() + info.dt;
+    scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
+      const auto& [since, state] = latest_.at(static_cast<std::uint16_t>(id.value));
+      const Motion motion = reckon(state.reckoning, motion_of(state), now - since);
+      const model::Kinematics& k = fleet.motion(world, row);
+      const Reference& earth = scenario_.library->reference;
+      const model::Axes body = model::body_axes(k);
+      farthest = std::max(farthest, norm(motion.position - earth.to_ecef(k.position)));
+      most_turned = std::max(
+          {most_turned, angle_between(motion.attitude.row_x, earth.turned_to_ecef(body.forward)),
+           angle_between(motion.attitude.row_z, earth.turned_to_ecef(body.down))});
+      oldest = std::max(oldest, now - since);
+    });
+  }
+  void finish(const sim::World& world) override { announcer.finish(world); }
+
+  template <class T>
+  [[nodiscard]] std::vector<std::pair<double, T>> of() const {
+    std::vector<std::pair<double, T>> found;
+    for (const Told& t : told)
+      if (const auto* pdu = std::get_if<T>(&t.packet.pdu))
+        found.emplace_back(t.time, *pdu);
+    return found;
+  }
+
+  const scenario::Scenario& scenario_;
+  std::vector<Told> told;
+  Announcer announcer;
+  double farthest = 0, most_turned = 0, oldest = 0;
+
+ private:
+  std::size_t heard_ = 0;
+  std::map<std::uint16_t, std::pair<double, EntityState>> latest_;
+};
+
+struct Heard {
+  test::Flight flight;
+  Listener listener;
+  explicit Heard(const std::string& name, double until, const sim::RunOptions& options = {})
+      : flight(test::load_scenario(name), {}, options), listener(*flight.scenario) {
+    flight.mission.run().attach(listener);
+    flight.fly_until(until);
+    flight.mission.run().finish();
+  }
+  [[nodiscard]] std::size_t events(model::EventKind kind) const {
+    return flight.log.of(kind).size();
+  }
+};
+
+const Heard& sweep() {
+  static const Heard heard("sweep", 1e9);
+  return heard;
+}
+
+TEST(Announcer, LetsOthersKnowWhereEverybodyIs) {
+  const Listener& l = sweep().listener;
+  EXPECT_LE(l.farthest, 1 + 1e-3) << "m; and the single precision of velocities";
+  EXPECT_LE(l.most_turned, radians(3) + 1e-6);
+  EXPECT_NEAR(l.oldest, 5 - 0.02, 0.011) << "heartbeat";
+}
+
+TEST(Announcer, TellsFewStatesOfWhoFliesStraight) {
+  const auto states = sweep().listener.of<EntityState>();
+  const auto early = std::count_if(states.begin(), states.end(),
+                                   [](const auto& s) { return s.first > 60 && s.first < 260; });
+  EXPECT_LE(early, 6 * 200);  // of 60,000 in six aircraft's steps
+}
+
+TEST(Announcer, TellsWhoSomebodyIs) {
+  std::map<std::uint16_t, EntityState> first;
+  for (const auto& [time, state] : sweep().listener.of<EntityState>())
+    first.try_emplace(state.id.entity, state);
+  const EntityState& eagle = first.at(1);
+  EXPECT_EQ(eagle.id, (EntityId{1, 1, 1}));
+  EXPECT_EQ(eagle.force, Force::friendly);
+  EXPECT_EQ(eagle.type, (model::EntityType{1, 2, 225, 1, 5, 3}));
+  EXPECT_EQ(std::string(eagle.marking.data()), "eagle1");
+  EXPECT_EQ(first.at(6).force, Force::opposing);
+  EXPECT_EQ(first.at(6).type.country, 222);
+  const EntityState& missile = first.at(7);
+  EXPECT_EQ(missile.type, (model::EntityType{2, 1, 225, 1, 2, 3}));
+  EXPECT_EQ(missile.force, Force::friendly);
+  EXPECT_EQ(std::string(missile.marking.data()), "AIM-120 7");
+}
+
+TEST(Announcer, TellsEveryShotAndItsEnd) {
+  using model::EventKind;
+  const auto fires = sweep().listener.of<Fire>();
+  const auto ends = sweep().listener.of<Detonation>();
+  const auto launches = sweep().flight.log.of(EventKind::launch);
+  ASSERT_GT(launches.size(), 3u);
+  ASSERT_EQ(fires.size(), launches.size() + sweep().events(EventKind::gun_burst));
+  std::map<EventId, Fire> shots;
+  for (std::size_t i = 0; i < launches.size(); ++i) {
+    const auto& [time, fire] = fires[i];
+    EXPECT_EQ(time, launches[i].time);
+    EXPECT_EQ(fire.shooter.entity, launches[i].event.detail);
+    EXPECT_EQ(fire.target.entity, launches[i].event.whom.value);
+    EXPECT_EQ(fire.munition.entity, launches[i].event.who.value);
+    EXPECT_EQ(fire.range, launches[i].event.values[0]);
+    EXPECT_TRUE(shots.try_emplace(fire.event, fire).second) << "every shot has its number";
+  }
+  EXPECT_EQ(ends.size(),
+            sweep().events(EventKind::detonation) + sweep().events(EventKind::timeout));
+  for (const auto& [time, end] : ends) {
+    const Fire& fire = shots.at(end.event);
+    EXPECT_EQ(end.munition, fire.munition);
+    EXPECT_EQ(end.shooter, fire.shooter);
+    EXPECT_EQ(end.what.type, fire.what.type);
+  }
+}
+
+TEST(Announcer, SaysHowAWeaponEnded) {
+  using model::EventKind;
+  std::map<std::uint32_t, Detonation> ends;
+  for (const auto& [time, end] : sweep().listener.of<Detonation>())
+    ends.try_emplace(end.munition.entity, end);
+  const auto kills = sweep().flight.log.of(EventKind::kill);
+  ASSERT_EQ(kills.size(), 2u);
+  for (const auto& kill : kills)
+    EXPECT_EQ(ends.at(kill.event.detail).result, Result::proximate);
+  for (const auto& fuze : sweep().flight.log.of(EventKind::detonation)) {
+    const Detonation& end = ends.at(fuze.event.who.value);
+    EXPECT_EQ(end.result == Result::proximate, fuze.event.values[2] < fuze.event.values[1]);
+    // beside the target, as far as it missed and both fly on in what is left of the step
+    const Vec3 place{end.place[0], end.place[1], end.place[2]};
+    EXPECT_NEAR(norm(place), fuze.event.values[0], 30);
+  }
+  for (const auto& late : sweep().flight.log.of(EventKind::timeout))
+    EXPECT_GE(ends.at(late.event.who.value).result, Result::ground_impact);
+}
+
+TEST(Announcer, TakesLeaveOfEverybody) {
+  std::map<std::uint16_t, std::uint32_t> last;
+  for (const auto& [time, state] : sweep().listener.of<EntityState>()) {
+    EXPECT_EQ(last[state.id.entity] & kDeactivated, 0u) << "nothing is told of who has left";
+    last[state.id.entity] = state.appearance;
+  }
+  for (const auto& [id, appearance] : last)  // four came home, the others were lost
+    EXPECT_EQ(appearance, id <= 4 ? kDeactivated : kDeactivated | kDestroyed) << id;
+  EXPECT_EQ(last.size(), 6 + sweep().events(model::EventKind::launch));
+  ASSERT_EQ(sweep().listener.of<StartResume>().size(), 1u);
+  ASSERT_EQ(sweep().listener.of<StopFreeze>().size(), 1u);
+  // to our own entities: we do not manage the exercise of others
+  EXPECT_EQ(sweep().listener.of<StopFreeze>()[0].second.to, (EntityId{1, 1, 0xFFFF}));
+}
+
+TEST(Announcer, TellsWhatRadarsDo) {
+  bool searched = false, tracked = false, locked = false, sought = false;
+  for (const auto& [time, emission] : sweep().listener.of<Emission>()) {
+    ASSERT_LE(emission.systems.size(), 1u);
+    for (const auto& system : emission.systems)
+      for (const auto& beam : system.beams) {
+        searched |= beam.function == BeamFunction::search;
+        tracked |= beam.function == BeamFunction::acquisition_and_tracking;
+        locked |= beam.function == BeamFunction::tracking && !beam.targets.empty();
+        if (beam.function == BeamFunction::missile_seeker) {
+          sought = true;
+          EXPECT_GT(emission.emitter.entity, 6);
+        } else {
+          EXPECT_EQ(system.name, emission.emitter.entity <= 4 ? 1800 : 29430) << time;
+        }
+        EXPECT_EQ(beam.function == BeamFunction::search,
+                  beam.targets.empty() && beam.function < BeamFunction::tracking);
+      }
+  }
+  EXPECT_TRUE(searched && tracked && locked && sought);
+}
+
+TEST(Announcer, TellsWhoDecides) {
+  const auto comments = sweep().listener.of<Comment>();
+  const auto data = sweep().listener.of<Data>();
+  ASSERT_GT(comments.size(), 20u);
+  EXPECT_GE(data.size(), comments.size());
+  for (const auto& [time, d] : data) {
+    ASSERT_EQ(d.datums.fixed.size(), 3u);
+    EXPECT_EQ(d.datums.fixed[0].id, kVote);
+    const std::string& behavior = d.datums.variable.at(0).text;
+    const auto vote = std::bit_cast<float>(d.datums.fixed[0].value);
+    const auto said = std::find_if(comments.begin(), comments.end(), [&](const auto& c) {
+      return c.first == time && c.second.from == d.from;
+    });
+    if (said != comments.end()) {
+      EXPECT_EQ(said->second.datums.variable.at(0).text,
+                fmt::format("{} decides, vote {:.0f}", behavior, vote));
+    }
+  }
+}
+
+TEST(Announcer, FitsEveryPacketIntoADatagram) {
+  for (const Told& t : sweep().listener.told)
+    ASSERT_LE(encode(t.packet).size(), kLongestPdu);
+  EXPECT_EQ(sweep().listener.announcer.nameless(), 0u);
+}
+
+TEST(Announcer, SaysTheSameWhateverTheWorkers) {
+  const auto bytes = [](unsigned workers) {
+    std::vector<std::byte> all;
+    for (const Told& t : Heard("sweep", 560, {.workers = workers}).listener.told) {
+      const auto packet = encode(t.packet);
+      all.insert(all.end(), packet.begin(), packet.end());
+    }
+    return all;
+  };
+  EXPECT_EQ(bytes(1), bytes(3));
+}
+
+TEST(Announcer, TellsOfVehicles) {
+  const Heard convoy("convoy", 20);
+  std::map<std::uint16_t, EntityState> first;
+  for (const auto& [time, state] : convoy.listener.of<EntityState>())
+    first.try_emplace(state.id.entity, state);
+  EXPECT_TRUE(std::any_of(first.begin(), first.end(), [](const auto& e) {
+    return e.second.type == model::EntityType{1, 1, 225, 7, 5};
+  }));
+  EXPECT_LE(convoy.listener.farthest, 1 + 1e-3);
+}
+
+}  // namespace
+}  // namespace eyrie::dis
