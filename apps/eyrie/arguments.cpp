@@ -8,6 +8,8 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "dis/station.hpp"
+#include "live.hpp"
 #include "net/endpoint.hpp"
 
 namespace eyrie::app {
@@ -43,6 +45,23 @@ std::string endpoint(const std::string& text) {
                                           "{} is no port or address such as 42674, 0.0.0.0 "
                                           "or 192.168.1.5:42674",
                                           quote(text));
+}
+
+std::string datagram_endpoint(const std::string& text) {
+  const auto at = net::endpoint_of(text, kDisStandard);
+  return at && at->port != 0 && at->address.find(':') == std::string::npos
+             ? std::string{}
+             : fmt::format(
+                   "{} is no port or IPv4 address such as 3000, 239.1.2.3 or 192.168.1.255:3000",
+                   quote(text));
+}
+
+std::string station(const std::string& text) {
+  return dis::station_of(text)
+             ? std::string{}
+             : fmt::format(
+                   "{} is no exercise (1 to 255), site and application (1 to 65534), such as 1.1.1",
+                   quote(text));
 }
 
 std::string rate(std::string& text) {

@@ -19,6 +19,10 @@ namespace eyrie::app {
     std::string_view text, std::string_view between);
 /// Where to listen.
 [[nodiscard]] std::string endpoint(const std::string& text);
+/// Where datagrams go: likewise, by IPv4.
+[[nodiscard]] std::string datagram_endpoint(const std::string& text);
+/// "1.1.1": exercise, site, application.
+[[nodiscard]] std::string station(const std::string& text);
 /// Of real time: a number, or max, of which it makes 0.
 [[nodiscard]] std::string rate(std::string& text);
 [[nodiscard]] std::function<std::string(const std::string&)> one_of(

@@ -20,6 +20,8 @@ struct FlyOptions {
   std::string tacview;              ///< where to listen for it; empty: nowhere
   std::string tacview_password;     ///< file; empty: none
   bool tacview_wait = false;        ///< flies when somebody has joined
+  std::string dis;                  ///< where to send packets of DIS; empty: nowhere
+  std::string dis_station, dis_interface;  ///< empty: the usual ones
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
   bool watch = false;   ///< flies again whenever a file of the scenario changes

@@ -4,9 +4,9 @@
 
 #include "command.hpp"
 #include "commands.hpp"
-#include "dis/announcer.hpp"
 #include "dis/pcap.hpp"
 #include "disk/output.hpp"
+#include "live.hpp"
 #include "locate.hpp"
 #include "record/paths.hpp"
 #include "record/run_file.hpp"
@@ -38,6 +38,7 @@ void write_packets(const debrief::Recorded& recorded, disk::Sink& sink) {
     pcap.write(time, dis::encode(packet));
   });
   fly_again(recorded, announcer);
+  tell_nameless(announcer);
 }
 
 tables::Selection selection_of(const ExportOptions& options, const debrief::Recorded& recorded) {

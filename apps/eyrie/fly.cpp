@@ -28,7 +28,8 @@ void fly_to_the_end(scenario::Mission& mission, const disk::Sink& file, const Fl
   using net::Clock;
   const Clock::time_point start = Clock::now();
   Clock::time_point begun = start;
-  if (const double rate = options.real_time.value_or(options.tacview.empty() ? 0 : 1); rate > 0)
+  const bool live = !options.tacview.empty() || !options.dis.empty();
+  if (const double rate = options.real_time.value_or(live ? 1 : 0); rate > 0)
     timing.pacing.emplace(mission.run().simulation().dt() / rate, start);
   for (;;) {
     if (timing.pacing) {
@@ -133,6 +134,7 @@ int fly(const FlyOptions& options, Flown& flown) {
       },
       tacview ? record::AcmiWriter::kWatched : record::AcmiWriter::kRecorded);
   record::RunFileWriter recorder(run, record::run_file_of(*scenario, seed, version_text()));
+  const std::unique_ptr<Broadcast> others = broadcast_dis(options, *scenario);
   if (tacview && options.tacview_wait)
     wait_for_tacview(*tacview);
   record::Story story(*scenario, [&](const record::StoryLine& line) { report.line(line); });
@@ -141,6 +143,8 @@ int fly(const FlyOptions& options, Flown& flown) {
       {.workers = options.workers.value_or(1), .paranoid_workers = options.paranoid});
   for (sim::Observer* o : std::initializer_list<sim::Observer*>{&tally, &csv, &acmi, &recorder})
     mission.run().attach(*o);
+  if (others)
+    mission.run().attach(others->announcer);
   const bool words = !options.json && !options.quiet;
   if (words) {
     report.header(seed);
@@ -212,6 +216,11 @@ int fly(const FlyOptions& options, Flown& flown) {
   if (tacview) {
     tacview->close(std::chrono::seconds(1));
     timing.tacview = tacview->counts();
+  }
+  if (others) {
+    others->sender.close();
+    timing.dis = others->sender.counts();
+    tell_nameless(others->announcer);
   }
   if (const auto& difference = mission.run().difference()) {
     complain("eyrie: the step is not deterministic: {}\n", difference->text());

@@ -63,18 +63,31 @@ const std::map<std::string_view, Names>& examples() {
 
 /// What stands behind an option: "N"; "" for a flag.
 std::string value_of(const CLI::App& app, const CLI::Option& option) {
-  static const std::map<std::string_view, std::string_view> kNames{
-      {"set", "PATH=VALUE"},  {"seeds", "FIRST..LAST"},
-      {"plugin", "FILE"},     {"out", "PATH"},
-      {"until", "TIME"},      {"at", "TIME"},
-      {"from", "TIME"},       {"player", "NAME"},
-      {"event", "WORD"},      {"part", "K/N"},
-      {"of", "MEASURE"},      {"to", "TIME"},
-      {"every", "TIME"},      {"decisions", "TIME"},
-      {"remove", "FILE"},     {"real-time", "RATE"},
-      {"tacview", "PORT"},    {"tacview-password", "FILE"},
-      {"altitude", "HEIGHT"}, {"speed", "SPEED"},
-      {"units", "UNITS"},     {"allow-include", "FOLDER"}};
+  static const std::map<std::string_view, std::string_view> kNames{{"set", "PATH=VALUE"},
+                                                                   {"seeds", "FIRST..LAST"},
+                                                                   {"plugin", "FILE"},
+                                                                   {"out", "PATH"},
+                                                                   {"until", "TIME"},
+                                                                   {"at", "TIME"},
+                                                                   {"from", "TIME"},
+                                                                   {"player", "NAME"},
+                                                                   {"event", "WORD"},
+                                                                   {"part", "K/N"},
+                                                                   {"of", "MEASURE"},
+                                                                   {"to", "TIME"},
+                                                                   {"every", "TIME"},
+                                                                   {"decisions", "TIME"},
+                                                                   {"remove", "FILE"},
+                                                                   {"real-time", "RATE"},
+                                                                   {"tacview", "PORT"},
+                                                                   {"tacview-password", "FILE"},
+                                                                   {"dis", "ADDRESS"},
+                                                                   {"dis-station", "NUMBERS"},
+                                                                   {"dis-interface", "ADDRESS"},
+                                                                   {"altitude", "HEIGHT"},
+                                                                   {"speed", "SPEED"},
+                                                                   {"units", "UNITS"},
+                                                                   {"allow-include", "FOLDER"}};
   if (option.get_items_expected_max() == 0)
     return "";
   const auto found = kNames.find(option.get_lnames().front());

@@ -47,6 +47,31 @@ std::unique_ptr<net::TelemetryHost> host_tacview(const FlyOptions& options,
   }
 }
 
+std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
+                                         const scenario::Scenario& scenario) {
+  if (options.dis.empty())
+    return {};
+  const net::Endpoint to = net::endpoint_of(options.dis, kDisStandard).value_or(kDisStandard);
+  try {
+    auto made = std::make_unique<Broadcast>(
+        scenario, net::DatagramOptions{.to = to, .interface = options.dis_interface},
+        dis::station_of(options.dis_station).value_or(dis::Station{}));
+    complain("eyrie: tells other simulations by DIS at {}\n", to.text());
+    return made;
+  } catch (const std::system_error& error) {
+    refuse(
+        "--dis: cannot send to {}{}: {}", to.text(),
+        options.dis_interface.empty() ? "" : fmt::format(" from {}", quote(options.dis_interface)),
+        disk::words_of(error.code().value()));
+  }
+}
+
+void tell_nameless(const dis::Announcer& announcer) {
+  if (const std::size_t count = announcer.nameless())
+    complain("eyrie: DIS has no numbers beyond 65534: {} players and missiles are left out\n",
+             count);
+}
+
 void wait_for_tacview(const net::TelemetryHost& host) {
   while (host.counts().joined == 0) {
     if (interrupted())

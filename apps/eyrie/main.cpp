@@ -99,17 +99,24 @@ void add_fly(CLI::App& app, Chosen& chosen) {
       ->expected(0, 1)
       ->default_str("1")
       ->transform(CLI::Validator(rate, ""));
-  auto* tacview =
-      fly->add_option("--tacview", o.tacview,
-                      "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
-                      "by the clock, if --real-time says nothing else")
-          ->expected(0, 1)
-          ->default_str("42674")
-          ->check(endpoint);
+  const auto live = [fly](const char* name, std::string& at, const char* port, auto check,
+                          const char* help) {
+    return fly->add_option(name, at, help)->expected(0, 1)->default_str(port)->check(check);
+  };
+  auto* tacview = live("--tacview", o.tacview, "42674", endpoint,
+                       "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
+                       "by the clock, if --real-time says nothing else");
   fly->add_option("--tacview-password", o.tacview_password,
                   "a file whose first line Tacview has to know")
       ->needs(tacview);
   fly->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")->needs(tacview);
+  auto* dis = live("--dis", o.dis, "3000", datagram_endpoint,
+                   "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
+                   "machine, a network or a group; by the clock, likewise");
+  fly->add_option("--dis-station", o.dis_station, "exercise, site and application (default: 1.1.1)")
+      ->needs(dis)
+      ->check(station);
+  fly->add_option("--dis-interface", o.dis_interface, "send from this own address")->needs(dis);
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
@@ -120,8 +127,8 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                 "one JSON object on standard output instead of words; with --seeds one a line for "
                 "each, and one for all");
   add_units(fly);
-  for (const char* of_one : {"--seed", "--out", "--paranoid", "--real-time", "--tacview", "--force",
-                             "--quiet", "--no-debrief"})
+  for (const char* of_one : {"--seed", "--out", "--paranoid", "--real-time", "--tacview", "--dis",
+                             "--force", "--quiet", "--no-debrief"})
     seeds->excludes(fly->get_option(of_one));
 }
 
@@ -185,11 +192,10 @@ void add_explain(CLI::App& app, Chosen& chosen) {
   auto* changes = explain->add_flag(
       "--changes", o.changes, "whenever somebody else in the tree leads, and why (the default)");
   changes->excludes(at);
-  explain->add_option("--event", o.event, "the decisions at events with this word, such as break")
-      ->excludes(at)
-      ->excludes(from)
-      ->excludes(to)
-      ->excludes(changes);
+  auto* event = explain->add_option("--event", o.event,
+                                    "the decisions at events with this word, such as break");
+  for (auto* other : {at, from, to, changes})
+    event->excludes(other);
   auto* csv = explain->add_flag("--csv", o.csv, "a row for each field that a node proposed");
   csv->excludes(changes);
   explain->add_flag("--json", o.json, "for tools")->excludes(csv);
@@ -249,13 +255,10 @@ void add_zones(CLI::App& app, Chosen& chosen) {
   zones->add_option("missiles", o.missiles, "names in data/missiles (default: all)");
   zones->add_flag("--check", o.check, "write nothing, and exit with 1 if one is stale");
   auto* draw = zones->add_flag("--draw", o.draw, "draw each over the aspect, as NAME.svg");
-  zones->add_option("--out", o.out, "the folder of the drawings")
-      ->needs(draw)
-      ->capture_default_str();
-  zones->add_option("--altitude", o.altitude, "of both in a drawing")
-      ->needs(draw)
-      ->capture_default_str();
-  zones->add_option("--speed", o.speed, "of both in a drawing")->needs(draw)->capture_default_str();
+  for (auto* of_drawing : {zones->add_option("--out", o.out, "the folder of the drawings"),
+                           zones->add_option("--altitude", o.altitude, "of both in a drawing"),
+                           zones->add_option("--speed", o.speed, "of both in a drawing")})
+    of_drawing->needs(draw)->capture_default_str();
 }
 
 void add_export(CLI::App& app, Chosen& chosen) {

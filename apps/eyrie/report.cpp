@@ -8,6 +8,7 @@
 
 #include "core/hash.hpp"
 #include "core/units.hpp"
+#include "disk/file_system.hpp"
 #include "record/json_text.hpp"
 
 namespace eyrie::app {
@@ -167,6 +168,12 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
     say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,
         t->joined == 1 ? "client" : "clients", t->refused, t->dropped,
         static_cast<double>(t->bytes) / 1e6);
+  if (const auto& d = timing.dis)
+    say("DIS: {} packets sent, {:.0f} kB, {} dropped{}\n", d->sent,
+        static_cast<double>(d->bytes) / 1e3, d->dropped,
+        d->failed
+            ? fmt::format(", {} not taken by the system: {}", d->failed, disk::words_of(d->error))
+            : "");
   say("written to {}: {}\n", run_dir, files);
 }
 
@@ -207,6 +214,9 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                     {"refused", t->refused},
                     {"dropped", t->dropped},
                     {"bytes", t->bytes}};
+  if (const auto& d = timing.dis)
+    j["dis"] = {
+        {"sent", d->sent}, {"bytes", d->bytes}, {"dropped", d->dropped}, {"failed", d->failed}};
   j["run_dir"] = run_dir;
   return record::json_lines(j);
 }

@@ -3,21 +3,14 @@
 /// \file  Tells other simulations of a mission as it is flown: docs/dis.md says what, and when.
 #include <map>
 
-#include "dis/dead_reckoning.hpp"
 #include "dis/emissions.hpp"
+#include "dis/station.hpp"
 #include "record/names.hpp"
 #include "scenario/scenario.hpp"
 #include "sim/system.hpp"
 #include "team/agents.hpp"
 
 namespace eyrie::dis {
-
-/// Who we are in the exercise.
-struct Station {
-  std::uint16_t site = 1, application = 1;
-  std::uint8_t exercise = 1;
-  Thresholds thresholds;
-};
 
 /// The full hour of the first step: 2026-01-01, 12:00 UTC, in hours since 1970, as in flight.acmi.
 inline constexpr std::uint32_t kFirstHour = 490908;

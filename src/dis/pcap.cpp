@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "dis/station.hpp"
+
 namespace eyrie::dis {
 namespace {
 

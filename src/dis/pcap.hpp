@@ -9,9 +9,6 @@
 
 namespace eyrie::dis {
 
-/// UDP port of DIS, registered with IANA and SISO.
-inline constexpr std::uint16_t kPort = 3000;
-
 class PcapWriter {
  public:
   /// `epoch`: s since 1970 of time 0.
