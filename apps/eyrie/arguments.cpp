@@ -39,6 +39,13 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_v
   return good ? std::optional(two) : std::nullopt;
 }
 
+std::string address(const std::string& text) {
+  const auto found = net::endpoint_of(text, {});
+  return found && found->address == text
+             ? std::string{}
+             : fmt::format("{} is no address such as 0.0.0.0", quote(text));
+}
+
 std::string endpoint(const std::string& text) {
   return net::endpoint_of(text, {}) ? std::string{}
                                     : fmt::format(

@@ -17,6 +17,8 @@ namespace eyrie::app {
 /// "1..500" with ".." between them; nothing if it is anything else.
 [[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(
     std::string_view text, std::string_view between);
+/// Of this machine.
+[[nodiscard]] std::string address(const std::string& text);
 /// Where to listen.
 [[nodiscard]] std::string endpoint(const std::string& text);
 /// Where datagrams go: likewise, by IPv4.

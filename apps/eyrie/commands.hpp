@@ -122,6 +122,19 @@ struct DebriefOptions {
 };
 int debrief_page(const DebriefOptions& options);
 
+/// The page of one run or two, by the engine in it or (`columns`) what was recorded. "" if it was
+/// interrupted; throws disk::Failed if it cannot be.
+[[nodiscard]] std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns);
+
+struct ServeOptions {
+  std::vector<std::string> runs;  ///< one or two
+  std::uint16_t port = 8042;
+  std::string address = "127.0.0.1";
+  std::vector<std::string> plugins;
+};
+/// Until it is interrupted.
+int serve(const ServeOptions& options);
+
 /// What became of a page.
 struct PageWritten {
   bool written = false;

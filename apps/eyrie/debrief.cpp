@@ -96,6 +96,17 @@ PageWritten write_page(const debrief::Recorded& recorded, const std::string& fil
   }
 }
 
+std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns) {
+  const disk::FileRead shell = viewer();
+  if (!shell.problem.empty())
+    throw disk::Failed(shell.problem);
+  std::vector<page::Part> data;
+  for (const debrief::Recorded& run : runs)
+    if (!interrupted())
+      data.push_back(data_of(run, shell, columns));
+  return interrupted() ? "" : page_of(shell, std::move(data));
+}
+
 int debrief_page(const DebriefOptions& options) {
   const auto runs = open_runs(options.runs, options.plugins);
   const fs::path folder = fs::path(runs.front().file).parent_path();
@@ -105,15 +116,7 @@ int debrief_page(const DebriefOptions& options) {
           : options.out;
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || options.out.empty());
-  const disk::FileRead shell = viewer();  // behind the mistakes of the user
-  if (!shell.problem.empty())
-    throw disk::Failed(shell.problem);
-  std::vector<page::Part> data;
-  for (const debrief::Recorded& run : runs)
-    if (!interrupted())
-      data.push_back(data_of(run, shell, options.columns));
-  if (!interrupted())
-    out.sink().write(page_of(shell, data));
+  out.sink().write(debrief_text(runs, options.columns));
   finish(out);
   return 0;
 }

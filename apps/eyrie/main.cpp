@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// \file  The command line. CLI11 lives here and in typed.cpp alone: it is slow to compile.
+/// \file  The command line. CLI11 lives here and in the other files of its executable alone: it is
+/// slow to compile.
 #include "arguments.hpp"
 #include "command.hpp"
 #include "commands.hpp"
@@ -7,6 +8,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "help.hpp"
+#include "line.hpp"
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
@@ -17,42 +19,6 @@ namespace {
 using namespace eyrie;
 using namespace eyrie::app;
 
-/// What the user asked for, once the line is parsed.
-using Chosen = std::function<int()>;
-
-/// The options of a command, there as long as the line; `run` is what is done with them.
-template <class Options>
-Options& options_of(CLI::App* command, int (*run)(const Options&), Chosen& chosen) {
-  const auto options = std::make_shared<Options>();
-  command->callback([=, &chosen] { chosen = [=] { return run(*options); }; });
-  return *options;
-}
-
-void add_workers(CLI::App* app, unsigned& workers) {
-  app->add_option("--workers", workers, "flights at a time; never the result (default: all cores)")
-      ->check(whole_number(1, 1024));
-}
-void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
-  app->add_option("--plugin", plugins, help)->allow_extra_args(false);
-}
-void add_includes(CLI::App* app, std::vector<std::string>& folders) {
-  app->add_option("--allow-include", folders,
-                  "a folder that the scenario may include files from, besides its own")
-      ->allow_extra_args(false);
-}
-constexpr const char* kPluginHelp = "a shared library with more behaviors, arbiters and models";
-
-void add_flights(CLI::App* app, FlightsOptions& o) {
-  app->add_flag("--resume", o.resume, "go on where it ended, or was killed");
-  add_workers(app, o.workers);
-  add_plugins(app, o.plugins, kPluginHelp);
-  add_includes(app, o.includes);
-}
-void add_results(CLI::App* app, ResultsOptions& o) {
-  app->add_option("folder", o.folder, "the folder of a campaign")->required();
-  add_workers(app, o.workers);
-  add_plugins(app, o.plugins, kPluginHelp);
-}
 void add_run_plugins(CLI::App* app, std::vector<std::string>& plugins) {
   add_plugins(app, plugins, "a plug-in of the run, which may be opened, where it is now");
 }
@@ -132,50 +98,6 @@ void add_fly(CLI::App& app, Chosen& chosen) {
     seeds->excludes(fly->get_option(of_one));
 }
 
-void add_campaign(CLI::App& app, Chosen& chosen) {
-  CLI::App* campaign = app.add_subcommand(
-      "campaign", "Fly a scenario many times, as a campaign file says, and keep what came of it");
-  CampaignOptions& o = options_of(campaign, app::campaign, chosen);
-  campaign->add_option("file", o.file, "a campaign file: docs/campaigns.md")->required();
-  campaign->add_option("--out", o.out, "folder for the results (default: campaigns/<name>)");
-  add_flights(campaign, o);
-  auto* part = campaign->add_option("--part", o.part, "fly the third of 16 parts: 3/16");
-  campaign->add_flag("--join", o.join, "put all parts together")->excludes(part);
-  campaign->add_flag("--json", o.json, "a line for each replicate, and one for the end");
-}
-
-void add_report(CLI::App& app, Chosen& chosen) {
-  CLI::App* report = app.add_subcommand("report", "What a campaign found: tables, and a page");
-  CampaignReportOptions& o = options_of(report, campaign_report, chosen);
-  add_results(report, o);
-  report->add_option("--out", o.out, "the page (default: report.html in the folder)");
-  report->add_flag("--force", o.force, "replace the file given by --out");
-  report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
-  report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
-      ->check(whole_number(0, 1000));
-  report->add_flag("--parquet", o.parquet, "results.parquet, too, by DuckDB's library");
-}
-
-void add_query(CLI::App& app, Chosen& chosen) {
-  CLI::App* query = app.add_subcommand(
-      "query", "Ask the results of a campaign in SQL: docs/campaigns.md has the tables");
-  QueryOptions& o = options_of(query, app::query, chosen);
-  add_results(query, o);
-  query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
-  query->add_option("--decisions", o.decisions,
-                    "first add what the lost decided in their last '10 s': they are flown again");
-}
-
-void add_optimize(CLI::App& app, Chosen& chosen) {
-  CLI::App* optimize = app.add_subcommand(
-      "optimize", "Search votes and parameters for those with which a measure is best");
-  FlightsOptions& o = options_of(optimize, app::optimize, chosen);
-  optimize->add_option("file", o.file, "a search: docs/campaigns.md")->required();
-  optimize->add_option("--out", o.out, "folder for what is found (default: searches/<name>)");
-  add_flights(optimize, o);
-  optimize->add_flag("--json", o.json, "a line for each generation, and one for the end");
-}
-
 void add_explain(CLI::App& app, Chosen& chosen) {
   CLI::App* explain =
       app.add_subcommand("explain", "Why an agent of a recorded run did what it did");
@@ -238,6 +160,25 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
   debrief->add_flag("--columns", o.columns,
                     "put what was recorded into the page, not the engine that flies it again");
   add_run_plugins(debrief, o.plugins);
+}
+
+void add_serve(CLI::App& app, Chosen& chosen) {
+  CLI::App* served = app.add_subcommand(
+      "serve", "The debrief page of a run, or of two, for browsers of the network");
+  ServeOptions& o = options_of(served, serve, chosen);
+  served->add_option("runs", o.runs, "a run folder or its run file; two of them to compare")
+      ->required()
+      ->expected(1, 2);
+  served->add_option("--port", o.port, "0: any that is free")
+      ->check(whole_number(0, 65'535))
+      ->capture_default_str();
+  served
+      ->add_option("--address", o.address,
+                   "of this machine, or 0.0.0.0 for all that it has; others than this machine then "
+                   "need the address with the token that is printed")
+      ->check(address)
+      ->capture_default_str();
+  add_run_plugins(served, o.plugins);
 }
 
 void add_playground(CLI::App& app, Chosen& chosen) {
@@ -363,8 +304,8 @@ int run(int argc, char** argv) {
   Chosen chosen;
   for (const auto add :
        {add_fly, add_campaign, add_report, add_query, add_optimize, add_explain, add_what_if,
-        add_debrief, add_playground, add_export, add_diff, add_validate, add_zones, add_catalog,
-        add_replay, add_trust, add_new, add_completion})
+        add_debrief, add_serve, add_playground, add_export, add_diff, add_validate, add_zones,
+        add_catalog, add_replay, add_trust, add_new, add_completion})
     add(app, chosen);
   set_help(app);
   keep_zones();

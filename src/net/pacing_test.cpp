@@ -86,7 +86,7 @@ TEST(Pacing, CountsALateFrameAndCatchesUp) {
 TEST(Pacing, GivesUpWhatIsBehindByTooMuch) {
   Machine machine;
   machine.frames(50, milliseconds(1));
-  machine.now += milliseconds(10'000);  // a suspended laptop
+  machine.now += milliseconds(10'000);  // a machine that swaps
   const double awake = machine.time();
   int hurried = 0;
   while (machine.pacing.due() <= machine.now && hurried < 1000) {

@@ -4,27 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <boost/asio/executor_work_guard.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 #include <deque>
-#include <system_error>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "net/listener.hpp"
 #include "net/telemetry.hpp"
 
 namespace eyrie::net {
 namespace {
-
-namespace asio = boost::asio;
-using asio::ip::tcp;
-using boost::system::error_code;
-using Text = std::shared_ptr<const std::string>;
 
 /// Bytes that a client may send after its greeting: Tacview sends none.
 constexpr std::size_t kMostHeard = 1 << 16;
@@ -46,42 +36,12 @@ struct Session {
 };
 using SessionPtr = std::shared_ptr<Session>;
 
-void check(const error_code& failed) {
-  if (failed)
-    throw std::system_error(failed.value(), std::system_category());
-}
-
 }  // namespace
 
-// All of it but the constructor, `waiting` and the counters belongs to the thread.
+// All of it but the constructor, `waiting` and the counters belongs to the listener's thread.
 struct TelemetryHost::Network {
-  explicit Network(TelemetryOptions asked) : options(std::move(asked)) {
-    const tcp::endpoint endpoint(asio::ip::make_address(options.at.address), options.at.port);
-    error_code failed;
-    check(acceptor.open(endpoint.protocol(), failed));
-    check(acceptor.set_option(tcp::acceptor::reuse_address(true), failed));
-    check(acceptor.bind(endpoint, failed));
-    check(acceptor.listen(asio::socket_base::max_listen_connections, failed));
-    options.at.port = acceptor.local_endpoint().port();
-    accept();
-    thread = std::thread([this] { io.run(); });
-  }
-
-  void accept() {
-    acceptor.async_accept([this](error_code failed, tcp::socket socket) {
-      if (!acceptor.is_open())
-        return;
-      if (!failed) {
-        welcome(std::move(socket));
-        return accept();
-      }
-      // no more files for now, or a client that has gone already
-      timer.expires_after(std::chrono::milliseconds(100));
-      timer.async_wait([this](error_code) {
-        if (acceptor.is_open())
-          accept();
-      });
-    });
+  explicit Network(TelemetryOptions asked) : options(std::move(asked)), listener(options.at) {
+    listener.run([this](tcp::socket socket) { welcome(std::move(socket)); });
   }
 
   void welcome(tcp::socket socket) {
@@ -198,32 +158,25 @@ struct TelemetryHost::Network {
     session->socket.close(ignored);
     sessions.erase(std::find(sessions.begin(), sessions.end(), session));
     if (closing && sessions.empty())
-      io.stop();
+      listener.stop();
   }
 
   void begin_to_close(std::chrono::milliseconds wait) {
     closing = true;
-    error_code ignored;
-    acceptor.close(ignored);
-    timer.expires_after(wait);
-    timer.async_wait([this](error_code) { io.stop(); });
+    listener.close(wait);
     for (const SessionPtr& session : std::vector(sessions))
       if (session->state != Session::State::joined || session->out.empty())
         end(session);
     if (sessions.empty())
-      io.stop();
+      listener.stop();
   }
 
   TelemetryOptions options;
-  asio::io_context io{1};
-  asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
-  tcp::acceptor acceptor{io};
-  asio::steady_timer timer{io};
+  Listener listener;
   std::vector<SessionPtr> sessions;  ///< in the order in which they came
   bool closing = false;
   std::atomic<std::uint32_t> waiting = 0;  ///< clients that have got nothing yet
   std::atomic<std::uint64_t> joined = 0, refused = 0, dropped = 0, sent = 0;
-  std::thread thread;
 };
 
 TelemetryHost::TelemetryHost(TelemetryOptions options)
@@ -242,17 +195,19 @@ bool TelemetryHost::wanted() const {
 }
 
 void TelemetryHost::send(std::string_view text, std::string whole) {
-  asio::post(network_->io, [network = network_.get(), text = std::make_shared<std::string>(text),
-                            whole = std::make_shared<std::string>(std::move(whole))] {
-    network->hand_out(text, whole);
-  });
+  asio::post(network_->listener.io,
+             [network = network_.get(), text = std::make_shared<std::string>(text),
+              whole = std::make_shared<std::string>(std::move(whole))] {
+               network->hand_out(text, whole);
+             });
 }
 
 void TelemetryHost::close(std::chrono::milliseconds wait) {
-  if (!network_->thread.joinable())
+  if (!network_->listener.running())
     return;
-  asio::post(network_->io, [network = network_.get(), wait] { network->begin_to_close(wait); });
-  network_->thread.join();
+  asio::post(network_->listener.io,
+             [network = network_.get(), wait] { network->begin_to_close(wait); });
+  network_->listener.join();
 }
 
 TelemetryHost::Counts TelemetryHost::counts() const {

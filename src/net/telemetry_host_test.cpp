@@ -6,9 +6,9 @@
 
 #include <fstream>
 #include <system_error>
-#include <thread>
 
 #include "net/telemetry.hpp"
+#include "support/soon.hpp"
 #include "support/tcp_client.hpp"
 
 namespace eyrie::net {
@@ -16,18 +16,8 @@ namespace {
 
 using std::chrono::milliseconds;
 using test::join_telemetry;
+using test::soon;
 using test::TcpClient;
-
-/// Whether it comes true within 20 seconds.
-template <class F>
-bool soon(F&& true_now) {
-  for (int i = 0; i < 4000; ++i) {
-    if (true_now())
-      return true;
-    std::this_thread::sleep_for(milliseconds(5));
-  }
-  return false;
-}
 
 struct Served {
   TelemetryHost host;

@@ -3,6 +3,7 @@
 /// manual page.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <sstream>
 
 #include "support/plugin.hpp"
@@ -63,10 +64,14 @@ TEST(Help, HasTwoExamplesOfEachCommandThatCanBeTyped) {
     ASSERT_NE(begin, std::string::npos) << help;
     const HelpLines examples = text_lines(help.substr(begin + 10));
     EXPECT_GE(examples.size(), 2u);
-    for (const std::string& example : examples) {
+    for (std::string example : examples) {
+      if (name == "serve")  // which does not end, at a port that may be somebody's
+        example = "timeout --preserve-status 2 \"$EYRIE\"" +
+                  example.substr(example.find(" serve")) + " --port 0";
       const Ran ran = run_line(folder, example);
       const bool differ = name == "diff" && ran.code == 1;  // which is what diff shows
-      EXPECT_TRUE(ran.code == 0 || differ) << example << ": " << ran.err;
+      const bool ended = name == "serve" && ran.code == 128 + SIGTERM;
+      EXPECT_TRUE(ran.code == 0 || differ || ended) << example << ": " << ran.err;
     }
   }
 }

@@ -5,11 +5,11 @@
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <regex>
-#include <thread>
 
 #include "net/telemetry.hpp"
 #include "support/acmi_reader.hpp"
 #include "support/program.hpp"
+#include "support/soon.hpp"
 #include "support/tcp_client.hpp"
 
 namespace eyrie::test {
@@ -33,9 +33,7 @@ struct Live {
     std::smatch found;
     static const std::regex kAt(R"(at 127\.0\.0\.1:(\d+)\n)");
     std::string said;
-    for (int i = 0; i < 2000 && !std::regex_search(said = flight.err(), found, kAt); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    if (found.empty())
+    if (!soon([&] { return std::regex_search(said = flight.err(), found, kAt); }))
       throw std::runtime_error("says no port: " + said);
     port = static_cast<std::uint16_t>(std::stoi(found[1]));
   }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Waiting for what another thread or process does.
+#include <chrono>
+#include <thread>
+
+namespace eyrie::test {
+
+/// Whether it comes true within 20 seconds.
+template <class F>
+[[nodiscard]] bool soon(F&& true_now) {
+  for (int i = 0; i < 4000; ++i) {
+    if (true_now())
+      return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+}  // namespace eyrie::test
