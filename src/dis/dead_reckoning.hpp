@@ -29,10 +29,11 @@ struct Motion {
 /// How far what others reckon may be from the truth before they are told. 7.2.2 of the standard,
 /// with its default values.
 struct Thresholds {
-  double position = 1;                     ///< m
-  double angle = radians(3);               ///< rad, of the turn between the two attitudes
-  double heartbeat = 5;                    ///< s, after which a state is told anyway
-  static constexpr double kTimeout = 2.4;  ///< heartbeats, after which others take one for gone
+  double position = 1;        ///< m
+  double angle = radians(3);  ///< rad, of the turn between the two attitudes
+  double heartbeat = 5;       ///< s, after which a state is told anyway
+  /// s, after which others take one for gone.
+  [[nodiscard]] double timeout() const { return 2.4 * heartbeat; }
 };
 [[nodiscard]] bool apart(const Motion& a, const Motion& b, const Thresholds& thresholds);
 
