@@ -246,7 +246,7 @@ void add_diff(CLI::App& app, Chosen& chosen) {
   DiffOptions& o = options_of(diff, app::diff, chosen);
   o.runs.resize(2);
   diff->add_option("left", o.runs[0], "a run folder or its run file")->required();
-  diff->add_option("right", o.runs[1], "another one")->required();
+  diff->add_option("right", o.runs[1], "a second run, to compare with")->required();
   diff->add_flag("--json", o.json, "for tools");
   add_units(diff);
   add_run_plugins(diff, o.plugins);

@@ -83,20 +83,34 @@ std::string missing_argument(const CLI::App& command) {
   return "";
 }
 
+/// A word too many: an option without its dashes, or the rest of a value with a blank in it.
+std::string word_too_many(const CLI::App& command, const std::string& extra,
+                          std::span<char*> words) {
+  std::string hint;
+  const std::size_t equals = extra.find('=');
+  if (equals != std::string::npos && command.get_option_no_throw("--" + extra.substr(0, equals)))
+    hint = fmt::format("; did you mean '--{}'?", extra);
+  for (std::size_t i = 2; i < words.size(); ++i)
+    if (words[i] == extra && std::string_view(words[i - 2]).starts_with("--") &&
+        words[i - 1][0] != '-')
+      hint = fmt::format("; did you mean {} '{} {}'?", words[i - 2], words[i - 1], extra);
+  return fmt::format("{} has no use for {}{}", command.get_name(), quote(extra), hint);
+}
+
 /// What is wrong with the words of a command.
 std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::ParseError& e,
                        std::span<char*> words) {
+  const std::string wrong = words.empty() ? "" : words[0];
+  if (const CLI::App* one = command_named(command, wrong))
+    return problem_in(app, *one, e, words.subspan(1));
   if (std::string unknown = unknown_option(app, command, words); !unknown.empty())
     return unknown;
   const Names below = command_names(command);
   if (!below.empty() && dynamic_cast<const CLI::RequiredError*>(&e)) {
-    const std::string wrong = words.empty() ? "" : words[0];
     const std::string hint = did_you_mean(wrong, below);
     return hint.empty() ? fmt::format("say what: eyrie {} {} NAME", command.get_name(), below[0])
                         : fmt::format("{} begins no {}{}", command.get_name(), quote(wrong), hint);
   }
-  if (!below.empty())
-    return problem_in(app, *commands_of(command)[0], e, words.subspan(1));
   if (dynamic_cast<const CLI::RequiredError*>(&e))
     if (std::string missing = missing_argument(command); !missing.empty())
       return missing;
@@ -105,8 +119,7 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
     return fmt::format("{} needs a value", said.substr(0, said.find(':')));
   if (dynamic_cast<const CLI::ExtrasError*>(&e)) {
     const Names extra = command.remaining();
-    return fmt::format("{} has no use for {}", command.get_name(),
-                       quote(extra.empty() ? said : extra.front()));
+    return word_too_many(command, extra.empty() ? said : extra.front(), words);
   }
   return said;
 }
