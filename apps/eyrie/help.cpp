@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
 constexpr std::size_t kWidth = 100;
+const std::vector<std::string_view> kShells{"bash", "zsh", "fish", "man"};
 
 /// Each can be typed as it stands: a test does, behind `eyrie fly merge`.
 const std::map<std::string_view, Names>& examples() {
@@ -220,6 +221,8 @@ Names values_of(const std::string& name, std::span<char*> words) {
     constexpr auto kSystems = enum_names<UnitSystem>();
     return {kSystems.begin(), kSystems.end()};
   }
+  if (name == "shell")
+    return {kShells.begin(), kShells.end()};
   if (name == "--event") {
     Names names;
     for (const model::EventInfo& kind : model::event_infos())
@@ -299,7 +302,7 @@ _eyrie() {
 }
 compdef _eyrie eyrie
 )sh";
-  return R"sh(complete -c eyrie -a '(eyrie completion --for (commandline -opc)[2..] (commandline -ct) 2>/dev/null)'
+  return R"sh(complete -c eyrie -a '(set -l words (commandline -opc); $words[1] completion --for $words[2..] (commandline -ct) 2>/dev/null)'
 )sh";
 }
 
@@ -320,7 +323,7 @@ void add_completion(CLI::App& app, std::function<int()>& chosen) {
                    "bash, zsh or fish: source what is printed, as in source <(eyrie completion "
                    "bash); man: the manual page")
       ->required()
-      ->check(one_of({"bash", "zsh", "fish", "man"}));
+      ->check(one_of(kShells));
   completion->callback([&, shell] {
     chosen = [&, shell] {
       say("{}", Composed{*shell == "man" ? manual(app) : completion_script(*shell)});

@@ -77,7 +77,7 @@ constexpr Habit kHabits[] = {
     {"ft/min", {"fpm"}},
     {"m/s", {"mps"}},
     {"m/s2", {"m/s^2", "m/s/s", "m/s\u00B2"}},
-    {"deg", {"degree", "degrees", "\u00B0"}},
+    {"deg", {"degree", "degrees"}},
     {"rad", {"radian", "radians"}},
     {"mrad", {"mil", "mils"}},
     {"Hz", {"1/s", "hertz"}},
@@ -94,7 +94,7 @@ constexpr Habit kHabits[] = {
     {"W", {"watt", "watts"}},
     {"hPa", {"mb", "mbar"}},
     {"kg/m3", {"kg/m^3"}},
-    {"degC", {"\u00B0C", "c"}},
+    {"degC", {"c"}},
     {"K", {"kelvin"}},
     {"dB", {"decibel"}},
 };
@@ -212,10 +212,11 @@ Parsed failed(std::string error) {
   return {0, std::move(error)};
 }
 
-/// Three significant digits, but never fewer than the whole number has below a billion.
-std::string three_digits(double x) {
+/// Three significant digits and `more`, but never fewer than the whole number has below a billion.
+std::string three_digits(double x, int more) {
   const double size = std::fabs(x);
-  return size >= 100 && size < 1e9 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
+  return size >= 100 && size < 1e9 ? fmt::format("{:.{}f}", x, more)
+                                   : fmt::format("{:.{}g}", x, 3 + more);
 }
 
 /// How hard a number is to read: its characters, and once more the digits between first and last
@@ -282,8 +283,9 @@ Parsed parse_quantity(std::string_view text, Dimension expected) {
 std::string format_in(double si, UnitName unit, int decimals) {
   const std::string number = fmt::format("{:.{}f}", from_si(si, unit.info()), decimals);
   const bool minus_zero = number[0] == '-' && number.find_first_not_of("-0.") == number.npos;
-  return fmt::format("{} {}", std::string_view(number).substr(minus_zero ? 1 : 0),
-                     unit.info().symbol);
+  const std::string_view symbol = unit.info().symbol;
+  return fmt::format("{}{}{}", std::string_view(number).substr(minus_zero ? 1 : 0),
+                     symbol.starts_with("°") ? "" : " ", symbol);
 }
 
 namespace {
@@ -300,48 +302,57 @@ void write_units(UnitSystem system) {
   unit_system = system;
 }
 
-std::string format_quantity(double si, Dimension dimension) {
+std::string format_quantity(double si, Dimension dimension, int more) {
   switch (dimension) {
     case Dimension::length: {
       const double far = unit_system == UnitSystem::us ? 1852 : 1000;  // m
-      return std::fabs(si) < far ? format_height(si) : format_range(si);
+      return std::fabs(si) < far ? format_height(si, more) : format_range(si, more);
     }
     case Dimension::speed:
-      return in_system(si, "kt", "km/h");
+      return in_system(si, "kt", "km/h", more);
     case Dimension::acceleration:
-      return format_in(si, "g", 1);
+      return format_in(si, "g", 1 + more);
     case Dimension::mass:
-      return in_system(si, "lb", "kg");
+      return in_system(si, "lb", "kg", more);
     case Dimension::mass_flow:
-      return in_system(si, "lb/h", "kg/h");
+      return in_system(si, "lb/h", "kg/h", more);
     case Dimension::force:
-      return in_system(si, "lbf", "N");
+      return in_system(si, "lbf", "N", more);
     case Dimension::pressure:
-      return format_in(si, "hPa", 1);
+      return format_in(si, "hPa", 1 + more);
     case Dimension::temperature:
-      return format_in(si, "degC");
+      return format_in(si, "°C", more);
     case Dimension::angle:
-      return format_in(si, "deg");
+      return format_in(si, "°", more);
     case Dimension::angular_rate:
-      return format_in(si, "deg/s", 1);
+      return format_in(si, "°/s", 1 + more);
     default: {
       const std::string_view symbol = detail::si_symbol(dimension);
-      return fmt::format("{}{}{}", three_digits(si), symbol.empty() ? "" : " ", symbol);
+      return fmt::format("{}{}{}", three_digits(si, more), symbol.empty() ? "" : " ", symbol);
     }
   }
 }
 
-std::string format_range(double meters) {
-  return in_system(meters, "nmi", "km", 1);
+std::string format_range(double meters, int more) {
+  return in_system(meters, "nmi", "km", 1 + more);
 }
 
-std::string format_height(double meters) {
-  return in_system(meters, "ft", "m");
+std::string format_height(double meters, int more) {
+  return in_system(meters, "ft", "m", more);
 }
 
-std::string format_direction(double radians) {
-  const double whole = std::fmod(std::nearbyint(in_unit(radians, "deg")), 360);
-  return fmt::format("{:03.0f} deg", whole < 0 ? whole + 360 : whole + 0.0);
+std::string format_direction(double radians, int more) {
+  double scale = 1;
+  for (int i = 0; i < more; ++i)
+    scale *= 10;
+  const double rounded = std::fmod(std::nearbyint(in_unit(radians, "deg") * scale) / scale, 360);
+  return fmt::format("{:0{}.{}f}°", rounded < 0 ? rounded + 360 : rounded + 0.0,
+                     more ? 4 + more : 3, more);
+}
+
+std::string format_side(double radians) {
+  const std::string size = format_in(std::fabs(radians), "°");
+  return size == "0°" || size == "180°" ? size : size + (radians < 0 ? " left" : " right");
 }
 
 template <std::floating_point Real>

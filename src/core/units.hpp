@@ -66,10 +66,13 @@ inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"rad", Dimension::angle},
     {"mrad", Dimension::angle, 1, 1000},
     {"deg", Dimension::angle, kPi / 180},
+    {"°", Dimension::angle, kPi / 180},  // as Eyrie shows it; files that it writes have "deg"
     {"rad/s", Dimension::angular_rate},
     {"deg/s", Dimension::angular_rate, kPi / 180},
+    {"°/s", Dimension::angular_rate, kPi / 180},
     {"rad/s2", Dimension::angular_acceleration},
     {"deg/s2", Dimension::angular_acceleration, kPi / 180},
+    {"°/s2", Dimension::angular_acceleration, kPi / 180},
     {"Hz", Dimension::frequency},
     {"kHz", Dimension::frequency, 1e3},
     {"MHz", Dimension::frequency, 1e6},
@@ -100,6 +103,7 @@ inline constexpr std::array kUnits = std::to_array<UnitInfo>({
     {"kg/m3", Dimension::density},
     {"K", Dimension::temperature},
     {"degC", Dimension::temperature, 1, 1, 273.15},
+    {"°C", Dimension::temperature, 1, 1, 273.15},
     {"dB", Dimension::decibel},
     {"kg/N/s", Dimension::fuel_consumption},
     {"kg/N/h", Dimension::fuel_consumption, 1, 3600},
@@ -221,14 +225,16 @@ constexpr auto names_of(UnitSystem) {
 void write_units(UnitSystem system);
 
 /// For people, rounded to what they can use: "6000 ft" below one mile and "1.0 nmi" from there,
-/// "467 kt", "30 deg". Do not parse it back.
-[[nodiscard]] std::string format_quantity(double si, Dimension dimension);
+/// "467 kt", "30°", with so many more decimals. Do not parse it back.
+[[nodiscard]] std::string format_quantity(double si, Dimension dimension, int more = 0);
 /// A range, in miles or kilometers however short it is: "0.4 nmi".
-[[nodiscard]] std::string format_range(double meters);
+[[nodiscard]] std::string format_range(double meters, int more = 0);
 /// A height, in feet or meters however large it is: "36000 ft".
-[[nodiscard]] std::string format_height(double meters);
-/// A direction over the ground, clockwise from north: "075 deg", from 000 to 359.
-[[nodiscard]] std::string format_direction(double radians);
+[[nodiscard]] std::string format_height(double meters, int more = 0);
+/// A direction over the ground, clockwise from north: "075°", from 000 to 359.
+[[nodiscard]] std::string format_direction(double radians, int more = 0);
+/// An angle from the nose in the plane of the horizon, positive to the right: "35° right".
+[[nodiscard]] std::string format_side(double radians);
 
 /// For people, in the unit the writer chose: `format_in(altitude, "ft")` is "6000 ft".
 [[nodiscard]] std::string format_in(double si, UnitName unit, int decimals = 0);

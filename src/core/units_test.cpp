@@ -43,6 +43,9 @@ const std::vector<UnitCase>& unit_cases() {
       {"17.5 mrad", Dimension::angle, 0.0175},
       {"180 deg", Dimension::angle, 3.141592653589793},
       {"2 rad/s", Dimension::angular_rate, 2},
+      {"180 °", Dimension::angle, 3.141592653589793},
+      {"90 °/s", Dimension::angular_rate, 1.5707963267948966},
+      {"360 °/s2", Dimension::angular_acceleration, 6.283185307179586},
       {"90 deg/s", Dimension::angular_rate, 1.5707963267948966},
       {"3 rad/s2", Dimension::angular_acceleration, 3},
       {"360 deg/s2", Dimension::angular_acceleration, 6.283185307179586},
@@ -76,6 +79,7 @@ const std::vector<UnitCase>& unit_cases() {
       {"1.225 kg/m3", Dimension::density, 1.225},
       {"288.15 K", Dimension::temperature, 288.15},
       {"15 degC", Dimension::temperature, 288.15},
+      {"15 °C", Dimension::temperature, 288.15},
       {"-3 dB", Dimension::decibel, -3},
       {"2e-5 kg/N/s", Dimension::fuel_consumption, 2e-5},
       {"3600 kg/N/h", Dimension::fuel_consumption, 1},
@@ -189,8 +193,6 @@ TEST(ParseQuantity, SaysWhatWasExpectedAndWhatIsWrong) {
        "expected a length such as '6000 ft', got '480 knots' (a speed)"},
       {"480 knots", Dimension::speed,
        "expected a speed such as '480 kt', got '480 knots'; did you mean 'kt'?"},
-      {"30\xC2\xB0", Dimension::angle,
-       "expected an angle such as '30 deg', got '30\xC2\xB0'; did you mean 'deg'?"},
       {"3 mil", Dimension::angle,
        "expected an angle such as '30 deg', got '3 mil'; did you mean 'mrad'?"},
       {"500 g", Dimension::mass, "expected a mass such as '900 kg', got '500 g' (an acceleration)"},
@@ -284,17 +286,19 @@ TEST(FormatQuantity, RoundsForPeople) {
   EXPECT_EQ(pilot(1852, Dimension::length), "1.0 nmi");
   EXPECT_EQ(pilot(-37040, Dimension::length), "-20.0 nmi");
   EXPECT_EQ(pilot(240, Dimension::speed), "467 kt");
-  EXPECT_EQ(pilot(-0.0001, Dimension::angle), "0 deg");
-  EXPECT_EQ(pilot(radians(30), Dimension::angle), "30 deg");
-  EXPECT_EQ(pilot(radians(12.25), Dimension::angular_rate), "12.2 deg/s");
+  EXPECT_EQ(pilot(-0.0001, Dimension::angle), "0°");
+  EXPECT_EQ(pilot(radians(30), Dimension::angle), "30°");
+  EXPECT_EQ(pilot(radians(12.25), Dimension::angular_rate), "12.2°/s");
   EXPECT_EQ(pilot(68.64655, Dimension::acceleration), "7.0 g");
   EXPECT_EQ(pilot(4535.9237, Dimension::mass), "10000 lb");
   EXPECT_EQ(pilot(0.45359237, Dimension::mass_flow), "3600 lb/h");
   EXPECT_EQ(pilot(44482.216152605, Dimension::force), "10000 lbf");
   EXPECT_EQ(pilot(101325, Dimension::pressure), "1013.2 hPa");
-  EXPECT_EQ(pilot(288.15, Dimension::temperature), "15 degC");
+  EXPECT_EQ(pilot(288.15, Dimension::temperature), "15°C");
   EXPECT_EQ(pilot(12.5, Dimension::time), "12.5 s");
   EXPECT_EQ(format_in(37040, "nmi", 2), "20.00 nmi");
+  EXPECT_EQ(format_quantity(1234.5678, Dimension::length, 2), "4050.42 ft");
+  EXPECT_EQ(format_quantity(0.123456, Dimension::time, 1), "0.1235 s");
 }
 
 TEST(ExactQuantity, PicksTheUnitThatSaysItMostSimply) {
@@ -348,12 +352,21 @@ RC_GTEST_PROP(ExactQuantity, ReadsBackToTheSameFloat, ()) {
 }
 
 TEST(FormatDirection, IsWrittenInThreeDigitsFrom000To359) {
-  EXPECT_EQ(format_direction(0), "000 deg");
-  EXPECT_EQ(format_direction(radians(7.4)), "007 deg");
-  EXPECT_EQ(format_direction(radians(-75)), "285 deg");
-  EXPECT_EQ(format_direction(radians(359.6)), "000 deg");
-  EXPECT_EQ(format_direction(radians(-0.2)), "000 deg");
-  EXPECT_EQ(format_direction(radians(720 + 90)), "090 deg");
+  EXPECT_EQ(format_direction(0), "000°");
+  EXPECT_EQ(format_direction(radians(7.4)), "007°");
+  EXPECT_EQ(format_direction(radians(-75)), "285°");
+  EXPECT_EQ(format_direction(radians(359.6)), "000°");
+  EXPECT_EQ(format_direction(radians(-0.2)), "000°");
+  EXPECT_EQ(format_direction(radians(720 + 90)), "090°");
+  EXPECT_EQ(format_direction(radians(7.44), 1), "007.4°");
+  EXPECT_EQ(format_direction(radians(359.96), 1), "000.0°");
+}
+
+TEST(FormatSide, SaysOnWhichSideOfTheNose) {
+  EXPECT_EQ(format_side(radians(35)), "35° right");
+  EXPECT_EQ(format_side(radians(-120.4)), "120° left");
+  EXPECT_EQ(format_side(radians(-0.2)), "0°");
+  EXPECT_EQ(format_side(kPi), "180°");
 }
 
 TEST(WriteUnits, SaysTheSameInMetricOnes) {

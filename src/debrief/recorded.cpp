@@ -4,6 +4,7 @@
 #include "core/assert.hpp"
 #include "core/text.hpp"
 #include "debrief/decision.hpp"
+#include "record/event_table.hpp"
 #include "record/story.hpp"
 #include "scenario/mission.hpp"
 #include "sim/difference.hpp"
@@ -137,7 +138,18 @@ std::string leader_of(const scenario::Scenario& s, const sim::World& world, Play
   return found ? found->fleet.leader(world, found->row) : "nobody";
 }
 
-/// "pursue leads, heading 277 deg" as both have it: the leader, and the fields that are not the
+/// Two values of that name, with as many decimals as tell them apart.
+std::pair<std::string, std::string> apart(std::string_view name, Dimension dimension, double a,
+                                          double b) {
+  constexpr int kMost = 17;
+  for (int more = 0;; ++more)
+    if (std::pair texts{team::number_text(name, dimension, a, more),
+                        team::number_text(name, dimension, b, more)};
+        texts.first != texts.second || more == kMost)
+      return texts;
+}
+
+/// "pursue leads, heading 277°" as both have it: the leader, and the fields that are not the
 /// same.
 std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight& b,
                                                const Recorded& left, const Recorded& right,
@@ -161,20 +173,19 @@ std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight
     for (const Won& won : decision->action)
       if (std::find(names.begin(), names.end(), won.value.name) == names.end())
         names.push_back(won.value.name);
-  for (const bool exact : {false, true}) {  // numbers whole if all are the same for people
+  for (const bool exact : {false, true}) {  // to the digit if all are the same for people
     const std::string before = one + other;
     for (const std::string& name : names) {
       const Value *x = field(*mine, name), *y = field(*its, name);
       if (x && y && (exact ? x->number == y->number : x->text == y->text))
         continue;
-      const auto text = [&](const Value* value) {
-        return !value ? fmt::format(", no {}", name)
-               : exact && value->number
-                   ? fmt::format(", {} {} {}", name, *value->number, value->unit)
-                   : fmt::format(", {} {}", name, value->text);
-      };
-      one += text(x);
-      other += text(y);
+      std::pair texts{x ? x->text : "", y ? y->text : ""};
+      if (exact && x && y && x->number && y->number) {
+        const UnitInfo* unit = find_unit(x->unit);
+        texts = apart(name, unit ? unit->dimension : Dimension::none, *x->number, *y->number);
+      }
+      one += x ? fmt::format(", {} {}", name, texts.first) : ", no " + name;
+      other += y ? fmt::format(", {} {}", name, texts.second) : ", no " + name;
     }
     if (one + other != before || one != other)
       break;
@@ -184,36 +195,48 @@ std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight
 
 /// Of two events that are not the same, what each is; null: there is none.
 std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::Event* y,
-                                                const scenario::Roster& roster) {
+                                                const scenario::Scenario& scenario) {
   const auto named = [&](const sim::Event& e) {
-    return fmt::format("{} {}{}", roster.name(e.who),
-                       model::event_name(static_cast<model::EventKind>(e.kind.value)),
-                       e.whom ? " " + roster.name(e.whom) : "");
+    return fmt::format("{} {}{}", scenario.roster.name(e.who),
+                       model::event_name(record::kind_of(e)),
+                       e.whom ? " " + scenario.roster.name(e.whom) : "");
   };
   std::string one = x ? named(*x) : "nothing", other = y ? named(*y) : "nothing";
   if (one != other)
     return {one, other};
-  const auto values = model::event_values(static_cast<model::EventKind>(x->kind.value));
-  const auto compare = [&](std::string_view name, auto mine, auto its, std::string_view unit = "") {
+  const auto compare = [&](std::string_view name, Dimension dimension, double mine, double its) {
     if (mine != its) {
-      one += fmt::format(", {} {}{}{}", name, mine, unit.empty() ? "" : " ", unit);
-      other += fmt::format(", {} {}{}{}", name, its, unit.empty() ? "" : " ", unit);
+      const auto [a, b] = apart(name, dimension, mine, its);
+      one += fmt::format(", {} {}", name, a);
+      other += fmt::format(", {} {}", name, b);
     }
   };
-  for (std::size_t i = 0; i < x->values.size(); ++i)
-    compare(i < values.size() ? values[i].name : "value", x->values[i], y->values[i],
-            i < values.size() ? values[i].unit.si_symbol : "");
-  compare("detail", x->detail, y->detail);
-  compare("aux", x->aux, y->aux);
-  compare("x", x->place.x, y->place.x);
-  compare("y", x->place.y, y->place.y);
-  compare("z", x->place.z, y->place.z);
+  const record::EventTable table(scenario);
+  const auto values = model::event_values(record::kind_of(*x));
+  for (std::size_t i = 0; i < x->values.size(); ++i) {
+    const model::EventValue what = i < values.size() ? values[i] : model::EventValue{"value"};
+    const auto word = [&](const sim::Event& e) {
+      const record::Cell cell = table.value(e, what, e.values[i]);
+      return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
+    };
+    if (const std::string a = word(*x), b = word(*y); a != b) {
+      one += fmt::format(", {} {}", what.name, a);
+      other += fmt::format(", {} {}", what.name, b);
+    } else {
+      compare(what.name, what.unit.dimension, x->values[i], y->values[i]);
+    }
+  }
+  compare("detail", Dimension::none, x->detail, y->detail);
+  compare("aux", Dimension::none, x->aux, y->aux);
+  compare("x", Dimension::length, x->place.x, y->place.x);
+  compare("y", Dimension::length, x->place.y, y->place.y);
+  compare("z", Dimension::length, x->place.z, y->place.z);
   return {one, other};
 }
 
 /// The first event that is not the same, as both have it.
 std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
-                                       const scenario::Roster& roster) {
+                                       const scenario::Scenario& scenario) {
   const auto left = a.events(), right = b.events();
   const auto same = [](const sim::Event& x, const sim::Event& y) {
     return std::memcmp(&x, &y, sizeof x) == 0;
@@ -222,7 +245,7 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
   for (std::size_t i = 0; i <= shared; ++i)
     if (i < shared ? !same(left[i], right[i]) : left.size() != right.size()) {
       const auto [one, other] = event_texts(i < left.size() ? &left[i] : nullptr,
-                                            i < right.size() ? &right[i] : nullptr, roster);
+                                            i < right.size() ? &right[i] : nullptr, scenario);
       return fmt::format("{}; and {} in the other", one, other);
     }
   return std::nullopt;
@@ -266,7 +289,7 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
       }
     }
     if (!found.event)
-      if (const auto text = other_event(a, b, scenario.roster))
+      if (const auto text = other_event(a, b, scenario))
         part(found.event, *text);
     if (!found.world && a.after().hash() != b.after().hash())
       if (const auto difference = sim::first_difference(a.after(), b.after()))

@@ -38,7 +38,7 @@ TEST(Action, ReadsLikeAnOrder) {
   action.release = Release{TrackId{7}, 1};
   action.call = Call::defend_near;
   EXPECT_EQ(ubf::to_text(action),
-            "heading 090 deg, mode follow, follow 1001 ft behind, 6001 ft left, 499 ft below, "
+            "heading 090°, mode follow, follow 1001 ft behind, 6001 ft left, 499 ft below, "
             "target #7, release store 1 at #7, call defend_near");
   EXPECT_EQ(to_text(Follow{}), "in its place");
 }

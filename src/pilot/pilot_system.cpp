@@ -59,6 +59,9 @@ namespace eyrie::pilot {
 
 std::vector<team::Perceived> perceived(const State& s) {
   std::vector<team::Perceived> all;
+  const auto off_nose = [&](double bearing) {
+    return team::side_value("off nose", angle_between(s.own.heading, bearing));
+  };
   for (const Seen& seen : s.tracks_seen()) {
     const bool chosen = s.target() == &seen;
     all.push_back({chosen ? "target" : "track",
@@ -67,6 +70,7 @@ std::vector<team::Perceived> perceived(const State& s) {
                    {team::action_value("identity", {}, seen.track->identity),
                     team::number_value("range", "m", seen.range),
                     team::number_value("bearing", "rad", wrap_tau(bearing_of(seen.ned))),
+                    off_nose(bearing_of(seen.ned)),
                     team::number_value("altitude", "m", altitude_of(s.own, seen.ned)),
                     team::number_value("closing", "m/s", s.closing_on(seen)),
                     team::number_value("age", "s", s.time - seen.track->time)}});
@@ -78,6 +82,7 @@ std::vector<team::Perceived> perceived(const State& s) {
                    warning.emitter,
                    {team::action_value("kind", {}, warning.kind),
                     team::number_value("bearing", "rad", wrap_tau(warning.bearing)),
+                    off_nose(warning.bearing),
                     team::number_value("known for", "s", s.time - warning.first_time)}});
   }
   for (std::uint32_t i = 0; i < s.threats.count; ++i) {
@@ -85,7 +90,7 @@ std::vector<team::Perceived> perceived(const State& s) {
     all.push_back({"missile",
                    i + 1,
                    m.truth,
-                   {team::number_value("bearing", "rad", wrap_tau(m.bearing)),
+                   {team::number_value("bearing", "rad", wrap_tau(m.bearing)), off_nose(m.bearing),
                     team::number_value("range", "m", m.has_position ? m.range : ubf::kNoValue),
                     team::number_value("known for", "s", s.time - m.first_time)}});
   }

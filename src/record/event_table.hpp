@@ -28,10 +28,10 @@ class EventTable {
 
   /// A cell for each column. Words are as files gave them.
   [[nodiscard]] std::vector<Cell> row(const sim::Event& e, const sim::StepInfo& info);
-
- private:
+  /// One of its values: a number as in that column, or what it stands for.
   [[nodiscard]] Cell value(const sim::Event& e, const model::EventValue& what, float number) const;
 
+ private:
   const scenario::Scenario& scenario_;
   Missiles missiles_;
 };

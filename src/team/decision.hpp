@@ -11,7 +11,7 @@ struct Value {
   std::string name;              ///< "heading"
   std::string unit;              ///< SI, "" for none
   std::optional<double> number;  ///< in that unit; none: not a number, or no value
-  std::string text;              ///< for people: "045 deg", "follow", "-"
+  std::string text;              ///< for people: "045°", "follow", "-"
 };
 
 /// What one node answered.
@@ -74,24 +74,28 @@ struct Changed {
   std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
 };
 
-/// "045 deg", "6000 ft", "467 kt"; "-" for no value. Headings and bearings are directions, from 000
-/// to 359; heights are in feet however large they are.
-[[nodiscard]] inline std::string number_text(std::string_view name, const Unit& unit,
-                                             double number) {
+/// "045°", "6000 ft", "467 kt"; "-" for no value. Headings and bearings are directions, from 000 to
+/// 359; heights are in feet however large they are. With so many more decimals.
+[[nodiscard]] inline std::string number_text(std::string_view name, Dimension dimension,
+                                             double number, int more = 0) {
   if (std::isnan(number))
     return "-";
   const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
   const bool direction = name == "heading" || name == "bearing" || name == "course";
-  return height ? format_height(number)
-         : direction && unit.dimension == Dimension::angle
-             ? format_direction(number)
-             : format_quantity(number, unit.dimension);
+  return height                                       ? format_height(number, more)
+         : direction && dimension == Dimension::angle ? format_direction(number, more)
+                                                      : format_quantity(number, dimension, more);
 }
 
 [[nodiscard]] inline Value number_value(std::string_view name, const Unit& unit, double number) {
   return {std::string(name), std::string(unit.si_symbol),
           std::isnan(number) ? std::nullopt : std::optional(number),
-          number_text(name, unit, number)};
+          number_text(name, unit.dimension, number)};
+}
+
+/// A bearing (rad) from the nose in the plane of the horizon, positive to the right.
+[[nodiscard]] inline Value side_value(std::string_view name, double bearing) {
+  return {std::string(name), "rad", bearing, format_side(bearing)};
 }
 
 /// The value of a field of an action.

@@ -205,8 +205,10 @@ class Parser {
     while (unit < text_.size() && text_[unit] == ' ')
       ++unit;
     std::size_t end = unit;
-    while (end < text_.size() && (is_word(text_[end]) || text_[end] == '/' || text_[end] == '^' ||
-                                  text_[end] == '%' || text_[end] == '*'))
+    const auto in_unit = [](char c) {
+      return is_word(c) || c == '/' || c == '^' || c == '%' || c == '*' || (c & 0x80);  // "°"
+    };
+    while (end < text_.size() && in_unit(text_[end]))
       ++end;
     if (end > unit && !is_keyword(text_.substr(unit, end - unit)))
       at_ = end;

@@ -119,7 +119,7 @@ template <class T>
 
 }  // namespace detail
 
-/// "heading 090 deg, speed 480 kt": the fields that are set.
+/// "heading 090°, speed 480 kt": the fields that are set.
 template <class Action>
 [[nodiscard]] std::string to_text(const Action& action) requires requires {
   ActionTraits<Action>::fields;

@@ -125,13 +125,13 @@ TEST(Trace, CanBeReadByPeople) {
   robot.tick();
   EXPECT_EQ(to_text(robot.tree, robot.trace),
             "selector                         running 5: "
-            "heading 090 deg (root/winner_takes_all/navigate), "
+            "heading 090° (root/winner_takes_all/navigate), "
             "release 2 (root/winner_takes_all/navigate)\n"
             "  check                          failure\n"
             "  winner_takes_all               running 5: "
-            "heading 090 deg (root/winner_takes_all/navigate), "
+            "heading 090° (root/winner_takes_all/navigate), "
             "release 2 (root/winner_takes_all/navigate)\n"
-            "    navigate                     running 5: heading 090 deg, release 2\n"
+            "    navigate                     running 5: heading 090°, release 2\n"
             "    probe                        running 1.5: speed 194 kt\n"
             "  probe                          -\n");
 }

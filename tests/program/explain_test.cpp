@@ -46,8 +46,8 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
       << ran.out;
   EXPECT_TRUE(says(ran.out, R"(\n>     follow_lead +running, votes 20: heading)"));
   EXPECT_TRUE(says(ran.out, R"(\n        break_turn +failed: no missile is known to come\n)"));
-  EXPECT_TRUE(says(
-      ran.out, R"(\n  heading +097 deg +follow_lead +voted 20 against 10 \(navigate 123 deg\)\n)"));
+  EXPECT_TRUE(
+      says(ran.out, R"(\n  heading +097° +follow_lead +voted 20 against 10 \(navigate 123°\)\n)"));
   // which of the two it is, is the sort's choice: pilot/sort_test.cpp
   EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey\d\): identity hostile, range)"));
 }
@@ -225,9 +225,32 @@ TEST(ExplainProgram, SpeaksOneSetOfUnitsAndWritesDirectionsInThreeDigits) {
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_EQ(says(ran.out, R"(\d (ft|nmi|kt|lb)\b)"), !metric) << ran.out;
     EXPECT_EQ(says(ran.out, R"(\d (m|km|km/h|kg)\b)"), metric) << ran.out;
-    EXPECT_TRUE(says(ran.out, R"(\bheading \d\d\d deg\b)")) << ran.out;
-    EXPECT_FALSE(says(ran.out, R"(\b(heading|bearing) +(-?\d|-?\d\d|-\d+) deg)")) << ran.out;
+    EXPECT_TRUE(says(ran.out, R"(\bheading \d\d\d°)")) << ran.out;
+    EXPECT_FALSE(says(ran.out, R"(\bdeg\b|\b(heading|bearing) +(-?\d|-?\d\d|-\d+)°)")) << ran.out;
   }
+}
+
+TEST(ExplainProgram, SaysOnWhichSideOfTheNoseATrackIs) {
+  const json all = json::parse(
+      debriefed({"explain", "a", "--player", "eagle2", "--at", "5:12.4", "--json"}).out);
+  double own = 0;
+  for (const json& field : all.at(0).at("state"))
+    own = field.at("name") == "heading" ? field.at("value").get<double>() : own;
+  int seen = 0, left = 0;
+  for (const json& one : all.at(0).at("perceived")) {
+    const json &bearing = one.at("values").at(2), &side = one.at("values").at(3);
+    ASSERT_EQ(bearing.at("name"), "bearing");
+    ASSERT_EQ(side.at("name"), "off nose");
+    const double off = side.at("value").get<double>();
+    EXPECT_NEAR(std::remainder(bearing.at("value").get<double>() - own - off, 2 * M_PI), 0, 1e-6);
+    const double size = std::round(std::fabs(off) * 180 / M_PI);
+    const std::string where = size == 0 || size == 180 ? "" : off < 0 ? " left" : " right";
+    EXPECT_EQ(side.at("text"), std::to_string(static_cast<int>(size)) + "°" + where);
+    left += off < 0;
+    if (++seen == 3)
+      break;
+  }
+  EXPECT_GT(seen, 1);
 }
 
 TEST(ExplainProgram, KeepsTheSeedsThatWereFlownBeforeAnInterrupt) {

@@ -246,6 +246,32 @@ TEST(FlyOut, SaysThatTheDiskIsFullAndLeavesNothing) {
   EXPECT_EQ(folder.everything(), Names{});
 }
 
+TEST(FlyWatch, SeesChangesOfShippedFilesThatAScenarioExtends) {
+  const TempFolder folder;
+  folder.write("x.yaml", "extends: merge\nname: mine\n");
+  const Ran ran = run_line(folder, R"sh(
+    mkdir home; cp -r "$EYRIE_HOME"/data "$EYRIE_HOME"/scenarios home; export EYRIE_HOME=$PWD/home
+    flown() { until [ "$(grep -c waiting said)" = $1 ]; do sleep 0.02; done; }
+    "$EYRIE" fly x.yaml --until '5 s' --watch --quiet --no-debrief 2>said & flying=$!
+    flown 1; echo '# changed' >>home/scenarios/merge.yaml
+    flown 2; echo '# changed' >>home/data/aircraft/f16c.yaml
+    flown 3; kill -TERM $flying; wait $flying)sh");
+  EXPECT_EQ(ran.code, 128 + SIGTERM) << ran.err;
+}
+
+TEST(FlyWords, AreColoredOnATerminalThatWantsColors) {
+  const TempFolder folder;
+  const auto on_terminal = [&](const std::string& settings) {
+    return run_line(folder, "script -qec '" + settings +
+                                " \"$EYRIE\" fly merge --until \"5 s\" --no-debrief' shown "
+                                "</dev/null >/dev/null; sed -e 1d -e '$d' shown")
+        .out;
+  };
+  EXPECT_NE(on_terminal("TERM=xterm NO_COLOR=").find('\x1b'), std::string::npos);
+  EXPECT_EQ(on_terminal("TERM=xterm NO_COLOR=1").find('\x1b'), std::string::npos);
+  EXPECT_EQ(on_terminal("TERM=dumb NO_COLOR=").find('\x1b'), std::string::npos);
+}
+
 TEST(FlyRealTime, KeepsThePaceMeasuresItAndChangesNothing) {
   const TempFolder folder;
   const Names until{"fly", "merge", "--until", "4 s", "--json", "--no-debrief"};

@@ -95,6 +95,7 @@ TEST(Completion, KnowsCommandsOptionsScenariosRunsAndPlayers) {
   EXPECT_EQ(offered(folder, {"export", "runs/latest", "--to", "cz"}), "czml\n");
   EXPECT_EQ(offered(folder, {"catalog", "purs"}), "pursue\n");
   EXPECT_EQ(offered(folder, {"help", "fl"}), "fly\n");
+  EXPECT_EQ(offered(folder, {"completion", "f"}), "fish\n");
   EXPECT_EQ(offered(folder, {"explain", "nowhere", "--player", ""}), "");
   EXPECT_EQ(offered(folder, {"nonsense", ""}), "");
 }

@@ -131,7 +131,7 @@ async function compare_with(decision: DecisionJson): Promise<void> {
     if (asked) assert.equal(Math.fround(Number(node['vote'])), Math.fround(vote!), `${where}: ${path}`);
   }
   // the page has one sign for degrees, three digits for headings, and no metres among feet
-  const shown = (name: string, text: string, value?: number): string => (name === 'heading' ? heading_text(value!) : reworded(text.replace(' deg', '°')));
+  const shown = (name: string, text: string, value?: number): string => (name === 'heading' ? heading_text(value!) : reworded(text));
   assert.deepEqual(fields, decision.action.map(({ name, winner, text, value, rivals, reason }) =>
     ({ name, winner, text: shown(name, text, value), rivals: rivals.length, reason })), where);
 }
