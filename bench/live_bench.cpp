@@ -24,7 +24,7 @@ using namespace eyrie;
 void live(benchmark::State& state) {
   const char* set = std::getenv("EYRIE_BENCH_SECONDS");
   const double seconds = set ? std::atof(set) : 60;
-  const auto scene = bench::line_abreast(static_cast<int>(state.range(0)));
+  const auto scene = bench::line_abreast(static_cast<int>(state.range(0)), true);
   const auto folder = std::filesystem::temp_directory_path() / "eyrie-live-bench";
   std::filesystem::create_directories(folder);
   for (auto _ : state) {
