@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME eyrie)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME eyrie-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Eyrie: the program\n Flies scenarios, records runs, explains decisions and compares thousands of flights.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Eyrie: the program\n Flies scenarios, records runs, explains decisions\n and compares thousands of flights.")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "Eyrie: libraries and headers\n What plug-ins and other projects build on.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "eyrie (= ${PROJECT_VERSION}), g++, cmake, libfmt-dev, libyaml-dev, nlohmann-json3-dev, libgeographiclib-dev, librandom123-dev, libxxhash-dev, libmd-dev, zlib1g-dev, libboost-dev, libsqlite3-dev")

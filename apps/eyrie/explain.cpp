@@ -253,7 +253,12 @@ int explain(const ExplainOptions& options) {
   demand_within(recorded, wanted.once ? "--at" : "--from", wanted.once ? options.at : options.from,
                 wanted.from);
 
-  const Found found = look(recorded, who, wanted);
+  Found found = look(recorded, who, wanted);
+  const auto paths = debrief::tree_paths(recorded);
+  for (debrief::Decision& decision : found.decisions)
+    for (debrief::Answer& node : decision.nodes)
+      if (const auto at = paths.find(node.where.text()); at != paths.end())
+        node.document = at->second;
   if (options.csv) {
     say("{}", Composed{debrief::decisions_csv(found.decisions, roster)});
   } else if (options.json) {

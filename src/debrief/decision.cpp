@@ -119,7 +119,8 @@ Decision printable_copy(Decision d) {
   };
   make(d.tree);
   for (Answer& answer : d.nodes) {
-    for (std::string* text : {&answer.label, &answer.type, &answer.path, &answer.why})
+    for (std::string* text :
+         {&answer.label, &answer.type, &answer.path, &answer.document, &answer.why})
       make(*text);
     make_values(answer.action);
   }
@@ -224,6 +225,8 @@ Json answer_json(const Answer& answer) {
          {"type", answer.type},
          {"depth", answer.depth},
          {"asked", answer.asked}};
+  if (!answer.document.empty())
+    j["document"] = answer.document;
   if (!answer.asked)
     return j;
   j["status"] = ubf::to_text(answer.status);
@@ -263,9 +266,12 @@ std::string branch_of(const Decision& decision, ubf::NodeIndex node) {
 
 std::string decision_text(const Decision& decision, const scenario::Roster& roster) {
   const Decision d = printable_copy(decision);
-  std::string text = fmt::format("{} at {} (step {}), by tree {}: {} leads with {:g}\n\nsees\n",
+  std::string text = fmt::format("{} at {} (step {}), by tree {}: {} leads with {:g}\n",
                                  printable(roster.name(d.player)), record::clock_text(d.time),
                                  d.step, d.tree, label_of(d, d.leader), d.vote);
+  if (d.leader < d.nodes.size() && !d.nodes[d.leader].document.empty())
+    text += fmt::format("{} is {}\n", d.nodes[d.leader].path, d.nodes[d.leader].document);
+  text += "\nsees\n";
   text += wrapped(joined(d.state), 2);
   for (const Perceived& one : d.perceived)
     text += wrapped(fmt::format("{} {}: {}", one.kind, one.name, joined(one.values)), 2);

@@ -7,6 +7,8 @@
 #include "record/event_table.hpp"
 #include "record/story.hpp"
 #include "scenario/mission.hpp"
+#include "scenario/path.hpp"
+#include "scenario/source.hpp"
 #include "sim/difference.hpp"
 
 namespace eyrie::debrief {
@@ -64,6 +66,17 @@ std::shared_ptr<const scenario::Scenario> with_overrides(
   return scenario::load(
       {recorded.run.scenario, std::move(all), recorded.plugins, std::move(changes)},
       scenario::Source::bundle(recorded.run.files));
+}
+
+std::map<std::string, std::string> tree_paths(const Recorded& recorded) {
+  Diagnostics none;  // open() has read the same
+  scenario::Source source = scenario::Source::bundle(recorded.run.files);
+  eyrie::Value document = scenario::load_document(recorded.run.scenario, source, none);
+  scenario::apply_overrides(document, recorded.run.sets, none);
+  std::map<std::string, std::string> paths;
+  if (const eyrie::Value* trees = document.find("trees"))
+    scenario::paths_below(*trees, "trees", paths);
+  return paths;
 }
 
 Past past_at(const Recorded& recorded, std::uint64_t step) {

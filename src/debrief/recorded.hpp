@@ -47,6 +47,10 @@ struct Opened {
     const Recorded& recorded, const std::vector<std::string>& sets,
     std::vector<scenario::TreeChange> changes = {});
 
+/// The path in the run's scenario (scenario/path.hpp) of everything below `trees`, by the place in
+/// its file.
+[[nodiscard]] std::map<std::string, std::string> tree_paths(const Recorded& recorded);
+
 /// What happened in a step.
 struct Happened {
   sim::StepInfo info;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace eyrie::scenario {
@@ -56,6 +57,34 @@ std::string not_here(const Value& at, std::string_view key, std::string_view not
   return fmt::format("there is no {} here{}{}", quote(key), note,
                      at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
                                                  : fmt::format(", only {}", at.shown()));
+}
+
+void paths_below(const Value& at, const std::string& path,
+                 std::map<std::string, std::string>& paths) {
+  paths.emplace(at.where.text(), path);
+  for (const Value::Entry& e : at.entries) {
+    const std::string below = e.key == "children" ? path : path + "." + e.key;
+    paths[e.where.text()] = below;
+    paths_below(e.value, below, paths);
+  }
+  for (std::size_t i = 0; i < at.items.size(); ++i) {
+    const Value& item = at.items[i];
+    const std::string_view name = item_name(item);
+    // one that --set can type
+    const bool is_named =
+        !name.empty() && name.find_first_of(".= ") == name.npos && !index_in(name) &&
+        std::count_if(at.items.begin(), at.items.end(),
+                      [&](const Value& other) { return item_name(other) == name; }) == 1;
+    const std::string below =
+        fmt::format("{}.{}", path, is_named ? std::string(name) : std::to_string(i));
+    if (is_named && item.is_map()) {
+      paths[item.entries[0].where.text()] = below;
+      paths_below(item.entries[0].value, below, paths);
+    } else {
+      paths[item.where.text()] = below;
+      paths_below(item, below, paths);
+    }
+  }
 }
 
 Value* value_of(Value& map, std::string_view key) {

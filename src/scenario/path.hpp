@@ -5,6 +5,7 @@
 /// by key and through lists by index, from 0, or by the name of the item: a scalar, or the only key
 /// of a map, which must be the only one of that name. Where children stand below `children:`, that
 /// word may be left out.
+#include <map>
 #include <optional>
 
 #include "core/value.hpp"
@@ -39,6 +40,11 @@ struct PathKey {
 
 /// What a list's item is called; empty if it has no name.
 [[nodiscard]] std::string_view item_name(const Value& item);
+
+/// Adds the path of everything below a value, by the place in its file (Location::text()) where
+/// its key or name stands.
+void paths_below(const Value& at, const std::string& path,
+                 std::map<std::string, std::string>& paths);
 
 /// "there is no 'x' here<note>; did you mean 'y'?"
 [[nodiscard]] std::string not_here(const Value& at, std::string_view key,

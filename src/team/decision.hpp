@@ -17,6 +17,8 @@ struct Value {
 /// What one node answered.
 struct Answer {
   std::string label, type, path;  ///< path: "root/bvr/pursue"
+  Location where;                 ///< of its type in the file
+  std::string document;  ///< "trees.bvr.per_field.pursue", as --set and replace have it; may be ""
   std::uint16_t depth = 0, parent = ubf::kNone;
   bool asked = false;
   bool is_leaf = true;

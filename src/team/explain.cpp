@@ -27,6 +27,7 @@ std::vector<Answer> unanswered(const ubf::AnyTree& tree) {
     Answer answer{.label = spoken(node),
                   .type = std::string(node.type()),
                   .path = tree.path(index),
+                  .where = node.where(),
                   .depth = static_cast<std::uint16_t>(tree.depth(index)),
                   .parent = tree.parent(index),
                   .is_leaf = node.children().empty()};

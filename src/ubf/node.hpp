@@ -92,6 +92,9 @@ class AnyNode {
   /// Everything that is wrong with it: its parameters, their combination, its children.
   [[nodiscard]] std::vector<std::string> problems() const;
 
+  /// Where the file writes its type; nowhere for one that code made.
+  [[nodiscard]] const Location& where() const noexcept { return where_; }
+
   void set_label(std::string label) { label_ = std::move(label); }
   void set_type(const NodeType& type) { type_ = &type; }
 
@@ -125,6 +128,7 @@ class AnyNode {
   static constexpr NodeType kAny{};
   const NodeType* type_ = &kAny;
   std::string label_;
+  Location where_;
 };
 
 /// A tree has at most this many nodes, so that an index fits 16 bits and kNone stays free.

@@ -222,6 +222,7 @@ NodeReader::Child NodeReader::make(const NodeType& type, const NodeSpec& spec) {
   const std::size_t before = diagnostics_.count();
   Child node = type.make();
   node->set_type(type);
+  node->where_ = spec.where;
   node->set_label(read_label(*spec.body, diagnostics_));
   switch (type.grammar) {
     case Grammar::none:
