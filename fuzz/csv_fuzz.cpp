@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  Any texts as names in tables: a reader of RFC 4180 finds as many cells in every row, each
 /// text as a terminal shows it, and none that a spreadsheet takes for a formula.
-#include <algorithm>
 #include <charconv>
 #include <string>
 #include <string_view>
@@ -10,12 +9,14 @@
 #include "core/text.hpp"
 #include "debrief/decision.hpp"
 #include "fuzz/memory_file.hpp"
+#include "fuzz/recorded_flight.hpp"
 #include "record/csv.hpp"
+#include "tables/csv_files.hpp"
 
 namespace {
 
 using namespace eyrie;
-using fuzz::demand;
+using fuzz::demand, fuzz::demand_same;
 using Row = std::vector<std::string>;
 
 /// RFC 4180, and stricter: rows end with LF, quotes stand at the ends of a cell or are doubled.
@@ -66,22 +67,32 @@ std::vector<Row> expect_table(const std::string& text) {
 
 void expect_text(const std::string& cell, const std::string& text) {
   const std::string shown = printable(text);
-  demand(cell == shown || cell == '\'' + shown);
+  demand_same(cell, cell.starts_with('\'') ? '\'' + shown : shown);
 }
 
-std::size_t place_of(const Row& header, const char* column) {
-  const auto at = std::find(header.begin(), header.end(), column);
-  demand(at != header.end());
-  return static_cast<std::size_t>(at - header.begin());
+struct Tables {
+  std::vector<Row> events, decisions, answers;
+};
+Tables written_with(fuzz::Texts texts) {
+  fuzz::flight().rename(texts);
+  const debrief::Recorded recorded = fuzz::recorded(texts);
+  const auto table = [&](auto write) {
+    return expect_table(fuzz::written_by([&](disk::Sink& sink) {
+      tables::TextFile file(sink, false);
+      write(recorded, tables::Selection{}, file, [] { return false; });
+    }));
+  };
+  return {expect_table(fuzz::written<record::EventsCsv>()), table(tables::write_decisions),
+          table(tables::write_answers)};
 }
 
-/// A player by its name, a missile by its number and somebody.
-void expect_named(const scenario::Roster& roster, const std::string& cell, const std::string& id) {
-  const auto number = id.empty() ? 0 : static_cast<std::uint32_t>(std::stoul(id));
-  if (number > roster.players.size())
-    demand(cell.find(fmt::format(" #{} of ", number)) != cell.npos);
-  else
-    expect_text(cell, number ? roster.players[number - 1].name : "");
+void expect_same(const std::vector<Row>& rows, const std::vector<Row>& plain,
+                 const fuzz::Texts& texts) {
+  demand(rows.size() == plain.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t cell = 0; cell < rows[i].size(); ++cell)
+      expect_text(fuzz::without_numbers(rows[i][cell]),
+                  fuzz::without_numbers(texts.in(plain[i].at(cell))));
 }
 
 debrief::Decision decision_of(fuzz::Texts& texts) {
@@ -108,17 +119,18 @@ extern "C" int LLVMFuzzerInitialize(int*, char***) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Tables plain = written_with({});
   fuzz::Texts texts(data, size);
-  fuzz::flight().rename(texts);
-  const scenario::Roster& roster = fuzz::flight().scenario().roster;
-  const std::vector<Row> events = expect_table(fuzz::written<record::EventsCsv>());
-  demand(events.size() == 1 + fuzz::flight().events());
-  for (std::size_t i = 1; i < events.size(); ++i) {
-    const auto cell = [&](const char* column) { return events[i][place_of(events[0], column)]; };
-    expect_named(roster, cell("who"), cell("who_id"));
-    expect_named(roster, cell("whom"), cell("whom_id"));
-  }
+  const Tables tables = written_with(texts);
+  demand(tables.events.size() == 1 + fuzz::flight().events());
+  expect_same(tables.events, plain.events, texts);
+  expect_same(tables.decisions, plain.decisions, texts);
+  // nodes of one name may answer the same for longer
+  if (tables.answers.size() == plain.answers.size())
+    expect_same(tables.answers, plain.answers, texts);
+  demand(tables.answers.size() <= plain.answers.size());
 
+  const scenario::Roster& roster = fuzz::flight().scenario().roster;
   const debrief::Decision decision = decision_of(texts);
   const std::vector<Row> rows = expect_table(debrief::decisions_csv({&decision, 1}, roster));
   demand(rows.size() == 1 + decision.nodes.size());

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <source_location>
+#include <string>
 
 namespace eyrie::fuzz {
 
@@ -14,6 +15,14 @@ inline void demand(bool condition,
   std::fprintf(stderr, "ERROR: %s:%u: what is demanded there does not hold\n", where.file_name(),
                static_cast<unsigned>(where.line()));
   std::abort();
+}
+
+/// The same of two texts, which are shown.
+inline void demand_same(const std::string& read, const std::string& wanted,
+                        const std::source_location& where = std::source_location::current()) {
+  if (read != wanted)
+    std::fprintf(stderr, "read:   '%s'\nwanted: '%s'\n", read.c_str(), wanted.c_str());
+  demand(read == wanted, where);
 }
 
 }  // namespace eyrie::fuzz
