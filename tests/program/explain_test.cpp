@@ -236,7 +236,7 @@ TEST(ExplainProgram, SaysOnWhichSideOfTheNoseATrackIs) {
   double own = 0;
   for (const json& field : all.at(0).at("state"))
     own = field.at("name") == "heading" ? field.at("value").get<double>() : own;
-  int seen = 0, left = 0;
+  int seen = 0;
   for (const json& one : all.at(0).at("perceived")) {
     const json &bearing = one.at("values").at(2), &side = one.at("values").at(3);
     ASSERT_EQ(bearing.at("name"), "bearing");
@@ -246,7 +246,6 @@ TEST(ExplainProgram, SaysOnWhichSideOfTheNoseATrackIs) {
     const double size = std::round(std::fabs(off) * 180 / M_PI);
     const std::string where = size == 0 || size == 180 ? "" : off < 0 ? " left" : " right";
     EXPECT_EQ(side.at("text"), std::to_string(static_cast<int>(size)) + "°" + where);
-    left += off < 0;
     if (++seen == 3)
       break;
   }
