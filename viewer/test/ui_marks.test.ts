@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-/** Which events stand on the timeline, which is meant by a click, and where the keys go. */
+/** Which events stand on the timeline and how near, which is meant by a click, and where the keys go. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { kMarks as kLooks, marks_of, neighbor, pick_mark } from '../src/ui/marks.ts';
+import type { Side } from '../src/run/run.ts';
+import { clusters_of, kMarks as kLooks, marks_of, neighbor, pick_cluster, type Mark, type MarkKind } from '../src/ui/marks.ts';
 import { fight_of } from '../src/ui/actions.ts';
 import { first_moment, moments_of } from '../src/ui/moments.tsx';
 import { filtered } from '../src/ui/story.tsx';
@@ -22,10 +23,28 @@ test('every kind of mark looks different', () => {
   assert.equal(new Set(paths).size, paths.length);
 });
 
-test('a click means the nearest event, of near ones the one that matters more', () => {
-  assert.equal(pick_mark(kMarks, 0.12, 0.05)?.kind, 'contact');
-  assert.equal(pick_mark(kMarks, 0.345, 0.2)?.kind, 'kill');
-  assert.equal(pick_mark(kMarks, 0.9, 0.2), null);
+test('marks of a lane never touch: near ones are one glyph, of what matters most, with their number', () => {
+  const at = (t: number, kind: MarkKind = 'contact', side: Side = 'blue'): Mark => ({ line: 0, t, kind, side });
+  const marks = [at(0), at(10), at(12, 'kill'), at(12, 'launch', 'red'), at(300), ...Array.from({ length: 30 }, (_, i) => at(560 + i)), at(600, 'home')];
+  const told = (range: [number, number], width: number) => clusters_of(marks, range, width, 12).map((one) => [one.side, one.kind, one.marks.length]);
+  assert.deepEqual(told([0, 600], 600), [['blue', 'kill', 3], ['blue', 'contact', 1], ['blue', 'contact', 25], ['blue', 'home', 6], ['red', 'launch', 1]]);
+  assert.deepEqual(told([0, 60], 600), [['blue', 'contact', 1], ['blue', 'contact', 1], ['blue', 'kill', 1], ['red', 'launch', 1]], 'closer they part');
+  for (const width of [200, 390, 1280, 3840])
+    for (const range of [[0, 600], [555, 595], [0, 30]] as [number, number][]) {
+      const all = clusters_of(marks, range, width, 12);
+      all.forEach((one, i) => {
+        assert.ok(one.x >= 6 && one.end <= width, 'whole at the ends');
+        const next = all[i + 1];
+        if (next?.lane === one.lane) assert.ok(one.end <= next.x - 6, `${one.end} and ${next.x} of ${width}`);
+      });
+    }
+});
+
+test('a click means the glyph that is near, of two that of its lane', () => {
+  const clusters = clusters_of([...kMarks.slice(0, 1), { ...kMarks[0]!, side: 'red', kind: 'defend' }], [0, 1], 1000, 12);
+  const kind = (x: number, part: number) => pick_cluster(clusters, 2, x, part, 12)?.kind;
+  assert.deepEqual([kind(100, 0.5), kind(104, 0.9), kind(108, 0), kind(140, 0.5)], ['contact', 'defend', 'contact', undefined]);
+  assert.equal(pick_cluster(clusters.slice(0, 1), 2, 100, 0.9, 12)?.kind, 'contact', 'and of one lane that of the other');
 });
 
 test('keys go to the next time in either direction, and nowhere at the end', () => {

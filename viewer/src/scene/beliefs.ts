@@ -33,8 +33,8 @@ export function draw_tracks({ view, players, lines, palette, eye, notes, sight }
     if (friend && players.count > kCrowd) continue;
     const radius = bold ? 15 : friend ? 11 : 13;
     notes.mark(kMark[track.identity], eye.px, eye.py, radius, tint, bold ? 3 : 1.5, false, stale || friend ? 0.65 : 1);
-    if (stale && !friend && view.layers.labels)
-      notes.tag(-100 - track.id, eye.px, eye.py, `${track.age.toFixed(0)} s old`, '', tint, null, 15);
+    const words = [...(track.identity === 'unknown' ? [`unknown #${track.id}`] : []), ...(stale && !friend ? [`${track.age.toFixed(0)} s old`] : [])];
+    if (words.length && view.layers.labels) notes.tag(-100 - track.id, eye.px, eye.py, words.join(', '), '', tint, null, 22);
   }
 }
 

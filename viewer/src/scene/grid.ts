@@ -12,7 +12,8 @@ export const kHazy = 0.95;
 /** Lines of the grid on each side of the middle, and of the pieces in which each fades. */
 const kHalf = 14;
 const kPieces = 10;
-const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
+/** Of the far lengths. */
+const [kFinest, kCoarsest] = [0.1, 500];
 /** Each so many lines there is a stronger one, that reaches further. */
 const kCoarse = 10;
 
@@ -23,12 +24,25 @@ export interface Grid {
   z: number;
 }
 
+/** 1, 2 or 5 times a power of ten, not smaller than x, or not larger. */
+export function round_up(x: number): number {
+  return round_of(x, (all) => all.find((one) => one >= x * (1 - 1e-9)));
+}
+export function round_down(x: number): number {
+  return round_of(x, (all) => all.findLast((one) => one <= x * (1 + 1e-9)));
+}
+function round_of(x: number, choose: (all: number[]) => number | undefined): number {
+  const power = Math.floor(Math.log10(x) + 1e-9);
+  // the nearest numbers to what is written
+  return choose([1, 2, 5, 10].map((one) => Number(`${one}e${power}`)))!;
+}
+
 /** Some eight lines to the height of the picture. */
 export function grid_of(eye: Eye): Grid {
   if (!eye.hit(eye.width / 2, eye.height * (0.5 + 0.32 * Math.sin(eye.stance.polar)))) return { step: 1, x: 0, z: 0 };
   const { ground_x: x, ground_z: z } = eye;
   const wanted = (eye.km_per_px(x, 0, z) * eye.height) / far_km() / 8;
-  return { step: kSteps.find((step) => step >= wanted) ?? kSteps.at(-1)!, x, z };
+  return { step: Math.min(kCoarsest, Math.max(kFinest, round_up(wanted))), x, z };
 }
 
 function lay(lines: Pens, km: number, x: number, z: number): void {

@@ -2,7 +2,7 @@
 /** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
 import { spoken } from '../words/units.ts';
 import { far_km, type Frame, near_km } from './frame.ts';
-import { type Grid, grid_of } from './grid.ts';
+import { type Grid, grid_of, round_down, round_up } from './grid.ts';
 import { css } from './palette.ts';
 
 const kMargin = 14;
@@ -10,9 +10,10 @@ const kMargin = 14;
 const kMost = 60;
 /** Cells of the grid away from its middle that figures are still given for. */
 const kFar = 45;
-/** Near and far lengths that a scale may have. */
-const kFeet = [10, 20, 50, 100, 200, 500, 1000, 2000];
-const kMiles = [0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500];
+/** One in so many lines of the grid may have a figure, if that makes steps of 1, 2 or 5. */
+const kEvery = [1, 2, 4, 5, 10, 20, 25, 50];
+/** Of the edge that could have figures: so much is enough for the finer steps. */
+const kEnough = 0.6;
 
 function figure(value: number, plus: string, minus: string): string {
   const size = Math.abs(value);
@@ -36,30 +37,37 @@ function draw_edge({ eye, notes, palette }: Frame, ax: number, ay: number, bx: n
   const [fx, fz] = [eye.ground_x, eye.ground_z];
   const eastward = Math.abs(fx - ex) > Math.abs(fz - ez);
   const [from, to] = eastward ? [ex, fx] : [-ez, -fz];
-  const first = Math.ceil(Math.min(from, to) / km);
-  const last = Math.floor(Math.max(from, to) / km);
-  const upright = Math.abs(by - ay) > Math.abs(bx - ax);
-  const apart = (upright ? 30 : 62) * eye.ui;
-  let before = NaN;
-  for (let k = first; k <= last && k < first + kMost; ++k) {
-    const share = (k * km - from) / (to - from);
-    if (!eye.project(ex + (fx - ex) * share, 0, ez + (fz - ez) * share) || !eye.on_screen(-10)) continue;
-    const at = upright ? eye.py : eye.px;
-    if (Math.abs(at - before) < apart) continue;
-    before = at;
-    const value = Math.round(k * step * 10) / 10;
-    notes.write(eastward ? figure(value, 'E', 'W') : figure(value, 'N', 'S'), eye.px, eye.py, palette.faint);
+  const way = Math.sign(to - from);
+  const lines: { k: number; px: number; py: number }[] = [];
+  for (let k = Math.ceil((way * from) / km); k <= Math.floor((way * to) / km) && lines.length < kMost; ++k) {
+    const share = (way * k * km - from) / (to - from);
+    if (eye.project(ex + (fx - ex) * share, 0, ez + (fz - ez) * share) && eye.on_screen(-10)) lines.push({ k, px: eye.px, py: eye.py });
+  }
+  const between = (a: number, b: number): number => Math.hypot(lines[a]!.px - lines[b]!.px, lines[a]!.py - lines[b]!.py);
+  const apart = (ax === bx ? 30 : 62) * eye.ui;
+  // of one in so many lines those that stand apart, from the near end on; the finest that says enough
+  const choices = kEvery.filter((every) => Math.abs(round_up(every * step) / (every * step) - 1) < 1e-6).map((every) => {
+    const all = [...lines.keys()].filter((i) => lines[i]!.k % every === 0);
+    const crowded = all.findIndex((line, i) => i > 0 && between(line, all[i - 1]!) < apart);
+    return crowded < 0 ? all : all.slice(0, crowded);
+  });
+  const reach = (all: number[]): number => (all.length ? between(all.at(-1)!, 0) : 0);
+  const enough = kEnough * Math.max(...choices.map(reach));
+  for (const line of choices.find((all) => reach(all) >= enough) ?? []) {
+    const { k, px, py } = lines[line]!;
+    const value = Math.round(way * k * step * 10) / 10;
+    notes.write(eastward ? figure(value, 'E', 'W') : figure(value, 'N', 'S'), px, py, palette.faint);
   }
 }
 
 /** True in the middle of the picture. */
-function draw_scale({ eye, notes, palette }: Frame): void {
+function draw_scale({ eye, notes, palette, view, run }: Frame): void {
   const { ui, stance } = eye;
   const c = notes.context;
   const small = stance.height < 4;
   const unit = small ? near_km() : far_km();
   const wanted = stance.height / 4 / unit;
-  const size = (small ? kFeet : kMiles).filter((each) => each <= wanted).at(-1) ?? (small ? kFeet : kMiles)[0]!;
+  const size = Math.max(small ? 10 : 0.5, round_down(wanted));
   const length = (size * unit) / eye.km_per_px(stance.x, stance.y, stance.z);
   const right = eye.width - kMargin * ui;
   const y = eye.height - (kMargin + 22) * ui;
@@ -71,7 +79,8 @@ function draw_scale({ eye, notes, palette }: Frame): void {
   c.strokeStyle = css(palette.text, 0.9);
   c.lineWidth = 1.4 * ui;
   c.stroke();
-  notes.write(`${size} ${small ? spoken().near[0] : spoken().far[0]}`, right - length / 2, y - 11 * ui, palette.text);
+  const where = view.camera === 'follow' ? ` at ${run.players[view.selected]!.name}` : '';
+  notes.write(`${size} ${small ? spoken().near[0] : spoken().far[0]}${where}`, right, y - 11 * ui, palette.text, 'right');
 }
 
 function draw_north({ eye, notes, palette }: Frame): void {

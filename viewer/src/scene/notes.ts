@@ -28,15 +28,25 @@ const kFont = 11.5;
 const kFamily = 'ui-monospace, "SF Mono", Menlo, Consolas, "DejaVu Sans Mono", monospace';
 /** Where a label is tried: directions, then distances (px). */
 const kWays: readonly (readonly [number, number])[] = [[1, -0.6], [1, 0.6], [-1, -0.6], [-1, 0.6], [0, -1], [0, 1]];
-const kRings = [13, 30, 52, 78, 108] as const;
+const kRings = [13, 30, 52, 78, 108, 150, 200, 260] as const;
+/** Of these only for what must be seen. */
+const kLast = 3;
+
+function is_clear(taken: readonly number[], x: number, y: number, width: number, height: number): boolean {
+  for (let i = 0; i < taken.length; i += 4)
+    if (x < taken[i]! + taken[i + 2]! && x + width > taken[i]! && y < taken[i + 1]! + taken[i + 3]! && y + height > taken[i + 1]!) return false;
+  return true;
+}
 
 export class Notes {
   readonly canvas: HTMLCanvasElement;
   context: CanvasRenderingContext2D;
   palette: Palette;
   ui = 1;
+  covered: readonly number[] = [];  // x y width height of what lies over the picture.
   private tags: Tag[] = [];
   private readonly taken: number[] = [];  // x y width height of what is taken already.
+  readonly boxes: number[] = [];  // The same of all that is written: no two of them overlap.
   private readonly slots = new Map<number, number>();
   private letter = 7;
   private width = 1;
@@ -74,7 +84,8 @@ export class Notes {
     c.clearRect(0, 0, this.width, this.height);
     this.font();
     this.tags = [];
-    this.taken.length = 0;
+    this.boxes.length = 0;
+    this.taken.splice(0, Infinity, ...this.covered);
   }
 
   /** Outlined, or filled, `radius` and `width` in px of a small screen. */
@@ -119,18 +130,19 @@ export class Notes {
     c.stroke();
   }
 
-  /** Bare writing on a faint ground, kept clear of by labels. */
+  /** Bare writing on a faint ground, kept clear of by labels; left out where something stands. */
   write(text: string, px: number, py: number, tint: number, align: 'center' | 'right' = 'center'): void {
     const c = this.context;
     const width = (text.length * this.letter) + 6 * this.ui;
     const height = 15 * this.ui;
     const left = px - (align === 'right' ? width : width / 2);
+    if (!is_clear(this.taken, left, py - height / 2, width, height)) return;
     c.fillStyle = css(this.palette.chip, 0.62);
     c.fillRect(left, py - height / 2, width, height);
     c.fillStyle = css(tint);
     c.textAlign = 'left';
     c.fillText(text, left + 3 * this.ui, py + 0.5);
-    this.reserve(left, py - height / 2, width, height);
+    this.settle(left, py - height / 2, width, height);
   }
 
   /** A figure in the middle of a mark. */
@@ -150,13 +162,10 @@ export class Notes {
     this.tags.push({ key, px, py, text, rest, tint, mark, priority });
   }
 
-  private is_free(x: number, y: number, width: number, height: number): boolean {
-    const { taken } = this;
-    if (x < 2 || y < 2 || x + width > this.width - 2 || y + height > this.height - 2) return false;
-    for (let i = 0; i < taken.length; i += 4)
-      if (x < taken[i]! + taken[i + 2]! && x + width > taken[i]! && y < taken[i + 1]! + taken[i + 3]! && y + height > taken[i + 1]!)
-        return false;
-    return true;
+  /** Something is written there. */
+  private settle(...box: [number, number, number, number]): void {
+    this.reserve(...box);
+    this.boxes.push(...box);
   }
 
   private readonly spot = { x: 0, y: 0 };
@@ -169,16 +178,18 @@ export class Notes {
 
   private place(tag: Tag, width: number, height: number): number {
     const before = this.slots.get(tag.key);
-    const count = kWays.length * (tag.priority > 20 ? kRings.length : 1);
-    for (let k = -1; k < count; ++k) {
-      const slot = k < 0 ? before : k;
-      if (slot === undefined) continue;
-      this.aim(tag, slot, width, height);
-      if (this.is_free(this.spot.x, this.spot.y, width, height)) return slot;
-    }
-    if (tag.priority < 90) return -1;
-    this.aim(tag, 0, width, height);
-    return 0;
+    const must = tag.priority >= 90;
+    const rings = tag.priority > 20 ? kRings.length - (must ? 0 : kLast) : 1;
+    // what must be seen may stand on a mark, but never on writing
+    for (const taken of must ? [this.taken, this.boxes] : [this.taken])
+      for (let k = -1; k < kWays.length * rings; ++k) {
+        const slot = k < 0 ? before : k;
+        if (slot === undefined) continue;
+        this.aim(tag, slot, width, height);
+        const { x, y } = this.spot;
+        if (x >= 2 && y >= 2 && x + width <= this.width - 2 && y + height <= this.height - 2 && is_clear(taken, x, y, width, height)) return slot;
+      }
+    return -1;
   }
 
   /** Labels, the important ones first. */
@@ -192,7 +203,7 @@ export class Notes {
       if (slot < 0) continue;
       this.slots.set(tag.key, slot);
       this.draw(tag, slot, width, height, lead);
-      this.reserve(this.spot.x, this.spot.y, width, height);
+      this.settle(this.spot.x, this.spot.y, width, height);
     }
   }
 

@@ -3,8 +3,8 @@
 import { heading_text } from '../words/text.ts';
 import { far_km, type Frame, range_words } from './frame.ts';
 import { measure } from './geo.ts';
+import { round_up } from './grid.ts';
 
-const kSteps = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200];
 const kRings = 4;
 const kSides = 72;
 
@@ -20,8 +20,7 @@ export function draw_rings(frame: Frame): void {
   const i = view.selected;
   if (!view.layers.rings || !players.shown[i]) return;
   const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
-  const wanted = eye.stance.height / far_km() / (2 * kRings);
-  const step = (kSteps.find((one) => one >= wanted) ?? kSteps.at(-1)!) * far_km();
+  const step = round_up(eye.stance.height / far_km() / (2 * kRings)) * far_km();
   lines.pen(palette.faint, 1.2);
   for (let k = 1; k <= kRings; ++k) {
     draw_ring(frame, x, y, z, k * step, 0.7);

@@ -23,7 +23,7 @@ import { Meter, kRest, Sharpness } from './pace.ts';
 import { told } from './told.ts';
 import { SvgPen, with_svg_paths } from './svg.ts';
 import { draw_routes, draw_drop_lines, draw_trails } from './trails.ts';
-import { draw_losses, draw_missiles } from './weapons.ts';
+import { draw_gone, draw_missiles } from './weapons.ts';
 
 /** What of the view is seen here. */
 const kSeen = ['time', 'selected', 'camera', 'pose', 'ruler', 'ghost', 'layers', 'theme', 'trail', 'units', 'end'] as const;
@@ -112,6 +112,8 @@ export class AirPicture {
     const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1);
     frame.eye.resize(width, height);
     frame.notes.resize(frame.eye, ratio);
+    const { offsetLeft = 0, offsetTop = 0, offsetWidth = 0, offsetHeight = 0 } = (host.nextElementSibling ?? {}) as Partial<HTMLElement>;
+    frame.notes.covered = [offsetLeft, offsetTop, offsetWidth, offsetHeight];
     this.sharpen();
     // a resized canvas is empty until it is drawn, so not in the next frame but now
     this.draw(performance.now());
@@ -232,7 +234,7 @@ export class AirPicture {
     const volume = draw_radar(frame);
     draw_routes(frame);
     draw_missiles(frame);
-    draw_losses(frame);
+    draw_gone(frame);
     draw_zone(frame);
     draw_tracks(frame);
     draw_ruler(frame);

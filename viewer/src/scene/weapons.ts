@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/** Missiles in flight and what becomes of them, and of whom they hit. */
-import type { Missile, Player } from '../run/run.ts';
+/** Missiles in flight and what becomes of them, and of everybody. */
+import type { Missile } from '../run/run.ts';
 import { type Frame, kCrowd, kSideMark } from './frame.ts';
 import { draw_legs } from './trails.ts';
 
@@ -64,22 +64,21 @@ export function draw_missiles(frame: Frame): void {
   }
 }
 
-/** Who was lost: fire at its time, and from then on a cross on the map. */
-export function draw_losses(frame: Frame): void {
+/** Who has left: of the lost fire at its time, and from then on a cross on the map; who is home stands pale where that was. */
+export function draw_gone(frame: Frame): void {
   const { run, view, players, eye, notes, palette } = frame;
   for (const player of run.players) {
-    if (player.end !== 'lost' || view.time < player.gone) continue;
-    const [x, y, z] = [players.x[player.index]!, players.y[player.index]!, players.z[player.index]!];
-    draw_burst(frame, x, y, z, view.time - player.gone, true);
-    if (!eye.project(x, 0, z) || !eye.on_screen(10)) continue;
-    notes.mark('cross', eye.px, eye.py, 6.5, palette.chip, 5, false, 0.7);
-    notes.mark('cross', eye.px, eye.py, 6, palette.side[player.side], 2.4);
-    if (view.layers.labels) label_loss(frame, player);
+    const { index, side, name, end } = player;
+    if (!end || view.time < player.gone) continue;
+    const lost = end === 'lost';
+    const [x, y, z] = [players.x[index]!, players.y[index]!, players.z[index]!];
+    if (lost) draw_burst(frame, x, y, z, view.time - player.gone, true);
+    if (!eye.project(x, lost ? 0 : y, z) || !eye.on_screen(10)) continue;
+    const tint = lost ? palette.side[side] : palette.faint;
+    if (lost) notes.mark('cross', eye.px, eye.py, 6.5, palette.chip, 5, false, 0.7);
+    notes.mark(lost ? 'cross' : kSideMark[side], eye.px, eye.py, 6, tint, lost ? 2.4 : 1.4, false, lost ? 1 : 0.8);
+    const chosen = index === view.selected;
+    if (view.layers.labels && (chosen || players.count <= kCrowd))
+      notes.tag(20000 + index, eye.px, eye.py, name, end, tint, kSideMark[side], chosen ? 95 : 22);
   }
-}
-
-function label_loss({ view, notes, palette, eye, players }: Frame, player: Player): void {
-  const chosen = player.index === view.selected;
-  if (players.count > kCrowd && !chosen) return;
-  notes.tag(20000 + player.index, eye.px, eye.py, player.name, 'lost', palette.side[player.side], kSideMark[player.side], chosen ? 95 : 18);
 }

@@ -3,7 +3,7 @@
  * numbered arcs; each in words, in the order in which they are asked; and where the player has been. */
 import { useMemo, useRef } from 'preact/hooks';
 import { last_at, type Player, type Run, type Shape, type Tree } from '../run/run.ts';
-import { quantity_text, clock_text } from '../words/text.ts';
+import { quantity_text, clock_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { text_width } from './text_width.ts';
 import { use_page } from './page.ts';
@@ -51,7 +51,7 @@ function condition_words(tree: Tree, node: number, units: Units): string {
   if (type === 'inverter') return `not ${condition_words(tree, children[0]!, units)}`;
   const numbers = Object.entries(params).flatMap(([name, value]) =>
     typeof value === 'number' && value !== 0 ? [`${name.replaceAll('_', ' ')} ${quantity_text(value, units.get(`${type}.${name}`) ?? '')}`] : []);
-  return [label, ...numbers].join(' ');
+  return [reworded(label), ...numbers].join(' ');
 }
 
 const kFont = 12;

@@ -22,7 +22,7 @@ export const kMarks: Record<MarkKind, { word: string; path: string; open: boolea
   launch: { word: 'launch', path: 'M0 -4.8L4.2 4.2L0 2.2L-4.2 4.2Z', open: false },
   phase: { word: 'phase of a flight', path: 'M-2.5 5V-5H4.5L2.2 -2.4L4.5 0.2H-2.5', open: false },
   lead: { word: 'new lead of a flight', path: 'M-4.8 3.6L-4.8 -2.8L-2 0L0 -4L2 0L4.8 -2.8L4.8 3.6Z', open: false },
-  defend: { word: 'defense', path: 'M-4.4 3.4V-0.4A4.4 4.4 0 0 1 4.4 -0.4V3.4M1.8 1.4L4.4 4.2L7 1.4', open: true },
+  defend: { word: 'defense', path: 'M-4.6 3.6V-0.6A3.6 3.6 0 0 1 2.6 -0.6V3.6M0.2 1.4L2.6 4.2L5 1.4', open: true },
   home: { word: 'home', path: 'M-4.4 0.4L0 -4.2L4.4 0.4M-3 -0.8V4.2H3V-0.8', open: true },
   contact: { word: 'contact', path: 'M3.4 0A3.4 3.4 0 1 1 -3.4 0A3.4 3.4 0 1 1 3.4 0Z', open: true },
 };
@@ -42,12 +42,59 @@ export function marks_of(run: Run): Mark[] {
   return run.story.flatMap((_, line) => mark_of(run, line) ?? []);
 }
 
-/** Of several marks within `near` seconds the one that matters most, then the nearest; null: none is near. */
-export function pick_mark(marks: Mark[], t: number, near: number): Mark | null {
-  let best: Mark | null = null;
-  const cost = (m: Mark): number => Math.abs(m.t - t) / near + 0.1 * kMarkKinds.indexOf(m.kind);
-  for (const mark of marks) if (Math.abs(mark.t - t) <= near && (!best || cost(mark) < cost(best))) best = mark;
-  return best;
+/** Marks of one lane that would lie over each other: one glyph, at the first of them, with their number. */
+export interface Cluster {
+  marks: Mark[];  // In order of time.
+  kind: MarkKind;  // Of those the one that matters most.
+  side: Side;
+  lane: number;
+  /** CSS pixels: the middle of the glyph, and where it ends with its number. */
+  x: number;
+  end: number;
+}
+
+/** rem: half of a glyph, and a digit of a number. */
+export const kHalfGlyph = 0.5;
+const kDigit = 0.52;
+
+/** Of the height of the row: where its lanes begin, below the times. */
+export const kLanesFrom = 0.34;
+/** The sides that have a lane each, from above. */
+export function lanes_of(marks: Mark[]): Side[] {
+  return marks.some(({ side }) => side === 'none') ? ['blue', 'none', 'red'] : ['blue', 'red'];
+}
+
+/** What is seen of the marks on an axis from `from` to `to` (s) that is `width` CSS pixels wide: no two of a lane touch. */
+export function clusters_of(marks: Mark[], [from, to]: [number, number], width: number, rem: number): Cluster[] {
+  const exact = ({ t }: Mark): number => ((t - from) / (to - from)) * width;
+  const seen = marks.filter((mark) => Math.abs(exact(mark) - width / 2) <= width / 2 + kHalfGlyph * rem);
+  const made = (all: Mark[], lane: number): Cluster => {
+    const number = all.length > 1 ? kDigit * String(all.length).length : 0;
+    const half = kHalfGlyph * rem;
+    // whole also at the ends of the run
+    const x = Math.min(Math.max(exact(all[0]!), half), width - half - number * rem);
+    const kind = kMarkKinds.find((one) => all.some((mark) => mark.kind === one))!;
+    return { marks: all, kind, side: all[0]!.side, lane, x, end: x + half + number * rem };
+  };
+  return lanes_of(marks).flatMap((side, lane) => {
+    const row: Cluster[] = [];
+    for (const mark of seen) {
+      if (mark.side !== side) continue;
+      let last = made([mark], lane);
+      for (let before = row.at(-1); before && before.end > last.x - kHalfGlyph * rem; before = row.at(-1))
+        last = made([...row.pop()!.marks, ...last.marks], lane);
+      row.push(last);
+    }
+    return row;
+  });
+}
+
+/** What a place in the row means, at `x` (CSS pixels) and `part` of its height from above: what is near in its lane, else in the next. */
+export function pick_cluster(clusters: Cluster[], lanes: number, x: number, part: number, rem: number): Cluster | null {
+  const lane = ((part - kLanesFrom) / (1 - kLanesFrom)) * lanes - 0.5;
+  const reach = 0.25 * rem;
+  const near = clusters.filter((one) => x >= one.x - kHalfGlyph * rem - reach && x <= one.end + reach);
+  return near.sort((a, b) => Math.abs(a.lane - lane) - Math.abs(b.lane - lane))[0] ?? null;
 }
 
 /** The time of the next (direction 1) or previous (-1) of `times`, which need no order; null: there is none. */

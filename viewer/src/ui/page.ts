@@ -21,6 +21,7 @@ export interface Hover {
   t: number;
   row: string;  // As in data-row.
   y: number;  // CSS pixels from the upper edge of the rows.
+  part: number;  // Of the height of the row, from above.
 }
 
 export interface Page {

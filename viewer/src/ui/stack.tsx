@@ -6,12 +6,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { listen } from '../events.ts';
 import { clock_text, reworded } from '../words/text.ts';
 import { jump, pan_by, show_cause, zoom_by, zoom_to } from './actions.ts';
-import { kMarks, pick_mark } from './marks.ts';
-import { range_of, use_page, type Page } from './page.ts';
+import { rem_size } from './canvas.ts';
+import { clusters_of, kMarks, lanes_of, pick_cluster, type Mark } from './marks.ts';
+import { range_of, use_page, type Hover, type Page } from './page.ts';
 import { use_cell, use_range, use_size } from './use.ts';
 
-/** CSS pixels: a glyph this near is meant. */
-const kReach = 9;
+/** So many events under the pointer are told. */
+const kMostTold = 8;
 
 /** Below the rows, above their canvases: lines and the marked stretch; moved every frame without a redraw of anything else. */
 function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brush: [number, number] | null }) {
@@ -37,33 +38,40 @@ function Overlay({ plot, brush }: { plot: RefObject<HTMLDivElement | null>; brus
     <div class="stack-plot" ref={plot} aria-hidden="true" data-from={from} data-to={to}>
       {brush && <div class="brush" style={{ left: `${x(brush[0])}px`, width: `${x(brush[1]) - x(brush[0])}px` }} />}
       {hover && <div class="hover-line" style={{ transform: `translateX(${x(hover.t).toFixed(1)}px)` }} />}
-      {hover && <Tip page={page} x={x(hover.t)} width={width} per_pixel={(to - from) / Math.max(width, 1)} plot={plot} />}
+      {hover && <Tip page={page} hover={hover} x={x(hover.t)} width={width} plot={plot} />}
       <div class="now-line" ref={now} />
     </div>
   );
 }
 
-function tip_words(page: Page, t: number, row: string, per_pixel: number): string {
-  if (row === 'events') {
-    const mark = pick_mark(page.marks, t, kReach * per_pixel);
-    if (!mark) return '';
-    const told = page.run.story[mark.line]!;
-    return `${kMarks[mark.kind].word} at ${clock_text(told.t)}: ${told.name} ${reworded(told.text)}`;
-  }
-  return page.tips.get(row)?.(t) ?? '';
+/** The events whose glyph is at a place in their row. */
+function marks_at({ marks, store }: Page, { t, row, part }: Hover, width: number): Mark[] {
+  if (row !== 'events') return [];
+  const [[from, to], rem] = [range_of(store.get()), rem_size()];
+  return pick_cluster(clusters_of(marks, [from, to], width, rem), lanes_of(marks).length, ((t - from) / (to - from)) * width, part, rem)?.marks ?? [];
+}
+
+function tip_words(page: Page, hover: Hover, width: number): string {
+  const marks = marks_at(page, hover, width);
+  const lines = marks.slice(0, kMostTold).map(({ line, kind }) => {
+    const told = page.run.story[line]!;
+    return `${kMarks[kind].word} at ${clock_text(told.t)}: ${told.name} ${reworded(told.text)}`;
+  });
+  if (!marks.length) return page.tips.get(hover.row)?.(hover.t) ?? '';
+  return [...lines, ...(marks.length > kMostTold ? [`and ${marks.length - kMostTold} more`] : [])].join('\n');
 }
 
 /** Beside the pointer, above all else and inside of the window. */
-function Tip({ page, x, width, per_pixel, plot }: { page: Page; x: number; width: number; per_pixel: number; plot: RefObject<HTMLElement | null> }) {
-  const { t, row, y } = page.hover.get() ?? { t: 0, row: '', y: 0 };
-  const words = tip_words(page, t, row, per_pixel);
+function Tip({ page, hover, x, width, plot }: { page: Page; hover: Hover; x: number; width: number; plot: RefObject<HTMLElement | null> }) {
+  const { t, y } = hover;
+  const words = tip_words(page, hover, width);
   const box = plot.current?.getBoundingClientRect();
   const around = plot.current?.closest('.bottom')?.getBoundingClientRect();
   if (!box || !around) return null;
   const [left, top] = [box.left - around.left + x, box.top - around.top + y];
   const place = x < width / 2 ? { left: `${left + 12}px` } : { right: `${around.width - left + 12}px` };
   return (
-    <div class="tip" style={{ ...place, top: `${Math.min(top + 16, around.height - 26)}px` }}>
+    <div class="tip" style={{ ...place, top: `${Math.min(top + 16, around.height - 26 - 20 * (words.split('\n').length - 1))}px` }}>
       <b>{clock_text(t)}</b>{words && <span>{words}</span>}
     </div>
   );
@@ -76,8 +84,8 @@ export function Stack({ children }: { children: ComponentChildren }) {
   const [brush, set_brush] = useState<[number, number] | null>(null);
   useEffect(() => watch_pointer(stack.current!, plot.current!, page, {
     brushed: (range) => set_brush(range && clipped(range, range_of(page.store.get()))),
-    clicked: (row, t, per_pixel) => {
-      const mark = row === 'events' ? pick_mark(page.marks, t, kReach * per_pixel) : null;
+    clicked: (where, width) => {
+      const [mark] = marks_at(page, where, width);
       if (!mark) return false;
       show_cause(page, mark.line);
       return true;
@@ -116,14 +124,14 @@ const kWheel = 0.0015;
 interface Drag {
   id: number;
   begin: number;
-  row: string;
+  row: HTMLElement;
   scrubs: boolean;
   moved: boolean;
 }
 
 interface StackPointer {
-  /** A click in a row: whether it has been dealt with. */
-  clicked(row: string, t: number, seconds_per_pixel: number): boolean;
+  /** A click in a row of so many CSS pixels: whether it has been dealt with. */
+  clicked(where: Hover, width: number): boolean;
   /** The stretch that a drag has marked; null: none. */
   brushed(range: [number, number] | null): void;
 }
@@ -138,38 +146,41 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     const part = (event.clientX - left) / width;
     return { t: from + part * (to - from), inside: part >= 0 && part <= 1, per_pixel: (to - from) / width };
   };
-  const height_of = (event: MouseEvent): number => event.clientY - plot.getBoundingClientRect().top;
   const row_of = (event: Event): HTMLElement | null => (event.target as Element).closest<HTMLElement>('[data-row]');
+  const hover_of = (event: MouseEvent, row: HTMLElement): Hover => {
+    const { top, height } = row.getBoundingClientRect();
+    return { t: place(event).t, row: row.dataset.row!, y: event.clientY - plot.getBoundingClientRect().top, part: (event.clientY - top) / height };
+  };
 
   const down = (event: PointerEvent): void => {
     const row = row_of(event);
     const { t, inside } = place(event);
     if (event.button !== 0 || !row || !inside || (event.target as Element).closest('button, input, label, summary')) return;
-    drag = { id: event.pointerId, begin: t, row: row.dataset.row!, scrubs: row.dataset.scrub !== undefined, moved: false };
+    drag = { id: event.pointerId, begin: t, row, scrubs: row.dataset.scrub !== undefined, moved: false };
     stack.setPointerCapture(event.pointerId);
   };
   const move = (event: PointerEvent): void => {
     const { t, inside, per_pixel } = place(event);
     if (!drag) {
       const row = row_of(event);
-      page.hover.set(inside && row ? { t, row: row.dataset.row!, y: height_of(event) } : null);
+      page.hover.set(inside && row ? hover_of(event, row) : null);
       return;
     }
     if (event.pointerId !== drag.id) return;
     drag.moved ||= Math.abs(t - drag.begin) > kClick * per_pixel;
     if (!drag.moved) return;
-    page.hover.set({ t, row: drag.row, y: height_of(event) });
+    page.hover.set(hover_of(event, drag.row));
     if (drag.scrubs) jump(page, t);
     else then.brushed([Math.min(t, drag.begin), Math.max(t, drag.begin)]);
   };
   const up = (event: PointerEvent): void => {
     if (!drag || event.pointerId !== drag.id) return;
-    const { t, per_pixel } = place(event);
+    const { t } = place(event);
     const { begin, row, scrubs, moved } = drag;
     drag = null;
     then.brushed(null);
     if (!moved) {
-      if (!then.clicked(row, t, per_pixel)) jump(page, t);
+      if (!then.clicked(hover_of(event, row), plot.clientWidth)) jump(page, t);
     } else if (!scrubs) {
       zoom_to(page, Math.min(t, begin), Math.max(t, begin));
     }

@@ -18,7 +18,7 @@ const kLayerWords: Record<Layer, string> = {
 const kUnitWords: Record<Units, string> = { aviation: 'ft, nmi, kt', metric: 'm, km, km/h' };
 
 function Tools({ scene }: { scene: { current: AirPicture | null } }) {
-  const { store } = use_page();
+  const { store, letter } = use_page();
   const camera = use_view(store, (v) => v.camera);
   const layers = use_view(store, (v) => v.layers);
   const units = use_view(store, (v) => v.units);
@@ -26,6 +26,7 @@ function Tools({ scene }: { scene: { current: AirPicture | null } }) {
   const ruler = use_view(store, (v) => v.ruler);
   return (
     <div class="stage-tools">
+      {letter && <b class="letter">{letter}</b>}
       <div class="segments" role="group" aria-label="Camera">
         {kCameras.map((one) => (
           <button type="button" key={one} aria-pressed={camera === one} title={kCameraHelp[one]} aria-label={`${one}: ${kCameraHelp[one]}`}
@@ -65,7 +66,6 @@ export function Stage({ onMount }: { onMount: (scene: AirPicture) => void }) {
   return (
     <section class="stage" aria-label={letter ? `Air picture of run ${letter}` : 'Air picture'} data-run={letter}>
       <div class="scene" ref={host} />
-      {letter && <b class="stage-letter">{letter}</b>}
       <Tools scene={scene} />
     </section>
   );

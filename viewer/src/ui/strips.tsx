@@ -65,7 +65,7 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
         splits: (u, _, from, to) => ticks_of(from, to, u.width - gutter - edge, rem).ticks,
       },
       {
-        size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: 1.4 * rem,
+        size: gutter, font, stroke: color('dim'), grid, ticks: { show: false }, gap: 0.35 * rem, space: rem,
         values: (u, splits) => splits.map((v) => (is_empty(u.data) ? '' : count_text(Number(v.toFixed(quantity.digits + 1)) || 0))),
       },
     ],

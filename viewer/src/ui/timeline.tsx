@@ -4,7 +4,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import { tick_text } from '../words/text.ts';
 import { pan_by, zoom_to } from './actions.ts';
 import { use_canvas, type Sheet } from './canvas.ts';
-import { kMarkKinds, kMarks, type Mark, type MarkKind } from './marks.ts';
+import { clusters_of, kHalfGlyph, kLanesFrom, kMarks, lanes_of, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
 import { use_paced, use_range, use_view } from './use.ts';
@@ -26,7 +26,7 @@ function path_of(kind: MarkKind): Path2D {
   return path;
 }
 
-export function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number, size: number): void {
+function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number, size: number): void {
   pen.save();
   pen.translate(x, y);
   pen.scale(size / 5, size / 5);
@@ -51,24 +51,20 @@ function draw_ticks({ pen, width, height, rem, color }: Sheet, from: number, to:
 
 /** Blue above red, phases and leads of flights on the lane of their side. */
 function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], from: number, to: number): void {
-  const top = 1.35 * rem;
-  const lane = (height - top) / 2;
-  // what matters most is drawn last
-  const sorted = [...marks].sort((a, b) => kMarkKinds.indexOf(b.kind) - kMarkKinds.indexOf(a.kind));
-  for (const { t, kind, side } of sorted) {
-    const exact = ((t - from) / (to - from)) * width;
-    if (exact < -10 || exact > width + 10) continue;
-    // whole also at the ends of the run
-    const x = Math.min(Math.max(exact, 0.4 * rem), width - 0.4 * rem);
-    const y = side === 'red' ? top + 1.5 * lane : side === 'blue' ? top + 0.5 * lane : top + lane;
-    const ink = side === 'none' ? color('ink') : color(side);
-    pen.fillStyle = pen.strokeStyle = ink;
-    if (kind === 'phase' || kind === 'kill') {
-      pen.globalAlpha = 0.35;
-      pen.fillRect(Math.round(exact), top, 1, height - top);
-      pen.globalAlpha = 1;
-    }
-    draw_glyph(pen, kind, x, y, Math.min(0.42 * lane, 0.5 * rem));
+  const top = kLanesFrom * height;
+  const lane_height = (height - top) / lanes_of(marks).length;
+  pen.font = `600 ${0.8 * rem}px system-ui, sans-serif`;
+  pen.textBaseline = 'middle';
+  for (const { marks: all, kind, side, lane, x } of clusters_of(marks, [from, to], width, rem)) {
+    const y = top + (lane + 0.5) * lane_height;
+    pen.fillStyle = pen.strokeStyle = color(side === 'none' ? 'ink' : side);
+    pen.globalAlpha = 0.35;
+    for (const mark of all)
+      if (mark.kind === 'phase' || mark.kind === 'kill') pen.fillRect(Math.round(((mark.t - from) / (to - from)) * width), top, 1, height - top);
+    pen.globalAlpha = 1;
+    const size = Math.min(0.42 * lane_height, kHalfGlyph * rem);
+    draw_glyph(pen, kind, x, y, size);
+    if (all.length > 1) pen.fillText(String(all.length), x + kHalfGlyph * rem, y + 0.5);
   }
 }
 

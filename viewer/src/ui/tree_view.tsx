@@ -2,9 +2,9 @@
 /** The tree at one decision: who was asked, what each answered, and the way to who leads. An outline: a row for each node that is shown,
  * children below their parent and to the right of where it begins. */
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import type { Shape, Tree } from '../run/run.ts';
+import type { Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words, path_of_leader } from '../words/contest.ts';
-import { number_text } from '../words/text.ts';
+import { number_text, reworded } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { text_width } from './text_width.ts';
 import { use_cell } from './use.ts';
@@ -72,6 +72,13 @@ function type_words(tree: Tree, shape: Shape, node: number): string {
   return shape.status[node] === null || label === type || kind === 'condition' || kind === 'decorator' ? '' : type;
 }
 
+/** So many letters of a label fit wherever it stands; its title has all. */
+const kLongest = 38;
+function label_words({ label }: TreeNode): string {
+  const words = reworded(label);
+  return words.length > kLongest ? `${words.slice(0, kLongest - 1).trimEnd()}…` : words;
+}
+
 const kSmall = kFont * 0.82;
 /** What "+3" needs. */
 function more_width(hidden: number): number {
@@ -81,7 +88,7 @@ function more_width(hidden: number): number {
 const kIndent = 15;
 function width_of(tree: Tree, shape: Shape, node: number, hidden: number): number {
   const type = type_words(tree, shape, node);
-  const words = text_width(tree.nodes[node]!.label, kFont) + (type ? 5 + text_width(type, kSmall) : 0);
+  const words = text_width(label_words(tree.nodes[node]!), kFont) + (type ? 5 + text_width(type, kSmall) : 0);
   return kIndent + words + (shape.vote[node]! > 0 ? 22 : 5) + more_width(hidden);
 }
 
@@ -117,7 +124,7 @@ function Face({ tree, shape, place: { node, width, hidden }, most }: Omit<Shown,
       <rect class="pill" width={width} height={kPill} rx="3.5" />
       {vote > 0 && <rect class="vote" x="1.5" y={kPill - 2.6} width={Math.max((width - 3) * (vote / most), 1)} height="2" rx="1" />}
       <path class={icon.open ? 'status open' : 'status'} d={icon.path} transform={`translate(3.5 ${kPill / 2 - 5})`} />
-      <text x={kIndent} y="12.2">{tree.nodes[node]!.label}{type && <tspan class="type" dx="5">{type}</tspan>}</text>
+      <text x={kIndent} y="12.2">{label_words(tree.nodes[node]!)}{type && <tspan class="type" dx="5">{type}</tspan>}</text>
       {vote > 0 && <text class="votes" x={width - 4 - more_width(hidden)} y="12">{number_text(vote, 1)}</text>}
     </>
   );
@@ -130,7 +137,7 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
   const pointed = use_cell(page.pointed) === place.node;
   const changed = change_of(use_cell(page.changes), shape.tree, place.node) !== undefined;
   const { node, x, y, hidden } = place;
-  const { type, path, children, depth } = tree.nodes[node]!;
+  const { type, label, path, children, depth } = tree.nodes[node]!;
   const status = shape.status[node] ?? 'none';
   const marks = { way: on_way, looked, pointed, changed };
   const classes = ['node', status, ...Object.entries(marks).flatMap(([name, is]) => (is ? [name] : []))];
@@ -148,7 +155,7 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
       role="treeitem" tabIndex={focusable ? 0 : -1} aria-selected={looked} aria-level={depth + 1}
       aria-expanded={children.length ? hidden === 0 : undefined} aria-description={answer_words(shape, node)}>
       <g>
-        <title>{`${path}\n${type}: ${answer_words(shape, node)}`}</title>
+        <title>{`${path}\n${label === type ? '' : `${reworded(label)}\n`}${type}: ${answer_words(shape, node)}`}</title>
         <Face {...shown} />
         {children.length > 0 && <Toggle place={place} onToggle={onToggle} />}
       </g>
