@@ -148,13 +148,17 @@ void add_what_if(CLI::App& app, Chosen& chosen) {
   add_units(what_if);
 }
 
+void add_runs(CLI::App* command, std::vector<std::string>& runs) {
+  command->add_option("runs", runs, "a run folder or its run file; two of them to compare")
+      ->required()
+      ->expected(1, 2);
+}
+
 void add_debrief(CLI::App& app, Chosen& chosen) {
   CLI::App* debrief = app.add_subcommand(
       "debrief", "A recorded run, or two, as a page in which every decision can be questioned");
   DebriefOptions& o = options_of(debrief, debrief_page, chosen);
-  debrief->add_option("runs", o.runs, "a run folder or its run file; two of them to compare")
-      ->required()
-      ->expected(1, 2);
+  add_runs(debrief, o.runs);
   debrief->add_option("--out", o.out, "the file (default: debrief.html beside the first run)");
   debrief->add_flag("--force", o.force, "replace the file given by --out");
   debrief->add_flag("--columns", o.columns,
@@ -166,9 +170,7 @@ void add_serve(CLI::App& app, Chosen& chosen) {
   CLI::App* served = app.add_subcommand(
       "serve", "The debrief page of a run, or of two, for browsers of the network");
   ServeOptions& o = options_of(served, serve, chosen);
-  served->add_option("runs", o.runs, "a run folder or its run file; two of them to compare")
-      ->required()
-      ->expected(1, 2);
+  add_runs(served, o.runs);
   served->add_option("--port", o.port, "0: any that is free")
       ->check(whole_number(0, 65'535))
       ->capture_default_str();
