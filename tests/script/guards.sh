@@ -76,15 +76,26 @@ forget src/model/track/file.hpp; forget src/model/fuse/part.hpp
 
 for line in 'reach: 3 nmi' 'reach: 3 nmi  #' 'reach: 3 nmi  # m' 'reach: 3 nmi  # [judgement]' 'reach: 3 nmi  # guess' \
   '  value: [1, 2]' '  - 0.3  # 4 5 6'; do
-  refuses check-data data/guns/part.yaml "$line"
+  refuses check-data data/areas/part.yaml "$line"
 done
 for line in 'name: part' 'reach: 3 nmi  # Skolnik, sec. 2.5' 'mach: [0, 1]  # breakpoints'; do
-  lets check-data data/guns/part.yaml "$line"
+  lets check-data data/areas/part.yaml "$line"
 done
 judged=$'reach: 3 nmi  # [judgement] as the M61\n' sourced=$'rate: 3 Hz  # Skolnik, sec. 2.5\n'
-lets check-data data/guns/part.yaml "$judged$sourced$sourced"
-file data/guns/part.yaml "$judged$judged$sourced$sourced"
+lets check-data data/areas/part.yaml "$judged$sourced$sourced"
+file data/areas/part.yaml "$judged$judged$sourced$sourced"
 said=$("$tools/check-data" . 2>&1) && fail "check-data lets half of the values be judgements"
 [[ $said == *'2 of 4 values are [judgement]'* ]] || fail "check-data does not count: $said"
-forget data/guns/part.yaml
+forget data/areas/part.yaml
+mkdir -p data
+said=$("$tools/check-data" . 2>&1) || fail "check-data refuses an empty folder: $said"
+for kind in aircraft vehicles missiles guns radars; do
+  key=entity_type
+  [[ $kind == radars ]] && key=emitter
+  file "data/$kind/part.yaml" 'name: part'
+  said=$("$tools/check-data" . 2>&1) && fail "check-data lets data/$kind/part.yaml be without $key"
+  [[ $said == "data/$kind/part.yaml:1: no $key: see docs/dis.md" ]] || fail "check-data does not say what is wrong: $said"
+  forget "data/$kind/part.yaml"
+  lets check-data "data/$kind/part.yaml" "$key: 1.2.225.1  # SISO-REF-010, by its number"
+done
 ((failures == 0)) || { echo "$failures wrong" >&2; exit 1; }
