@@ -292,8 +292,31 @@ namespace {
 
 UnitSystem unit_system = UnitSystem::us;
 
-std::string in_system(double si, UnitName us, UnitName metric, int decimals = 0) {
-  return format_in(si, unit_system == UnitSystem::us ? us : metric, decimals);
+/// How people read a dimension; the others, in SI. tests/quantities.txt holds the page to it, too.
+struct Read {
+  Dimension dimension;
+  UnitName us, metric;
+  int decimals = 0;
+};
+constexpr Read kFar{Dimension::length, "nmi", "km", 1};
+constexpr Read kNear{Dimension::length, "ft", "m"};
+constexpr Read kRead[] = {
+    {Dimension::speed, "kt", "km/h"},
+    {Dimension::acceleration, "g", "g", 1},
+    {Dimension::mass, "lb", "kg"},
+    {Dimension::mass_flow, "lb/h", "kg/h"},
+    {Dimension::force, "lbf", "kN"},
+    {Dimension::pressure, "hPa", "hPa", 1},
+    {Dimension::temperature, "°C", "°C"},
+    {Dimension::angle, "°", "°"},
+    {Dimension::angular_rate, "°/s", "°/s", 1},
+};
+
+UnitName unit_of(const Read& read) {
+  return unit_system == UnitSystem::us ? read.us : read.metric;
+}
+std::string format_as(const Read& read, double si, int more) {
+  return format_in(si, unit_of(read), read.decimals + more);
 }
 
 }  // namespace
@@ -303,42 +326,22 @@ void write_units(UnitSystem system) {
 }
 
 std::string format_quantity(double si, Dimension dimension, int more) {
-  switch (dimension) {
-    case Dimension::length: {
-      const double far = unit_system == UnitSystem::us ? 1852 : 1000;  // m
-      return std::fabs(si) < far ? format_height(si, more) : format_range(si, more);
-    }
-    case Dimension::speed:
-      return in_system(si, "kt", "km/h", more);
-    case Dimension::acceleration:
-      return format_in(si, "g", 1 + more);
-    case Dimension::mass:
-      return in_system(si, "lb", "kg", more);
-    case Dimension::mass_flow:
-      return in_system(si, "lb/h", "kg/h", more);
-    case Dimension::force:
-      return in_system(si, "lbf", "N", more);
-    case Dimension::pressure:
-      return format_in(si, "hPa", 1 + more);
-    case Dimension::temperature:
-      return format_in(si, "°C", more);
-    case Dimension::angle:
-      return format_in(si, "°", more);
-    case Dimension::angular_rate:
-      return format_in(si, "°/s", 1 + more);
-    default: {
-      const std::string_view symbol = detail::si_symbol(dimension);
-      return fmt::format("{}{}{}", three_digits(si, more), symbol.empty() ? "" : " ", symbol);
-    }
-  }
+  if (dimension == Dimension::length)
+    return std::fabs(si) < to_si(1, unit_of(kFar).info()) ? format_height(si, more)
+                                                          : format_range(si, more);
+  for (const Read& read : kRead)
+    if (read.dimension == dimension)
+      return format_as(read, si, more);
+  const std::string_view symbol = detail::si_symbol(dimension);
+  return fmt::format("{}{}{}", three_digits(si, more), symbol.empty() ? "" : " ", symbol);
 }
 
 std::string format_range(double meters, int more) {
-  return in_system(meters, "nmi", "km", 1 + more);
+  return format_as(kFar, meters, more);
 }
 
 std::string format_height(double meters, int more) {
-  return in_system(meters, "ft", "m", more);
+  return format_as(kNear, meters, more);
 }
 
 std::string format_direction(double radians, int more) {

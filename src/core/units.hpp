@@ -224,8 +224,8 @@ constexpr auto names_of(UnitSystem) {
 /// For the process, before it has threads; us until then. Files keep the units that they are in.
 void write_units(UnitSystem system);
 
-/// For people, rounded to what they can use: "6000 ft" below one mile and "1.0 nmi" from there,
-/// "467 kt", "30°", with so many more decimals. Do not parse it back.
+/// For people, rounded to what they can use: "6000 ft" below one mile and "1.0 nmi" from there (or
+/// "999 m" and "1.0 km"), "467 kt", "30°", with so many more decimals. Do not parse it back.
 [[nodiscard]] std::string format_quantity(double si, Dimension dimension, int more = 0);
 /// A range, in miles or kilometers however short it is: "0.4 nmi".
 [[nodiscard]] std::string format_range(double meters, int more = 0);

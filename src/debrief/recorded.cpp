@@ -45,7 +45,9 @@ Opened open(record::RunFile run, std::string file, std::vector<std::string> plug
   try {
     recorded.scenario = with_overrides(recorded, {});
   } catch (const ConfigError& e) {
-    return {std::nullopt, {"this build refuses the scenario inside:\n" + e.diagnostics().text()}};
+    return {std::nullopt,
+            {fmt::format("recorded by {}; {} refuses the scenario inside:\n{}",
+                         printable(recorded.run.build), build, e.diagnostics().text())}};
   }
   const auto& scenario = *recorded.scenario;
   if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash)

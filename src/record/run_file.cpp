@@ -181,7 +181,8 @@ Decoded decode(std::string_view bytes) {
     return {{}, "the run file comes from a machine of another byte order"};
   if (version != kRunFileVersion)
     return {{},
-            fmt::format("the run file has format version {}; this program reads version {}",
+            fmt::format("the run file has format version {}, and this Eyrie reads version {}: open "
+                        "it with the one that recorded it",
                         version, kRunFileVersion)};
   std::uint64_t sum = 0;
   std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);

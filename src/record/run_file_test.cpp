@@ -96,7 +96,9 @@ TEST(RunFile, SaysWhatIsWrongWithForeignFiles) {
   EXPECT_EQ(decode("EYRIERUN").error, "the run file is cut");
   std::string other = encode(example());
   other[8] = 9;
-  EXPECT_EQ(decode(other).error, "the run file has format version 9; this program reads version 3");
+  EXPECT_EQ(decode(other).error,
+            "the run file has format version 9, and this Eyrie reads version 3: open it with the "
+            "one that recorded it");
   EXPECT_EQ(read_run_file("/nowhere/x").error, "there is no such file");
   EXPECT_EQ(read_run_file("/dev/zero").error, "is a device, not a file");
 }

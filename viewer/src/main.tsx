@@ -29,4 +29,4 @@ async function open(host: HTMLElement): Promise<void> {
 
 const host = document.getElementById('app')!;
 open(host).catch((error: unknown) => say_failure(host, 'This run cannot be opened', error,
-  <>Try to write the page again with <code>./eyrie debrief RUN</code>.</>));
+  <><code>./eyrie debrief RUN</code>, of the Eyrie that recorded it, writes the page again.</>));

@@ -45,6 +45,17 @@ export async function open_page(browser: Browser, look: PageLook = {}): Promise<
   return opened;
 }
 
+/** Uses another page and closes it whatever happens: what it hides gets no pictures, and whoever waits for those waits for ever. */
+export async function on_page(opening: Promise<Opened>, use: (page: UserPage, complaints: string[]) => Promise<void>): Promise<void> {
+  const { page, complaints } = await opening;
+  try {
+    await page.waitForSelector('body[data-ready=true]');
+    await use(page, complaints);
+  } finally {
+    await page.close();
+  }
+}
+
 /** A browser with the page for all tests of a file; `take` is called before the first of them. */
 export function with_page(look: PageLook, take: (opened: Opened, browser: Browser) => void): void {
   let browser: Browser | undefined;

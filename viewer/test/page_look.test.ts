@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 /** What is shown, and in which form: state machines, trees that fit, units, times that are typed, pictures and films, fingers. */
 import assert from 'node:assert/strict';
+import { execFile } from 'node:child_process';
+import { join } from 'node:path';
 import { describe, test } from 'node:test';
+import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
 import type { UserPage } from './browsers.ts';
-import { kNoPage, kWhere, open_page, shoot, with_page } from './page_kit.ts';
+import { kNoPage, kNoProgram, kPageFile, kProgram, kWhere, on_page, open_file, open_page, scratch_folder, shoot, with_page } from './page_kit.ts';
 
 let page: UserPage;
 let browser: Browser;
@@ -12,6 +15,8 @@ with_page({ fragment: '#t=480&p=eagle1', height: 900 }, (opened, launched) => {
   ({ page } = opened);
   browser = launched;
 });
+
+const scratch = scratch_folder();
 
 async function go_to(time: number, player = 0): Promise<void> {
   await page.evaluate(([t, p]) => window.eyrie!.store.set({ time: t!, selected: p!, playing: false }), [time, player] as const);
@@ -86,6 +91,65 @@ test('in the end all of it is seen, and who is followed has the opponent beside 
   await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole' }));
 });
 
+/** What is written in the picture at a time that lies over other writing, or over the buttons. */
+function piled(on: UserPage, time: number): Promise<string[]> {
+  return on.evaluate((t) => {
+    const { store, scene } = window.eyrie!;
+    store.set({ time: t });
+    scene.picture();
+    const { boxes, covered } = (scene as unknown as { frame: { notes: { boxes: number[]; covered: number[] } } }).frame.notes;
+    const all = [...boxes, ...covered];
+    const out: string[] = [];
+    for (let i = 0; i < boxes.length; i += 4)
+      for (let k = i + 4; k < all.length; k += 4)
+        if (all[i]! < all[k]! + all[k + 2]! && all[i]! + all[i + 2]! > all[k]! && all[i + 1]! < all[k + 1]! + all[k + 3]! && all[i + 1]! + all[i + 3]! > all[k + 1]!)
+          out.push(`${all.slice(i, i + 4)} and ${all.slice(k, k + 4)} at ${t} s`);
+    return boxes.length > 8 ? out : ['hardly anything is written'];
+  }, time);
+}
+
+test('no writing of the air picture lies over other writing, in a sweep and in a merge', { skip: kNoPage || kNoProgram }, async () => {
+  const merge = join(scratch, 'merge');
+  await promisify(execFile)(kProgram, ['fly', 'merge', '--quiet', '--out', merge]);
+  for (const file of [kPageFile, join(merge, 'debrief.html')]) {
+    await on_page(open_file(browser, file, { width: 900, height: 700 }), async (other) => {
+      const [from, to] = await other.evaluate(() => {
+        const { story } = window.eyrie!.run;
+        const shots = story.filter(({ kind }) => kind === 'launch' || kind === 'kill').map(({ t }) => t);
+        return [Math.min(...shots) - 20, Math.max(...shots) + 20] as const;
+      });
+      for (const camera of ['whole', 'top', 'follow'] as const) {
+        await other.evaluate((c) => window.eyrie!.store.set({ camera: c, layers: { ...window.eyrie!.store.get().layers, rings: true, bullseye: true } }), camera);
+        for (let t = from; t < to; t += (to - from) / 40) assert.deepEqual(await piled(other, t), [], camera);
+      }
+    });
+  }
+});
+
+test('who is home stays where that was, and the grid is told in even steps', { skip: kNoPage }, async () => {
+  const words = async (time: number, camera: 'whole' | 'follow') => {
+    await page.evaluate(([t, c]) => window.eyrie!.store.set({ time: t, camera: c }), [time, camera] as const);
+    await page.at_rest('.scene');
+    return page.evaluate(() => [...window.eyrie!.scene.svg().matchAll(/<text [^>]*>([^<]*)</g)].map(([, said]) => said!));
+  };
+  const at_end = await words(await page.evaluate(() => window.eyrie!.store.get().end), 'whole');
+  for (const name of ['eagle1', 'eagle2', 'eagle3', 'eagle4']) assert.ok(at_end.some((said, i) => said === name && at_end[i + 1] === 'home'), `${name} in ${at_end}`);
+  for (const time of [300, 482, 500, 530, 560]) {
+    const figures = (await words(time, 'follow')).filter((said) => /^[\d.]+ [NESW]$/.test(said));
+    assert.ok(figures.length > 3, `${figures} at ${time} s`);
+    for (const ways of ['NS', 'EW']) {
+      // the middle has no figure, and one that has no room is left out
+      const along = figures.filter((said) => ways.includes(said.at(-1)!)).map((said) => parseFloat(said) * (/[SW]/.test(said) ? -1 : 1));
+      const row = [...along, ...(Math.min(...along) < 0 && Math.max(...along) > 0 ? [0] : [])].sort((x, y) => x - y);
+      const gaps = row.slice(1).map((value, i) => value - row[i]!), step = Math.min(...gaps);
+      if (gaps.length === 0) continue;
+      assert.ok(gaps.every((gap) => Math.abs(gap / step - Math.round(gap / step)) < 1e-6), `${row} at ${time} s`);
+      assert.ok(/^0*[.0]*[125]0*(\.0*)?(e\+\d+)?$/.test(step.toPrecision(2)), `a step of ${step} at ${time} s`);
+    }
+  }
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole' }));
+});
+
 describe('saves', { skip: kNoPage }, () => {
   /** Bytes of what the page hands to the browser to be kept. */
   const saved = (index: number) => page.evaluate(async (i) => {
@@ -127,20 +191,20 @@ describe('saves', { skip: kNoPage }, () => {
 
 test('in a window of any width the picture has its place, and nothing lies outside', { skip: kNoPage }, async () => {
   for (const [width, height] of [[390, 844], [800, 1100], [1280, 800], [1920, 1080], [3840, 2160]] as const) {
-    const { page: other } = await open_page(browser, { width, height });
-    const { height: high, width: wide } = await other.box('.scene');
-    assert.ok(high > 0.4 * height && wide > 0.45 * width, `the picture has ${wide} x ${high} of ${width} x ${height}`);
-    const outside = () => other.$$eval('.top button, .transport button, .transport select, .stage-tools button', (all) => all
-      .filter((e) => e.getClientRects().length > 0 && !e.closest('details:not([open])'))
-      .filter((e) => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0).map((e) => e.outerHTML.slice(0, 80)));
-    assert.deepEqual(await outside(), [], `${width}`);
-    if (width < 900)
-      for (const sheet of ['Players and story', 'Decision']) {
-        await other.click(`button[aria-label="Show: ${sheet}"]`);
-        assert.ok((await other.box('.scene')).height > 0.2 * height, `the picture above ${sheet}`);
-        assert.deepEqual(await outside(), [], `${width} with ${sheet}`);
-      }
-    await other.close();
+    await on_page(open_page(browser, { width, height }), async (other) => {
+      const { height: high, width: wide } = await other.box('.scene');
+      assert.ok(high > 0.4 * height && wide > 0.45 * width, `the picture has ${wide} x ${high} of ${width} x ${height}`);
+      const outside = () => other.$$eval('.top button, .transport button, .transport select, .stage-tools button', (all) => all
+        .filter((e) => e.getClientRects().length > 0 && !e.closest('details:not([open])'))
+        .filter((e) => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0).map((e) => e.outerHTML.slice(0, 80)));
+      assert.deepEqual(await outside(), [], `${width}`);
+      if (width < 900)
+        for (const sheet of ['Players and story', 'Decision']) {
+          await other.click(`button[aria-label="Show: ${sheet}"]`);
+          assert.ok((await other.box('.scene')).height > 0.2 * height, `the picture above ${sheet}`);
+          assert.deepEqual(await outside(), [], `${width} with ${sheet}`);
+        }
+    });
   }
 });
 

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import type { Browser } from 'puppeteer-core';
 import type { Opened, UserPage } from './browsers.ts';
-import { kNoPage, open_page, shoot, with_page } from './page_kit.ts';
+import { kNoPage, on_page, open_page, shoot, with_page } from './page_kit.ts';
 
 let opened: Opened;
 let page: UserPage;
@@ -118,52 +118,52 @@ test('the strips lead to a time, zoom, and play as fast as asked', { skip: kNoPa
 
 test('what is under the pointer in timeline and strips is said above all else, inside of the window', { skip: kNoPage }, async () => {
   for (const [width, height] of [[1280, 800], [1920, 1080]] as const) {
-    const { page: other } = await open_page(browser, { width, height });
-    for (const row of ['events', 'leader eagle1', 'altitude', 'range']) {
-      const box = await other.box(`[data-row="${row}"]`);
-      for (const part of [0.1, 0.3, 0.97]) {
-        await other.mouse.move(box.x + box.width * part, box.y + box.height / 2);
-        const seen = await other.evaluate(() => {
-          const tip = document.querySelector<HTMLElement>('.tip')!;
-          tip.style.pointerEvents = 'auto';
-          const { left, top, right, bottom } = tip.getBoundingClientRect();
-          const at = (x: number, y: number): boolean => tip.contains(document.elementFromPoint(x, y));
-          return [tip.textContent !== '', at(left + 3, top + 3), at(right - 3, top + 3), at(left + 3, bottom - 3), at(right - 3, bottom - 3)];
-        });
-        assert.deepEqual(seen, [true, true, true, true, true], `${row} at ${part} of ${width} x ${height}`);
+    await on_page(open_page(browser, { width, height }), async (other) => {
+      for (const row of ['events', 'leader eagle1', 'altitude', 'range']) {
+        const box = await other.box(`[data-row="${row}"]`);
+        for (const part of [0.1, 0.3, 0.97]) {
+          await other.mouse.move(box.x + box.width * part, box.y + box.height / 2);
+          const seen = await other.evaluate(() => {
+            const tip = document.querySelector<HTMLElement>('.tip')!;
+            tip.style.pointerEvents = 'auto';
+            const { left, top, right, bottom } = tip.getBoundingClientRect();
+            const at = (x: number, y: number): boolean => tip.contains(document.elementFromPoint(x, y));
+            return [tip.textContent !== '', at(left + 3, top + 3), at(right - 3, top + 3), at(left + 3, bottom - 3), at(right - 3, bottom - 3)];
+          });
+          assert.deepEqual(seen, [true, true, true, true, true], `${row} at ${part} of ${width} x ${height}`);
+        }
       }
-    }
-    await other.close();
+    });
   }
 });
 
 test('it opens at the first shot with its decision, and each key moment leads to its own', { skip: kNoPage }, async () => {
-  const { page: fresh } = await open_page(browser);
-  const shown = () => fresh.$eval('.inspector', (e) => ({ ...(e as HTMLElement).dataset }));
-  assert.match((await shown())['leader']!, /release_weapon$/);
-  const moments = await fresh.$$eval('.moment', (all) => all.map((e) => (e as HTMLElement).dataset['moment']));
-  assert.deepEqual([...new Set(moments)].sort(), ['kill', 'launch', 'phase']);
-  await fresh.click('[data-moment=kill]');
-  const who = await fresh.$eval('[data-moment=kill] b', (e) => e.textContent!);
-  await fresh.waitForFunction((text) => text.includes(document.querySelector<HTMLElement>('.inspector')!.dataset['player']!), who);
-  await fresh.close();
+  await on_page(open_page(browser), async (fresh) => {
+    const shown = () => fresh.$eval('.inspector', (e) => ({ ...(e as HTMLElement).dataset }));
+    assert.match((await shown())['leader']!, /release_weapon$/);
+    const moments = await fresh.$$eval('.moment', (all) => all.map((e) => (e as HTMLElement).dataset['moment']));
+    assert.deepEqual([...new Set(moments)].sort(), ['kill', 'launch', 'phase']);
+    await fresh.click('[data-moment=kill]');
+    const who = await fresh.$eval('[data-moment=kill] b', (e) => e.textContent!);
+    await fresh.waitForFunction((text) => text.includes(document.querySelector<HTMLElement>('.inspector')!.dataset['player']!), who);
+  });
 });
 
 test('theme, layers and units are remembered', { skip: kNoPage }, async () => {
-  const { page: first } = await open_page(browser);
-  await first.evaluate(() => {
-    const { store } = window.eyrie!;
-    store.set({ theme: 'dark', units: 'metric', layers: { ...store.get().layers, rings: true } });
+  await on_page(open_page(browser), async (first) => {
+    await first.evaluate(() => {
+      const { store } = window.eyrie!;
+      store.set({ theme: 'dark', units: 'metric', layers: { ...store.get().layers, rings: true } });
+    });
   });
-  await first.close();
-  const { page: second } = await open_page(browser);
-  const { theme, units, layers } = await second.evaluate(() => window.eyrie!.store.get());
-  assert.deepEqual([theme, units, layers.rings], ['dark', 'metric', true]);
-  await second.evaluate(() => {
-    const { store } = window.eyrie!;
-    store.set({ theme: 'light', units: 'aviation', layers: { ...store.get().layers, rings: false } });
+  await on_page(open_page(browser), async (second) => {
+    const { theme, units, layers } = await second.evaluate(() => window.eyrie!.store.get());
+    assert.deepEqual([theme, units, layers.rings], ['dark', 'metric', true]);
+    await second.evaluate(() => {
+      const { store } = window.eyrie!;
+      store.set({ theme: 'light', units: 'aviation', layers: { ...store.get().layers, rings: false } });
+    });
   });
-  await second.close();
 });
 
 test('nothing was complained of', { skip: kNoPage }, () => assert.deepEqual(opened.complaints, []));

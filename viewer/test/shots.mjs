@@ -55,6 +55,7 @@ const what_if = async (page) => {
   await page.click('[data-path="root/bvr"]');
   await page.selectOption('select[aria-label="Arbiter of bvr"]', 'fusion');
   await page.waitForSelector('.verdict');
+  await page.at_rest('.inspector');
   await into_view('.what-if')(page);
 };
 

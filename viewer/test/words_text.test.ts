@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** Values in words, as the terminal writes them. */
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
 import { speak } from '../src/words/units.ts';
-import { fixed, general, read_clock, reworded, value_text, type FieldInfo } from '../src/words/text.ts';
+import { fixed, general, read_clock, reworded, side_text, value_text, type FieldInfo } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 
@@ -25,32 +27,26 @@ test('general numbers have six digits, or as many as asked for', () => {
   assert.deepEqual([NaN, Infinity, -Infinity].map((x) => general(x)), ['nan', 'inf', '-inf']);
 });
 
-test('quantities are in the units of aviation', () => {
-  assert.equal(text({ name: 'heading', unit: 'rad' }, Math.PI / 4), '045°');
-  assert.equal(text({ name: 'altitude', unit: 'm' }, 1828.8), '6000 ft');
-  assert.equal(text({ name: 'altitude', unit: 'm' }, 9753.6), '32000 ft');
-  assert.equal(text({ name: 'height above', unit: 'm' }, 3048), '10000 ft');
-  assert.equal(text({ name: 'range', unit: 'm' }, 300), '984 ft');
-  assert.equal(text({ name: 'range', unit: 'm' }, 18520), '10.0 nmi');
-  assert.equal(text({ name: 'speed', unit: 'm/s' }, 240), '467 kt');
-  assert.equal(text({ name: 'turn', unit: 'rad/s' }, Math.PI / 60), '3.0°/s');
-  assert.equal(text({ name: 'fuel', unit: 'kg' }, 1000), '2205 lb');
-  assert.equal(text({ name: 'time', unit: 's' }, 1234.5), '1234 s');
-  assert.equal(text({ name: 'time', unit: 's' }, 12.345), '12.3 s');
-  assert.equal(text({ name: 'load_factor' }, 5.285), '5.29');
-  assert.equal(text({ name: 'off_nose', unit: 'rad' }, -0.001), '0°');
-  assert.deepEqual([-0.001, -Math.PI / 2, 7].map((x) => text({ name: 'heading', unit: 'rad' }, x)), ['000°', '270°', '041°']);
-  assert.equal(text({ name: 'crossing', unit: 'rad' }, -Math.PI / 2), '-90°');
-  assert.equal(text({ name: 'temperature', unit: 'K' }, 288.15), '15°C');
+test('quantities read as in the terminal, in either system', () => {
+  const lines = readFileSync(join(process.env['EYRIE_VIEWER_FOLDER']!, '../tests/quantities.txt'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
+  assert.ok(lines.length > 20);
+  for (const line of lines) {
+    const [, kind, si, aviation, metric] = /^(\S+) +(\S+) +\| (.*?) +\| (.*)$/.exec(line)!;
+    const field = { height: { name: 'altitude', unit: 'm' }, direction: { name: 'heading', unit: 'rad' }, 1: {} }[kind!] ?? { unit: kind! };
+    const said = () => (kind === 'side' ? side_text(Number(si)) : text(field, Number(si)));
+    speak('metric');
+    assert.equal(said(), metric, line);
+    speak('aviation');
+    assert.equal(said(), aviation, line);
+  }
 });
 
-test('or metric, in the words of the engine too', () => {
+test('and the words of engine and files do', () => {
   assert.equal(reworded('splash bogey1, 14.2 nmi, 305 m behind, at 7.4 km'), 'splash bogey1, 14.2 nmi, 1001 ft behind, at 4.0 nmi');
+  assert.equal(reworded('off_nose < 60 deg and turn > 3 deg/s and 7 miles, 3 min'), 'off_nose < 60° and turn > 3.0°/s and 7 miles, 3 min');
   speak('metric');
-  assert.equal(text({ name: 'altitude', unit: 'm' }, 9753.6), '9754 m');
-  assert.equal(text({ name: 'range', unit: 'm' }, 18520), '18.5 km');
-  assert.equal(text({ name: 'speed', unit: 'm/s' }, 100), '360 km/h');
   assert.equal(reworded('fox 3 on bogey1, 10.0 nmi (AIM-120), 305 m'), 'fox 3 on bogey1, 18.5 km (AIM-120), 305 m');
+  assert.equal(reworded('closing > 100 kt and fuel < 2000 lb'), 'closing > 185 km/h and fuel < 907 kg');
   speak('aviation');
 });
 

@@ -18,6 +18,7 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], { type: 'text/javascript' })));
   const waiting = new Map<number, Waiting>();
   let last = 0;
+  let over = '';  // Why nothing is answered any more.
   worker.onmessage = ({ data }: MessageEvent<Said>) => {
     if ('progress' in data) return progress(data.progress);
     const { done, failed } = waiting.get(data.id)!;
@@ -26,6 +27,7 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
     else done(data.bytes.length ? { ...(data.answer as object), bytes: data.bytes } : data.answer);
   };
   const fail = (words: string): void => {
+    over = words;
     for (const { failed } of waiting.values()) failed(new EngineError(words));
     waiting.clear();
   };
@@ -37,6 +39,7 @@ export function start(module: WebAssembly.Module, progress: (time: number) => vo
   worker.postMessage({ module });
   const ask = (question: string) => (first?: object | Uint8Array) =>
     new Promise((done, failed) => {
+      if (over) return failed(new EngineError(over));
       const id = ++last;
       waiting.set(id, { done, failed });
       const with_bytes = first instanceof Uint8Array;

@@ -62,6 +62,7 @@ export class Instance {
     let engine: Exports;
     const imports = { wasi_snapshot_preview1: system(() => engine.memory), eyrie: { progress } };
     engine = (await WebAssembly.instantiate(module, imports)).exports as unknown as Exports;
+    if (!engine.ask || !engine.bytes_at) throw new EngineError('the engine in this page is of another Eyrie than the page');
     engine._initialize();
     return new Instance(engine);
   }

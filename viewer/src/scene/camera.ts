@@ -12,7 +12,7 @@ const kChase = 0.15;
 const kLeast = 1.5;
 /** km: a fight no wider is seen without the ground below it; an opponent no further is kept in the picture of who is followed. */
 const kClose = 8;
-const kTogether = 40;
+const kTogether = 100;
 /** rad: a drag over the height of the picture. */
 const kSwing = 3;
 

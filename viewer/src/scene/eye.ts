@@ -39,10 +39,10 @@ export class Eye {
     this.camera.matrixAutoUpdate = false;
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, ui = 1): void {
     this.width = width;
     this.height = height;
-    this.ui = Math.min(2, Math.max(1, Math.min(width / 1500, height / 900)));
+    this.ui = ui;
     this.camera.aspect = width / Math.max(1, height);
   }
 

@@ -136,7 +136,7 @@ export class Notes {
     const width = (text.length * this.letter) + 6 * this.ui;
     const height = 15 * this.ui;
     const left = px - (align === 'right' ? width : width / 2);
-    if (!is_clear(this.taken, left, py - height / 2, width, height)) return;
+    if (!this.is_whole(left, py - height / 2, width, height) || !is_clear(this.taken, left, py - height / 2, width, height)) return;
     c.fillStyle = css(this.palette.chip, 0.62);
     c.fillRect(left, py - height / 2, width, height);
     c.fillStyle = css(tint);
@@ -168,6 +168,11 @@ export class Notes {
     this.boxes.push(...box);
   }
 
+  /** Not cut off by the edge. */
+  private is_whole(x: number, y: number, width: number, height: number): boolean {
+    return x >= 2 && y >= 2 && x + width <= this.width - 2 && y + height <= this.height - 2;
+  }
+
   private readonly spot = { x: 0, y: 0 };
   private aim(tag: Tag, slot: number, width: number, height: number): void {
     const [wx, wy] = kWays[slot % kWays.length]!;
@@ -180,14 +185,14 @@ export class Notes {
     const before = this.slots.get(tag.key);
     const must = tag.priority >= 90;
     const rings = tag.priority > 20 ? kRings.length - (must ? 0 : kLast) : 1;
-    // what must be seen may stand on a mark, but never on writing
-    for (const taken of must ? [this.taken, this.boxes] : [this.taken])
+    // what must be seen may stand on a mark, but never on writing or below a button
+    for (const taken of must ? [this.taken, [...this.boxes, ...this.covered]] : [this.taken])
       for (let k = -1; k < kWays.length * rings; ++k) {
         const slot = k < 0 ? before : k;
         if (slot === undefined) continue;
         this.aim(tag, slot, width, height);
         const { x, y } = this.spot;
-        if (x >= 2 && y >= 2 && x + width <= this.width - 2 && y + height <= this.height - 2 && is_clear(taken, x, y, width, height)) return slot;
+        if (this.is_whole(x, y, width, height) && is_clear(taken, x, y, width, height)) return slot;
       }
     return -1;
   }
@@ -198,8 +203,12 @@ export class Notes {
     const height = 16 * ui;
     for (const tag of this.tags.sort((a, b) => b.priority - a.priority || a.key - b.key)) {
       const lead = (tag.mark ? 15 : 5) * ui;
-      const width = lead + (tag.text.length + (tag.rest ? tag.rest.length + 1 : 0)) * this.letter + 5 * ui;
-      const slot = this.place(tag, width, height);
+      const wide = (): number => lead + (tag.text.length + (tag.rest ? tag.rest.length + 1 : 0)) * this.letter + 5 * ui;
+      let [width, slot] = [wide(), this.place(tag, wide(), height)];
+      if (slot < 0 && tag.rest) {
+        tag.rest = '';
+        [width, slot] = [wide(), this.place(tag, wide(), height)];
+      }
       if (slot < 0) continue;
       this.slots.set(tag.key, slot);
       this.draw(tag, slot, width, height, lead);

@@ -4,6 +4,7 @@ import type { Player, Run } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
 import { listen } from '../events.ts';
 import { measure } from '../ui/actions.ts';
+import { rem_size } from '../ui/canvas.ts';
 import { draw_tracks, draw_zone, eyesight } from './beliefs.ts';
 import { draw_ghost, draw_names, draw_ruler } from './callouts.ts';
 import { SceneCamera } from './camera.ts';
@@ -31,6 +32,8 @@ const kSharpest = 2;
 /** px around an aircraft that still mean it. */
 const kGrasp = 22;
 const kToldEvery = 1000;
+/** px of one rem on a small screen. */
+const kRem = 12.2;
 /** px that an arrow key stands for. */
 const kKeyStep = 24;
 
@@ -110,7 +113,7 @@ export class AirPicture {
     const width = Math.max(1, host.clientWidth);
     const height = Math.max(1, host.clientHeight);
     const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1);
-    frame.eye.resize(width, height);
+    frame.eye.resize(width, height, Math.max(1, rem_size() / kRem));
     frame.notes.resize(frame.eye, ratio);
     const { offsetLeft = 0, offsetTop = 0, offsetWidth = 0, offsetHeight = 0 } = (host.nextElementSibling ?? {}) as Partial<HTMLElement>;
     frame.notes.covered = [offsetLeft, offsetTop, offsetWidth, offsetHeight];

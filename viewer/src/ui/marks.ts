@@ -53,9 +53,11 @@ export interface Cluster {
   end: number;
 }
 
-/** rem: half of a glyph, and a digit of a number. */
+/** rem: half of a glyph, a digit of a number, what is between the two, and between one glyph and the next. */
 export const kHalfGlyph = 0.5;
 const kDigit = 0.52;
+export const kBeside = 0.08;
+const kGap = 0.2;
 
 /** Of the height of the row: where its lanes begin, below the times. */
 export const kLanesFrom = 0.34;
@@ -69,7 +71,7 @@ export function clusters_of(marks: Mark[], [from, to]: [number, number], width: 
   const exact = ({ t }: Mark): number => ((t - from) / (to - from)) * width;
   const seen = marks.filter((mark) => Math.abs(exact(mark) - width / 2) <= width / 2 + kHalfGlyph * rem);
   const made = (all: Mark[], lane: number): Cluster => {
-    const number = all.length > 1 ? kDigit * String(all.length).length : 0;
+    const number = all.length > 1 ? kBeside + kDigit * String(all.length).length : 0;
     const half = kHalfGlyph * rem;
     // whole also at the ends of the run
     const x = Math.min(Math.max(exact(all[0]!), half), width - half - number * rem);
@@ -81,7 +83,7 @@ export function clusters_of(marks: Mark[], [from, to]: [number, number], width: 
     for (const mark of seen) {
       if (mark.side !== side) continue;
       let last = made([mark], lane);
-      for (let before = row.at(-1); before && before.end > last.x - kHalfGlyph * rem; before = row.at(-1))
+      for (let before = row.at(-1); before && before.end > last.x - (kHalfGlyph + kGap) * rem; before = row.at(-1))
         last = made([...row.pop()!.marks, ...last.marks], lane);
       row.push(last);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The key moments of a run, each of which leads to the decision it comes of: the first shot, why somebody was lost, who took the lead,
  * which phase began. */
-import { useMemo, useRef } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { Run } from '../run/run.ts';
 import { clock_text, reworded } from '../words/text.ts';
 import { show_cause } from './actions.ts';
@@ -49,6 +49,10 @@ export function Moments() {
   const list = useRef<HTMLOListElement>(null);
   use_rove(list, 'ArrowLeft', 'ArrowRight');
   const now = use_paced(store, ({ time }) => moments.findLast(({ line }) => run.story[line]!.decided <= time + 0.01)?.line ?? -1);
+  useEffect(() => {
+    const [row, one] = [list.current, list.current?.querySelector<HTMLElement>('[aria-current=true]')];
+    if (row && one) row.scrollLeft = one.offsetLeft - row.offsetLeft - (row.clientWidth - one.clientWidth) / 2;
+  }, [now, moments]);
   if (!moments.length) return null;
   return (
     <nav class="moments" aria-label="Key moments">

@@ -2,8 +2,8 @@
 /** What a player saw before a decision; names in brackets are the truth, which it did not know. */
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
-import { new_pose, place_at } from '../scene/motion.ts';
-import { heading_text, height_text, quantity_text, value_text, clock_text, number_text } from '../words/text.ts';
+import { new_pose, place_at, type Pose } from '../scene/motion.ts';
+import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
 import { use_page } from './page.ts';
 
@@ -12,22 +12,22 @@ function from_here(own: Place, { east, north, up }: Place): { range: number; bea
   return { range: Math.hypot(e, n, up - own.up), bearing: (Math.atan2(e, n) + 2 * Math.PI) % (2 * Math.PI) };
 }
 
-function Track({ track, own }: { track: TrackSeen; own: Place }) {
+function Track({ track, own }: { track: TrackSeen; own: Pose }) {
   const page = use_page();
   const { run } = page;
   const { range, bearing } = from_here(own, track.place);
   const truth = run.players[track.truth];
   return (
     <tr class={track.is_target ? 'target' : ''}>
-      <th scope="row"><span class={`identity ${track.identity}`} role="img" title={track.identity} aria-label={track.identity} />#{track.id}</th>
+      <th scope="row"><span class={`identity ${track.identity}`} role="img" title={track.identity} aria-label={track.identity} />{track.is_target && 'target '}#{track.id}</th>
       <td>
         {truth
           ? <button type="button" class="link truth" title="Who it really is; selects"
               onClick={() => select(page, truth.index)}>({truth.name})</button>
           : <span class="truth">(nothing there)</span>}
       </td>
-      <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{height_text(track.place.up)}</td>
-      <td>{number_text(track.age, 1)} s</td><td class="accent">{track.is_target ? 'target' : ''}</td>
+      <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - own.heading)}</td><td>{height_text(track.place.up)}</td>
+      <td>{number_text(track.age, 1)} s</td>
     </tr>
   );
 }
@@ -37,13 +37,13 @@ function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   place_at(player.motion, sight.t, own);
   return (
     <table class="tracks">
-      <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>altitude</th><th>age</th><th><span class="unseen">target</span></th></tr></thead>
+      <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>off nose</th><th>altitude</th><th>age</th></tr></thead>
       <tbody>
         {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
             <th scope="row">⚠ {kind}</th><td><span class="truth">({name})</span></td>
-            <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td colSpan={3} />
+            <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - own.heading)}</td><td colSpan={2} />
           </tr>
         ))}
       </tbody>

@@ -4,7 +4,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import { tick_text } from '../words/text.ts';
 import { pan_by, zoom_to } from './actions.ts';
 import { use_canvas, type Sheet } from './canvas.ts';
-import { clusters_of, kHalfGlyph, kLanesFrom, kMarks, lanes_of, type Mark, type MarkKind } from './marks.ts';
+import { clusters_of, kBeside, kHalfGlyph, kLanesFrom, kMarks, lanes_of, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
 import { use_paced, use_range, use_view } from './use.ts';
@@ -64,7 +64,7 @@ function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], fr
     pen.globalAlpha = 1;
     const size = Math.min(0.42 * lane_height, kHalfGlyph * rem);
     draw_glyph(pen, kind, x, y, size);
-    if (all.length > 1) pen.fillText(String(all.length), x + kHalfGlyph * rem, y + 0.5);
+    if (all.length > 1) pen.fillText(String(all.length), x + (kHalfGlyph + kBeside) * rem, y + 0.5);
   }
 }
 

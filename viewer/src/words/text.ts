@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/** Values, numbers and times in words, as the terminal writes them: src/debrief/values.hpp, and {:.Nf} and {:g} of fmt, which
+/** Values, numbers and times in words, as the terminal writes them: src/team/decision.hpp, and {:.Nf} and {:g} of fmt, which
  * round halves to even. */
 import type { Run } from '../run/run.ts';
-import { spoken, type Unit } from './units.ts';
+import { kSystems, size_of_unit, spoken, type Unit } from './units.ts';
 
 /** What value_text needs of an ActionField or a StateField; only a field of the state has choices. */
 export interface FieldInfo {
@@ -20,8 +20,8 @@ function in_unit(si: number, [symbol, numerator, denominator = 1, decimals = 0, 
 /** "10.0 nmi", "467 kt", "45°", "5.29"; "-" for NaN. `unit` is that of SI. */
 export function quantity_text(si: number, unit: string): string {
   if (Number.isNaN(si)) return '-';
-  const { far, near, far_from, others } = spoken();
-  const u = unit === 'm' ? (Math.abs(si) < far_from ? near : far) : others[unit];
+  const { far, near, others } = spoken();
+  const u = unit === 'm' ? (Math.abs(si) < size_of_unit(far) ? near : far) : others[unit];
   if (u) return in_unit(si, u);
   const size = Math.abs(si);
   const number = size >= 100 && size < 1e9 ? fixed(si, 0) : general(si, 3);
@@ -39,12 +39,27 @@ export function heading_text(rad: number): string {
   return `${String(degrees).padStart(3, '0')}°`;
 }
 
-/** Words of the engine with their lengths in the units that people read. */
+/** "35° right": from the nose. */
+export function side_text(rad: number): string {
+  const turn = Math.atan2(Math.sin(rad), Math.cos(rad));
+  const size = quantity_text(Math.abs(turn), 'rad');
+  return size === '0°' || size === '180°' ? size : `${size} ${turn < 0 ? 'left' : 'right'}`;
+}
+
+/** How files and the engine write units: of which kind each is. */
+const kWritten = new Map<string, [kind: string, unit: Unit]>(Object.values(kSystems).flatMap(({ far, near, others }) =>
+  Object.entries({ far, near, ...others, rad: ['deg', Math.PI / 180] as const, 'rad/s': ['deg/s', Math.PI / 180] as const })
+    .map(([kind, unit]): [string, [string, Unit]] => [unit[0], [kind, unit]])));
+const kQuantity = new RegExp(`(\\d+(?:\\.\\d+)?) (${[...kWritten.keys()].join('|')})(?![\\w/])`, 'g');
+
+/** Words of the engine, and of files, in the units that people read. */
 export function reworded(text: string): string {
-  const { far, near } = spoken();
-  return text.replace(/(\d+(?:\.\d+)?) (nmi|ft|km|m)\b/g, (said, number: string, unit: 'nmi' | 'ft' | 'km' | 'm') => {
-    const wanted: Unit = unit === 'nmi' || unit === 'km' ? far : near;
-    return unit === wanted[0] ? said : in_unit(Number(number) * { nmi: 1852, ft: 0.3048, km: 1000, m: 1 }[unit], wanted);
+  const { far, near, others } = spoken();
+  const spoken_of: Readonly<Record<string, Unit>> = { far, near, ...others };
+  return text.replace(kQuantity, (said, number: string, symbol: string) => {
+    const [kind, unit] = kWritten.get(symbol)!;
+    const wanted = spoken_of[kind]!;
+    return wanted[0] === symbol ? said : in_unit(Number(number) * size_of_unit(unit), wanted);
   });
 }
 
@@ -62,7 +77,7 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
     case 'id':
       return value ? `#${value}` : 'nobody';
     default:
-      if (unit === 'rad' && /heading|bearing/.test(name)) return heading_text(value);
+      if (unit === 'rad' && /^(heading|bearing|course)$/.test(name)) return heading_text(value);
       return /altitude|above/.test(name) ? height_text(value) : quantity_text(value, unit);
   }
 }
