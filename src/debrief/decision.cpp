@@ -279,6 +279,11 @@ std::string decision_text(const Decision& decision, const scenario::Roster& rost
   tree_text(d, text);
   text += "\naction\n";
   action_text(d, text);
+  if (!d.overruled.empty())
+    text += "\nfrom outside\n";
+  for (const team::Changed& field : d.overruled)
+    fmt::format_to(std::back_inserter(text), "  {:<12} {:<14} instead of {}\n", field.name,
+                   field.other, field.flown);
   return text;
 }
 
@@ -302,6 +307,11 @@ Json decision_json(const Decision& d, const scenario::Roster& roster) {
   j["action"] = Json::array();
   for (const Won& won : d.action)
     j["action"].push_back(won_json(d, won));
+  if (!d.overruled.empty())
+    j["overruled"] = Json::array();
+  for (const team::Changed& field : d.overruled)
+    j["overruled"].push_back(
+        {{"name", field.name}, {"tree", field.flown}, {"outside", field.other}});
   j["nodes"] = Json::array();
   for (const Answer& answer : d.nodes)
     j["nodes"].push_back(answer_json(answer));

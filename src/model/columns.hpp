@@ -11,6 +11,7 @@
 #include "model/sensor/radar.hpp"
 #include "model/sensor/rwr.hpp"
 #include "model/sensor/threats.hpp"
+#include "model/tasking.hpp"
 #include "model/track.hpp"
 #include "model/vehicle/vehicle.hpp"
 #include "model/weapon/countermeasures.hpp"
@@ -50,29 +51,33 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
   sim::Column<Decoys> decoys;
   sim::Column<GunState> gun;
   sim::Column<Damage> damage;
+  sim::Column<Tasking> tasking;
 
   static constexpr std::string_view table_name = "aircraft";
   static constexpr auto columns() {
     using C = AircraftColumns;
     using sim::column, sim::WrittenBy;
     using enum sim::Phase;
-    return std::tuple{column("fit", &C::fit),
-                      column("kinematics", &C::kinematics, WrittenBy{"flight", move}),
-                      column("flying", &C::flying, WrittenBy{"flight", move}),
-                      column("propulsion", &C::propulsion, WrittenBy{"flight", move}),
-                      column("command", &C::command, WrittenBy{"pilot", decide}),
-                      column("request", &C::request, WrittenBy{"pilot", decide}),
-                      column("radar", &C::radar, WrittenBy{"sensors", perceive}),
-                      column("rwr", &C::rwr, WrittenBy{"sensors", perceive}),
-                      column("threats", &C::threats, WrittenBy{"sensors", perceive}),
-                      column("tracks", &C::tracks, WrittenBy{"sensors", perceive}),
-                      column("datalink", &C::datalink, WrittenBy{"sensors", perceive}),
-                      column("sent", &C::sent, WrittenBy{"sensors", act}),
-                      column("emission", &C::emission, WrittenBy{"sensors", act}),
-                      column("stores", &C::stores, WrittenBy{"stores", act}),
-                      column("decoys", &C::decoys, WrittenBy{"stores", act}),
-                      column("gun", &C::gun, WrittenBy{"gun", interact}),
-                      column("damage", &C::damage, WrittenBy{"damage", commit})};
+    return std::tuple{
+        column("fit", &C::fit),
+        column("kinematics", &C::kinematics, WrittenBy{"flight", move}),
+        column("flying", &C::flying, WrittenBy{"flight", move}),
+        column("propulsion", &C::propulsion, WrittenBy{"flight", move}),
+        column("command", &C::command, WrittenBy{"pilot", decide}),
+        column("request", &C::request, WrittenBy{"pilot", decide}),
+        column("radar", &C::radar, WrittenBy{"sensors", perceive}),
+        column("rwr", &C::rwr, WrittenBy{"sensors", perceive}),
+        column("threats", &C::threats, WrittenBy{"sensors", perceive}),
+        column("tracks", &C::tracks, WrittenBy{"sensors", perceive}),
+        column("datalink", &C::datalink, WrittenBy{"sensors", perceive}),
+        column("sent", &C::sent, WrittenBy{"sensors", act}),
+        column("emission", &C::emission, WrittenBy{"sensors", act}),
+        column("stores", &C::stores, WrittenBy{"stores", act}),
+        column("decoys", &C::decoys, WrittenBy{"stores", act}),
+        column("gun", &C::gun, WrittenBy{"gun", interact}),
+        column("damage", &C::damage, WrittenBy{"damage", commit}),
+        column("tasking", &C::tasking, WrittenBy{"pilot", orders}, WrittenBy{"pilot", decide})
+            .seldom_used()};
   }
 };
 

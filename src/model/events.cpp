@@ -111,7 +111,12 @@ constexpr std::array kInfos = [] {
       {order,
        "order",
        "who has been given an order from outside the run.",
-       {{{"kind", {}, "order_given", C::order, "`swap_tree`, `lose`"}}}},
+       {{{"kind",
+          {},
+          "order_given",
+          C::order,
+          "`swap_tree`, `lose`, `take_over`, `hand_back`, `vote`, `weapons_tight`, "
+          "`weapons_free`, `point`"}}}},
       {eject,
        "eject",
        "A store leaves who towards whom; it becomes a `launch` in the same step.",

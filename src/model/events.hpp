@@ -44,7 +44,7 @@ enum class EventKind : std::uint16_t {
                     ///< into it, 2 breaks, 3 notches, 4 drags, 5 breaks at the last moment, 6 goes
                     ///< out from a fighter, no missile being known
   in_charge,        ///< who's winning behavior changed; values: node index, vote
-  order,            ///< an order from outside was carried out on who; values: order kind
+  order,            ///< an order from outside was carried out on who; values: order kind, detail
   eject,            ///< a store leaves who's station aux towards whom; detail = its track; values:
                     ///< store index, 1 if it is the last. Becomes a launch in the same step
   scatter,          ///< who leaves its way because of aircraft whom; values: range
@@ -67,7 +67,7 @@ enum class EventCode : std::uint8_t {
   node,      ///< of the tree `aux`; -1: none
   flight,    ///< index into the flights
   defense,   ///< phase of a defend event
-  order,     ///< kind of order
+  order,     ///< kind of order, with the second value
   decoys,    ///< Dispense
 };
 

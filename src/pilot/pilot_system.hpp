@@ -4,6 +4,7 @@
 #include "model/events.hpp"
 #include "pilot/agent.hpp"
 #include "pilot/controller.hpp"
+#include "pilot/outside.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
 #include "sim/event.hpp"
@@ -27,9 +28,6 @@ class Teller : public team::Telling {
   const State& state_;
 };
 
-/// Orders that pilots carry out.
-enum class OrderKind : std::uint16_t { none = 0, swap_tree = 1 };
-
 /// What pilots are to team::AgentSystem. They tell phase, in_charge, defend, commit, lead_change,
 /// bingo and home.
 struct Piloting : Platform {
@@ -38,6 +36,7 @@ struct Piloting : Platform {
   using Plan = Formation;
   using View = Cockpit;
   using Teller = pilot::Teller;
+  using Outside = pilot::Outside;
   /// What he writes.
   struct Controls {
     model::Command& command;

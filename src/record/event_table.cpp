@@ -105,7 +105,7 @@ Cell EventTable::value(const sim::Event& e, const model::EventValue& what, float
     case EventCode::defense:
       return defense_word(number);
     case EventCode::order:
-      return std::string(number == 3 ? "lose" : "swap_tree");
+      return std::string(order_word(e));
   }
   return {};
 }

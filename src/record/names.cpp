@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/names.hpp"
 
+#include "pilot/outside.hpp"
+
 namespace eyrie::record {
 namespace {
 
@@ -42,6 +44,39 @@ std::string child_label(const scenario::Scenario& scenario, const sim::Event& ph
 std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase) {
   const std::string name = child_label(scenario, phase, phase.values[1]);
   return name.empty() ? "?" : name;
+}
+
+std::string_view order_word(const sim::Event& order) {
+  const bool on = order.values[1] == 1;
+  switch (static_cast<pilot::OrderKind>(static_cast<std::uint16_t>(order.values[0]))) {
+    case pilot::OrderKind::manual:
+      return on ? "take_over" : "hand_back";
+    case pilot::OrderKind::vote:
+      return "vote";
+    case pilot::OrderKind::weapons:
+      return on ? "weapons_tight" : "weapons_free";
+    case pilot::OrderKind::point:
+      return "point";
+    default:
+      return order.values[0] == 3 ? "lose" : "swap_tree";
+  }
+}
+
+std::string order_sentence(const scenario::Scenario& scenario, const sim::Event& order) {
+  const std::string_view word = order_word(order);
+  const ubf::AnyTree* tree = tree_of(scenario, order);
+  const std::string by = tree ? std::string(tree->name()) : "?";
+  if (word == "take_over")
+    return "is taken over by a person";
+  if (word == "hand_back")
+    return fmt::format("is handed back to tree {}", by);
+  if (word == "vote")
+    return fmt::format("is told another vote of {}", node_label(scenario, order, order.values[1]));
+  if (word == "weapons_tight" || word == "weapons_free")
+    return word == "weapons_tight" ? "is told: weapons tight" : "is told: weapons free";
+  if (word == "point")
+    return order.values[1] == 2 ? "is told to fly its route again" : "is told to fly to a point";
+  return fmt::format("is told to go by tree {}", by);
 }
 
 void Missiles::note(const sim::Event& e) {

@@ -26,6 +26,11 @@ namespace eyrie::record {
                                       float child);
 /// Of a phase event: the name of the tree that was entered, such as "ingress".
 [[nodiscard]] std::string phase_name(const scenario::Scenario& scenario, const sim::Event& phase);
+/// Of an order event: "swap_tree", "take_over", as tables have it.
+[[nodiscard]] std::string_view order_word(const sim::Event& order);
+/// Of an order event: "flies by tree patrol from now on".
+[[nodiscard]] std::string order_sentence(const scenario::Scenario& scenario,
+                                         const sim::Event& order);
 /// Label of a missile type by its index in the library, "?" if there is none.
 [[nodiscard]] std::string store_label(const scenario::Scenario& scenario, float index);
 

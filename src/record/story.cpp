@@ -203,7 +203,7 @@ void Story::tell(const sim::Event& e) {
       }
       break;
     case EventKind::order:
-      say(e.who, "gets an order from outside");
+      say(e.who, order_sentence(scenario_, e));
       break;
     default:
       break;

@@ -27,7 +27,14 @@ struct DescribedColumn {
   Column<Row> Columns::*member;
   std::array<WrittenBy, 4> writers{};
   std::size_t writer_count = 0;
+  bool seldom = false;
 
+  /// The same, zero in most runs (ColumnInfo::seldom).
+  [[nodiscard]] constexpr DescribedColumn seldom_used() const {
+    DescribedColumn column = *this;
+    column.seldom = true;
+    return column;
+  }
   [[nodiscard]] constexpr bool is_written_in(Phase phase) const {
     for (std::size_t i = 0; i < writer_count; ++i)
       if (writers[i].phase == phase)
@@ -56,6 +63,8 @@ struct Table {
     each([&]<class Row>(const DescribedColumn<Columns, Row>& c) {
       keys.*c.member = builder.add_column<Row>(keys.table, c.name);
       builder.set_writers((keys.*c.member).index, {c.writers.data(), c.writer_count});
+      if (c.seldom)
+        builder.set_seldom((keys.*c.member).index);
     });
     return keys;
   }

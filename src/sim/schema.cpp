@@ -142,6 +142,12 @@ void SchemaBuilder::set_writers(std::uint32_t column, std::span<const WrittenBy>
   schema_->columns_.at(column).writers.emplace(writers.begin(), writers.end());
 }
 
+void SchemaBuilder::set_seldom(std::uint32_t column) {
+  if (schema_ == nullptr || column >= schema_->columns_.size())
+    misuse("there is no such column");
+  schema_->columns_[column].seldom = true;
+}
+
 std::shared_ptr<const Schema> SchemaBuilder::build() {
   if (schema_ == nullptr)
     misuse("it was built already");

@@ -28,6 +28,8 @@ struct ColumnInfo {
   std::uint32_t alignment = 0;  ///< bytes
   std::uint64_t offset = 0;     ///< of row 0 in the World's buffer, a multiple of 64
   std::vector<FieldInfo> fields;
+  /// No part of the hash of a world where all of it is zero. No part of the layout either.
+  bool seldom = false;
   /// Who writes it; nothing if that was not described. No part of the layout.
   std::optional<std::vector<WrittenBy>> writers = {};
 };
@@ -99,6 +101,9 @@ class SchemaBuilder {
 
   /// Says who writes a column, so that sim::WriteCheck can tell who else does.
   void set_writers(std::uint32_t column, std::span<const WrittenBy> writers);
+
+  /// A column that is zero in most runs: World::hash() passes it by as long as it is.
+  void set_seldom(std::uint32_t column);
 
   /// The finished schema. The builder is empty afterwards.
   [[nodiscard]] std::shared_ptr<const Schema> build();

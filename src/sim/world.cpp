@@ -133,6 +133,11 @@ std::uint64_t World::hash() const {
   const auto columns = static_cast<std::uint32_t>(schema_->columns().size());
   for (std::uint32_t i = 0; i < columns; ++i) {
     const std::span<const std::byte> bytes = column_bytes(i);
+    if (schema_->column(i).seldom) {
+      if (all_zero(bytes.data(), bytes.size()))
+        continue;
+      hasher.word(i);
+    }
     hasher.bytes(bytes.data(), bytes.size());
   }
   return hasher.value();

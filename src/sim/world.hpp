@@ -114,7 +114,8 @@ class World {
   /// the layout is another, or a table has too little room.
   [[nodiscard]] std::optional<World> moved_to(std::shared_ptr<const Schema> schema) const;
 
-  /// XXH3 over the header and the live rows of all columns. Independent of capacities.
+  /// XXH3 over the header and the live rows of all columns but those that are seldom used and all
+  /// zero. Independent of capacities.
   [[nodiscard]] std::uint64_t hash() const;
   /// Byte-wise equality of worlds of one schema object or of equal layout and capacities.
   [[nodiscard]] bool same_bytes(const World& other) const;

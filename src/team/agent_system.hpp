@@ -6,6 +6,7 @@
 #include "sim/columns.hpp"
 #include "team/deciding.hpp"
 #include "team/explain.hpp"
+#include "team/outside.hpp"
 
 namespace eyrie::team {
 
@@ -33,7 +34,8 @@ struct AgentSetup {
 ///     changes() after it;
 ///   * account(state, agent): what an agent takes note of before it decides; execute(action, state,
 ///     controls, agent); rest(controls): in every step, before the decision if one is due;
-///   * swap_tree: its kind of order.
+///   * swap_tree: its kind of order; if there are more, Outside (see pilot::Outside): what is asked
+///     from outside, and what that does to a decision.
 template <class Platform>
 class AgentSystem final : public Agents {
  public:
@@ -41,6 +43,8 @@ class AgentSystem final : public Agents {
   using Action = typename Platform::Action;
   using Agent = typename Platform::Agent;
   using Setup = AgentSetup<Platform>;
+  using Outside = typename OutsideOf<Platform>::Type;
+  using Asked = typename Outside::Asked;
 
   /// std::logic_error without library or trees, for a flight without a plan, and for no period.
   explicit AgentSystem(Setup setup)
@@ -62,12 +66,13 @@ class AgentSystem final : public Agents {
   void apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
                    sim::Outbox& out) const override {
     const auto row = world.row(table(), order.player);
-    const auto tree = order.as<SwapTree>().tree;
-    if (!row || tree >= setup_.trees->size())
+    if (!row)
       return;
-    use_tree(world.rows(setup_.agents.agent)[*row], world.bytes(setup_.agents.brain, *row), tree);
-    Telling(order.player, world.rows(setup_.columns.kinematics)[*row].position, out)
-        .tell(model::EventKind::order, {}, tree, order.kind.value);
+    Agent& agent = world.rows(setup_.agents.agent)[*row];
+    if (obey(order, agent, world.bytes(setup_.agents.brain, *row), asked_of(world)[*row]) ==
+        Obeyed::told)
+      Telling(order.player, world.rows(setup_.columns.kinematics)[*row].position, out)
+          .tell(model::EventKind::order, {}, agent.tree, order.kind.value, Outside::detail(order));
   }
 
   void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
@@ -77,11 +82,13 @@ class AgentSystem final : public Agents {
     const auto ids = world.ids(table());
     const auto fits = std::as_const(world).rows(setup_.columns.fit);
     const auto agents = world.rows(setup_.agents.agent);
+    const auto asked_rows = asked_of(world);
     for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
       Agent& agent = agents[row];
       const auto mine = controls.at(row);
+      auto& asked = asked_rows[row];
       Platform::rest(mine);
-      if (!deciding_.due(info, ids[row], agent.tree))
+      if (!deciding_.due(info, ids[row], agent.tree) || Outside::sleeps(asked))
         continue;
 
       // perceive
@@ -96,12 +103,16 @@ class AgentSystem final : public Agents {
       ubf::TransitionLog log;
       ubf::Proposal<Action> decided;
       if (!deciding_.ask(agent.tree, state, info, ids[row], world.bytes(setup_.agents.brain, row),
-                         log, decided, out)) [[unlikely]]
+                         Outside::votes(asked).span(), log, decided, out)) [[unlikely]]
         return;
 
       // act
       const Agent before = agent;
       keep_decision(agent, decided, info.step);
+      if (Outside::says(asked)) [[unlikely]] {
+        Outside::overrule(asked, state, decided.action);
+        Outside::done(asked, state);
+      }
       Platform::execute(decided.action, state, mine, agent);
       teller.transitions(log, deciding_.outermost(agent.tree), agent);
       teller.changes(before, decided, agent);
@@ -133,8 +144,8 @@ class AgentSystem final : public Agents {
   bool look_again(const sim::World& before, const sim::World& after, PlayerId who,
                   std::span<const sim::Order> orders,
                   const std::function<void(const AnyMoment&)>& use) const override {
-    return revisit(before, after, who, orders,
-                   [&](const Moment<State>& m) { use(Again(*this, m)); });
+    return revisit_asked(before, after, who, orders,
+                         [&](const auto& m, const auto& asked) { use(Again(*this, m, asked)); });
   }
 
   [[nodiscard]] const Setup& setup() const { return setup_; }
@@ -145,30 +156,49 @@ class AgentSystem final : public Agents {
   /// in that step.
   bool revisit(const sim::World& before, const sim::World& after, PlayerId who,
                std::span<const sim::Order> orders, const UseMoment<State>& use) const {
+    return revisit_asked(before, after, who, orders, [&](const auto& m, const auto&) { use(m); });
+  }
+
+ private:
+  /// The same, also with what is asked of it from outside.
+  template <class Use>
+  bool revisit_asked(const sim::World& before, const sim::World& after, PlayerId who,
+                     std::span<const sim::Order> orders, Use use) const {
     const auto row = before.row(table(), who), sensed_row = after.row(table(), who);
     const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
     if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
       return false;
-    auto [agent, memory] =
-        recall(before, setup_.agents, *row, who, orders, Platform::swap_tree, setup_.trees->size());
-    if (agent.tree == kNoTree)
+    Agent agent = before.rows(setup_.agents.agent)[*row];
+    const auto slab = before.bytes(setup_.agents.brain, *row);
+    std::vector<std::byte> memory(slab.begin(), slab.end());
+    auto asked = asked_of(before)[*row];
+    for (const sim::Order& order : orders)
+      if (order.player == who)
+        obey(order, agent, memory, asked);
+    if (agent.tree == kNoTree || Outside::sleeps(asked))
       return false;
     const Rows rows(before, setup_.columns), sensed(after, setup_.columns);
     const model::Fit& fit = before.rows(setup_.columns.fit)[*row];
     const State state(rows.at_both(*row, sensed, *sensed_row, agent), *setup_.library, fit,
                       setup_.plans[fit.flight], info.time());
     Platform::account(state, agent);
-    use(deciding_.moment(state, info, who, memory));
+    const auto votes = Outside::votes(asked);
+    use(deciding_.moment(state, info, who, memory, votes.span()), asked);
     return true;
   }
 
- private:
   class Again final : public AnyMoment {
    public:
-    Again(const AgentSystem& agents, const Moment<State>& m)
-        : AnyMoment(m.info, m.who, m.state.agent.tree, m.memory), agents_(agents), m_(m) {}
+    Again(const AgentSystem& agents, const Moment<State>& m, const Asked& asked)
+        : AnyMoment(m.info, m.who, m.state.agent.tree, m.memory),
+          agents_(agents),
+          m_(m),
+          asked_(asked) {}
     [[nodiscard]] Decision decision(const Agents& asked) const override {
-      return decision_of(m_, tree_of(asked), tree_of(agents_));
+      return decision_of(m_, tree_of(asked), tree_of(agents_), [&](Action& action) {
+        if (Outside::says(asked_))
+          Outside::overrule(asked_, m_.state, action);
+      });
     }
     [[nodiscard]] std::vector<std::uint64_t> memory_for(const Agents& other) const override {
       return team::memory_for(tree_of(other), tree_of(agents_), m_);
@@ -186,9 +216,35 @@ class AgentSystem final : public Agents {
 
     const AgentSystem& agents_;
     const Moment<State>& m_;
+    const Asked& asked_;
   };
+
+  [[nodiscard]] auto asked_of(auto& world) const {
+    if constexpr (std::is_same_v<Outside, NoOutside>)
+      return NoOutside::Rows{};
+    else
+      return world.rows(setup_.columns.*Outside::column);
+  }
+  Obeyed obey(const sim::Order& order, Agent& agent, std::span<std::byte> memory,
+              Asked& asked) const {
+    if (order.kind != sim::OrderKind(Platform::swap_tree))
+      return Outside::obey(order, asked,
+                           agent.tree == kNoTree ? 0 : (*setup_.trees)[agent.tree].size());
+    const auto tree = order.as<SwapTree>().tree;
+    if (tree >= setup_.trees->size())
+      return Obeyed::no;
+    use_tree(agent, memory, tree);
+    Outside::forget_votes(asked);
+    return Obeyed::told;
+  }
+
   using Rows = sim::Views<typename Platform::View, const sim::World>;
-  static constexpr std::array kOrders{sim::OrderKind(Platform::swap_tree)};
+  static constexpr auto kOrders = [] {
+    std::array<sim::OrderKind, 1 + Outside::orders.size()> kinds{
+        sim::OrderKind(Platform::swap_tree)};
+    std::copy(Outside::orders.begin(), Outside::orders.end(), kinds.begin() + 1);
+    return kinds;
+  }();
 
   Setup setup_;
   Deciding<State, Action> deciding_;

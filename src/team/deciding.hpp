@@ -47,26 +47,6 @@ void use_tree(Agent& agent, std::span<std::byte> memory, std::uint16_t tree) {
   std::memset(memory.data(), 0, memory.size());
 }
 
-/// An agent's row and what its tree remembers.
-template <class Agent>
-struct Recalled {
-  Agent agent;
-  std::vector<std::byte> memory;
-};
-/// What the orders of a step left an agent with that stands in row `row` of the world before it.
-template <class Agent>
-[[nodiscard]] Recalled<Agent> recall(const sim::World& before, const AgentColumns<Agent>& columns,
-                                     std::uint32_t row, PlayerId who,
-                                     std::span<const sim::Order> orders, sim::OrderKind swap,
-                                     std::size_t trees) {
-  const auto slab = before.bytes(columns.brain, row);
-  Recalled<Agent> recalled{before.rows(columns.agent)[row], {slab.begin(), slab.end()}};
-  for (const sim::Order& order : orders)
-    if (order.player == who && order.kind == swap && order.as<SwapTree>().tree < trees)
-      use_tree(recalled.agent, recalled.memory, order.as<SwapTree>().tree);
-  return recalled;
-}
-
 /// The trees of one kind of platform and how often its agents ask them.
 template <class State, class Action>
 class Deciding {
@@ -98,7 +78,8 @@ class Deciding {
   /// threw or answered what means nothing: then nothing of it may be used. A tree takes such a node
   /// as one that failed; a run is ended, because whoever reads its results could not see that.
   [[nodiscard]] bool ask(std::uint16_t tree, const State& state, const sim::StepInfo& info,
-                         PlayerId who, std::span<std::byte> memory, ubf::TransitionLog& log,
+                         PlayerId who, std::span<std::byte> memory,
+                         std::span<const ubf::NodeVote> votes, ubf::TransitionLog& log,
                          Proposal& decided, sim::Outbox& out) const {
     EYRIE_ASSERT(tree < trees_->size());
     EYRIE_ASSERT((*trees_)[tree].memory_bytes() <= memory.size());
@@ -115,12 +96,13 @@ class Deciding {
                             .player = who,
                             .memory = memory.data(),
                             .log = &log,
-                            .mistake = &mistake},
+                            .mistake = &mistake,
+                            .votes = votes},
                            decided);
     } catch (...) {
-      out.fail(
-          fault_of((*trees_)[tree], who, exception_text(),
-                   who_threw((*trees_)[tree], moment(state, info, who, before.bytes(memory)))));
+      out.fail(fault_of(
+          (*trees_)[tree], who, exception_text(),
+          who_threw((*trees_)[tree], moment(state, info, who, before.bytes(memory), votes))));
       return false;
     }
     if (mistake.node != ubf::kNone) [[unlikely]] {
@@ -131,8 +113,9 @@ class Deciding {
   }
   /// The moment of a decision.
   [[nodiscard]] Moment<State> moment(const State& state, const sim::StepInfo& info, PlayerId who,
-                                     std::span<const std::byte> memory) const {
-    return {state, info, period_ * info.dt, who, memory};
+                                     std::span<const std::byte> memory,
+                                     std::span<const ubf::NodeVote> votes) const {
+    return {state, info, period_ * info.dt, who, memory, votes};
   }
 
  private:

@@ -55,6 +55,13 @@ struct Perceived {
   std::string name = {};      ///< "#3 (bogey1)": number and truth, filled in by who knows the names
 };
 
+/// A field that would have been another one.
+struct Changed {
+  std::string name, unit;
+  std::string flown, other;          ///< for people; "-" for nothing
+  std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
+};
+
 struct Decision {
   std::uint64_t step = 0;  ///< of the world
   double time = 0;         ///< s
@@ -65,15 +72,10 @@ struct Decision {
   ubf::NodeIndex leader = ubf::kNone;  ///< whose recommendation led; kNone: nobody's
   std::vector<Answer> nodes;           ///< pre-order
   std::vector<Won> action;
+  /// What was carried out otherwise, because somebody outside asked for it.
+  std::vector<Changed> overruled;
   std::vector<Value> state;
   std::vector<Perceived> perceived;
-};
-
-/// A field that would have been another one.
-struct Changed {
-  std::string name, unit;
-  std::string flown, other;          ///< for people; "-" for nothing
-  std::optional<double> difference;  ///< other minus flown in SI, directions the short way round
 };
 
 /// "045°", "6000 ft", "467 kt"; "-" for no value. Headings and bearings are directions, from 000 to

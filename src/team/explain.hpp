@@ -116,9 +116,10 @@ std::vector<Changed> changes(const Action& flown, const Action& other) {
 
 /// Asks `tree` where an agent has decided by `flown`, with a trace. What an agent perceived comes
 /// from perceived(state), found next to the state.
-template <class State, class Action>
+/// `overrule` puts into an action what somebody outside asked for instead.
+template <class State, class Action, class Overrule>
 Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tree,
-                     const ubf::Tree<State, Action>& flown) {
+                     const ubf::Tree<State, Action>& flown, Overrule overrule) {
   ubf::Trace<Action> trace(tree.size());
   auto memory = memory_for(tree, flown, m);
   const auto out = ask_again(tree, m, reinterpret_cast<std::byte*>(memory.data()), &trace);
@@ -132,6 +133,9 @@ Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tre
   d.leader = out.leader;
   d.nodes = answers(unanswered(tree), tree, trace);
   d.action = contest(d.nodes, trace);
+  Action carried_out = out.action;
+  overrule(carried_out);
+  d.overruled = changes(out.action, carried_out);
   d.state = state_values(m.state);
   d.perceived = perceived(m.state);
   return d;

@@ -19,6 +19,7 @@ struct Moment {
   double dt;  ///< s, from decision to decision
   PlayerId who;
   std::span<const std::byte> memory;  ///< of its tree, before the decision
+  std::span<const ubf::NodeVote> votes = {};
 };
 template <class State>
 using UseMoment = std::function<void(const Moment<State>&)>;
@@ -35,7 +36,8 @@ ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Mome
              .seed = m.info.seed,
              .player = m.who,
              .memory = memory,
-             .trace = trace},
+             .trace = trace,
+             .votes = m.votes},
             out);
   return out;
 }

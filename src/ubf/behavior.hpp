@@ -19,23 +19,30 @@ enum class Status : std::uint8_t { failure, running, success };
   return kNames[static_cast<std::size_t>(status)];
 }
 
+/// A node that votes otherwise than its file says: this much, or this much of its curve.
+struct NodeVote {
+  NodeIndex node = kNone;
+  float vote = 0;
+};
+
 /// Everything a node may look at during one tick. Nothing in it outlives the tick.
 template <class State>
 struct Tick {
-  const State& state;            ///< what the agent perceives
-  double time = 0;               ///< s, simulated
-  double dt = 0;                 ///< s since this agent's previous tick
-  std::uint64_t step = 0;        ///< of the world, for draws
-  std::uint64_t seed = 0;        ///< of the run, for draws
-  PlayerId player{};             ///< whose tick this is, for draws
-  std::byte* memory = nullptr;   ///< this agent's slab, laid out by the tree
-  AnyTrace* trace = nullptr;     ///< null when nobody watches
-  TransitionLog* log = nullptr;  ///< null when nobody listens
-  Mistake* mistake = nullptr;    ///< takes the first of the tick; null when nobody listens
+  const State& state;                    ///< what the agent perceives
+  double time = 0;                       ///< s, simulated
+  double dt = 0;                         ///< s since this agent's previous tick
+  std::uint64_t step = 0;                ///< of the world, for draws
+  std::uint64_t seed = 0;                ///< of the run, for draws
+  PlayerId player{};                     ///< whose tick this is, for draws
+  std::byte* memory = nullptr;           ///< this agent's slab, laid out by the tree
+  AnyTrace* trace = nullptr;             ///< null when nobody watches
+  TransitionLog* log = nullptr;          ///< null when nobody listens
+  Mistake* mistake = nullptr;            ///< takes the first of the tick; null when nobody listens
+  std::span<const NodeVote> votes = {};  ///< which nodes vote otherwise than their file says
 
   /// The same tick of an agent that looks at another state.
   [[nodiscard]] Tick in(const State& other) const {
-    return {other, time, dt, step, seed, player, memory, trace, log, mistake};
+    return {other, time, dt, step, seed, player, memory, trace, log, mistake, votes};
   }
 };
 
@@ -75,6 +82,8 @@ class Behavior : public AnyNode {
   /// What it recommends, with the share of its vote that the state gives it. For parents.
   Status decide(const Tick<State>& t, Proposal<Action>& out) const {
     const Status status = tick(t, out);
+    if (!t.votes.empty()) [[unlikely]]
+      vote_anew(t, status, out);
     if (vote_curve_) [[unlikely]]
       weigh(t, out);
     return status;
@@ -97,6 +106,12 @@ class Behavior : public AnyNode {
   }
 
  private:
+  [[gnu::noinline]] void vote_anew(const Tick<State>& t, Status status,
+                                   Proposal<Action>& out) const {
+    for (const NodeVote& change : t.votes)
+      if (change.node == index_ && status != Status::failure && !out.is_empty())
+        out.vote = change.vote;
+  }
   [[gnu::noinline]] void weigh(const Tick<State>& t, Proposal<Action>& out) const {
     VoteCurve::Scores scores{};
     const StateField<State>* fields = StateFields<State>::all().data();
