@@ -5,6 +5,7 @@
 
 #include "campaign/again.hpp"
 #include "command.hpp"
+#include "core/text.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
 
@@ -32,7 +33,7 @@ CampaignDebrief campaign_debrief(const std::string& folder,
         page::part_of("campaign",
                       texts.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),
         page::part_of("zones", launch_zones())};
-    return {page::base64(page::deflated(page::page_with(shell.bytes, parts))), {}};
+    return {base64(page::deflated(page::page_with(shell.bytes, parts))), {}};
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {

@@ -125,12 +125,17 @@ int debrief_page(const DebriefOptions& options);
 /// The page of one run or two, by the engine in it or (`columns`) what was recorded. "" if it was
 /// interrupted; throws disk::Failed if it cannot be.
 [[nodiscard]] std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns);
+/// The page that looks at a mission while it is flown.
+[[nodiscard]] std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed);
 
 struct ServeOptions {
-  std::vector<std::string> runs;  ///< one or two
+  std::vector<std::string> what;  ///< one run or two, or a scenario
   std::uint16_t port = 8042;
   std::string address = "127.0.0.1";
-  std::vector<std::string> plugins;
+  std::vector<std::string> plugins;  ///< of the runs
+  // of a scenario; its rate is real_time, 1 if that is not set
+  FlyOptions flight;
+  bool paused = false;
 };
 /// Until it is interrupted.
 int serve(const ServeOptions& options);

@@ -2,7 +2,9 @@
 /// \file  debrief: a recorded run as a page that explains every decision.
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "commands.hpp"
@@ -105,6 +107,16 @@ std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool column
     if (!interrupted())
       data.push_back(data_of(run, shell, columns));
   return interrupted() ? "" : page_of(shell, std::move(data));
+}
+
+std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed) {
+  const disk::FileRead shell = viewer();
+  if (!shell.problem.empty())
+    throw disk::Failed(shell.problem);
+  const std::string about =
+      nlohmann::json{{"scenario", scenario.spec.name}, {"seed", std::to_string(seed)}}.dump();
+  const std::array parts{page::part_of("live", about), page::part_of("zones", launch_zones())};
+  return page::live_page(shell.bytes, parts);
 }
 
 int debrief_page(const DebriefOptions& options) {

@@ -45,7 +45,7 @@ const std::map<std::string_view, Names>& examples() {
        {"eyrie whatif runs/latest --player viper1 --set root/wvr=fusion",
         "eyrie whatif runs/latest --player viper1 --set root/wvr=fusion --seeds 20"}},
       {"debrief", {"eyrie debrief runs/latest", "eyrie debrief runs/merge-8 runs/latest"}},
-      {"serve", {"eyrie serve runs/latest", "eyrie serve runs/merge-8 runs/latest"}},
+      {"serve", {"eyrie serve merge --rate 4", "eyrie serve runs/merge-8 runs/latest"}},
       {"playground", {"eyrie playground", "eyrie playground --out site"}},
       {"export",
        {"eyrie export runs/latest --to sqlite",

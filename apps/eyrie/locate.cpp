@@ -166,6 +166,14 @@ std::string run_hint(const std::string& run) {
 
 }  // namespace
 
+bool is_run(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored) || fs::path(path).extension() == ".eyrie")
+    return true;
+  std::string begin(8, '\0');
+  return std::ifstream(path, std::ios::binary).read(begin.data(), 8) && begin == "EYRIERUN";
+}
+
 std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                          const std::vector<std::string>& plugins) {
   std::vector<debrief::Recorded> all;

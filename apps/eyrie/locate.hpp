@@ -41,6 +41,8 @@ struct Located {
 /// it was built from. Throws Mistake if it is not there.
 [[nodiscard]] std::string home();
 
+/// Whether it is a run folder or a run file, by its name or what is in it.
+[[nodiscard]] bool is_run(const std::string& path);
 /// Recorded runs: folders or run files. Throws Mistake with everything that is wrong with any.
 [[nodiscard]] std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                                        const std::vector<std::string>& plugins);

@@ -39,6 +39,32 @@ void add_units(CLI::App* app) {
       ->check(one_of({kSystems.begin(), kSystems.end()}));
 }
 
+/// Of who takes part in a flight, or watches it.
+void add_others(CLI::App* command, FlyOptions& o) {
+  const auto live = [command](const char* name, std::string& at, const char* port, auto check,
+                              const char* help) {
+    return command->add_option(name, at, help)->expected(0, 1)->default_str(port)->check(check);
+  };
+  auto* tacview = live("--tacview", o.tacview, "42674", endpoint,
+                       "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
+                       "by the clock, if --real-time says nothing else");
+  command
+      ->add_option("--tacview-password", o.tacview_password,
+                   "a file whose first line Tacview has to know")
+      ->needs(tacview);
+  command->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")
+      ->needs(tacview);
+  auto* dis = live("--dis", o.dis, "3000", datagram_endpoint,
+                   "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
+                   "machine, a network or a group; by the clock, likewise");
+  command
+      ->add_option("--dis-station", o.dis_station,
+                   "exercise, site and application (default: 1.1.1)")
+      ->needs(dis)
+      ->check(station);
+  command->add_option("--dis-interface", o.dis_interface, "send from this own address")->needs(dis);
+}
+
 void add_fly(CLI::App& app, Chosen& chosen) {
   CLI::App* fly = app.add_subcommand("fly", "Fly a scenario and write what happened");
   FlyOptions& o = options_of(fly, app::fly, chosen);
@@ -65,24 +91,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
       ->expected(0, 1)
       ->default_str("1")
       ->transform(CLI::Validator(rate, ""));
-  const auto live = [fly](const char* name, std::string& at, const char* port, auto check,
-                          const char* help) {
-    return fly->add_option(name, at, help)->expected(0, 1)->default_str(port)->check(check);
-  };
-  auto* tacview = live("--tacview", o.tacview, "42674", endpoint,
-                       "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
-                       "by the clock, if --real-time says nothing else");
-  fly->add_option("--tacview-password", o.tacview_password,
-                  "a file whose first line Tacview has to know")
-      ->needs(tacview);
-  fly->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")->needs(tacview);
-  auto* dis = live("--dis", o.dis, "3000", datagram_endpoint,
-                   "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
-                   "machine, a network or a group; by the clock, likewise");
-  fly->add_option("--dis-station", o.dis_station, "exercise, site and application (default: 1.1.1)")
-      ->needs(dis)
-      ->check(station);
-  fly->add_option("--dis-interface", o.dis_interface, "send from this own address")->needs(dis);
+  add_others(fly, o);
   fly->add_flag("--force", o.force, "replace the folder given by --out");
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
@@ -168,9 +177,13 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
 
 void add_serve(CLI::App& app, Chosen& chosen) {
   CLI::App* served = app.add_subcommand(
-      "serve", "The debrief page of a run, or of two, for browsers of the network");
+      "serve", "A mission that browsers look at and steer while it is flown, or the debrief page");
   ServeOptions& o = options_of(served, serve, chosen);
-  add_runs(served, o.runs);
+  served
+      ->add_option("what", o.what,
+                   "a scenario, as for fly; or a run folder or its run file, or two of them")
+      ->required()
+      ->expected(1, 2);
   served->add_option("--port", o.port, "0: any that is free")
       ->check(whole_number(0, 65'535))
       ->capture_default_str();
@@ -181,6 +194,19 @@ void add_serve(CLI::App& app, Chosen& chosen) {
       ->check(address)
       ->capture_default_str();
   add_run_plugins(served, o.plugins);
+  FlyOptions& flight = o.flight;
+  served->add_option("--seed", flight.seed, "seed (default: the scenario's)")
+      ->check(whole_number());
+  served->add_option("--set", flight.sets, "override: path.in.the.file=value")
+      ->allow_extra_args(false);
+  served
+      ->add_option("--rate", flight.real_time,
+                   "seconds of the mission in one of the clock: 0.1 to 100, or max (default: 1)")
+      ->transform(CLI::Validator(rate, ""));
+  served->add_flag("--paused", o.paused, "begin when somebody says so");
+  served->add_option("--workers", flight.workers, "threads that share the step; never the result")
+      ->check(whole_number(1, 256));
+  add_others(served, flight);
 }
 
 void add_playground(CLI::App& app, Chosen& chosen) {

@@ -125,8 +125,8 @@ std::string pacing_text(const net::Pacing& p) {
       "by the clock: {} of {} frames of {:.4g} ms missed; begun late by {:.2f} ms (p50), {:.2f} "
       "(p99), {:.2f} (p99.9), {:.2f} at most; load {:.1f} %, {:.0f} % at most\n",
       p.missed(), p.frames(), p.frame() * 1e3, late.percentile(0.5) * 1e3,
-      late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3,
-      100 * work.mean() / p.frame(), 100 * work.max() / p.frame());
+      late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3, 100 * p.load(),
+      100 * work.max() / p.frame());
   if (p.stalls())
     text += fmt::format("fell behind {} {} and gave up {:.1f} s\n", p.stalls(),
                         p.stalls() == 1 ? "time" : "times", p.given_up());
@@ -141,9 +141,8 @@ nlohmann::ordered_json pacing_json(const net::Pacing& p) {
                                   {"p999", h.percentile(0.999)},
                                   {"max", h.max()}};
   };
-  return {{"frame_s", p.frame()},       {"frames", p.frames()},
-          {"missed", p.missed()},       {"late_s", spread(p.late())},
-          {"work_s", spread(p.work())}, {"load", p.work().mean() / p.frame()},
+  return {{"frame_s", p.frame()},       {"frames", p.frames()},       {"missed", p.missed()},
+          {"late_s", spread(p.late())}, {"work_s", spread(p.work())}, {"load", p.load()},
           {"stalls", p.stalls()},       {"given_up_s", p.given_up()}};
 }
 

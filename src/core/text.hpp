@@ -49,4 +49,7 @@ inline constexpr std::size_t kLongestIdentifier = 64;
 /// kLongestIdentifier bytes, and is never empty.
 [[nodiscard]] std::string file_name_from(std::string_view text);
 
+/// RFC 4648, with padding and without line ends.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
 }  // namespace eyrie

@@ -141,5 +141,12 @@ RC_GTEST_PROP(Printable, NeverHoldsWhatATerminalObeys, (const std::string& bytes
   RC_ASSERT(printable(shown) == shown);
 }
 
+TEST(Base64, IsThatOfRfc4648) {  // section 10
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
 }  // namespace
 }  // namespace eyrie

@@ -40,6 +40,12 @@ Clock::time_point Pacing::due(std::uint64_t frame) const {
   return start_ + std::chrono::duration_cast<Clock::duration>(since);
 }
 
+void Pacing::go_on(double frame, Clock::time_point start) {
+  frame_ = frame;
+  start_ = start;
+  start_ -= due() - start;
+}
+
 void Pacing::made(Clock::time_point begun, Clock::time_point done) {
   const Clock::duration late = begun - due();
   late_.add(late);
@@ -49,11 +55,12 @@ void Pacing::made(Clock::time_point begun, Clock::time_point done) {
     start_ += late - behind_;
   }
   work_.add(done - begun);
+  paced_ += frame_;
   if (done > due())  // which is that of the next frame now
     ++missed_;
 }
 
-void sleep_until(Clock::time_point due, bool (*enough)()) {
+void sleep_until(Clock::time_point due, const std::function<bool()>& enough) {
   constexpr std::chrono::milliseconds kPiece(50);
   for (auto now = Clock::now(); now < due && !enough(); now = Clock::now())
     std::this_thread::sleep_until(std::min(due, now + kPiece));

@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 
 namespace eyrie::net {
 
@@ -43,6 +44,10 @@ class Pacing {
   Pacing(double frame, Clock::time_point start,
          Clock::duration behind = std::chrono::milliseconds(200));
 
+  /// From now on frames are as long as that, and the next one may begin at `start`: after a pause,
+  /// or at another rate. What was counted stays.
+  void go_on(double frame, Clock::time_point start);
+
   /// When the next frame may begin.
   [[nodiscard]] Clock::time_point due() const { return due(frames()); }
   /// The next frame began and was done then.
@@ -56,6 +61,10 @@ class Pacing {
   [[nodiscard]] const Histogram& late() const { return late_; }
   /// How long they took.
   [[nodiscard]] const Histogram& work() const { return work_; }
+  /// The share of its frames that the work took.
+  [[nodiscard]] double load() const {
+    return paced_ > 0 ? work_.mean() * double(frames()) / paced_ : 0;
+  }
   /// How often the deadlines were put back, and by how many seconds in all.
   [[nodiscard]] std::uint64_t stalls() const { return stalls_; }
   [[nodiscard]] double given_up() const { return given_up_; }
@@ -64,14 +73,14 @@ class Pacing {
   [[nodiscard]] Clock::time_point due(std::uint64_t frame) const;
 
   double frame_;
-  Clock::time_point start_;
+  Clock::time_point start_;  ///< of frame 0, if all were as long as this one
   Clock::duration behind_;
   Histogram late_, work_;
   std::uint64_t missed_ = 0, stalls_ = 0;
-  double given_up_ = 0;
+  double given_up_ = 0, paced_ = 0;  // s
 };
 
 /// Sleeps until `due`, or soon after `enough` says so.
-void sleep_until(Clock::time_point due, bool (*enough)());
+void sleep_until(Clock::time_point due, const std::function<bool()>& enough);
 
 }  // namespace eyrie::net

@@ -111,6 +111,21 @@ TEST(Pacing, SaysOfAMachineThatIsTooSlowThatItIs) {
   EXPECT_NEAR(machine.pacing.work().mean() / machine.pacing.frame(), 1.5, 1e-9);
 }
 
+TEST(Pacing, GoesOnAtAnotherRateAfterAPause) {
+  Machine machine;
+  machine.frames(50, milliseconds(1));
+  machine.now += milliseconds(60'000);
+  machine.pacing.go_on(0.005, machine.now);
+  EXPECT_EQ(machine.pacing.due(), machine.now);
+  const double begun = machine.time();
+  machine.frames(200, milliseconds(1));
+  EXPECT_NEAR(machine.time() - begun, 199 * 0.005 + 0.001, 1e-9);
+  EXPECT_EQ(machine.pacing.frames(), 250u) << "all of them";
+  EXPECT_EQ(machine.pacing.stalls(), 0u);
+  EXPECT_EQ(machine.pacing.missed(), 0u);
+  EXPECT_NEAR(machine.pacing.load(), 0.25 / (50 * 0.02 + 200 * 0.005), 1e-9);
+}
+
 TEST(Pacing, AllocatesNothing) {
   Machine machine;
   NoAllocation guard;

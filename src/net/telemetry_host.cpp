@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "net/telemetry_host.hpp"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
-#include <deque>
 #include <utility>
-#include <vector>
 
-#include "net/listener.hpp"
+#include "net/guests.hpp"
 #include "net/telemetry.hpp"
 
 namespace eyrie::net {
@@ -19,11 +15,23 @@ namespace {
 /// Bytes that a client may send after its greeting: Tacview sends none.
 constexpr std::size_t kMostHeard = 1 << 16;
 
-struct Session {
-  enum class State { greeting, waiting, joined, ended };
+struct Session : Guest {
+  enum class State { greeting, waiting, joined };
 
   explicit Session(tcp::socket connected)
       : socket(std::move(connected)), timer(socket.get_executor()) {}
+  [[nodiscard]] bool silent() const { return state == State::greeting; }
+  template <class Handler>
+  void write(const Text& text, Handler handler) {
+    asio::async_write(socket, asio::buffer(*text), std::move(handler));
+  }
+  void close() {
+    timer.cancel();
+    error_code ignored;
+    if (!out.empty())
+      socket.set_option(asio::socket_base::linger(true, 0), ignored);
+    socket.close(ignored);
+  }
 
   tcp::socket socket;
   asio::steady_timer timer;
@@ -31,8 +39,6 @@ struct Session {
   std::array<char, 512> in{};
   std::string greeting;
   std::size_t heard = 0;
-  std::deque<Text> out;
-  std::size_t pending = 0;  ///< bytes of `out`
 };
 using SessionPtr = std::shared_ptr<Session>;
 
@@ -41,51 +47,50 @@ using SessionPtr = std::shared_ptr<Session>;
 // All of it but the constructor, `waiting` and the counters belongs to the listener's thread.
 struct TelemetryHost::Network {
   explicit Network(TelemetryOptions asked) : options(std::move(asked)), listener(options.at) {
+    guests.on_end = [this](const Session& session) {
+      waiting -= session.state == Session::State::waiting;
+      if (closing && guests.empty())
+        listener.stop();
+    };
+    guests.on_drained = [this](const SessionPtr& session) {
+      if (closing)
+        guests.end(session);
+    };
     listener.run([this](tcp::socket socket) { welcome(std::move(socket)); });
   }
 
   void welcome(tcp::socket socket) {
-    if (sessions.size() >= options.connections) {
-      // rather somebody who has not said who he is
-      const auto silent = std::find_if(sessions.begin(), sessions.end(), [](const SessionPtr& s) {
-        return s->state == Session::State::greeting;
-      });
-      if (silent == sessions.end()) {
-        ++refused;
-        return;
-      }
-      refuse(SessionPtr(*silent));
-    }
     const auto session = std::make_shared<Session>(std::move(socket));
-    sessions.push_back(session);
+    if (!guests.admit(session))
+      return;
     error_code ignored;
     session->socket.set_option(tcp::no_delay(true), ignored);
     session->socket.set_option(asio::socket_base::keep_alive(true), ignored);
     session->timer.expires_after(options.greeting);
     session->timer.async_wait([this, session](error_code cancelled) {
-      if (!cancelled && session->state == Session::State::greeting)
-        refuse(session);
+      if (!cancelled && session->silent())
+        guests.refuse(session);
     });
-    queue(session, std::make_shared<const std::string>(host_greeting(options.name)));
+    guests.send(session, std::make_shared<const std::string>(host_greeting(options.name)));
     listen(session);
   }
 
   void listen(const SessionPtr& session) {
     session->socket.async_read_some(
         asio::buffer(session->in), [this, session](error_code failed, std::size_t size) {
-          if (session->state == Session::State::ended)
+          if (session->gone)
             return;
           if (failed)
-            return session->state == Session::State::greeting ? refuse(session) : end(session);
+            return session->silent() ? guests.refuse(session) : guests.end(session);
           if (!hear(*session, {session->in.data(), size}))
-            return refuse(session);
+            return guests.refuse(session);
           listen(session);
         });
   }
 
   /// False if he does not talk as he should.
   bool hear(Session& session, std::string_view bytes) {
-    if (session.state != Session::State::greeting)
+    if (!session.silent())
       return (session.heard += bytes.size()) <= kMostHeard;
     session.greeting += bytes;
     const std::size_t zero = session.greeting.find('\0');
@@ -101,82 +106,34 @@ struct TelemetryHost::Network {
     return true;
   }
 
-  void queue(const SessionPtr& session, const Text& text) {
-    if (text->empty())
-      return;
-    session->pending += text->size();
-    if (session->pending > options.waiting) {
-      ++dropped;
-      return end(session);
-    }
-    session->out.push_back(text);
-    if (session->out.size() == 1)
-      write(session);
-  }
-
-  void write(const SessionPtr& session) {
-    asio::async_write(session->socket, asio::buffer(*session->out.front()),
-                      [this, session](error_code failed, std::size_t size) {
-                        sent += size;
-                        if (session->state == Session::State::ended)
-                          return;
-                        if (failed)
-                          return end(session);
-                        session->pending -= session->out.front()->size();
-                        session->out.pop_front();
-                        if (!session->out.empty())
-                          write(session);
-                        else if (closing)
-                          end(session);
-                      });
-  }
-
   void hand_out(const Text& text, const Text& whole) {
-    for (const SessionPtr& session : std::vector(sessions)) {
+    for (const SessionPtr& session : guests.all()) {
       if (session->state == Session::State::joined) {
-        queue(session, text);
+        guests.send(session, text);
       } else if (session->state == Session::State::waiting && !whole->empty()) {
         session->state = Session::State::joined;
         --waiting;
-        queue(session, whole);
+        guests.send(session, whole);
       }
     }
-  }
-
-  void refuse(const SessionPtr& session) {
-    ++refused;
-    end(session);
-  }
-
-  void end(const SessionPtr& session) {
-    waiting -= session->state == Session::State::waiting;
-    session->state = Session::State::ended;
-    session->timer.cancel();
-    error_code ignored;
-    if (!session->out.empty())  // at once, with what the system still holds for him
-      session->socket.set_option(asio::socket_base::linger(true, 0), ignored);
-    session->socket.close(ignored);
-    sessions.erase(std::find(sessions.begin(), sessions.end(), session));
-    if (closing && sessions.empty())
-      listener.stop();
   }
 
   void begin_to_close(std::chrono::milliseconds wait) {
     closing = true;
     listener.close(wait);
-    for (const SessionPtr& session : std::vector(sessions))
+    for (const SessionPtr& session : guests.all())
       if (session->state != Session::State::joined || session->out.empty())
-        end(session);
-    if (sessions.empty())
+        guests.end(session);
+    if (guests.empty())
       listener.stop();
   }
 
   TelemetryOptions options;
   Listener listener;
-  std::vector<SessionPtr> sessions;  ///< in the order in which they came
+  Guests<Session> guests{options.connections, options.waiting};
   bool closing = false;
   std::atomic<std::uint32_t> waiting = 0;  ///< clients that have got nothing yet
-  std::atomic<std::uint64_t> joined = 0, refused = 0, dropped = 0, sent = 0;
+  std::atomic<std::uint64_t> joined = 0;
 };
 
 TelemetryHost::TelemetryHost(TelemetryOptions options)
@@ -212,9 +169,9 @@ void TelemetryHost::close(std::chrono::milliseconds wait) {
 
 TelemetryHost::Counts TelemetryHost::counts() const {
   return {.joined = network_->joined,
-          .refused = network_->refused,
-          .dropped = network_->dropped,
-          .bytes = network_->sent};
+          .refused = network_->guests.refused,
+          .dropped = network_->guests.dropped,
+          .bytes = network_->guests.sent};
 }
 
 }  // namespace eyrie::net

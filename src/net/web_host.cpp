@@ -2,18 +2,15 @@
 #include "net/web_host.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 // boost 1.74 takes std::exchange without its header
 #include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <deque>
 #include <optional>
-#include <vector>
 
-#include "net/listener.hpp"
+#include "net/guests.hpp"
 
 namespace eyrie::net {
 namespace {
@@ -50,8 +47,9 @@ void async_teardown(beast::role_type, Stream& stream, Handler&& handler) {
              beast::bind_front_handler(std::forward<Handler>(handler), error_code()));
 }
 
-struct Visitor {
-  enum class State { asking, answered, live, ended };
+struct Visitor : Guest {
+  enum class State { asking, answered, live, leaving };
+  using Clock = std::chrono::steady_clock;
   using Request = http::request_parser<http::empty_body>;
   using Response = http::response<http::span_body<const char>>;
 
@@ -60,6 +58,12 @@ struct Visitor {
     stream.expires_after(patience);
     request.header_limit(kLongestHead);
   }
+  [[nodiscard]] bool silent() const { return state == State::asking; }
+  template <class Handler>
+  void write(const Text& text, Handler handler) {
+    socket->binary(text == greeting);
+    socket->async_write(asio::buffer(*text), std::move(handler));
+  }
   void close() {
     Stream& lowest = socket ? socket->next_layer() : stream;
     error_code ignored;
@@ -67,16 +71,26 @@ struct Visitor {
       lowest.socket().set_option(asio::socket_base::linger(true, 0), ignored);
     lowest.close();
   }
+  /// Whether he may say one more thing now, of so many in a second.
+  [[nodiscard]] bool may_talk(double most) {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> since = now - talked;
+    talked = now;
+    allowance = std::min(most, allowance + most * since.count()) - 1;
+    return allowance >= 0;
+  }
 
   State state = State::asking;
+  ViewerId id = 0;  ///< once he is live
   Stream stream;
   std::optional<websocket::stream<Stream>> socket;  ///< instead, once it is live
   beast::flat_buffer in{kLongestHead};
   Request request;
   Response response;
   std::string said;  ///< the body of a response that is no page
-  std::deque<Text> out;
-  std::size_t pending = 0;  ///< bytes of `out`
+  Text greeting;
+  double allowance = 0;  ///< messages
+  Clock::time_point talked{};
 };
 using VisitorPtr = std::shared_ptr<Visitor>;
 
@@ -85,28 +99,23 @@ using VisitorPtr = std::shared_ptr<Visitor>;
 // All of it but the constructor and the counters belongs to the listener's thread.
 struct WebHost::Network {
   explicit Network(WebOptions asked) : options(std::move(asked)), listener(options.at) {
+    guests.on_end = [this](const Visitor& visitor) {
+      if (visitor.id && options.channel.left)
+        options.channel.left(visitor.id);
+    };
     listener.run([this](tcp::socket socket) { welcome(std::move(socket)); });
   }
 
   void welcome(tcp::socket socket) {
-    if (visitors.size() >= options.connections) {
-      const auto silent = std::find_if(visitors.begin(), visitors.end(), [](const VisitorPtr& s) {
-        return s->state == Visitor::State::asking;
-      });
-      if (silent == visitors.end()) {
-        ++refused;
-        return;
-      }
-      refuse(VisitorPtr(*silent));
-    }
     const auto visitor = std::make_shared<Visitor>(std::move(socket), options.patience);
-    visitors.push_back(visitor);
+    if (!guests.admit(visitor))
+      return;
     http::async_read(visitor->stream, visitor->in, visitor->request,
                      [this, visitor](error_code failed, std::size_t) {
-                       if (visitor->state == Visitor::State::ended)
+                       if (visitor->gone)
                          return;
                        if (failed)
-                         return refuse(visitor);
+                         return guests.refuse(visitor);
                        answer(visitor);
                      });
   }
@@ -163,7 +172,7 @@ struct WebHost::Network {
   }
 
   void say(const VisitorPtr& visitor, http::status status, std::string_view words) {
-    refused += status != http::status::see_other;
+    guests.refused += status != http::status::see_other;
     visitor->said = words;
     send_page(visitor, status, "text/plain; charset=utf-8", visitor->said);
   }
@@ -178,7 +187,7 @@ struct WebHost::Network {
     response.set(http::field::content_type, type);
     response.set(http::field::cache_control, "no-store");
     response.set("Referrer-Policy", "no-referrer");
-    response.set("Content-Security-Policy", "frame-ancestors 'none'");
+    response.set("Content-Security-Policy", "frame-ancestors 'none'; connect-src 'self'");
     response.set("X-Content-Type-Options", "nosniff");
     response.set("Cross-Origin-Resource-Policy", "same-origin");
     response.content_length(body.size());
@@ -186,11 +195,11 @@ struct WebHost::Network {
       response.body() = {body.data(), body.size()};
     visitor->stream.expires_after(6 * options.patience);
     http::async_write(visitor->stream, response, [this, visitor](error_code, std::size_t) {
-      if (visitor->state == Visitor::State::ended)
+      if (visitor->gone)
         return;
       error_code ignored;
       visitor->stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
-      end(visitor);
+      guests.end(visitor);
     });
   }
 
@@ -202,75 +211,68 @@ struct WebHost::Network {
     timeout.handshake_timeout = options.patience;
     socket.set_option(timeout);
     socket.read_message_max(options.message);
-    socket.text(true);
+    socket.auto_fragment(false);
     socket.async_accept(visitor->request.get(), [this, visitor](error_code failed) {
-      if (visitor->state == Visitor::State::ended)
+      if (visitor->gone)
         return;
       if (failed)
-        return refuse(visitor);
+        return guests.refuse(visitor);
       visitor->state = Visitor::State::live;
-      ++viewers;
+      visitor->id = ++viewers;
+      visitor->allowance = options.messages;
+      visitor->talked = Visitor::Clock::now();
+      if (options.channel.joined)
+        options.channel.joined(visitor->id);
       listen(visitor);
     });
   }
 
-  /// Nobody has anything to say so far: a message ends it, as a frame that is too long does.
   void listen(const VisitorPtr& visitor) {
     visitor->in.clear();
     visitor->socket->async_read(visitor->in, [this, visitor](error_code failed, std::size_t) {
-      if (visitor->state == Visitor::State::ended)
+      if (visitor->gone)
         return;
-      const bool left = failed == websocket::error::closed || failed == asio::error::eof ||
-                        failed == asio::error::connection_reset;
-      left ? end(visitor) : refuse(visitor);
+      if (failed) {
+        const bool left = failed == websocket::error::closed || failed == asio::error::eof ||
+                          failed == asio::error::connection_reset;
+        return left ? guests.end(visitor) : guests.refuse(visitor);
+      }
+      const std::string wrong = hear(*visitor);
+      wrong.empty() ? listen(visitor) : show_out(visitor, wrong);
     });
   }
 
-  void hand_out(const Text& message) {
-    for (const VisitorPtr& visitor : std::vector(visitors)) {
-      if (visitor->state != Visitor::State::live)
-        continue;
-      visitor->pending += message->size();
-      if (visitor->pending > options.waiting) {
-        ++dropped;
-        end(visitor);
-        continue;
-      }
-      visitor->out.push_back(message);
-      if (visitor->out.size() == 1)
-        write(visitor);
-    }
+  /// What is wrong with what a viewer said.
+  std::string hear(Visitor& visitor) {
+    if (!options.channel.said)
+      return "there is nothing to say here";
+    if (!visitor.socket->got_text())
+      return "say it in text";
+    if (!visitor.may_talk(options.messages))
+      return "too many messages in a second";
+    const auto bytes = visitor.in.cdata();
+    return options.channel.said(visitor.id, {static_cast<const char*>(bytes.data()), bytes.size()});
   }
 
-  void write(const VisitorPtr& visitor) {
-    visitor->socket->async_write(asio::buffer(*visitor->out.front()),
-                                 [this, visitor](error_code failed, std::size_t) {
-                                   if (visitor->state == Visitor::State::ended)
-                                     return;
-                                   if (failed)
-                                     return end(visitor);
-                                   visitor->pending -= visitor->out.front()->size();
-                                   visitor->out.pop_front();
-                                   if (!visitor->out.empty())
-                                     write(visitor);
-                                 });
+  /// Tells him why; he has as long as for a request to take it.
+  void show_out(const VisitorPtr& visitor, const std::string& why) {
+    ++guests.refused;
+    visitor->state = Visitor::State::leaving;
+    visitor->socket->async_close({websocket::close_code::policy_error, why},
+                                 [this, visitor](error_code) { guests.end(visitor); });
   }
 
-  void refuse(const VisitorPtr& visitor) {
-    ++refused;
-    end(visitor);
-  }
-
-  void end(const VisitorPtr& visitor) {
-    visitor->state = Visitor::State::ended;
-    visitor->close();
-    visitors.erase(std::find(visitors.begin(), visitors.end(), visitor));
+  [[nodiscard]] VisitorPtr viewer(ViewerId who) const {
+    for (const VisitorPtr& visitor : guests.all())
+      if (visitor->id == who && visitor->state == Visitor::State::live)
+        return visitor;
+    return {};
   }
 
   WebOptions options;
   Listener listener;
-  std::vector<VisitorPtr> visitors;  ///< in the order in which they came
-  std::atomic<std::uint64_t> pages = 0, viewers = 0, refused = 0, dropped = 0;
+  Guests<Visitor> guests{options.connections, options.waiting};
+  std::atomic<std::uint64_t> pages = 0, viewers = 0;
 };
 
 WebHost::WebHost(WebOptions options) : network_(std::make_unique<Network>(std::move(options))) {}
@@ -284,18 +286,39 @@ const Endpoint& WebHost::at() const {
   return network_->options.at;
 }
 
+void WebHost::greet(ViewerId who, std::shared_ptr<const std::string> bytes) {
+  asio::post(network_->listener.io, [network = network_.get(), who, bytes = std::move(bytes)] {
+    const VisitorPtr visitor = network->viewer(who);
+    if (!visitor)
+      return;
+    visitor->greeting = bytes;
+    network->guests.send(visitor, bytes);
+  });
+}
+
 void WebHost::send(std::string message) {
   asio::post(network_->listener.io,
              [network = network_.get(), text = std::make_shared<std::string>(std::move(message))] {
-               network->hand_out(text);
+               for (const VisitorPtr& visitor : network->guests.all())
+                 if (visitor->greeting && visitor->state == Visitor::State::live)
+                   network->guests.send(visitor, text);
              });
+}
+
+void WebHost::send(ViewerId who, std::string message) {
+  asio::post(network_->listener.io, [network = network_.get(), who,
+                                     text = std::make_shared<std::string>(std::move(message))] {
+    if (const VisitorPtr visitor = network->viewer(who))
+      network->guests.send(visitor, text);
+  });
 }
 
 WebHost::Counts WebHost::counts() const {
   return {.pages = network_->pages,
           .viewers = network_->viewers,
-          .refused = network_->refused,
-          .dropped = network_->dropped};
+          .refused = network_->guests.refused,
+          .dropped = network_->guests.dropped,
+          .bytes = network_->guests.sent};
 }
 
 }  // namespace eyrie::net

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <mutex>
 #include <vector>
 
 #include "support/soon.hpp"
@@ -128,20 +130,112 @@ TEST(WebHost, AsksForItsToken) {
   EXPECT_EQ(first_line(viewer.read_to("\r\n\r\n")), "HTTP/1.1 101 Switching Protocols");
 }
 
-TEST(WebHost, TellsEverybodyWhoIsLive) {
-  Site site;
+/// What viewers did, as the thread of the network tells it.
+struct Heard {
+  std::mutex mutex;
+  std::vector<std::string> all;
+
+  [[nodiscard]] Channel channel() {
+    return {.joined = [this](ViewerId who) { add(fmt::format("{} joined", who)); },
+            .said = [this](ViewerId who, std::string_view text) -> std::string {
+              add(fmt::format("{} said {}", who, text));
+              return text == "rubbish" ? "that is rubbish" : "";
+            },
+            .left = [this](ViewerId who) { add(fmt::format("{} left", who)); }};
+  }
+  void add(std::string what) {
+    const std::lock_guard lock(mutex);
+    all.push_back(std::move(what));
+  }
+  [[nodiscard]] std::vector<std::string> so_far() {
+    const std::lock_guard lock(mutex);
+    return all;
+  }
+  [[nodiscard]] bool comes_to(const std::vector<std::string>& expected) {
+    return soon([&] { return so_far() == expected; });
+  }
+};
+
+/// A text as a client sends it, masked with zeros.
+std::string text_frame(const std::string& text) {
+  return "\x81" + std::string(1, static_cast<char>(0x80 | text.size())) + std::string(4, '\0') +
+         text;
+}
+
+TEST(WebHost, TellsEverybodyWhoWasGreeted) {
+  Heard heard;
+  Site site({.channel = heard.channel()});
   std::vector<TcpClient> viewers;
   for (int i = 0; i < 3; ++i) {
     viewers.push_back(site.join());
     const std::string answer = viewers.back().read_to("\r\n\r\n");
     // the example of RFC 6455, section 1.3
     EXPECT_NE(answer.find("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo=\r\n"), answer.npos);
+    ASSERT_TRUE(soon([&] { return site.host.counts().viewers == viewers.size(); }));
   }
-  ASSERT_TRUE(soon([&] { return site.host.counts().viewers == 3; }));
+  EXPECT_TRUE(heard.comes_to({"1 joined", "2 joined", "3 joined"}));
   site.host.send("step 1");
+  site.host.greet(3, std::make_shared<std::string>("so far"));
+  site.host.greet(1, std::make_shared<std::string>("so far"));
   site.host.send("step 2");
-  for (TcpClient& viewer : viewers)  // text, not masked
-    EXPECT_EQ(viewer.read_to("step 2"), "\x81\x06step 1\x81\x06step 2");
+  site.host.send(1, "no");
+  site.host.send(2, "no");
+  site.host.send(4, "no");
+  // binary, then text, none masked
+  EXPECT_EQ(viewers[0].read_to("no"), "\x82\x06so far\x81\x06step 2\x81\x02no");
+  EXPECT_EQ(viewers[1].read_to("no"), "\x81\x02no");
+  EXPECT_EQ(viewers[2].read_to("step 2"), "\x82\x06so far\x81\x06step 2");
+  EXPECT_TRUE(soon([&] { return site.host.counts().bytes == 12 + 12 + 4; }));
+}
+
+TEST(WebHost, HearsViewers) {
+  Heard heard;
+  Site site({.channel = heard.channel()});
+  {
+    TcpClient viewer = site.join();
+    static_cast<void>(viewer.read_to("\r\n\r\n"));
+    viewer.send(text_frame("more"));
+    viewer.send(text_frame("most"));
+    EXPECT_TRUE(heard.comes_to({"1 joined", "1 said more", "1 said most"}));
+  }
+  EXPECT_TRUE(heard.comes_to({"1 joined", "1 said more", "1 said most", "1 left"}));
+  EXPECT_EQ(site.host.counts().refused, 0u);
+}
+
+TEST(WebHost, ShowsOutWhoTalksRubbishOrTooMuchAndSaysWhy) {
+  Heard heard;
+  Site site({.channel = heard.channel(), .messages = 5});
+  const auto ended_by = [&](const std::string& bytes) {
+    TcpClient viewer = site.join();
+    static_cast<void>(viewer.read_to("\r\n\r\n"));
+    viewer.send(bytes);
+    const std::string said = viewer.read_to(".");
+    return said.size() < 4 ? said : said.substr(4);
+  };
+  // 1008, policy violation
+  EXPECT_EQ(ended_by(text_frame("rubbish") + std::string("\x88\x80\0\0\0\0", 6)),
+            "that is rubbish");
+  std::string many;
+  for (int i = 0; i < 50; ++i)
+    many += text_frame("x");
+  EXPECT_EQ(ended_by(many + std::string("\x88\x80\0\0\0\0", 6)), "too many messages in a second");
+  std::string binary = text_frame("x");
+  binary[0] = '\x82';
+  EXPECT_EQ(ended_by(binary + std::string("\x88\x80\0\0\0\0", 6)), "say it in text");
+  EXPECT_EQ(site.host.counts().refused, 3u);
+  EXPECT_TRUE(soon([&] { return heard.so_far().back() == "3 left"; }));
+  const auto all = heard.so_far();
+  EXPECT_EQ(std::count(all.begin(), all.end(), "2 said x"), 5);
+}
+
+TEST(WebHost, DoesNotWaitForSomebodyWhoIsShownOut) {
+  Heard heard;
+  Site site({.channel = heard.channel(), .patience = milliseconds(200)});
+  TcpClient viewer = site.join();
+  static_cast<void>(viewer.read_to("\r\n\r\n"));
+  viewer.send(text_frame("rubbish"));
+  EXPECT_TRUE(heard.comes_to({"1 joined", "1 said rubbish", "1 left"}));
+  EXPECT_TRUE(site.ask("GET /").ends_with("<p>hello"));
 }
 
 /// A frame as a client sends it, masked with zeros; `size` may be a lie.
@@ -158,7 +252,7 @@ TEST(WebHost, EndsWithWhoeverTalksOrLiesAboutIt) {
   for (const std::string& bad :
        {frame('\x82', 1 << 30, "x"), frame('\x82', ~std::uint64_t{0}, "x"),
         frame('\x81', 5, "hello"), frame('\x8f', 1, "x"), std::string("\x81\x05hello"),
-        frame('\x01', 70'000, std::string(70'000, 'x'))}) {
+        frame('\x01', 5'000, std::string(5'000, 'x'))}) {
     TcpClient viewer = site.join();
     static_cast<void>(viewer.read_to("\r\n\r\n"));
     viewer.send(bad);
@@ -176,6 +270,8 @@ TEST(WebHost, DropsAViewerWhoIsTooSlow) {
   TcpClient quick = site.join();
   static_cast<void>(quick.read_to("\r\n\r\n"));
   ASSERT_TRUE(soon([&] { return site.host.counts().viewers == 2; }));
+  for (const ViewerId who : {1, 2})
+    site.host.greet(who, std::make_shared<std::string>("hello"));
   for (int i = 0; i < 400 && site.host.counts().dropped == 0; ++i) {
     site.host.send(std::string(50'000, 'x') + "\n");
     static_cast<void>(quick.read_to("\n"));
@@ -196,7 +292,7 @@ TEST(WebHost, OutlivesManyWhoSayNothing) {
   EXPECT_TRUE(soon([&] { return site.host.counts().refused >= 500; }))
       << site.host.counts().refused;
   ASSERT_TRUE(soon([&] { return site.host.counts().viewers == 1; }));
-  site.host.send("still here");
+  site.host.send(1, "still here");
   EXPECT_EQ(viewer.read_to("here"), "\x81\x0astill here");
 }
 

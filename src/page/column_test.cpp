@@ -74,11 +74,7 @@ TEST(Column, TakesTheDifferencesThatAreShortest) {
   EXPECT_LT(bytes.bytes().size(), 6000U);
 }
 
-TEST(Packed, IsBase64OfZlib) {
-  EXPECT_EQ(base64(""), "");  // RFC 4648, section 10
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+TEST(Packed, IsZlib) {
   const std::string text(10'000, 'x'), packed = deflated(text);
   EXPECT_LT(packed.size(), 100U);
   std::string back(text.size(), '\0');

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include "core/assert.hpp"
+#include "core/text.hpp"
 #include "page/page_data.hpp"
 #include "sim/trail.hpp"
 
@@ -41,6 +42,14 @@ std::string page_with(std::string_view page, std::span<const Part> parts) {
   return whole;
 }
 
+std::string live_page(std::string_view page, std::span<const Part> parts) {
+  constexpr std::string_view kNothing = "default-src 'none';";
+  std::string whole = page_with(page, parts);
+  if (const std::size_t at = whole.find(kNothing); at != whole.npos)
+    whole.insert(at + kNothing.size(), " connect-src 'self';");
+  return whole;
+}
+
 std::string deflated(std::string_view bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::string out(size, '\0');
@@ -49,22 +58,6 @@ std::string deflated(std::string_view bytes) {
                 reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()), 9);
   EYRIE_DEMAND(result == Z_OK, "zlib has no memory");
   out.resize(size);
-  return out;
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    const std::size_t there = bytes.size() - i < 3 ? bytes.size() - i : 3;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out.push_back(k <= there ? kDigits[three >> (18 - 6 * k) & 63] : '=');
-  }
   return out;
 }
 

@@ -261,10 +261,22 @@ void TrailRecorder::finish(const World& world) {
     mark(world, world.hash());
 }
 
+HashTrail TrailRecorder::trail_to(const World& world) const {
+  if (mark_.step == world.step())
+    return trail();
+  TrailPacker packer = packer_;
+  Mark end{.step = world.step(), .hash = world.hash()};
+  if (digests_)
+    digest(world, end.digest);
+  packer.mark(end);
+  return {steps_per_second_, packer.bytes(), end.step, end.hash};
+}
+
 void TrailRecorder::mark(const World& world, std::uint64_t hash) {
   mark_.step = world.step();
   mark_.hash = hash;
-  digest(world, mark_.digest);
+  if (digests_)
+    digest(world, mark_.digest);
   packer_.mark(mark_);
 }
 

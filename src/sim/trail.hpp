@@ -111,6 +111,9 @@ struct HashTrail {
 /// ten) and at the end a mark. Hashing runs at some 10 GB/s.
 class TrailRecorder final : public Observer {
  public:
+  /// Without digests it is as without_digests() makes it.
+  explicit TrailRecorder(bool digests = true) : digests_(digests) {}
+
   void begin(const World& world, double dt) override;
   void observe(const World& world, const StepInfo& info, std::span<const Event> events) override;
   void finish(const World& world) override;
@@ -118,6 +121,8 @@ class TrailRecorder final : public Observer {
   [[nodiscard]] HashTrail trail() const {
     return {steps_per_second_, packer_.bytes(), mark_.step, mark_.hash};
   }
+  /// The same up to the world that was observed last, as if the run ended there.
+  [[nodiscard]] HashTrail trail_to(const World& world) const;
   [[nodiscard]] std::uint32_t steps_per_second() const { return steps_per_second_; }
   /// World::step() at the last mark.
   [[nodiscard]] std::uint64_t last_step() const { return mark_.step; }
@@ -128,6 +133,7 @@ class TrailRecorder final : public Observer {
  private:
   void mark(const World& world, std::uint64_t hash);
 
+  bool digests_;
   std::uint32_t steps_per_second_ = 1;
   TrailPacker packer_{1};
   Mark mark_;

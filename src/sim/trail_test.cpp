@@ -195,6 +195,24 @@ TEST(TrailRecorder, DoesNotMarkTheEndTwice) {
   EXPECT_EQ(marks(recorded(0)).size(), 1u);
 }
 
+/// Asks for the trail after a step.
+struct SoFar final : Observer {
+  TrailRecorder recorder;
+  std::map<std::uint64_t, HashTrail> trails;
+  void begin(const World& world, double dt) override { recorder.begin(world, dt); }
+  void observe(const World& world, const StepInfo& info, std::span<const Event> events) override {
+    recorder.observe(world, info, events);
+    trails[world.step()] = recorder.trail_to(world);
+  }
+};
+
+TEST(TrailRecorder, GivesTheTrailSoFarAndGoesOn) {
+  SoFar so_far;
+  fly_under(so_far);
+  for (const int step : {1, 49, 50, 51, 100, 117})
+    EXPECT_EQ(so_far.trails[static_cast<std::uint64_t>(step)], recorded(step)) << step;
+}
+
 TEST(TrailRecorder, MarksLessOftenAfterAnHour) {
   EXPECT_TRUE(is_mark(3599 * 50, 50));
   EXPECT_TRUE(is_mark(3600 * 50, 50));
@@ -258,6 +276,9 @@ TEST(TrailChecker, SaysWhenWithoutDigestsAndNotWhere) {
   const HashTrail whole = recorded(), light = without_digests(whole);
   EXPECT_LT(light.spans.size(), whole.spans.size());
   EXPECT_EQ(light.last_hash, whole.last_hash);
+  TrailRecorder without(false);
+  fly_under(without);
+  EXPECT_EQ(without.trail(), light);
   TrailChecker same(light);
   fly_under(same);
   EXPECT_FALSE(same.departure());

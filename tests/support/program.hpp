@@ -141,6 +141,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
+  [[nodiscard]] pid_t id() const { return child_; }
   /// What it has printed so far.
   [[nodiscard]] std::string err() const { return read_text(streams_ / "err"); }
   void kill(int signal) const { ::kill(child_, signal); }

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -54,24 +55,36 @@ class TcpClient {
   /// Up to and with `end`; what came by then, if the other end closes before.
   [[nodiscard]] std::string read_to(std::string_view end) {
     for (;;) {
-      if (const auto at = held_.find(end); !end.empty() && at != held_.npos) {
-        std::string text = held_.substr(0, at + end.size());
-        held_.erase(0, text.size());
-        return text;
-      }
-      if (!ready(POLLIN))
-        throw std::runtime_error("nothing comes; so far: " + held_.substr(0, 200));
-      char part[1 << 16];
-      const ssize_t n = ::recv(socket_, part, sizeof part, 0);
-      if (n <= 0)
+      if (const auto at = held_.find(end); !end.empty() && at != held_.npos)
+        return taken(at + end.size());
+      if (!receive())
         return std::exchange(held_, {});
-      held_.append(part, static_cast<std::size_t>(n));
     }
+  }
+  /// So many bytes; fewer if the other end closes before.
+  [[nodiscard]] std::string read(std::size_t size) {
+    while (held_.size() < size && receive()) {
+    }
+    return taken(std::min(size, held_.size()));
   }
   /// Until the other end closes.
   [[nodiscard]] std::string read_all() { return read_to({}); }
 
  private:
+  [[nodiscard]] std::string taken(std::size_t size) {
+    std::string text = held_.substr(0, size);
+    held_.erase(0, size);
+    return text;
+  }
+  bool receive() {
+    if (!ready(POLLIN))
+      throw std::runtime_error("nothing comes; so far: " + held_.substr(0, 200));
+    char part[1 << 16];
+    const ssize_t n = ::recv(socket_, part, sizeof part, 0);
+    if (n > 0)
+      held_.append(part, static_cast<std::size_t>(n));
+    return n > 0;
+  }
   [[nodiscard]] bool ready(short what) const {
     pollfd one{.fd = socket_, .events = what, .revents = 0};
     return ::poll(&one, 1, 20'000) == 1;

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+#include "live/exercise.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
+
+namespace eyrie::live {
+namespace {
+
+using Message = nlohmann::ordered_json;
+using net::Clock;
+using What = Request::What;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kOften(50), kSeldom(1000);  ///< between two messages: at least, at most
+constexpr milliseconds kIdle(20);
+constexpr std::size_t kMail = 4096;
+/// Of which a run, or one message, may have no more: far above what people give.
+constexpr std::size_t kMostOrders = 1'000'000, kMostAtOnce = 5'000;
+
+std::string base64_of(const sim::Order& order) {
+  return base64({reinterpret_cast<const char*>(&order), sizeof order});
+}
+
+}  // namespace
+
+Exercise::Exercise(scenario::Mission& mission, record::RunFile run, net::WebOptions web,
+                   const ExerciseOptions& options)
+    : mission_(mission),
+      run_(std::move(run)),
+      pacing_(mission.run().simulation().dt(), Clock::now()),
+      rate_(options.rate),
+      paused_(options.paused),
+      mail_(kMail),
+      host_(with_channel(std::move(web))) {
+  mission_.run().attach(trail_);
+}
+
+// By the network's thread.
+
+net::WebOptions Exercise::with_channel(net::WebOptions web) {
+  web.channel = {
+      .joined = [this](net::ViewerId who) { mail_.put({.who = who, .what = What::joined}, true); },
+      .said = [this](net::ViewerId who, std::string_view text) { return hear(who, text); },
+      .left = [this](net::ViewerId who) { mail_.put({.who = who, .what = What::left}, true); }};
+  return web;
+}
+
+std::string Exercise::hear(net::ViewerId who, std::string_view text) {
+  Said said = request_of(mission_.scenario(), who, text);
+  if (said.garbage.empty() && !mail_.put(std::move(said.request)))
+    return "more is asked for than can be done";
+  return said.garbage;
+}
+
+// By the thread that steps.
+
+void Exercise::fly(const Enough& enough) {
+  const double dt = mission_.run().simulation().dt();
+  pacing_.go_on(rate_ > 0 ? dt / rate_ : dt, Clock::now());
+  for (;;) {
+    attend();
+    if (enough())
+      mission_.stop();
+    const bool runs = !paused_ && single_ == 0, paced = runs && rate_ > 0;
+    if (mission_.outcome() == scenario::Outcome::running) {
+      tell_when_due();
+      if (!runs && single_ == 0) {
+        wait(Clock::now() + kIdle, enough);
+        continue;
+      }
+      if (paced && Clock::now() < pacing_.due()) {
+        wait(pacing_.due(), enough);
+        if (mail_.waiting() || enough())
+          continue;
+      }
+    }
+    const Clock::time_point begun = Clock::now();
+    if (!mission_.step())
+      break;
+    if (paced)
+      pacing_.made(begun, Clock::now());
+    if (single_ && --single_ == 0)
+      changed_ = true;
+  }
+  over_ = changed_ = true;
+  tell(Clock::now());
+}
+
+void Exercise::stay(const Enough& enough) {
+  while (!enough()) {
+    attend();
+    tell_when_due();
+    wait(Clock::now() + kIdle, enough);
+  }
+}
+
+void Exercise::wait(Clock::time_point until, const Enough& enough) const {
+  net::sleep_until(until, [&] { return mail_.waiting() || enough(); });
+}
+
+void Exercise::attend() {
+  if (mail_.waiting())
+    for (const Request& request : mail_.take())
+      carry_out(request);
+}
+
+void Exercise::carry_out(const Request& request) {
+  switch (request.what) {
+    case What::joined:
+      ++viewers_;
+      joining_.push_back(request.who);
+      changed_ = true;
+      break;
+    case What::left:
+      --viewers_;
+      std::erase(joining_, request.who);
+      hand_back(request.who);
+      changed_ = true;
+      break;
+    case What::order:
+      order(request);
+      break;
+    default:
+      steer(request);
+  }
+}
+
+void Exercise::steer(const Request& request) {
+  if (over_)
+    return refuse(request.who, "the mission is over");
+  if (request.what == What::step) {
+    single_ = std::min(single_ + request.steps, kMostSteps);
+    paused_ = true;
+  } else {
+    const double dt = mission_.run().simulation().dt();
+    if (request.what == What::rate)
+      rate_ = request.rate;
+    else
+      paused_ = request.what == What::pause;
+    single_ = 0;
+    pacing_.go_on(rate_ > 0 ? dt / rate_ : dt, Clock::now());
+  }
+  changed_ = true;
+}
+
+std::string Exercise::problem(const Request& request) const {
+  const auto& [kind, orders, words] = request.order;
+  if (over_)
+    return "the mission is over";
+  if (!words.empty())
+    return words;
+  if (fresh_.size() + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
+    return "there are too many orders";
+  for (const sim::Order& one : orders) {
+    const std::string name = mission_.scenario().roster.name(one.player);
+    if (!mission_.scenario().find(mission_.run().world(), one.player))
+      return name + " is no longer there";
+    const auto held = held_.find(one.player);
+    const bool by_another = held != held_.end() && held->second != request.who;
+    if (by_another && (kind == "manual" || kind == "hand_back"))
+      return name + " is flown by somebody else";
+  }
+  return {};
+}
+
+void Exercise::order(const Request& request) {
+  std::string words = problem(request);
+  if (words.empty())
+    words = give(request.order);
+  if (!words.empty())
+    return refuse(request.who, words);
+  for (const sim::Order& one : request.order.orders) {
+    if (request.order.kind == "manual")
+      held_[one.player] = request.who;
+    else if (request.order.kind == "hand_back")
+      held_.erase(one.player);
+  }
+}
+
+std::string Exercise::give(const scenario::OperatorOrders& orders) {
+  for (sim::Order one : orders.orders) {
+    one.step = mission_.run().world().step();
+    if (std::string words = mission_.run().submit(one); !words.empty())
+      return words;
+    fresh_.push_back(one);
+    ++given_;
+  }
+  return {};
+}
+
+void Exercise::hand_back(net::ViewerId who) {
+  for (auto one = held_.begin(); one != held_.end();) {
+    if (one->second != who) {
+      ++one;
+      continue;
+    }
+    const Message asked{{"order", "hand_back"},
+                        {"player", mission_.scenario().roster.name(one->first)}};
+    if (!over_)
+      static_cast<void>(
+          give(scenario::orders_from_json(mission_.scenario(), asked.dump(), 0)));  // as he could
+    one = held_.erase(one);
+  }
+}
+
+void Exercise::refuse(net::ViewerId who, const std::string& words) {
+  host_.send(who,
+             Message{{"refused", words}}.dump(-1, ' ', false, Message::error_handler_t::replace));
+}
+
+// What viewers are told.
+
+void Exercise::tell_when_due() {
+  const Clock::time_point now = Clock::now();
+  const bool news = changed_ || mission_.run().world().step() != told_step_;
+  if (now - told_ >= (news ? kOften : kSeldom))
+    tell(now);
+}
+
+/// Orders for the next step.
+std::size_t Exercise::not_flown() const {
+  const auto flown = std::find_if(fresh_.begin(), fresh_.end(), [&](const sim::Order& one) {
+    return one.step >= mission_.run().world().step();
+  });
+  return static_cast<std::size_t>(fresh_.end() - flown);
+}
+
+void Exercise::tell(Clock::time_point now) {
+  const sim::World& world = mission_.run().world();
+  Message news{{"step", world.step()},
+               {"rate", rate_ > 0 ? Message(rate_) : Message("max")},
+               {"paused", paused_},
+               {"viewers", viewers_},
+               {"outcome", enum_name(mission_.outcome())}};
+  const auto flown = fresh_.end() - static_cast<std::ptrdiff_t>(not_flown());
+  for (auto one = fresh_.begin(); one != flown; ++one)
+    news["orders"].push_back(base64_of(*one));
+  fresh_.erase(fresh_.begin(), flown);
+  if (paused_ || over_ || now - hashed_ >= kSeldom) {
+    news["hash"] = hash_text(world.hash());
+    hashed_ = now;
+  }
+  host_.send(news.dump());
+  if (!paused_ && !over_ && rate_ > 0 && now - paced_ >= kSeldom) {
+    tell_pacing();
+    paced_ = now;
+  }
+  told_ = now;
+  told_step_ = world.step();
+  changed_ = !joining_.empty();  // who was greeted learns the rest by the next message
+  greet();
+}
+
+void Exercise::tell_pacing() {
+  const net::Histogram& late = pacing_.late();
+  host_.send(Message{{"pacing",
+                      {{"frames", pacing_.frames()},
+                       {"missed", pacing_.missed()},
+                       {"p50", late.percentile(0.5)},
+                       {"p99", late.percentile(0.99)},
+                       {"p999", late.percentile(0.999)},
+                       {"max", late.max()},
+                       {"load", pacing_.load()}}}}
+                 .dump());
+}
+
+void Exercise::greet() {
+  if (joining_.empty())
+    return;
+  const auto bytes = so_far();
+  for (const net::ViewerId who : joining_)
+    host_.greet(who, bytes);
+  joining_.clear();
+}
+
+/// With every order that was told, none that was not, and those to come of the scenario.
+std::shared_ptr<const std::string> Exercise::so_far() const {
+  record::RunFile run = run_;
+  run.trail = trail_.trail_to(mission_.run().world());
+  const auto orders = mission_.run().orders();
+  const auto next = mission_.run().orders_for(mission_.run().world().step());
+  run.orders.assign(orders.data(), next.data() + next.size() - not_flown());
+  run.orders.insert(run.orders.end(), next.data() + next.size(), orders.data() + orders.size());
+  return std::make_shared<std::string>(record::encode(run));
+}
+
+}  // namespace eyrie::live

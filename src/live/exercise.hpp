@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  A mission that browsers look at and steer while it is flown. Each of them has the engine
+/// and flies along: it gets what has been flown so far as a run file, then steps that it may fly,
+/// with the orders for them, and hashes to compare with (docs/live.md has the messages).
+#include "live/mailbox.hpp"
+#include "live/request.hpp"
+#include "net/pacing.hpp"
+#include "net/web_host.hpp"
+#include "record/run_file.hpp"
+#include "scenario/mission.hpp"
+#include "sim/trail.hpp"
+
+namespace eyrie::live {
+
+struct ExerciseOptions {
+  double rate = 1;  ///< seconds of the mission in one of the clock; 0: as fast as it goes
+  bool paused = false;
+};
+
+class Exercise {
+ public:
+  using Enough = std::function<bool()>;
+
+  /// `run`: what is known of the mission before it is flown. The mission must outlive it, and not
+  /// have begun. Listens; throws std::system_error if it cannot.
+  Exercise(scenario::Mission& mission, record::RunFile run, net::WebOptions web,
+           const ExerciseOptions& options);
+
+  /// Steps until the mission is over, or `enough` ends it.
+  void fly(const Enough& enough);
+  /// Goes on telling how it ended, until it is `enough`.
+  void stay(const Enough& enough);
+
+  [[nodiscard]] const net::WebHost& host() const { return host_; }
+  [[nodiscard]] const net::Pacing& pacing() const { return pacing_; }
+
+ private:
+  [[nodiscard]] net::WebOptions with_channel(net::WebOptions web);
+  std::string hear(net::ViewerId who, std::string_view text);
+
+  void attend();
+  void carry_out(const Request& request);
+  void steer(const Request& request);
+  void order(const Request& request);
+  void hand_back(net::ViewerId who);
+  /// Gives why it cannot be; "" if it is given.
+  [[nodiscard]] std::string give(const scenario::OperatorOrders& orders);
+  void refuse(net::ViewerId who, const std::string& words);
+  [[nodiscard]] std::string problem(const Request& request) const;
+
+  void wait(net::Clock::time_point until, const Enough& enough) const;
+  void tell_when_due();
+  void tell(net::Clock::time_point now);
+  void tell_pacing();
+  void greet();
+  [[nodiscard]] std::shared_ptr<const std::string> so_far() const;
+  [[nodiscard]] std::size_t not_flown() const;
+
+  scenario::Mission& mission_;
+  record::RunFile run_;
+  sim::TrailRecorder trail_{false};
+  net::Pacing pacing_;
+  double rate_;
+  bool paused_, over_ = false;
+  std::uint64_t single_ = 0;  ///< steps to be made although it is paused
+
+  std::vector<sim::Order> fresh_;  ///< not told yet
+  std::uint64_t given_ = 0;        ///< orders
+  std::map<PlayerId, net::ViewerId> held_;
+  std::uint64_t viewers_ = 0;
+  std::vector<net::ViewerId> joining_;
+
+  bool changed_ = true;  ///< something that is worth telling, besides steps
+  std::uint64_t told_step_ = 0;
+  net::Clock::time_point told_{}, hashed_{}, paced_{};
+
+  Mailbox<Request> mail_;
+  net::WebHost host_;  ///< last: its thread uses the others
+};
+
+}  // namespace eyrie::live
