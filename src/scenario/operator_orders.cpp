@@ -10,6 +10,7 @@
 #include "core/text.hpp"
 #include "core/yaml.hpp"
 #include "model/weapon/systems.hpp"
+#include "pilot/outside.hpp"
 
 namespace eyrie::scenario {
 namespace {
@@ -17,34 +18,77 @@ namespace {
 /// Far above what an order needs.
 constexpr YamlLimits kOrderLimits{.bytes = 4096, .nodes = 100, .depth = 4};
 
+using pilot::OrderKind, model::Manual, model::Seat;
+
 struct AskedOfPlayer {
+  using A = AskedOfPlayer;
   static constexpr std::string_view type_name = "order";
+  static constexpr std::string_view help = "something asked of a player from outside, now";
   static constexpr auto params() {
-    return std::tuple{
-        param("order", &AskedOfPlayer::order, "tree or lose").required(),
-        param("player", &AskedOfPlayer::player, "who"),
-        param("flight", &AskedOfPlayer::flight, "everybody of it, instead"),
-        param("tree", &AskedOfPlayer::tree, "the tree to fly or drive by from then on")};
+    return std::tuple{param("order", &A::order, "what is asked").required(),
+                      param("player", &A::player, "who"),
+                      param("flight", &A::flight, "everybody of it, instead"),
+                      param("tree", &A::tree, "the tree to go by, or that has the node"),
+                      param("heading", &A::heading, range(-1e3, 1e3), "rad, true"),
+                      param("altitude", &A::altitude, range(-1e3, 100e3), "m"),
+                      param("speed", &A::speed, range(0, 10e3), "m/s, true airspeed"),
+                      param("climb", &A::climb, range(-1.6, 1.6), "rad above the horizontal"),
+                      param("load_factor", &A::load_factor, range(0, 100), "g, in turns"),
+                      param("target", &A::target, range(0, 4e9), "number of a track"),
+                      param("shoot", &A::shoot, "true: a missile at the target, once"),
+                      param("gun", &A::gun, "true: the trigger is pressed"),
+                      param("radar", &A::radar, "false: silent"),
+                      param("dispense", &A::dispense, "decoys, once"),
+                      param("node", &A::node, "path of a node"),
+                      param("vote", &A::vote, range(0, 1000), "its vote"),
+                      param("free", &A::free, "false: weapons tight"),
+                      param("east", &A::east, range(-5e6, 5e6), "m, on the map"),
+                      param("north", &A::north, range(-5e6, 5e6), "m, on the map"),
+                      param("more", &A::more, "true: after the points there are")};
   }
   std::string order;
-  std::optional<std::string> player, flight, tree;
+  std::optional<std::string> player, flight, tree, node;
+  std::optional<double> heading, altitude, speed, climb, load_factor, target, vote, east, north;
+  bool shoot = false, gun = false, more = false;
+  std::optional<bool> radar, free;
+  std::optional<model::Dispense> dispense;
 };
+
+/// What an order may say besides whom it is for, and what it must.
+struct KindOfOrder {
+  std::string_view name;
+  std::initializer_list<std::string_view> needs, may = {};
+};
+const std::array<KindOfOrder, 8> kKinds{{
+    {"tree", {"tree"}},
+    {"lose", {}},
+    {"manual",
+     {},
+     {"heading", "altitude", "speed", "climb", "load_factor", "target", "shoot", "gun", "radar",
+      "dispense"}},
+    {"hand_back", {}},
+    {"vote", {"tree", "node"}, {"vote"}},
+    {"weapons", {"free"}},
+    {"point", {"east", "north", "altitude"}, {"more"}},
+    {"route", {}},
+}};
+
+/// A place of the map around the reference, where the Earth curves away below (MapPlace).
+std::array<float, 3> place_of(double east, double north, double altitude) {
+  constexpr double kEarth = 6'371e3;
+  const double down = (east * east + north * north) / (2 * kEarth) - altitude;
+  return {static_cast<float>(north), static_cast<float>(east), static_cast<float>(down)};
+}
 
 class OrderReader {
  public:
   OrderReader(const Scenario& scenario, const AskedOfPlayer& asked, std::uint64_t step)
       : scenario_(scenario), asked_(asked), step_(step) {}
 
-  OperatorOrders read() {
+  OperatorOrders read(const Value& text) {
     result_.kind = asked_.order;
-    static constexpr std::array<std::string_view, 2> kKinds{"tree", "lose"};
-    if (std::find(kKinds.begin(), kKinds.end(), asked_.order) == kKinds.end())
-      refuse("there is no order {}{}", quote(asked_.order), did_you_mean(asked_.order, kKinds));
-    else if ((asked_.order == "tree") != asked_.tree.has_value())
-      refuse("an order 'tree' names a tree, and no other does");
-    else if (asked_.player.has_value() == asked_.flight.has_value())
-      refuse("an order is for a 'player' or for a 'flight'");
-    else
+    check(text);
+    if (result_.problem.empty())
       for (const PlayerId who : asked_.player ? player() : flight())
         give(who);
     if (!result_.problem.empty())
@@ -53,6 +97,30 @@ class OrderReader {
   }
 
  private:
+  void check(const Value& text) {
+    std::vector<std::string> names;
+    for (const KindOfOrder& kind : kKinds)
+      names.emplace_back(kind.name);
+    const auto kind = std::find(names.begin(), names.end(), asked_.order) - names.begin();
+    if (static_cast<std::size_t>(kind) == names.size())
+      return refuse("there is no order {}{}", quote(asked_.order),
+                    did_you_mean(asked_.order, names));
+    const auto& [name, needs, may] = kKinds[static_cast<std::size_t>(kind)];
+    const auto has = [](auto list, std::string_view word) {
+      return std::find(list.begin(), list.end(), word) != list.end();
+    };
+    for (const std::string_view word : needs)
+      if (!text.find(word))
+        return refuse("an order '{}' needs '{}'", name, word);
+    for (const Value::Entry& entry : text.entries)
+      if (!has(needs, entry.key) && !has(may, entry.key) &&
+          !has(std::initializer_list<std::string_view>{"do", "order", "player", "flight"},
+               entry.key))
+        return refuse("an order '{}' has no '{}'", name, entry.key);
+    if (asked_.player.has_value() == asked_.flight.has_value())
+      refuse("an order is for a 'player' or for a 'flight'");
+  }
+
   std::vector<PlayerId> player() {
     if (const auto who = scenario_.roster.find(*asked_.player))
       return {*who};
@@ -77,15 +145,80 @@ class OrderReader {
     if (asked_.order == "lose")
       return result_.orders.push_back(model::weapon::lose_order(step_, who));
     const Fleet& fleet = scenario_.fleet_of(who);
+    const auto tree = asked_.tree ? tree_of(who, fleet) : std::nullopt;
+    if (asked_.tree && !tree)
+      return;
+    if (asked_.order == "tree")
+      return result_.orders.push_back(fleet.agents->order_tree(step_, who, *tree));
+    if (&fleet != scenario_.fleets.front().get())
+      return refuse("{} is no aircraft: all it can be asked for is another tree",
+                    scenario_.roster.name(who));
+    if (asked_.order == "manual")
+      order(who, OrderKind::manual, manual());
+    else if (asked_.order == "hand_back")
+      order(who, OrderKind::manual, Manual{});
+    else if (asked_.order == "weapons")
+      order(who, OrderKind::weapons, static_cast<std::uint8_t>(!*asked_.free));
+    else if (asked_.order == "point")
+      order(who, OrderKind::point,
+            model::PointToFly{.position = place_of(*asked_.east, *asked_.north, *asked_.altitude),
+                              .altitude = static_cast<float>(*asked_.altitude),
+                              .more = asked_.more ? 1U : 0U});
+    else if (asked_.order == "route")
+      order(who, OrderKind::point, model::PointToFly{.more = 2});
+    else if (const auto node = fleet.trees[*tree]->find(*asked_.node))
+      order(who, OrderKind::vote,
+            model::VoteChange{.vote = static_cast<float>(asked_.vote.value_or(-1)),
+                              .number = static_cast<std::uint16_t>(*node + 1)});
+    else
+      refuse("there is no node {} in tree {}", quote(*asked_.node), *asked_.tree);
+  }
+
+  std::optional<std::uint16_t> tree_of(PlayerId who, const Fleet& fleet) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < fleet.trees.size(); ++i) {
       if (fleet.trees[i]->name() == *asked_.tree)
-        return result_.orders.push_back(
-            fleet.agents->order_tree(step_, who, static_cast<std::uint16_t>(i)));
+        return static_cast<std::uint16_t>(i);
       names.emplace_back(fleet.trees[i]->name());
     }
     refuse("{} has no tree {}{}", scenario_.roster.name(who), quote(*asked_.tree),
            did_you_mean(*asked_.tree, names));
+    return std::nullopt;
+  }
+
+  Manual manual() const {
+    Manual m{.seat = Seat::person};
+    const auto say = [&](const std::optional<double>& value, float Manual::*field, unsigned bit) {
+      if (!value)
+        return;
+      m.*field = static_cast<float>(*value);
+      m.said |= static_cast<std::uint16_t>(bit);
+    };
+    say(asked_.heading, &Manual::heading, Manual::kHeading);
+    say(asked_.altitude, &Manual::altitude, Manual::kAltitude);
+    say(asked_.speed, &Manual::speed, Manual::kSpeed);
+    say(asked_.climb, &Manual::climb, Manual::kClimb);
+    say(asked_.load_factor, &Manual::load_factor, Manual::kLoadFactor);
+    if (asked_.target) {
+      m.target = TrackId{static_cast<std::uint32_t>(*asked_.target)};
+      m.said |= Manual::kTarget;
+    }
+    if (asked_.radar) {
+      m.radar_off = !*asked_.radar;
+      m.said |= Manual::kRadar;
+    }
+    if (asked_.dispense) {
+      m.dispense = *asked_.dispense;
+      m.said |= Manual::kDispense;
+    }
+    m.trigger = asked_.gun;
+    m.store = asked_.shoot ? pilot::kAnyStore : 0;
+    return m;
+  }
+
+  template <class Payload>
+  void order(PlayerId who, OrderKind kind, const Payload& payload) {
+    result_.orders.push_back(sim::order_for(step_, who, kind, payload));
   }
 
   template <class... T>
@@ -111,7 +244,7 @@ OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
     bind(asked, value, wrong, kOfTheChannel);
   if (wrong.count())
     return {.kind = {}, .orders = {}, .problem = wrong.sorted().front().message};
-  return OrderReader(scenario, asked, step).read();
+  return OrderReader(scenario, asked, step).read(value);
 }
 
 }  // namespace eyrie::scenario

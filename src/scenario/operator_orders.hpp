@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What somebody outside asks of players while a mission is flown, as JSON:
+/// \file  What somebody outside asks of players while a mission is flown, as JSON; numbers in SI:
 ///
 ///   {"order": "tree", "player": "eagle1", "tree": "bvr"}   from now on by another tree
 ///   {"order": "lose", "player": "eagle2"}                  lost to something that is not simulated
+///   {"order": "manual", "player": "eagle1", "heading": 1.57, "altitude": 6000, "speed": 250}
+///     a person flies it, the tree goes on proposing; each time anew with everything that is to
+///     hold: also "climb" (rad; a direction to fly to instead of an altitude), "load_factor" (g),
+///     "target" (a number of its own tracker), "shoot": true (once, at the target), "gun": true,
+///     "radar": false, "dispense": "chaff", "flares" or "both" (once)
+///   {"order": "hand_back", "player": "eagle1"}             by its tree again
+///   {"order": "vote", "player": "eagle1", "tree": "bvr", "node": "root/pursue", "vote": 70}
+///     a node of the tree it flies by votes so much; without "vote" as its file says
+///   {"order": "weapons", "flight": "eagle", "free": false} nothing is released
+///   {"order": "point", "player": "eagle1", "east": 9000, "north": 2000, "altitude": 8000}
+///     to a place of the flat map instead of its route; "more": true: after the points it has
+///   {"order": "route", "player": "eagle1"}                 its route again
 ///
-/// "flight": "eagle" instead of "player" means everybody of a flight or convoy.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +32,8 @@ struct OperatorOrders {
   std::string problem;             ///< why there are none, for people; else ""
 };
 
-/// Orders for a step. Reads nothing but the scenario, on any thread.
+/// Orders for a step; "flight": "eagle" instead of "player" means everybody of a flight or convoy.
+/// Reads nothing but the scenario, on any thread.
 [[nodiscard]] OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
                                               std::uint64_t step);
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/weapon/systems.hpp"
+#include "pilot/outside.hpp"
 #include "scenario/source.hpp"
 
 namespace eyrie::scenario {
@@ -53,6 +54,51 @@ TEST_F(OperatorOrder, IsForEverybodyOfAFlight) {
     EXPECT_EQ(who == flight.members, flight.name == "eagle");
 }
 
+TEST_F(OperatorOrder, PutsAPersonAtTheControls) {
+  const auto made = orders(
+      R"({"order":"manual","player":"eagle1","heading":1.5,"climb":-0.2,"target":4,"shoot":true,)"
+      R"("radar":false,"dispense":"flares"})");
+  ASSERT_EQ(made.problem, "");
+  ASSERT_EQ(made.orders.size(), 1u);
+  using model::Manual;
+  const auto m = made.orders[0].as<Manual>();
+  EXPECT_EQ(m.seat, model::Seat::person);
+  EXPECT_EQ(m.said, Manual::kHeading | Manual::kClimb | Manual::kTarget | Manual::kRadar |
+                        Manual::kDispense);
+  EXPECT_EQ(m.heading, 1.5F);
+  EXPECT_EQ(m.climb, -0.2F);
+  EXPECT_EQ(m.target, TrackId{4});
+  EXPECT_EQ(m.store, pilot::kAnyStore);
+  EXPECT_EQ(m.radar_off, 1);
+  EXPECT_EQ(m.dispense, model::Dispense::flares);
+  const auto back = orders(R"({"order":"hand_back","player":"eagle1"})");
+  ASSERT_EQ(back.orders.size(), 1u);
+  EXPECT_EQ(back.orders[0].as<Manual>().seat, model::Seat::tree);
+}
+
+TEST_F(OperatorOrder, ChangesVotesWeaponsAndRoute) {
+  const PlayerId who = *scenario_->roster.find("eagle1");
+  const Fleet& fleet = scenario_->fleet_of(who);
+  const ubf::AnyTree& tree = *fleet.trees[0];
+  const auto vote = orders(
+      fmt::format(R"({{"order":"vote","player":"eagle1","tree":"{}","node":"{}","vote":70}})",
+                  tree.name(), tree.path(2)));
+  ASSERT_EQ(vote.problem, "");
+  EXPECT_EQ(vote.orders[0].as<model::VoteChange>().number, 3);
+  EXPECT_EQ(vote.orders[0].as<model::VoteChange>().vote, 70);
+  EXPECT_EQ(orders(R"({"order":"weapons","flight":"eagle","free":false})").orders.size(), 4u);
+  const auto point = orders(
+      R"({"order":"point","player":"eagle1","east":9000,"north":2000,"altitude":8000,"more":true})");
+  ASSERT_EQ(point.problem, "");
+  const auto to = point.orders[0].as<model::PointToFly>();
+  EXPECT_EQ(to.position[0], 2000);
+  EXPECT_EQ(to.position[1], 9000);
+  EXPECT_EQ(to.altitude, 8000);
+  EXPECT_EQ(to.more, 1u);
+  EXPECT_EQ(orders(R"({"order":"route","player":"eagle1"})").orders[0].as<model::PointToFly>().more,
+            2u);
+}
+
 TEST_F(OperatorOrder, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"order":"lsoe","player":"eagle1"})"),
             "there is no order 'lsoe'; did you mean 'lose'?");
@@ -64,7 +110,10 @@ TEST_F(OperatorOrder, SaysWhatIsWrong) {
             "eagle1 has no tree 'veterann'; did you mean 'veteran'?");
   EXPECT_EQ(problem(R"({"order":"lose"})"), "an order is for a 'player' or for a 'flight'");
   EXPECT_EQ(problem(R"({"order":"lose","player":"eagle1","tree":"veteran_patrol"})"),
-            "an order 'tree' names a tree, and no other does");
+            "an order 'lose' has no 'tree'");
+  EXPECT_EQ(problem(R"({"order":"tree","player":"eagle1"})"), "an order 'tree' needs 'tree'");
+  EXPECT_EQ(problem(R"({"order":"vote","player":"eagle1","tree":"veteran","node":"root/x"})"),
+            "there is no node 'root/x' in tree veteran");
   for (const char* bad :
        {"", "[", "{}", "17", "\"lose\"", R"({"order":["lose"],"player":"eagle1"})",
         R"({"order":"lose","player":"eagle1","more":1})",
