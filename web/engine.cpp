@@ -180,8 +180,8 @@ Flown Engine::fly(const Until& until) {
   return flown;
 }
 
-std::string Engine::run_file() const {
-  return record::encode(run().run);
+std::string Engine::run_file() {
+  return record::encode(run_with_trail().run);
 }
 
 About Engine::open(std::string_view run_file) {

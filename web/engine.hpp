@@ -35,8 +35,8 @@ class Engine {
   About load(const Load& load);
   /// On with what was loaded, or with a branch. When it is over it has become a run.
   Flown fly(const Until& until);
-  /// The run file of what was flown to its end.
-  [[nodiscard]] std::string run_file() const;
+  /// The run file of what was flown to its end, or so far.
+  [[nodiscard]] std::string run_file();
   /// Opens a run file.
   About open(std::string_view run_file);
 
@@ -44,6 +44,11 @@ class Engine {
   /// was asked for, packed for the page (page::Packer). What was flown is not flown again by the
   /// next question; seek() and branch() are quick in it.
   Moment page(const Until& until, std::string& packed);
+  /// Opens a run that others are flying, from its run file so far: advance() begins at its start.
+  Followed follow(std::string_view run_file);
+  /// On with what is followed, with orders from outside. Whoever orders what nobody accepts, or for
+  /// a step that is over, gets BadRequest. `packed` is what the page has not had yet.
+  Advanced advance(const Advance& advance, std::string& packed);
   /// Goes to a step of the run.
   Moment seek(const Step& step);
   /// A table of the world there.
@@ -51,7 +56,7 @@ class Engine {
   /// What a player decided in the step that follows, or would have with other trees.
   [[nodiscard]] Decided explain(const Otherwise& otherwise) const;
   /// What it would have decided during the whole run, its states being what they were.
-  [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise) const;
+  [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise);
   /// How the run ended.
   [[nodiscard]] debrief::Outcome outcome() const;
   /// How it would have ended, flown on from there with other trees and models, packed for the page.
@@ -59,6 +64,8 @@ class Engine {
 
  private:
   [[nodiscard]] const debrief::Recorded& run() const;
+  /// The same, with a trail up to where it is.
+  [[nodiscard]] const debrief::Recorded& run_with_trail();
   [[nodiscard]] PlayerId player(const std::string& name) const;
   [[nodiscard]] std::shared_ptr<const scenario::Scenario> other(
       const std::string& player, const std::vector<std::string>& sets) const;

@@ -13,6 +13,29 @@ Moment moment(const sim::World& world, double dt) {
   return {world.step(), static_cast<double>(world.step()) * dt, hex(world.hash())};
 }
 
+/// RFC 4648, as they are told.
+sim::Order order_of(std::string_view text) {
+  std::array<unsigned char, sizeof(sim::Order)> bytes{};
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  if (text.size() != bytes.size() / 3 * 4)
+    throw BadRequest("an order is base64 of 48 bytes");
+  for (std::size_t i = 0; i < text.size(); i += 4) {
+    std::size_t four = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t digit = kDigits.find(text[i + k]);
+      if (digit == std::string_view::npos)
+        throw BadRequest("an order is base64 of 48 bytes");
+      four = four << 6 | digit;
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      bytes[i / 4 * 3 + k] = static_cast<unsigned char>(four >> (16 - 8 * k) & 255);
+  }
+  sim::Order order;
+  std::memcpy(&order, bytes.data(), sizeof order);
+  return order;
+}
+
 }  // namespace
 
 const debrief::Recorded& Engine::run() const {
@@ -21,15 +44,20 @@ const debrief::Recorded& Engine::run() const {
   return *recorded_;
 }
 
-/// The run as page() flies it again, with what is kept on the way.
+/// The run as page() flies it again, or advance() for the first time, with what is kept on the way.
 struct Engine::Reflown {
-  explicit Reflown(const debrief::Recorded& recorded)
-      : packer(page::make_packer(*recorded.scenario, recorded.until())),
-        flight(recorded),
+  /// `is_live`: others are flying it.
+  Reflown(const debrief::Recorded& recorded, bool is_live)
+      : packer(page::make_packer(*recorded.scenario,
+                                 is_live ? recorded.scenario->spec.until : recorded.until())),
+        flight(is_live ? debrief::Reflight(recorded, recorded.scenario->world(recorded.run.seed))
+                       : debrief::Reflight(recorded)),
         kept{flight.after()},
         between_kept(
             static_cast<std::uint64_t>(kBetweenKept / recorded.scenario->simulation->dt())) {
     flight.attach(*packer);
+    if (is_live)
+      flight.attach(trail.emplace());
   }
 
   /// False, once, at the end.
@@ -52,6 +80,7 @@ struct Engine::Reflown {
   std::vector<debrief::Happened> events;
   std::uint64_t between_kept;
   bool over = false;
+  std::optional<sim::TrailRecorder> trail;  ///< if others are flying it
 };
 
 void Engine::tell(const sim::World& world) const {
@@ -62,8 +91,10 @@ void Engine::tell(const sim::World& world) const {
 Moment Engine::page(const Until& until, std::string& packed) {
   const debrief::Recorded& recorded = run();
   const double dt = recorded.scenario->simulation->dt();
+  if (reflown_ && reflown_->trail)
+    throw BadRequest("what is followed is drawn by advance");
   if (!reflown_ || reflown_->over)
-    reflown_ = std::make_shared<Reflown>(recorded);
+    reflown_ = std::make_shared<Reflown>(recorded, false);
   const sim::World& world = reflown_->flight.after();
   while (!until.until || static_cast<double>(world.step()) * dt < *until.until) {
     if (!reflown_->step()) {
@@ -74,6 +105,50 @@ Moment Engine::page(const Until& until, std::string& packed) {
   }
   packed = reflown_->packer->packed(page::facts_of(recorded));
   return moment(world, dt);
+}
+
+Followed Engine::follow(std::string_view run_file) {
+  About about = open(run_file);
+  about.until = recorded_->scenario->spec.until;
+  sim::HashTrail& trail = recorded_->run.trail;
+  const Moment flown{trail.last_step, recorded_->until(), hex(trail.last_hash)};
+  trail.last_step = 0;
+  reflown_ = std::make_shared<Reflown>(*recorded_, true);
+  return {std::move(about), flown};
+}
+
+Advanced Engine::advance(const Advance& wanted, std::string& packed) {
+  packed.clear();
+  if (!reflown_ || !reflown_->trail)
+    throw BadRequest("nothing is followed");
+  for (const std::string& text : wanted.orders) {
+    const sim::Order order = order_of(text);
+    if (const std::string refused = reflown_->flight.submit(order); !refused.empty())
+      throw BadRequest(refused);
+    auto& orders = recorded_->run.orders;
+    orders.insert(std::upper_bound(orders.begin(), orders.end(), order,
+                                   [](const auto& a, const auto& b) { return a.step < b.step; }),
+                  order);
+  }
+  const sim::World& world = reflown_->flight.after();
+  recorded_->run.trail.last_step = std::max(wanted.step, world.step());
+  while (world.step() < wanted.step) {
+    reflown_->step();
+    tell(world);
+  }
+  recorded_->run.outcome = wanted.outcome;
+  Advanced advanced{moment(world, recorded_->scenario->simulation->dt()), true};
+  advanced.agrees = wanted.hash.empty() || wanted.hash == advanced.moment.hash;
+  recorded_->run.trail.last_hash = world.hash();
+  if (wanted.draw)
+    packed = reflown_->packer->take(page::facts_of(*recorded_));
+  return advanced;
+}
+
+const debrief::Recorded& Engine::run_with_trail() {
+  if (reflown_ && reflown_->trail)
+    recorded_->run.trail = reflown_->trail->trail_to(reflown_->flight.after());
+  return run();
 }
 
 Moment Engine::seek(const Step& step) {
@@ -173,9 +248,9 @@ Decided Engine::explain(const Otherwise& otherwise) const {
   return decision ? Decided{debrief::decision_json(*decision, scenario.roster)} : Decided{};
 }
 
-debrief::WhatIf Engine::what_if(const Otherwise& otherwise) const {
-  return debrief::what_if(run(), *other(otherwise.player, otherwise.sets), player(otherwise.player),
-                          otherwise.from.value_or(0));
+debrief::WhatIf Engine::what_if(const Otherwise& otherwise) {
+  return debrief::what_if(run_with_trail(), *other(otherwise.player, otherwise.sets),
+                          player(otherwise.player), otherwise.from.value_or(0));
 }
 
 debrief::Outcome Engine::outcome() const {

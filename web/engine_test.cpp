@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string>
 
+#include "core/text.hpp"
+#include "record/run_file.hpp"
 #include "scenario/data.hpp"
 #include "support/small_scenario.hpp"
 
@@ -173,6 +175,88 @@ TEST(WebEngine, FliesOnOtherwiseFromAMoment) {
   engine.page({}, again);
   EXPECT_EQ(engine.branch(branch, again).time, 3.0);
   EXPECT_EQ(packed, again);
+}
+
+/// Others, who fly the small scenario and give orders.
+struct Others {
+  Others()
+      : scenario(scenario::load(
+            {"small.yaml"}, scenario::Source::bundle(
+                                texts_of(test::changed_scenario(
+                                             {{"until: 2 s", "until: 4 s"},
+                                              {"blue:\n",
+                                               "orders: [{at: 0.8 s, player: eagle2, lose: true}]\n"
+                                               "blue:\n"}}))
+                                    .files))),
+        mission(scenario, 7) {
+    mission.run().attach(trail);
+  }
+  [[nodiscard]] std::string hash() const { return hex(mission.run().world().hash()); }
+  void fly_to(std::uint64_t step) {
+    while (mission.run().world().step() < step)
+      mission.step();
+  }
+  /// What they have flown, with the orders that they have given by then.
+  [[nodiscard]] std::string run_file() const {
+    record::RunFile run = record::run_file_of(*scenario, 7, "others");
+    run.trail = trail.trail_to(mission.run().world());
+    return record::encode(run);
+  }
+  [[nodiscard]] std::vector<std::string> orders() const {
+    std::vector<std::string> all;
+    for (const sim::Order& order : mission.run().orders())
+      all.push_back(base64({reinterpret_cast<const char*>(&order), sizeof order}));
+    return all;
+  }
+  std::shared_ptr<const scenario::Scenario> scenario;
+  scenario::Mission mission;
+  sim::TrailRecorder trail;
+};
+
+TEST(WebEngine, FliesAlongWithOthersAndTheirOrders) {
+  Others others;
+  others.fly_to(30);
+  Engine engine;
+  const Followed followed = engine.follow(others.run_file());
+  EXPECT_EQ(followed.about.until, 4.0);
+  EXPECT_EQ(followed.flown.step, 30u);
+  std::string drawn;
+  const auto to = [&](std::uint64_t step, std::vector<std::string> orders, std::string hash) {
+    return engine.advance({.step = step,
+                           .orders = std::move(orders),
+                           .hash = std::move(hash),
+                           .outcome = "running",
+                           .draw = step >= 30},
+                          drawn);
+  };
+  EXPECT_EQ(to(20, {}, "").moment.step, 20u);
+  EXPECT_EQ(drawn, "");
+  EXPECT_TRUE(to(30, {}, followed.flown.hash).agrees);
+  const std::size_t first = drawn.size();
+  others.fly_to(60);
+  EXPECT_TRUE(to(60, others.orders(), others.hash()).agrees);
+  EXPECT_LT(drawn.size(), first);  // the trees, and what was flown until then, are known
+  EXPECT_FALSE(to(60, {}, followed.flown.hash).agrees);
+  EXPECT_THROW(to(60, others.orders(), ""), BadRequest);  // their step is over
+  EXPECT_THROW(to(60, {"AAAA"}, ""), BadRequest);
+
+  // everything else can be asked meanwhile
+  EXPECT_EQ(engine.seek({.step = 45}).step, 45u);
+  EXPECT_THROW(engine.seek({.step = 61}), BadRequest);
+  EXPECT_EQ(engine.rows({.table = "aircraft"}).ids, std::vector<std::uint64_t>{1});
+  EXPECT_EQ(decision_after(engine, 41, "eagle1")["leader"], "root/navigate");
+  EXPECT_EQ(engine.what_if({.player = "eagle1", .sets = {}, .from = {}}).decisions, 12u);
+  EXPECT_EQ(
+      engine.branch({.sets = {"root/navigate.vote=30"}, .player = "eagle1", .until = {}}, drawn)
+          .time,
+      4.0);
+  EXPECT_TRUE((others.fly_to(80), to(80, {}, others.hash()).agrees));
+
+  // what was flown so far is a run like any other
+  Engine second;
+  second.open(engine.run_file());
+  EXPECT_EQ(second.page({}, drawn).hash, others.hash());
+  EXPECT_THROW(second.advance({.step = 90}, drawn), BadRequest);
 }
 
 TEST(WebEngine, SaysWhatTreesAreMadeOf) {

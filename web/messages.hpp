@@ -178,6 +178,34 @@ struct Moment {
       Member{"step", &Moment::step, "Steps made before it."}, Member{"time", &Moment::time, "s."},
       Member{"hash", &Moment::hash, "Of the world, as the terminal prints it."}};
 };
+struct Followed {
+  About about;
+  Moment flown;
+  static constexpr Description kMessage{
+      "Followed", "A run that others are flying.", Member{"about", &Followed::about, "What it is."},
+      Member{"flown", &Followed::flown, "How far they were; advance() comes there."}};
+};
+struct Advance {
+  std::uint64_t step = 0;
+  std::vector<std::string> orders;
+  std::string hash, outcome;
+  bool draw = false;
+  static constexpr Description kMessage{
+      "Advance",
+      "How far what is followed may go on.",
+      Member{"step", &Advance::step, "Steps made by then."},
+      Member{"orders", &Advance::orders, "From outside, by step: base64 of 48 bytes each."},
+      Member{"hash", &Advance::hash, "Of the world there, as others have it; empty: unknown."},
+      Member{"outcome", &Advance::outcome, "Of the run, as others have it."},
+      Member{"draw", &Advance::draw, "Whether it is drawn."}};
+};
+struct Advanced {
+  Moment moment;
+  bool agrees = true;
+  static constexpr Description kMessage{
+      "Advanced", "How far it is.", Member{"moment", &Advanced::moment, "Where."},
+      Member{"agrees", &Advanced::agrees, "Whether the world is the one that others have."}};
+};
 struct Column {
   std::string name, unit;
   std::vector<double> values;

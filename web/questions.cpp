@@ -101,6 +101,13 @@ const std::array kQuestions{
                                                  "The run once more from the start on, every hash "
                                                  "compared with the recorded ones; the bytes are "
                                                  "what src/run/decode.ts reads."),
+    file_question<Followed, &Engine::follow>(
+        "follow", "Opens a run that others are flying, with what was flown so far; at its start."),
+    bytes_question<Advance, Advanced, &Engine::advance>(
+        "advance",
+        "On with what is followed; the bytes are what came since the last ones "
+        "(src/live/grown.ts), none if it is not to be drawn. seek() and the others know what was "
+        "flown so far."),
     question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
     question<Table, Rows, &Engine::rows>("rows", "A table of the world there."),
     question<Otherwise, Decided, &Engine::explain>(

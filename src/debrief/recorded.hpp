@@ -74,6 +74,8 @@ class Reflight {
 
   /// It must outlive the last step.
   void attach(sim::Observer& observer) { run_.attach(observer); }
+  /// One more order of a recording that grows meanwhile (sim::Run::submit).
+  [[nodiscard]] std::string submit(const sim::Order& order) { return run_.submit(order); }
   /// One step; false at the end of the recording. Throws std::runtime_error with words for people
   /// if this is not the run that was recorded: what follows did not happen.
   bool step();

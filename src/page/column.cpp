@@ -70,6 +70,11 @@ void Columns::add(std::initializer_list<double> row) {
     (column++)->second.add(value);
 }
 
+void Columns::forget() {
+  for (auto& [name, column] : columns_)
+    column.forget();
+}
+
 Json Columns::json(ColumnBytes& bytes) const {
   Json json = Json::object();  // one made of null ends the program where memory runs out
   for (const auto& [name, column] : columns_)

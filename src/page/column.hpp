@@ -29,6 +29,7 @@ class Column {
   [[nodiscard]] std::int64_t rounded(double value) const;
   [[nodiscard]] double quantum() const { return quantum_; }
   [[nodiscard]] const std::vector<std::int64_t>& values() const { return values_; }
+  void forget() { values_.clear(); }
 
  private:
   double quantum_;
@@ -70,6 +71,7 @@ class Columns {
   [[nodiscard]] bool empty() const { return columns_.front().second.values().empty(); }
   /// By name.
   [[nodiscard]] Json json(ColumnBytes& bytes) const;
+  void forget();
 
  private:
   std::vector<std::pair<std::string_view, Column>> columns_;

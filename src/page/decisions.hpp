@@ -21,10 +21,16 @@ class TextBook {
     return at->second;
   }
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
+  /// Those that nobody has taken yet.
+  [[nodiscard]] std::vector<std::string> left() const {
+    return {texts_.begin() + static_cast<std::ptrdiff_t>(taken_), texts_.end()};
+  }
+  void take() { taken_ = texts_.size(); }
 
  private:
   std::unordered_map<std::string, std::int64_t> numbers_;
   std::vector<std::string> texts_;
+  std::size_t taken_ = 0;
 };
 
 /// What of a decision stays the same for long: who was asked, what they answered, with which
@@ -48,12 +54,15 @@ class ShapeBook {
       append(trace.why(node));
       append(row.supplier);
     }
-    const auto [at, is_new] = numbers_.try_emplace(key_, static_cast<std::int64_t>(json_.size()));
+    const auto [at, is_new] =
+        numbers_.try_emplace(key_, static_cast<std::int64_t>(numbers_.size()));
     if (is_new)
       json_.push_back(shape(tree, blank, leader, trace));
     return at->second;
   }
+  /// Those that nobody has taken yet.
   [[nodiscard]] const Json& json() const { return json_; }
+  void take() { json_ = Json::array(); }
 
  private:
   template <class T>
@@ -168,10 +177,18 @@ class Decisions {
   [[nodiscard]] Json json(ColumnBytes& bytes) const {
     Json values = Json::array();
     for (const auto& [at, column] : values_)
-      values.push_back({at.first, at.second, put(bytes, column)});
+      if (!column.values().empty())
+        values.push_back({at.first, at.second, put(bytes, column)});
     return {{"step", put(bytes, step_)},
             {"shape", put(bytes, shape_column_)},
             {"values", std::move(values)}};
+  }
+  [[nodiscard]] bool empty() const { return step_.values().empty(); }
+  void forget() {
+    step_.forget();
+    shape_column_.forget();
+    for (auto& [at, column] : values_)
+      column.forget();
   }
 
  private:

@@ -140,11 +140,22 @@ class Writer final : public Packer {
 
   [[nodiscard]] std::string packed(const FlightFacts& facts) const override {
     ColumnBytes bytes;
-    const std::string document = record::json_text(json(facts, bytes));
-    std::string all;
-    for (int shift = 0; shift < 32; shift += 8)
-      all.push_back(static_cast<char>(document.size() >> shift & 255));
-    return all + document + bytes.bytes();
+    return whole(json(facts, bytes), bytes);
+  }
+  [[nodiscard]] std::string take(const FlightFacts& facts) override {
+    ColumnBytes bytes;
+    Json document = json(facts, bytes);
+    document["now"] = motions_.now();
+    taken_ = true;
+    texts_.take();
+    shapes_.take();
+    motions_.forget();
+    for (Agent& agent : agents_) {
+      agent.decisions.forget();
+      agent.sights.forget();
+    }
+    lines_ = Json::array();
+    return whole(document, bytes);
   }
 
   void look(const sim::World& before, const sim::World& after,
@@ -189,27 +200,39 @@ class Writer final : public Packer {
          {"decided", line.decided}});
   }
 
+  [[nodiscard]] static std::string whole(const Json& document, const ColumnBytes& columns) {
+    const std::string text = record::json_text(document);
+    std::string all;
+    for (int shift = 0; shift < 32; shift += 8)
+      all.push_back(static_cast<char>(text.size() >> shift & 255));
+    return all + text + columns.bytes();
+  }
   [[nodiscard]] Json json(const FlightFacts& facts, ColumnBytes& bytes) const {
-    Json trees = Json::array(), players = Json::array();
-    pilots_.put_trees("aircraft", trees);
-    drivers_.put_trees("vehicle", trees);
+    Json players = Json::array();
     for (std::size_t i = 0; i < agents_.size(); ++i)
       players.push_back(player(i, bytes));
+    Json all{{"format", 1},
+             {"about", about(facts)},
+             {"players", std::move(players)},
+             {"missiles", motions_.missiles(bytes)},
+             {"shapes", shapes_.json()},
+             {"texts", texts_.left()},
+             {"story", lines_}};
+    if (!taken_)
+      put_scenario(all);
+    return all;
+  }
+  /// What is known before the flight.
+  void put_scenario(Json& all) const {
     const Geodetic& origin = scenario_.library->reference.origin();
-    return {{"format", 1},
-            {"about", about(facts)},
-            {"origin",
-             {{"latitude", degrees(origin.latitude)}, {"longitude", degrees(origin.longitude)}}},
-            {"flights", flights()},
-            {"players", std::move(players)},
-            {"missiles", motions_.missiles(bytes)},
-            {"trees", std::move(trees)},
-            {"shapes", shapes_.json()},
-            {"platforms",
-             {{"aircraft", Platform<pilot::State, pilot::Action>::fields()},
-              {"vehicle", Platform<driver::State, driver::Action>::fields()}}},
-            {"texts", texts_.texts()},
-            {"story", lines_}};
+    all["origin"] = {{"latitude", degrees(origin.latitude)},
+                     {"longitude", degrees(origin.longitude)}};
+    all["flights"] = flights();
+    all["trees"] = Json::array();
+    pilots_.put_trees("aircraft", all["trees"]);
+    drivers_.put_trees("vehicle", all["trees"]);
+    all["platforms"] = {{"aircraft", Platform<pilot::State, pilot::Action>::fields()},
+                        {"vehicle", Platform<driver::State, driver::Action>::fields()}};
   }
 
   [[nodiscard]] Json about(const FlightFacts& facts) const {
@@ -260,15 +283,18 @@ class Writer final : public Packer {
   }
 
   [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const {
-    const auto& p = scenario_.roster.players[index];
-    const std::string_view kind = scenario_.fleets[p.fleet]->words.name;
-    Json j{{"name", p.name},        {"side", scenario::side_name(p.side)},
-           {"kind", kind},          {"type", p.label},
-           {"model", p.type},       {"flight", p.flight},
-           {"radar", radar(p.type)}};
-    j.update(motions_.player(index, bytes));
-    j["decisions"] = agents_[index].decisions.json(bytes);
-    j["sights"] = agents_[index].sights.json(bytes);
+    Json j = motions_.player(index, bytes);
+    if (const auto& p = scenario_.roster.players[index]; !taken_)
+      j.update({{"name", p.name},
+                {"side", scenario::side_name(p.side)},
+                {"kind", scenario_.fleets[p.fleet]->words.name},
+                {"type", p.label},
+                {"model", p.type},
+                {"flight", p.flight},
+                {"radar", radar(p.type)}});
+    const auto& [decisions, sights] = agents_[index];
+    j["decisions"] = taken_ && decisions.empty() ? Json() : decisions.json(bytes);
+    j["sights"] = taken_ && sights.empty() ? Json() : sights.json(bytes);
     return j;
   }
   [[nodiscard]] Json radar(const std::string& type) const {
@@ -294,6 +320,7 @@ class Writer final : public Packer {
   Motions motions_;
   record::Story story_;
   Json lines_ = Json::array();
+  bool taken_ = false;
 };
 
 }  // namespace

@@ -34,6 +34,9 @@ class Packer : public sim::Observer {
                     std::span<const sim::Order> orders) = 0;
   /// What has been seen so far.
   [[nodiscard]] virtual std::string packed(const FlightFacts& facts) const = 0;
+  /// What has been seen since the last take(), which is then forgotten, with where everybody is
+  /// now: for a page that has the rest (viewer/src/live/grown.ts).
+  [[nodiscard]] virtual std::string take(const FlightFacts& facts) = 0;
 };
 /// The scenario must outlive it; `until` (s) is when the flight ends at the latest. `plenty` is for
 /// tests.

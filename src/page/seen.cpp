@@ -116,6 +116,15 @@ Json Sights::json(ColumnBytes& bytes) const {
   return j;
 }
 
+void Sights::forget() {
+  for (Column* column : {&t_, &track_counts_, &warning_counts_})
+    column->forget();
+  for (Column& column : state_)
+    column.forget();
+  for (Columns* columns : {&tracks_, &warnings_, &scan_, &zone_})
+    columns->forget();
+}
+
 using model::EventKind;
 
 bool Motion::add(double time, const Reference& reference, const model::Kinematics& k) {
@@ -221,6 +230,42 @@ void Motions::finish(const sim::World& world) {
   look(world, true, true);
 }
 
+Json Motions::now() const {
+  Json all{{"players", Json::array()}, {"missiles", Json::array()}};
+  const auto put = [&](const Mover& mover, Json& row) {
+    const model::Kinematics& k = mover.last;
+    const OnMap at = on_map(scenario_.library->reference, k.position);
+    for (const double value : {time_, at.east, at.north, at.up, wrap_tau(k.heading + at.turn),
+                               double{k.pitch}, wrap_pi(k.roll)})
+      row.push_back(value);
+  };
+  for (const Flown& player : players_) {
+    Json& row = all["players"].emplace_back();
+    if (!player.born || player.gone)
+      continue;
+    put(player, row);
+    const model::Kinematics& k = player.last;
+    for (const double gauge : {double{k.speed}, double{k.mach}, double{k.load_factor}})
+      row.push_back(gauge);
+    row.push_back(std::isnan(player.last_fuel) ? Json() : Json(player.last_fuel));
+  }
+  for (const auto& [id, missile] : missiles_)
+    if (!missile.gone && !missile.motion.empty())
+      put(missile, all["missiles"].emplace_back(Json::array({id})));
+  return all;
+}
+
+void Motions::forget() {
+  for (Flown& player : players_) {
+    player.motion.forget();
+    player.gauges.forget();
+  }
+  for (auto& [id, missile] : missiles_) {
+    missile.motion.forget();
+    missile.told = missile.gone.has_value();
+  }
+}
+
 Json Motions::player(std::size_t index, ColumnBytes& bytes) const {
   const Flown& p = players_[index];
   Json j{{"born", p.born.value_or(0)}, {"gone", p.gone.value_or(time_)}, {"end", p.end}};
@@ -235,7 +280,7 @@ Json Motions::missiles(ColumnBytes& bytes) const {
   };
   Json all = Json::array();
   for (const auto& [id, m] : missiles_)
-    if (!m.motion.empty())
+    if (!m.motion.empty() && !m.told)
       all.push_back({{"id", id},
                      {"type", m.type},
                      {"side", scenario::side_name(m.side)},

@@ -30,6 +30,8 @@ class Sights {
   /// s, of the last one; before the run if there is none.
   [[nodiscard]] double last_time() const { return last_time_; }
   [[nodiscard]] Json json(ColumnBytes& bytes) const;
+  [[nodiscard]] bool empty() const { return t_.values().empty(); }
+  void forget();
 
  private:
   template <class State>
@@ -59,8 +61,10 @@ class Motion {
  public:
   /// False if there is one of that time (s) already.
   bool add(double time, const Reference& reference, const model::Kinematics& k);
-  [[nodiscard]] bool empty() const { return columns_.empty(); }
+  /// There was none yet.
+  [[nodiscard]] bool empty() const { return last_time_ < 0; }
   [[nodiscard]] Json json(ColumnBytes& bytes) const { return columns_.json(bytes); }
+  void forget() { columns_.forget(); }
 
  private:
   double last_time_ = -1;
@@ -85,6 +89,11 @@ class Motions final : public sim::Observer {
   /// Of a player, by its place in the roster: born, gone, end, motion, gauges.
   [[nodiscard]] Json player(std::size_t index, ColumnBytes& bytes) const;
   [[nodiscard]] Json missiles(ColumnBytes& bytes) const;
+  /// Where everybody is: players in order, null for who is not there, and missiles by id; times,
+  /// places and attitudes as the columns of motion have them, then the gauges.
+  [[nodiscard]] Json now() const;
+  /// What was packed is packed no more.
+  void forget();
 
  private:
   struct Mover {
@@ -92,6 +101,7 @@ class Motions final : public sim::Observer {
     std::string_view end;
     Motion motion;
     model::Kinematics last;  ///< as last seen, in case it is not there at the next look
+    bool told = false;       ///< to its end
   };
   struct Flown : Mover {
     Columns gauges{{"speed", 0.1}, {"mach", 1e-3}, {"load_factor", 0.01}, {"fuel", 1}};

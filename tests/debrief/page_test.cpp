@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/text.hpp"
 #include "debrief/decision.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
@@ -134,6 +135,70 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   // looking changed nothing: the same world as flown without a trace
   EXPECT_EQ(flight.after().hash(), recorded.run.trail.last_hash);
   EXPECT_GT(compared, 1000U);
+}
+
+/// A page that grows gets everything once.
+TEST(PageInParts, AreWhatItGivesAtOnce) {
+  const debrief::Recorded recorded = test::recorded_flight("sweep", 660);
+  const auto at_once = make_packer(*recorded.scenario, 660),
+             in_parts = make_packer(*recorded.scenario, 660);
+  debrief::Reflight flight(recorded);
+  flight.attach(*at_once);
+  flight.attach(*in_parts);
+  std::map<std::string, std::vector<double>> grown;
+  json texts = json::array(), story = json::array(), shapes = json::array();
+  const auto put = [&](const Reader& part, const std::string& name, const json& place) {
+    const std::vector<double> more = part.column(place);
+    grown[name].insert(grown[name].end(), more.begin(), more.end());
+  };
+  const auto each_column = [](const json& document, const auto& use) {
+    for (std::size_t i = 0; i < document["players"].size(); ++i) {
+      const json& player = document["players"][i];
+      for (const char* name : {"t", "north", "roll"})
+        use(fmt::format("{} {}", i, name), player["motion"][name]);
+      use(fmt::format("{} fuel", i), player["gauges"]["fuel"]);
+      if (player["decisions"].is_null() || player["sights"].is_null())
+        continue;  // of a part
+      use(fmt::format("{} shape", i), player["decisions"]["shape"]);
+      for (const json& one : player["decisions"]["values"])
+        use(fmt::format("{} {} {}", i, one[0].dump(), one[1].dump()), one[2]);
+      for (const char* name : {"count", "east"})
+        use(fmt::format("{} tracks {}", i, name), player["sights"]["tracks"][name]);
+      use(fmt::format("{} state", i), player["sights"]["state"][3]);
+    }
+    for (const json& missile : document["missiles"])
+      use(fmt::format("missile {}", missile["id"].dump()), missile["motion"]["east"]);
+  };
+  const auto take = [&](std::uint64_t step) {
+    const Reader part(base64(deflated(in_parts->take({.steps = step}))));
+    each_column(part.document,
+                [&](const std::string& name, const json& place) { put(part, name, place); });
+    for (const auto& [all, name] :
+         {std::pair{&texts, "texts"}, {&story, "story"}, {&shapes, "shapes"}})
+      all->insert(all->end(), part.document[name].begin(), part.document[name].end());
+    EXPECT_EQ(part.document.contains("trees"), step == 7);
+    EXPECT_EQ(part.document["now"]["players"].size(), recorded.scenario->roster.players.size());
+  };
+  while (flight.step()) {
+    for (const auto& packer : {&at_once, &in_parts})
+      (*packer)->look(flight.before(), flight.after(), flight.orders());
+    if (flight.after().step() % 777 == 7)
+      take(flight.after().step());
+  }
+  for (const auto& packer : {&at_once, &in_parts})
+    (*packer)->finish(flight.after());
+  take(flight.after().step());
+  const Reader whole(base64(deflated(at_once->packed({}))));
+  std::size_t columns = 0;
+  each_column(whole.document, [&](const std::string& name, const json& place) {
+    EXPECT_EQ(grown[name], whole.column(place)) << name;
+    ++columns;
+  });
+  EXPECT_EQ(columns, grown.size());
+  EXPECT_FALSE(whole.document["missiles"].empty());
+  EXPECT_EQ(texts, whole.document["texts"]);
+  EXPECT_EQ(story, whole.document["story"]);
+  EXPECT_EQ(shapes, whole.document["shapes"]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Flown, PageData,

@@ -2,6 +2,7 @@
 /** The debrief page: opens the runs that stand in it, or flies a replicate of the campaign in it, and shows them. */
 import { engine_module, is_part, painted, parts, unpack } from './parts.ts';
 import { decode } from './run/decode.ts';
+import { open_live } from './live/open.tsx';
 import { flown_again, put_theme, say_failure, show_as_flown, type Opening } from './show.tsx';
 import { open_replicate } from './replicate.tsx';
 import { first_view } from './store.ts';
@@ -17,6 +18,7 @@ async function open(host: HTMLElement): Promise<void> {
     if (words) words.textContent = `Flying the run again: ${percent} %`;
   };
   if (campaign) return open_replicate(campaign, host, told);
+  if (parts('live').length) return open_live(host);
   const scripts = parts('run', 'run-file');
   if (!scripts.length) throw new Error('there is no run in this page; ./eyrie debrief RUN writes one with a run');
   if (scripts.length > kMostRuns) throw new Error(`there are ${scripts.length} runs in this page, and it shows ${kMostRuns} at most`);

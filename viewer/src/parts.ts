@@ -2,7 +2,7 @@
 /** What a page carries in itself: the engine, runs, launch zones, texts, a campaign and which replicate of it is meant. */
 import { start, type RunningEngine } from './engine/engine.ts';
 
-export type PartType = 'engine' | 'run' | 'run-file' | 'zones' | 'texts' | 'campaign' | 'replicate';
+export type PartType = 'engine' | 'run' | 'run-file' | 'live' | 'zones' | 'texts' | 'campaign' | 'replicate';
 
 export function parts(...types: PartType[]): Element[] {
   return [...document.querySelectorAll(types.map((type) => `script[type="application/x-eyrie-${type}"]`).join())];

@@ -5,6 +5,7 @@ import { run_clock } from './clock.ts';
 import type { RunningEngine } from './engine/engine.ts';
 import { EngineError, words_of } from './engine/module.ts';
 import { started } from './parts.ts';
+import type { Live } from './live/live.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
 import type { AirPicture } from './scene/scene.ts';
@@ -16,7 +17,7 @@ import type { Back } from './ui/header.tsx';
 import { follow_address, read_link, remembered, said_in } from './ui/link.ts';
 import { first_moment } from './ui/moments.tsx';
 import { speak } from './words/units.ts';
-import { make_page, type Page } from './ui/page.ts';
+import { grown, make_page, type Page } from './ui/page.ts';
 
 const kDamaged = 'the data of the run is damaged or incomplete';
 
@@ -84,7 +85,8 @@ function begin(page: Page, { time }: Partial<View>): void {
 }
 
 function ready(pages: Page[], scene: AirPicture): void {
-  const { run, store } = pages[0]!;
+  const { run, store, live } = pages[0]!;
+  if (live) live.scene = scene;
   // from the beginning of the navigation
   performance.measure(run.is_part ? 'eyrie-picture' : 'eyrie-open');
   if (run.is_part) return;
@@ -95,15 +97,18 @@ function ready(pages: Page[], scene: AirPicture): void {
 export interface Shown {
   /** The same runs, whole. */
   update(runs: Run[]): void;
+  /** There is more of them, in the same objects. */
+  grow(): void;
   close(): void;
 }
 
 /** Shows one run, or two to compare, first as `view` says; `back` is where the page came from. */
-export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back): Shown {
+export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, back?: Back, live?: Live): Shown {
   if (runs.some((run) => !run.players.length)) throw new Error('nobody took part in this run');
   let pages = pages_of(runs, view);
   const [first, second] = pages as [Page, Page | undefined];
   if (second) link_pages(first, second);
+  if (live) first.live = live;
   const stops = [
     first.store.subscribe((now, before) => {
       if (now.theme !== before.theme) put_theme(now.theme);
@@ -112,9 +117,9 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
       // once everybody has heard of it
       queueMicrotask(() => draw(now.units));
     }),
-    run_clock(first.store), keep_in_sight(first), follow_address(first),
+    live ? live.show(first) : run_clock(first.store), keep_in_sight(first), follow_address(first),
   ];
-  document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie debrief`;
+  document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie ${live ? 'live' : 'debrief'}`;
   const draw = (key: string): void => {
     const scenes = new Map<Page, AirPicture>();
     const mounted = (page: Page, scene: AirPicture): void => {
@@ -126,13 +131,18 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
   host.replaceChildren();
   put_theme(first.store.get().theme);
   speak(first.store.get().units);
-  begin(first, view);
+  if (!live) begin(first, view);
   draw('first');
   return {
     update(whole) {
       pages = twinned(pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter)));
       begin(pages[0]!, view);
       draw('whole');
+    },
+    grow() {
+      pages = pages.map(grown);
+      if (live) live.page = pages[0]!;
+      draw('first');
     },
     close() {
       for (const stop of stops) stop();

@@ -13,6 +13,21 @@ export interface About {
   tables: Array<string>;  // What rows() can be asked for.
 }
 
+/** How far what is followed may go on. */
+export interface Advance {
+  step: number;  // Steps made by then.
+  orders: Array<string>;  // From outside, by step: base64 of 48 bytes each.
+  hash: string;  // Of the world there, as others have it; empty: unknown.
+  outcome: string;  // Of the run, as others have it.
+  draw: boolean;  // Whether it is drawn.
+}
+
+/** How far it is. */
+export interface Advanced {
+  moment: Moment;  // Where.
+  agrees: boolean;  // Whether the world is the one that others have.
+}
+
 /** Another future, from the moment of seek() on. */
 export interface Branch {
   sets: Array<string>;  // What is other from there on, as `eyrie whatif --set` takes it.
@@ -58,6 +73,12 @@ export interface Flown {
   outcome: string;  // running, or why it is over.
   result?: Outcome;  // How it ended, once it is over.
   story: Array<Line>;  // What happened since the last answer.
+}
+
+/** A run that others are flying. */
+export interface Followed {
+  about: About;  // What it is.
+  flown: Moment;  // How far they were; advance() comes there.
 }
 
 /** A line of the story. */
@@ -211,6 +232,10 @@ export interface Engine {
   open(file: Uint8Array): Promise<About>;
   /** The run once more from the start on, every hash compared with the recorded ones; the bytes are what src/run/decode.ts reads. */
   page(request: Until): Promise<Moment & { bytes: Uint8Array }>;
+  /** Opens a run that others are flying, with what was flown so far; at its start. */
+  follow(file: Uint8Array): Promise<Followed>;
+  /** On with what is followed; the bytes are what came since the last ones (src/live/grown.ts), none if it is not to be drawn. seek() and the others know what was flown so far. */
+  advance(request: Advance): Promise<Advanced & { bytes: Uint8Array }>;
   /** Goes to a step of the run. */
   seek(request: Step): Promise<Moment>;
   /** A table of the world there. */

@@ -15,12 +15,13 @@ import type {
 const kFormat = 1;
 const kNothing = -2147483648;
 
-type Column = [offset: number, count: number, quantum: number, order: number];
-type Read = (column: Column) => Float64Array;
+export type Column = [offset: number, count: number, quantum: number, order: number];
+/** Of a column as it is packed, or kept otherwise (live/grown.ts). */
+type Read<C> = (column: C) => Float64Array;
 /** What a table of numbers is in the document. */
-type Packed<K extends string> = Record<K, Column>;
+export type Packed<K extends string, C = Column> = Record<K, C>;
 
-function read_column(bytes: Uint8Array, [offset, count, quantum, order]: Column): Float64Array {
+export function read_column(bytes: Uint8Array, [offset, count, quantum, order]: Column): Float64Array {
   const out = new Float64Array(count);
   let at = offset;
   let last = 0;
@@ -42,35 +43,35 @@ function read_column(bytes: Uint8Array, [offset, count, quantum, order]: Column)
   return out;
 }
 
-interface SightData {
-  t: Column;
-  state: Column[];
-  tracks: Packed<'count' | 'id' | 'truth' | 'identity' | 'target' | 'east' | 'north' | 'up' | 'age'>;
-  warnings: Packed<'count' | 'kind' | 'bearing' | 'range' | 'name'>;
-  scan: Packed<'mode' | 'azimuth' | 'elevation'> | null;
-  zone: Packed<'min' | 'no_escape' | 'max'> | null;
+export interface SightData<C = Column> {
+  t: C;
+  state: C[];
+  tracks: Packed<'count' | 'id' | 'truth' | 'identity' | 'target' | 'east' | 'north' | 'up' | 'age', C>;
+  warnings: Packed<'count' | 'kind' | 'bearing' | 'range' | 'name', C>;
+  scan: Packed<'mode' | 'azimuth' | 'elevation', C> | null;
+  zone: Packed<'min' | 'no_escape' | 'max', C> | null;
 }
-interface DecisionData {
-  step: Column;
-  shape: Column;
-  values: [node: number, field: number, column: Column][];
+export interface DecisionData<C = Column> {
+  step: C;
+  shape: C;
+  values: [node: number, field: number, column: C][];
 }
-interface PlayerData extends Omit<Player, 'index' | 'motion' | 'gauges' | 'decisions' | 'sights'> {
-  motion: Packed<keyof Motion>;
-  gauges: Packed<keyof Gauges>;
-  decisions: DecisionData;
-  sights: SightData;
+export interface PlayerData<C = Column> extends Omit<Player, 'index' | 'motion' | 'gauges' | 'decisions' | 'sights'> {
+  motion: Packed<keyof Motion, C>;
+  gauges: Packed<keyof Gauges, C>;
+  decisions: DecisionData<C>;
+  sights: SightData<C>;
 }
-interface MissileData extends Omit<Missile, 'active' | 'motion'> {
+export interface MissileData<C = Column> extends Omit<Missile, 'active' | 'motion'> {
   active: number | null;
-  motion: Packed<keyof Motion>;
+  motion: Packed<keyof Motion, C>;
 }
-interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
+export interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
   status: string;  // a letter a node: '-' not asked, F, S, R
   why: [node: number, text: number][];
   supplier: number[][];  // [node, supplier of field 0, of field 1, ...]
 }
-interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'story'> {
+export interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'story'> {
   format: number;
   flights: (Omit<Flight, 'route' | 'home'> & { route: (number | null)[][]; home: number[] | null })[];
   players: PlayerData[];
@@ -97,12 +98,12 @@ function lazy<T extends object>(makers: { [K in keyof T]: () => T[K] }): T {
   return out;
 }
 
-function table<K extends string>(read: Read, data: Packed<K>): Record<K, Float64Array> {
-  const makers = Object.entries<Column>(data).map(([key, column]) => [key, () => read(column)]);
+function table<K extends string, C>(read: Read<C>, data: Packed<K, C>): Record<K, Float64Array> {
+  const makers = Object.entries<C>(data).map(([key, column]) => [key, () => read(column)]);
   return lazy(Object.fromEntries(makers) as Record<K, () => Float64Array>);
 }
 
-function decisions_of(read: Read, data: DecisionData, shapes: Shape[], dt: number): Decisions {
+function decisions_of<C>(read: Read<C>, data: DecisionData<C>, shapes: Shape[], dt: number): Decisions {
   const own: Omit<Decisions, 'value'> = lazy({
     step: () => read(data.step),
     shape: () => Int32Array.from(read(data.shape)),
@@ -125,7 +126,7 @@ function rows_of<T>({ count }: { count: Float64Array }, row: (k: number) => T): 
   return (i) => Array.from({ length: count[i]! }, (_, k) => row(first[i]! + k));
 }
 
-function sights_of(read: Read, data: SightData, texts: string[]): Sights {
+function sights_of<C>(read: Read<C>, data: SightData<C>, texts: string[]): Sights {
   const [c, w] = [table(read, data.tracks), table(read, data.warnings)];
   const scan = data.scan && table(read, data.scan);
   const zone = data.zone && table(read, data.zone);
@@ -140,7 +141,7 @@ function sights_of(read: Read, data: SightData, texts: string[]): Sights {
   const state = lazy<Record<number, Float64Array>>(data.state.map((column) => () => read(column)));
   const own = lazy<Pick<Sights, 't'>>({ t: () => read(data.t) });
   return Object.assign(own, {
-    channel: (field: number) => state[field]!,
+    channel: (field: number) => state[field] ?? new Float64Array(0),
     at: (i: number) => ({
       t: own.t[i]!,
       state: Float64Array.from(data.state, (_, field) => state[field]![i]!),
@@ -152,7 +153,7 @@ function sights_of(read: Read, data: SightData, texts: string[]): Sights {
   });
 }
 
-function shape_of(data: ShapeData, texts: string[]): Shape {
+export function shape_of(data: ShapeData, texts: string[]): Shape {
   const status = Array.from(data.status, (letter) => kStatus[letter] ?? null);
   const why = status.map(() => '');
   for (const [node, text] of data.why) why[node] = texts[text]!;
@@ -171,7 +172,24 @@ function place_of([east, north, up]: (number | null)[]): Place {
   return { east: east!, north: north!, up: up! };
 }
 
-function run_of(document: Document, read: Read): Run {
+type Known = Pick<Run, 'about' | 'shapes' | 'texts'>;
+
+export function player_of<C>(read: Read<C>, p: PlayerData<C>, index: number, { about, shapes, texts }: Known): Player {
+  return {
+    ...p,
+    index,
+    motion: table(read, p.motion),
+    gauges: table(read, p.gauges),
+    decisions: decisions_of(read, p.decisions, shapes, about.dt),
+    sights: sights_of(read, p.sights, texts),
+  };
+}
+
+export function missile_of<C>(read: Read<C>, m: MissileData<C>): Missile {
+  return { ...m, active: m.active ?? NaN, motion: table(read, m.motion) };
+}
+
+function run_of(document: Document, read: Read<Column>): Run {
   if (document.format !== kFormat)
     throw new Error(`this page reads data of format ${kFormat}, and this run is of format ${document.format}`);
   const { about, texts } = document;
@@ -180,24 +198,21 @@ function run_of(document: Document, read: Read): Run {
     ...document,
     flights: document.flights.map((f): Flight => (
       { ...f, route: f.route.map((stop) => ({ ...place_of(stop), speed: stop[3] ?? NaN })), home: f.home && place_of(f.home) })),
-    players: document.players.map((p, index): Player => ({
-      ...p,
-      index,
-      motion: table(read, p.motion),
-      gauges: table(read, p.gauges),
-      decisions: decisions_of(read, p.decisions, shapes, about.dt),
-      sights: sights_of(read, p.sights, texts),
-    })),
-    missiles: document.missiles.map((m): Missile => ({ ...m, active: m.active ?? NaN, motion: table(read, m.motion) })),
+    players: document.players.map((p, index) => player_of(read, p, index, { about, shapes, texts })),
+    missiles: document.missiles.map((m) => missile_of(read, m)),
     trees: document.trees.map(tree_of),
     shapes,
   };
 }
 
+/** The document and the bytes of its columns. */
+export function taken_apart<D = Document>(bytes: Uint8Array): [D, Uint8Array] {
+  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
+  return [JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as D, bytes.subarray(4 + length)];
+}
+
 /** Of what src/page wrote. Throws an Error with words if it is of another format. */
 export function decode(bytes: Uint8Array): Run {
-  const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
-  const document = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as Document;
-  const columns = bytes.subarray(4 + length);
+  const [document, columns] = taken_apart(bytes);
   return run_of(document, (column) => read_column(columns, column));
 }

@@ -147,6 +147,15 @@ export class Eye {
     return Math.max(1e-3, this.depth_of(x, y, z)) / this.focal;
   }
 
+  /** rad: the map's azimuth of the line of sight through a pixel, and how far it points above that to a place. */
+  way(px: number, py: number, x: number, y: number, z: number): { heading: number; climb: number } {
+    const { right: r, up: u, back: b, at } = this;
+    const [sx, sy] = [(px - this.width / 2) / this.focal, (this.height / 2 - py) / this.focal];
+    const [dx, dy, dz] = [0, 1, 2].map((i) => r[i]! * sx + u[i]! * sy - b[i]!) as [number, number, number];
+    const above = (east: number, up: number, south: number): number => Math.atan2(up, Math.hypot(east, south));
+    return { heading: Math.atan2(dx, -dz), climb: above(dx, dy, dz) - above(x - at[0]!, y - at[1]!, z - at[2]!) };
+  }
+
   /** Where the line of sight through a pixel meets the plane at this height; false: nowhere, or further than so many km. */
   hit(px: number, py: number, height = 0, farthest = Infinity): boolean {
     const { right: r, up: u, back: b, at } = this;

@@ -130,27 +130,28 @@ export function gauge_at(motion: Motion, gauge: Float64Array, t: number): number
 const kMourned = 10;
 
 export class Poses {
-  readonly shown: Uint8Array;
-  readonly noted: Uint8Array;  // Shown, or lost so lately that one still wants to see where.
-  readonly x: Float64Array;
-  readonly y: Float64Array;
-  readonly z: Float64Array;
-  readonly heading: Float64Array;
-  readonly pitch: Float64Array;
-  readonly roll: Float64Array;
+  shown: Uint8Array = new Uint8Array(0);
+  noted: Uint8Array = new Uint8Array(0);  // Shown, or lost so lately that one still wants to see where.
+  x: Float64Array = new Float64Array(0);
+  y: Float64Array = new Float64Array(0);
+  z: Float64Array = new Float64Array(0);
+  heading: Float64Array = new Float64Array(0);
+  pitch: Float64Array = new Float64Array(0);
+  roll: Float64Array = new Float64Array(0);
   private time = NaN;
   private readonly pose = new_pose();
 
+  /** There may be more of them later. */
   constructor(private readonly movers: readonly Mover[]) {
-    const array = (): Float64Array => new Float64Array(movers.length);
-    this.shown = new Uint8Array(movers.length);
-    this.noted = new Uint8Array(movers.length);
-    this.x = array();
-    this.y = array();
-    this.z = array();
-    this.heading = array();
-    this.pitch = array();
-    this.roll = array();
+    this.grow();
+  }
+
+  private grow(): void {
+    const array = (): Float64Array => new Float64Array(this.movers.length);
+    this.shown = new Uint8Array(this.movers.length);
+    this.noted = new Uint8Array(this.movers.length);
+    [this.x, this.y, this.z, this.heading, this.pitch, this.roll] = [array(), array(), array(), array(), array(), array()];
+    this.time = NaN;
   }
 
   get count(): number {
@@ -167,6 +168,7 @@ export class Poses {
 
   /** Of those who are not there (yet, or any more) the first or the last place remains. */
   update(t: number): void {
+    if (this.movers.length > this.shown.length) this.grow();
     if (t === this.time) return;
     this.time = t;
     const { pose } = this;

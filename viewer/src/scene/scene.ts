@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The air picture: mounts into a host, follows the store, draws when something changed. */
-import type { Player, Run } from '../run/run.ts';
+import type { Place, Player, Run } from '../run/run.ts';
 import type { Cell, Store, View } from '../store.ts';
 import { listen } from '../events.ts';
 import { measure } from '../ui/actions.ts';
@@ -51,6 +51,8 @@ export class AirPicture {
   private teller = 0;
   private rester = 0;
   private filmed: (() => void) | null = null;
+  /** Who wants to know the place on the ground that is clicked next; null: nobody. */
+  point: ((place: Place) => void) | null = null;
   private readonly stops: (() => void)[] = [];
 
   constructor(private readonly host: HTMLElement, private readonly run: Run, readonly store: Store, private readonly other: Cell<Other | null>) {
@@ -277,6 +279,13 @@ export class AirPicture {
     return best;
   }
 
+  /** rad: where a place of the window lies for a player: on the map, and above him. */
+  way_to(player: number, x: number, y: number): { heading: number; climb: number } {
+    const { left, top } = this.host.getBoundingClientRect();
+    const { players, eye } = this.frame;
+    return eye.way(x - left, y - top, players.x[player]!, players.y[player]!, players.z[player]!);
+  }
+
   private hand(): Hand {
     const { frame, camera, store } = this;
     const freed = (was_whole: boolean): void => {
@@ -288,6 +297,7 @@ export class AirPicture {
       push: (dx, dy) => freed(camera.push(dx, dy, frame.view, frame.eye)),
       zoom: (factor, px, py) => freed(camera.zoom(factor, px, py, frame.view, frame.eye)),
       click: (px, py, shift) => {
+        if (this.point && frame.eye.hit(px, py)) return this.point({ east: frame.eye.ground_x * 1000, north: -frame.eye.ground_z * 1000, up: 0 });
         const who = this.pick(px, py);
         if (who >= 0) shift ? measure(this, who) : store.set({ selected: who });
       },

@@ -30,12 +30,14 @@ export function show_cause(page: Page, line: number): void {
   jump(page, decided);
 }
 
-export function toggle_play({ store, duration }: Page): void {
+export function toggle_play({ store, duration, live }: Page): void {
+  if (live) return live.toggle();
   const { playing, time } = store.get();
   store.set(playing ? { playing: false } : { playing: true, time: time >= duration - 0.01 ? 0 : time });
 }
 
-export function change_rate({ store }: Page, direction: 1 | -1): void {
+export function change_rate({ store, live }: Page, direction: 1 | -1): void {
+  if (live) return live.change_rate(direction);
   const at = kRates.indexOf(store.get().rate) + direction;
   if (kRates[at] !== undefined) store.set({ rate: kRates[at] });
 }

@@ -7,6 +7,8 @@ import { Cell } from '../store.ts';
 import { rem_size } from './canvas.ts';
 import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
+import { LiveOver } from '../live/over.tsx';
+import { Orders } from '../live/orders.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys, mind_manners } from './keys.tsx';
 import { Moments } from './moments.tsx';
@@ -106,7 +108,8 @@ function use_layout() {
 export function App({ pages, back, onScene }: {
   pages: Page[]; back: Back | undefined; onScene: (page: Page, scene: AirPicture) => void;
 }) {
-  const [active, activate] = useState(pages[0]!);
+  const [letter, activate] = useState(pages[0]!.letter);
+  const active = pages.find((page) => page.letter === letter) ?? pages[0]!;
   const [ghosts, set_ghosts] = useState(false);
   const show_ghosts = (wanted: boolean): void => {
     for (const { other, twin } of pages) other.set(wanted && twin ? { from: 0, run: twin.run, label: twin.letter } : null);
@@ -119,7 +122,7 @@ export function App({ pages, back, onScene }: {
   return (
     <PageContext.Provider value={active}>
       <div class="page" style={layout.style}>
-        <Header pages={pages} active={active} back={back} help={help} onSwitch={activate} ghosts={ghosts} onGhosts={show_ghosts}
+        <Header pages={pages} active={active} back={back} help={help} onSwitch={(page) => activate(page.letter)} ghosts={ghosts} onGhosts={show_ghosts}
           panels={kPanels.map((one) => ({ ...one, shown: layout.shown(one.panel), flip: () => layout.flip(one.panel) }))} />
         <Moments />
         {layout.shown('left') && <aside class="left" aria-label="Players and story"><Players /><Story key={active.letter} /></aside>}
@@ -127,8 +130,9 @@ export function App({ pages, back, onScene }: {
           {pages.filter((page) => !ghosts || page === active).map((page) => (
             <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
           ))}
+          {active.live && <LiveOver live={active.live} />}
         </main>
-        {layout.shown('right') && <aside class="right" aria-label="Decision"><Inspector key={active.letter} /></aside>}
+        {layout.shown('right') && <aside class="right" aria-label="Decision">{active.live && <Orders live={active.live} />}<Inspector key={active.letter} /></aside>}
         {layout.shown('bottom') && <Bottom pages={pages} />}
         <div role="region" aria-label="Borders of the panels">
           {layout.splitter('left', 'Width of players and story', 'right')}

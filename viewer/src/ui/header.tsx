@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Which run this is, and what concerns the whole page. */
 import { useState } from 'preact/hooks';
+import { Pace } from '../live/controls.tsx';
 import type { Cell } from '../store.ts';
 import { clock_text, count_text, number_text } from '../words/text.ts';
 import { toggle_theme } from './actions.ts';
@@ -9,7 +10,7 @@ import type { Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
 
-function About({ page: { run, letter } }: { page: Page }) {
+function About({ page: { run, letter, live } }: { page: Page }) {
   const { about } = run;
   const decisions = run.players.reduce((sum, player) => sum + player.decisions.t.length, 0);
   const facts: [string, string][] = [
@@ -23,7 +24,7 @@ function About({ page: { run, letter } }: { page: Page }) {
       <summary title="About the run">
         {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{about.outcome}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
-        {run.engine && !run.is_part && <span class="verified" title={`Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`}>✓ same bits{run.verified && ' as in the results'}</span>}
+        {run.engine && !run.is_part && !live && <span class="verified" title={`Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`}>✓ same bits{run.verified && ' as in the results'}</span>}
       </summary>
       <div class="menu-body">
         <p>{about.help}</p>
@@ -78,6 +79,7 @@ export function Header({ pages, active, back, help, panels, onSwitch, ghosts, on
       <h1><Logo />Eyrie</h1>
       {back && <button type="button" class="back" onClick={back.go}>← {back.label}</button>}
       {pages.map((page) => <About key={page.letter} page={page} />)}
+      {active.live && <Pace live={active.live} />}
       <span class="spring" />
       {pages.length > 1 && (
         <div class="segments" role="group" aria-label="Whose panels are shown">

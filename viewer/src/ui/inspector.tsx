@@ -2,6 +2,7 @@
 /** The decision of the selected player at the time of the page: tree, action, what it saw, and what if. */
 import type { ComponentChildren } from 'preact';
 import { useEffect } from 'preact/hooks';
+import { Overruled } from '../live/overruled.tsx';
 import type { Player, Run } from '../run/run.ts';
 import { why_not } from '../words/contest.ts';
 import { clock_text, number_text } from '../words/text.ts';
@@ -81,7 +82,7 @@ export function Inspector() {
   const tree = shape && run.trees[shape.tree]!;
   const node = use_cell(page.node);
   const t = player.decisions.t[index] ?? 0;
-  useEffect(() => page.node.set(-1), [page, shape?.tree]);
+  useEffect(() => page.node.set(-1), [page.node, shape?.tree]);
 
   return (
     <section class="inspector" aria-label="Decision" data-player={player.name} data-step={player.decisions.step[index] ?? ''}
@@ -98,6 +99,7 @@ export function Inspector() {
           </Section>
           <Section title="Action" note="point at a loser to see it in the air picture">
             <Fields player={player} index={index} tree={tree} />
+            {run.engine && <Overruled player={player} index={index} />}
           </Section>
           <Section title="Saw" note="in brackets the truth"><Seen player={player} time={t} /></Section>
         </div>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
+import { VoteOrder } from '../live/orders.tsx';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
@@ -127,6 +128,7 @@ export function NodeDetails(looked: Looked) {
       <p class="answer">{answer_words(shape, node)}</p>
       <p class="dim small">{kind} {type}{told && `, ${told}`}{remembers ? ', remembers' : ''}</p>
       <Proposed {...looked} />
+      {page.live && <VoteOrder live={page.live} player={looked.player.name} tree={tree.name} node={path} vote={shape.vote[node]!} />}
       {page.run.engine && <Ask key={`${shape.tree}/${node}`} {...looked} />}
     </section>
   );

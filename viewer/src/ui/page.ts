@@ -3,6 +3,7 @@
 import { createContext } from 'preact';
 import { useContext } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
+import type { Live } from '../live/live.ts';
 import type { Other } from '../scene/other.ts';
 import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
@@ -29,6 +30,7 @@ export interface Page {
   store: Store;
   letter: string;  // "" for the only run, otherwise "A" or "B".
   twin: Page | null;  // The other one of two runs.
+  live: Live | null;  // It is being flown.
   /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
   readonly duration: number;
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
@@ -48,7 +50,7 @@ export function namesake({ run }: Page, player: Player | undefined): number {
 
 export function make_page(run: Run, store: Store, letter: string): Page {
   return {
-    run, store, letter, twin: null, marks: marks_of(run),
+    run, store, letter, twin: null, live: null, marks: marks_of(run),
     get duration() { return store.get().end; },
     other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),
@@ -58,6 +60,14 @@ export function make_page(run: Run, store: Store, letter: string): Page {
     tips: new Map(),
     strips: new Cell<StripChoice>({ quantities: globalThis.matchMedia?.(kNarrow).matches ? [] : ['altitude', 'range'], players: [] }),
   };
+}
+
+/** The same page when there is more of its run. */
+export function grown(page: Page): Page {
+  const run = { ...page.run };
+  return Object.defineProperties({}, {
+    ...Object.getOwnPropertyDescriptors(page), ...Object.getOwnPropertyDescriptors({ run, marks: marks_of(run) }),
+  }) as Page;
 }
 
 export const PageContext = createContext<Page | null>(null);

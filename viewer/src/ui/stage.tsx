@@ -62,7 +62,7 @@ export function Stage({ onMount }: { onMount: (scene: AirPicture) => void }) {
     const made = (scene.current = new AirPicture(host.current!, run, store, other));
     onMount(made);
     return () => made.dispose();
-  }, [run, store]);
+  }, [store]);
   return (
     <section class="stage" aria-label={letter ? `Air picture of run ${letter}` : 'Air picture'} data-run={letter}>
       <div class="scene" ref={host} />

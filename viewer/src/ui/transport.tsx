@@ -3,6 +3,7 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { subscribe_paced } from '../clock.ts';
+import { LiveControls } from '../live/controls.tsx';
 import { clock_text, read_clock } from '../words/text.ts';
 import { fight_of, jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by, zoom_to } from './actions.ts';
 import { Glyph, Icon, IconButton } from './icon.tsx';
@@ -50,16 +51,20 @@ export function Transport({ children }: { children?: ComponentChildren }) {
     <div class="transport" role="toolbar" aria-label="Time">
       <IconButton icon="back_to" label="Previous event" keys="[" onClick={() => step_mark(page, -1)} />
       <IconButton icon="back" label="Previous decision" keys="←" onClick={() => step_decision(page, -1)} />
-      <button type="button" class="tool play" aria-label={playing ? 'Pause' : 'Play'} title="Play or pause (space)"
-        onClick={() => toggle_play(page)}>
-        <Icon name={playing ? 'pause' : 'play'} />
-      </button>
+      {!page.live && (
+        <button type="button" class="tool play" aria-label={playing ? 'Pause' : 'Play'} title="Play or pause (space)"
+          onClick={() => toggle_play(page)}>
+          <Icon name={playing ? 'pause' : 'play'} />
+        </button>
+      )}
       <IconButton icon="on" label="Next decision" keys="→" onClick={() => step_decision(page, 1)} />
       <IconButton icon="on_to" label="Next event" keys="]" onClick={() => step_mark(page, 1)} />
-      <select aria-label="Speed" title="Speed (− +)" value={rate}
-        onChange={(event) => store.set({ rate: Number(event.currentTarget.value) })}>
-        {kRates.map((r) => <option key={r} value={r}>{r}×</option>)}
-      </select>
+      {page.live ? <LiveControls live={page.live} /> : (
+        <select aria-label="Speed" title="Speed (− +)" value={rate}
+          onChange={(event) => store.set({ rate: Number(event.currentTarget.value) })}>
+          {kRates.map((r) => <option key={r} value={r}>{r}×</option>)}
+        </select>
+      )}
       <Time />
       <MarkLegend />
       <span class="spring" />

@@ -82,11 +82,11 @@ export function use_asked<T, Key>(key: Key | null, ask: () => Promise<T>, rest =
   return key === null ? null : asked;
 }
 
-const kAnswers = new WeakMap<Page, { key: string; answer: Promise<WhatIf> }>();
+const kAnswers = new WeakMap<Page['changes'], { key: string; answer: Promise<WhatIf> }>();
 
 function answer_to(page: Page, key: string, player: string, sets: string[]): Promise<WhatIf> {
-  let last = kAnswers.get(page);
-  if (last?.key !== key) kAnswers.set(page, (last = { key, answer: page.run.engine!.what_if({ player, sets }) }));
+  let last = kAnswers.get(page.changes);
+  if (last?.key !== key) kAnswers.set(page.changes, (last = { key, answer: page.run.engine!.what_if({ player, sets }) }));
   return last.answer;
 }
 
@@ -115,14 +115,15 @@ export function would_lead(player: Player, { steps, leaders }: WhatIf): (i: numb
   };
 }
 
-const kTypes = new WeakMap<Run, Promise<NodeTypes>>();
+const kTypes = new WeakMap<object, Promise<NodeTypes>>();
 
 /** What a tree of the run may be made of; nothing while that is unknown. */
 export function use_node_types(kind: 'aircraft' | 'vehicle'): NodeType[] {
   const { run } = use_page();
   const types = use_asked(run.engine ? kind : null, async () => {
-    if (!kTypes.has(run)) kTypes.set(run, run.engine!.node_types());
-    return (await kTypes.get(run)!)[kind];
+    const engine = run.engine!;
+    if (!kTypes.has(engine)) kTypes.set(engine, engine.node_types());
+    return (await kTypes.get(engine)!)[kind];
   });
   return types?.value ?? [];
 }
@@ -137,9 +138,10 @@ export interface Future {
 /** Flies on from a step with the changes. */
 export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<Future> {
   const engine = run.engine!;
-  await engine.seek({ step });
-  const flown = await engine.outcome();
-  const { bytes, ...other } = await engine.branch({ sets: sets_of(run, player, changes), player: run.players[player]!.name });
+  // asked in one go, so that nobody else goes to another step in between
+  const [, { bytes, ...other }, flown] = await Promise.all([
+    engine.seek({ step }), engine.branch({ sets: sets_of(run, player, changes), player: run.players[player]!.name }), engine.outcome(),
+  ]);
   return { flown, other, run: decode(bytes) };
 }
 

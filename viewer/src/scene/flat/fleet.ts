@@ -85,11 +85,10 @@ function fill(context: CanvasRenderingContext2D, spots: number[], style: string)
 }
 
 export class FlatFleet {
-  private readonly models: Model[];
+  private readonly models: Model[] = [];
 
-  constructor(private readonly all: readonly (Player | Missile)[]) {
-    this.models = all.map((one) => model_of(shape_of(one)));
-  }
+  /** There may be more of them later. */
+  constructor(private readonly all: readonly (Player | Missile)[]) {}
 
   draw(context: CanvasRenderingContext2D, poses: Poses, eye: Eye, palette: Palette): void {
     const seen: { i: number; depth: number }[] = [];
@@ -100,7 +99,7 @@ export class FlatFleet {
     context.lineWidth = crowd ? kEdge : kSeam;
     context.lineJoin = 'round';
     for (const { i } of seen.sort((a, b) => b.depth - a.depth)) {
-      const model = this.models[i]!;
+      const model = (this.models[i] ??= model_of(shape_of(this.all[i]!)));
       const matrix = matrix_of(poses, i, size_of(model.name, model.length, poses, i, eye));
       const tint = palette.side[this.all[i]!.side];
       if (crowd) fill(context, outline_of(model, matrix, eye), css(tint));

@@ -15,12 +15,21 @@ interface Squadron {
 }
 
 export class Fleet {
-  private readonly squadrons: Squadron[] = [];
+  private squadrons: Squadron[] = [];
+  private built = 0;  // For so many.
+  private palette: Palette | null = null;
   private readonly material = new MeshLambertMaterial({ side: DoubleSide });
   private readonly color = new Color();
 
+  /** There may be more of them later. */
   constructor(private readonly group: Group, private readonly all: readonly (Player | Missile)[]) {
-    const shapes = all.map(shape_of);
+    this.build();
+  }
+
+  private build(): void {
+    this.clear();
+    const shapes = this.all.map(shape_of);
+    this.built = shapes.length;
     for (const name of new Set(shapes)) {
       const { geometry, length } = kShapes[name]();
       const members = shapes.flatMap((shape, i) => (shape === name ? [i] : []));
@@ -28,11 +37,12 @@ export class Fleet {
       mesh.instanceMatrix.setUsage(DynamicDrawUsage);
       mesh.frustumCulled = false;
       this.squadrons.push({ mesh, name, length: length / 1000, members });
-      group.add(mesh);
+      this.group.add(mesh);
     }
   }
 
   paint(palette: Palette): void {
+    this.palette = palette;
     for (const { mesh, members } of this.squadrons) {
       members.forEach((i, slot) => mesh.setColorAt(slot, this.color.setHex(palette.side[this.all[i]!.side])));
       if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
@@ -40,6 +50,10 @@ export class Fleet {
   }
 
   update(poses: Poses, eye: Eye): void {
+    if (this.all.length > this.built) {
+      this.build();
+      if (this.palette) this.paint(this.palette);
+    }
     for (const { mesh, members, name, length } of this.squadrons) {
       const matrices = mesh.instanceMatrix.array as Float32Array;
       let used = 0;
@@ -55,12 +69,17 @@ export class Fleet {
     }
   }
 
-  dispose(): void {
+  private clear(): void {
     for (const { mesh } of this.squadrons) {
       this.group.remove(mesh);
       mesh.geometry.dispose();
       mesh.dispose();
     }
+    this.squadrons = [];
+  }
+
+  dispose(): void {
+    this.clear();
     this.material.dispose();
   }
 }

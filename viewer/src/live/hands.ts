@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+/** A person at the controls of an aircraft: keyboard, pointer and gamepad make the numbers that are flown instead of the tree's. They are
+ * said to the program at most twenty times a second, and only when they change. */
+import { listen } from '../events.ts';
+import { convergence } from '../scene/geo.ts';
+import { last_at, type Player, type TrackSeen } from '../run/run.ts';
+import { Cell } from '../store.ts';
+import type { Live } from './live.ts';
+
+/** What is asked for: directions true, SI. */
+export interface Wanted {
+  player: number;  // Index into Run.players.
+  heading: number;
+  altitude: number;
+  speed: number;
+  climb: number | null;  // rad: towards the pointer, instead of an altitude.
+  target: number;  // As his own tracker numbers it; 0: nobody.
+  gun: boolean;
+  radar: boolean;
+  pointer: boolean;  // Towards the pointer.
+}
+
+/** ms between two orders. */
+const kTick = 50;
+/** ms: what is refused so soon was the taking over. */
+const kTrial = 1000;
+/** By a key that is held, each second. */
+const kTurn = (40 * Math.PI) / 180;
+const kClimb = 300;  // m
+const kSpeedUp = 25;  // m/s
+const kLowest = 60;  // m
+const kSlowest = 60;  // m/s
+const kFastest = 900;
+const kFull = 2 * Math.PI;
+/** Of a stick that rests. */
+const kDead = 0.12;
+
+export type Act = 'shoot' | 'next' | 'gun' | 'radar' | 'dispense' | 'pointer' | 'hand_back' | 'help';
+export const kKeys: { keys: string[]; shown: string; words: string; act?: Act }[] = [
+  { keys: ['ArrowLeft', 'ArrowRight'], shown: '← →', words: 'heading' },
+  { keys: ['ArrowUp', 'ArrowDown'], shown: '↑ ↓', words: 'altitude' },
+  { keys: ['+', '=', '-', '_'], shown: '+ −', words: 'speed' },
+  { keys: ['t'], shown: 'T', words: 'next target', act: 'next' },
+  { keys: [' '], shown: 'space', words: 'shoot at the target', act: 'shoot' },
+  { keys: ['g'], shown: 'G', words: 'gun, while it is held', act: 'gun' },
+  { keys: ['r'], shown: 'R', words: 'radar on or silent', act: 'radar' },
+  { keys: ['c'], shown: 'C', words: 'chaff and flares', act: 'dispense' },
+  { keys: ['m'], shown: 'M', words: 'fly where the pointer is', act: 'pointer' },
+  { keys: ['h'], shown: 'H', words: 'hand it back to its tree', act: 'hand_back' },
+  { keys: ['?'], shown: '?', words: 'this card', act: 'help' },
+];
+const kActs = new Map(kKeys.flatMap(({ keys, act }) => keys.map((key) => [key, act] as const)));
+/** Of a standard gamepad. */
+const kButtons: (Act | null)[] = ['shoot', 'dispense', 'gun', 'next', 'radar', null, null, null, 'help', 'hand_back'];
+
+function wrapped(angle: number): number {
+  return ((angle % kFull) + kFull) % kFull;
+}
+function within(value: number, least: number, most: number): number {
+  return Math.min(Math.max(value, least), most);
+}
+
+/** A held key, or a stick that is moved, for `s` seconds. Ways are from -1 to 1: right, up, faster. */
+export function steered(wanted: Wanted, [right, up, faster]: readonly [number, number, number], s: number): Wanted {
+  if (!right && !up && !faster) return wanted;
+  return {
+    ...wanted,
+    heading: wrapped(wanted.heading + right * kTurn * s),
+    altitude: within(wanted.altitude + up * kClimb * s, kLowest, 18_000),
+    speed: within(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest),
+    // keys take over from the pointer
+    ...(right || up ? { climb: null, pointer: false } : {}),
+  };
+}
+
+/** The target after this one: the nearest first, and none after the last. */
+export function next_target(tracks: readonly TrackSeen[], from: { east: number; north: number }, now: number): number {
+  const far = ({ place }: TrackSeen): number => Math.hypot(place.east - from.east, place.north - from.north);
+  const ids = tracks.filter(({ identity }) => identity !== 'friendly').sort((a, b) => far(a) - far(b)).map(({ id }) => id);
+  return ids[ids.indexOf(now) + 1] ?? 0;
+}
+
+/** The order that says it, as src/scenario/operator_orders.hpp reads it. */
+export function order_of(wanted: Wanted, once: Record<string, unknown>): Record<string, unknown> {
+  const { heading, altitude, speed, climb, target, gun, radar } = wanted;
+  const short = (value: number): number => Number(value.toFixed(4));
+  return {
+    heading: short(heading), speed: short(speed), ...(climb === null ? { altitude: short(altitude) } : { climb: short(climb) }),
+    target, gun, radar, ...once,
+  };
+}
+
+export class Hands {
+  /** Null: nobody is flown. */
+  readonly wanted = new Cell<Wanted | null>(null);
+  readonly help = new Cell(false);
+  private held = new Set<string>();
+  private taken = -Infinity;  // ms
+  private pressed: readonly boolean[] = [];  // Buttons of the gamepad.
+  private once: Record<string, unknown> = {};
+  private said = '';
+  private timer = 0;
+  private pointed: [number, number] | null = null;
+  private stop = (): void => {};
+
+  constructor(private readonly live: Live) {}
+
+  get player(): Player | null {
+    const wanted = this.wanted.get();
+    return (wanted && this.live.page?.run.players[wanted.player]) ?? null;
+  }
+
+  /** Takes over who is chosen, as he flies now. */
+  take(): void {
+    const { page, present } = this.live;
+    if (!page || this.wanted.get()) return;
+    const { run, store } = page;
+    const index = store.get().selected;
+    const { motion, gauges, end, kind } = run.players[index]!;
+    const last = motion.t.length - 1;
+    if (end || kind !== 'aircraft' || last < 0) return;
+    const place = { east: motion.east[last]!, north: motion.north[last]! };
+    present?.now();
+    this.taken = performance.now();
+    store.set({ camera: 'follow' });
+    this.said = '';
+    this.held.clear();
+    this.wanted.set({
+      player: index, heading: wrapped(motion.heading[last]! + convergence(run.origin, place)), altitude: motion.up[last]!, speed: gauges.speed[last]!,
+      climb: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false,
+    });
+    if (!knows_help()) this.help.set(true);
+    const stops = [
+      listen(window, { keydown: (event) => this.press(event), keyup: (event) => this.release(event) }, { capture: true }),
+      listen(window, { pointermove: (event) => void (event.target instanceof Element && event.target.closest('.scene') && (this.pointed = [event.clientX, event.clientY])) }),
+      listen(window, { blur: () => this.held.clear() }),
+    ];
+    this.stop = () => stops.forEach((stop) => stop());
+    this.timer = window.setInterval(() => this.tick(), kTick);
+    this.tick();
+  }
+
+  hand_back(): void {
+    const name = this.player?.name;
+    this.drop();
+    if (name) this.live.order('hand_back', { player: name });
+  }
+  /** Without a word to anybody. */
+  drop(): void {
+    this.stop();
+    clearInterval(this.timer);
+    this.wanted.set(null);
+    this.help.set(false);
+  }
+
+  /** Who may not take over, or has lost what he flew, does so no longer. */
+  refused(words: string): void {
+    if (performance.now() - this.taken < kTrial || /somebody else|no longer there/.test(words)) this.drop();
+  }
+
+  act(act: Act): void {
+    const wanted = this.wanted.get();
+    if (!wanted) return;
+    const change = (patch: Partial<Wanted>): void => this.wanted.set({ ...wanted, ...patch });
+    if (act === 'hand_back') this.hand_back();
+    else if (act === 'help') this.toggle_help();
+    else if (act === 'shoot') this.once = { ...this.once, shoot: true };
+    else if (act === 'dispense') this.once = { ...this.once, dispense: 'both' };
+    else if (act === 'radar') change({ radar: !wanted.radar });
+    else if (act === 'gun') change({ gun: !wanted.gun });
+    else if (act === 'pointer') change({ pointer: !wanted.pointer, climb: null });
+    else if (act === 'next') {
+      const { motion } = this.player!;
+      change({ target: next_target(this.tracks(wanted.player), { east: motion.east.at(-1)!, north: motion.north.at(-1)! }, wanted.target) });
+    }
+  }
+  toggle_help(): void {
+    this.help.set(!this.help.get());
+    if (!this.help.get()) remember_help();
+  }
+  tracks(player: number): TrackSeen[] {
+    const { sights } = this.live.page!.run.players[player]!;
+    return sights.t.length ? sights.at(sights.t.length - 1).tracks : [];
+  }
+
+  private press(event: KeyboardEvent): void {
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (!kActs.has(key) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target instanceof Element && event.target.matches('input:not([type=checkbox]), select, textarea')) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.repeat) return;
+    this.held.add(key);
+    const act = kActs.get(key);
+    if (act === 'gun') this.wanted.set({ ...this.wanted.get()!, gun: true });
+    else if (act) this.act(act);
+    else this.tick();
+  }
+  private release(event: KeyboardEvent): void {
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    this.held.delete(key);
+    const wanted = this.wanted.get();
+    if (key === 'g' && wanted?.gun) this.wanted.set({ ...wanted, gun: false });
+  }
+
+  private ways(): readonly [number, number, number] {
+    const held = (...keys: string[]): number => (keys.some((key) => this.held.has(key)) ? 1 : 0);
+    const pad = navigator.getGamepads?.().find((one) => one) ?? null;
+    const axis = (value = 0): number => (Math.abs(value) < kDead ? 0 : value);
+    if (pad) this.buttons(pad.buttons.map(({ pressed }) => pressed));
+    return [
+      held('ArrowRight') - held('ArrowLeft') + axis(pad?.axes[0]),
+      held('ArrowUp') - held('ArrowDown') + axis(pad?.axes[1]),  // pulled is up
+      held('+', '=') - held('-', '_') + (pad?.buttons[7]?.value ?? 0) - (pad?.buttons[6]?.value ?? 0),
+    ];
+  }
+  private buttons(pressed: readonly boolean[]): void {
+    kButtons.forEach((act, i) => {
+      const [now, before] = [pressed[i] ?? false, this.pressed[i] ?? false];
+      if (act && (act === 'gun' ? now !== before : now && !before)) this.act(act);
+    });
+    this.pressed = pressed;
+  }
+
+  private tick(): void {
+    const ways = this.ways();
+    let wanted = this.wanted.get();
+    const { player } = this;
+    if (!wanted || !player) return;
+    if (player.end) return this.drop();
+    wanted = this.to_pointer(steered(wanted, ways, kTick / 1000));
+    this.wanted.set(wanted);
+    const order = order_of(wanted, this.once);
+    const text = JSON.stringify(order);
+    if (text === this.said) return;
+    this.said = JSON.stringify(order_of(wanted, {}));
+    this.once = {};
+    this.live.order('manual', { player: player.name, ...order });
+  }
+  /** Where the pointer shows: to its side of the aircraft, above it or below. */
+  private to_pointer(wanted: Wanted): Wanted {
+    const way = wanted.pointer && this.pointed && this.live.scene?.way_to(wanted.player, ...this.pointed);
+    if (!way) return wanted;
+    const { run } = this.live.page!;
+    const { motion } = run.players[wanted.player]!;
+    const place = { east: motion.east.at(-1)!, north: motion.north.at(-1)! };
+    return { ...wanted, heading: wrapped(way.heading + convergence(run.origin, place)), climb: within(way.climb, -0.8, 0.8), altitude: motion.up.at(-1)! };
+  }
+}
+
+const kKnown = 'eyrie-hands';
+function knows_help(): boolean {
+  try {
+    return localStorage.getItem(kKnown) !== null;
+  } catch {
+    return false;
+  }
+}
+function remember_help(): void {
+  try {
+    localStorage.setItem(kKnown, '1');
+  } catch { /* it is shown again */ }
+}
+
+/** What his tree proposes now, by field. */
+export function proposed(live: Live): Map<string, { value: number; by: string }> {
+  const found = new Map<string, { value: number; by: string }>();
+  const { player } = live.hands;
+  if (!player || !live.page) return found;
+  const { run } = live.page;
+  const { decisions } = run.players[player.index]!;
+  const at = last_at(decisions.t, live.flown);
+  const shape = run.shapes[decisions.shape[at]!];
+  if (!shape) return found;
+  const tree = run.trees[shape.tree]!;
+  run.platforms[player.kind].action.forEach(({ name }, field) => {
+    const node = shape.supplier[0]?.[field] ?? -1;
+    if (node >= 0) found.set(name, { value: decisions.value(node, field)?.[at] ?? NaN, by: tree.nodes[node]!.label });
+  });
+  return found;
+}

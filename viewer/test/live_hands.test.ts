@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+/** What a person at the controls asks for, from keys and sticks to an order. */
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { next_target, order_of, steered, type Wanted } from '../src/live/hands.ts';
+import type { TrackSeen } from '../src/run/run.ts';
+
+const kWanted: Wanted = { player: 0, heading: 6.2, altitude: 7000, speed: 250, climb: null, target: 0, gun: false, radar: true, pointer: false };
+
+test('a held key turns, climbs and speeds up with time, within what can be flown', () => {
+  assert.equal(steered(kWanted, [0, 0, 0], 1), kWanted);
+  const right = steered(kWanted, [1, 0, 0], 0.5);
+  assert.ok(right.heading < 0.3 && right.heading > 0, 'round by north');
+  assert.deepEqual([right.altitude, right.speed], [7000, 250]);
+  assert.equal(steered(kWanted, [0, -1, 0], 1000).altitude, 60);
+  assert.equal(steered(kWanted, [0, 0, -1], 1000).speed, 60);
+  const pointed = { ...kWanted, pointer: true, climb: 0.2 };
+  assert.deepEqual([steered(pointed, [0, 1, 0], 0.1).pointer, steered(pointed, [0, 1, 0], 0.1).climb], [false, null]);
+  assert.equal(steered(pointed, [0, 0, 1], 0.1).pointer, true);
+});
+
+test('targets follow each other from the nearest to nobody, and friends are none', () => {
+  const track = (id: number, east: number, identity: TrackSeen['identity']): TrackSeen => ({ id, truth: 1, identity, is_target: false, place: { east, north: 0, up: 0 }, age: 0 });
+  const tracks = [track(7, 900, 'hostile'), track(8, 100, 'friendly'), track(9, 500, 'unknown')];
+  const next = (now: number): number => next_target(tracks, { east: 0, north: 0 }, now);
+  assert.deepEqual([next(0), next(9), next(7), next(55)], [9, 7, 0, 9]);
+});
+
+test('an order has everything that holds, and what is done once', () => {
+  assert.deepEqual(order_of(kWanted, {}), { heading: 6.2, altitude: 7000, speed: 250, target: 0, gun: false, radar: true });
+  assert.deepEqual(order_of({ ...kWanted, climb: 0.123456, target: 4 }, { shoot: true }), { heading: 6.2, speed: 250, climb: 0.1235, target: 4, gun: false, radar: true, shoot: true });
+});

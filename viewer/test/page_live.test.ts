@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+/** A mission in the browser while the program flies it: looked at, steered, flown by hand, and the same to the last bit. */
+import assert from 'node:assert/strict';
+import { execFile, spawn, type ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { promisify } from 'node:util';
+import type { Browser } from 'puppeteer-core';
+import { open_url, type UserPage } from './browsers.ts';
+import { kNoProgram, kProgram, launch, scratch_folder, shoot } from './page_kit.ts';
+
+const folder = kNoProgram ? '' : scratch_folder();
+let browser: Browser, program: ChildProcess, page: UserPage;
+let address = '';
+let complaints: string[] = [];
+
+before(async () => {
+  if (kNoProgram) return;
+  browser = await launch();
+  program = spawn(kProgram, ['serve', 'sweep', '--rate', '20', '--port', '0', '--paused'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
+  let said = '';
+  await new Promise<void>((done, fail) => {
+    program.stderr!.on('data', (words: Buffer) => {
+      said += words.toString();
+      const found = /http:\/\/127[^ ]*/.exec(said);
+      if (found) done(void (address = found[0]));
+    });
+    program.on('exit', (code, signal) => fail(new Error(`${said} ended with ${code ?? signal}`)));
+  });
+  ({ page, complaints } = await open_url(browser, address, { width: 1280, height: 800 }));
+  await page.waitForSelector('body[data-ready=true]');
+});
+after(async () => {
+  await browser?.close();
+  program?.kill('SIGKILL');
+});
+
+const time = (): Promise<number> => page.evaluate(() => window.eyrie!.store.get().time);
+const flown = (): Promise<number> => page.evaluate(() => window.eyrie!.run.about.duration);
+const wait = (ms: number): Promise<void> => new Promise((done) => setTimeout(done, ms));
+const is_same = (): Promise<boolean> => page.evaluate(() => document.querySelector('.pace .verified') !== null && document.querySelector('.big.bad') === null);
+const told = (words: string): Promise<void> => page.waitForFunction((wanted: string) => window.eyrie!.run.story.some(({ text }) => text.includes(wanted)), words);
+const rate = (text: string): Promise<unknown> => page.$eval('[aria-label="Rate of the mission"]', (list, wanted) => {
+  (list as HTMLSelectElement).value = wanted;
+  list.dispatchEvent(new Event('change', { bubbles: true }));
+}, text);
+
+test('flies along once the mission is played, and stops when it is paused', { skip: kNoProgram }, async () => {
+  assert.equal(await time(), 0);
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => window.eyrie!.store.get().time > 20);
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => !window.eyrie!.store.get().playing);
+  await wait(300);
+  const stopped = await time();
+  assert.equal(stopped, await flown());
+  await wait(300);
+  assert.equal(await time(), stopped);
+  assert.ok(await is_same());
+  await page.keyboard.press('Space');
+});
+
+test('looks back while the mission goes on, and comes to the present again', { skip: kNoProgram }, async () => {
+  await page.keyboard.press('Home');
+  const before = await flown();
+  await page.waitForFunction((then: number) => window.eyrie!.run.about.duration > then + 10, before);
+  assert.equal(await time(), 0);
+  await shoot(page, 'live_past_1280');
+  await page.click('.to-now');
+  await page.waitForFunction((then: number) => window.eyrie!.store.get().time > then, before);
+  // nobody sees what was not flown yet
+  await page.keyboard.press('End');
+  assert.ok((await time()) <= (await flown()));
+  assert.equal(await page.$eval('.to-now', (button) => button.getAttribute('aria-pressed')), 'true');
+});
+
+test('gives another tree and takes a player away, and everybody agrees', { skip: kNoProgram }, async () => {
+  const trees = await page.$$eval('.orders select option', (all) => all.filter((one) => !(one as HTMLOptionElement).disabled).map((one) => (one as HTMLOptionElement).value).filter(Boolean));
+  assert.ok(trees.length, 'there is another tree');
+  await page.keyboard.press('2');
+  await page.$eval('.orders select', (list, wanted) => {
+    (list as HTMLSelectElement).value = wanted;
+    list.dispatchEvent(new Event('change', { bubbles: true }));
+  }, trees[0]!);
+  await page.waitForFunction((wanted: string) => {
+    const { run } = window.eyrie!;
+    return run.trees[run.shapes[run.players[1]!.decisions.shape.at(-1)!]!.tree]!.name === wanted;
+  }, trees[0]!);
+  await page.keyboard.press('3');
+  await page.waitForFunction(() => document.querySelector('.orders')?.getAttribute('aria-label')?.includes('eagle3'));
+  const press = (words: string): Promise<void> => page.$$eval('.orders button', (all, wanted) => (all.find((one) => one.textContent!.startsWith(wanted)) as HTMLElement).click(), words);
+  await press('kill …');
+  await page.waitForSelector('.orders .bad');
+  assert.equal(await page.evaluate(() => window.eyrie!.run.players[2]!.end), '', 'not without a second word');
+  await press('kill eagle3');
+  await page.waitForFunction(() => window.eyrie!.run.players[2]!.end === 'lost');
+  await wait(1200);
+  assert.ok(await is_same());
+});
+
+test('who joins late sees the same', { skip: kNoProgram }, async () => {
+  const late = await open_url(browser, address, { width: 1920, height: 1080 });
+  await late.page.waitForSelector('body[data-ready=true]');
+  await late.page.waitForSelector('.pace .verified');
+  assert.equal(await late.page.evaluate(() => window.eyrie!.run.players[2]!.end), 'lost');
+  await shoot(late.page, 'live_1920');
+  await late.page.close();
+});
+
+
+const take_over = (): Promise<void> => page.$$eval('.orders button', (all) => (all.find((one) => one.textContent === 'Take over') as HTMLElement).click());
+
+test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async () => {
+  await page.waitForFunction(() => window.eyrie!.run.players[0]!.sights.at(window.eyrie!.run.players[0]!.sights.t.length - 1).tracks.some(({ identity }) => identity !== 'friendly'));
+  await rate('4');
+  await page.keyboard.press('1');
+  await page.waitForFunction(() => document.querySelector('.orders')?.getAttribute('aria-label')?.includes('eagle1'));
+  await take_over();
+  await page.waitForSelector('.card');
+  await shoot(page, 'live_card_1280');
+  await page.keyboard.press('?');
+  assert.equal(await page.$('.card'), null);
+  await told('is taken over by a person');
+  const heading = (): Promise<number> => page.evaluate(() => window.eyrie!.run.players[0]!.motion.heading.at(-1)!);
+  const before = await heading();
+  await page.keyboard.down('ArrowRight');
+  await wait(800);
+  await page.keyboard.up('ArrowRight');
+  await page.waitForFunction((was: number) => {
+    const turned = window.eyrie!.run.players[0]!.motion.heading.at(-1)! - was;
+    return Math.atan2(Math.sin(turned), Math.cos(turned)) > 0.2;
+  }, before);
+  await page.keyboard.press('t');
+  await page.waitForFunction(() => !document.querySelector<HTMLButtonElement>('.acts button:nth-child(2)')!.disabled);
+  await page.keyboard.press('Space');
+  await page.waitForFunction(() => window.eyrie!.run.missiles.some(({ shooter }) => shooter === 0));
+  await wait(1200);
+  assert.ok(await is_same());
+  await shoot(page, 'live_taken_1280');
+  // what was done beside what the tree recommended
+  await page.click('.play');
+  await page.waitForFunction(() => !window.eyrie!.store.get().playing);
+  await page.waitForFunction(() => Number(document.querySelector<HTMLElement>('.overruled')?.dataset['count']) > 0);
+  await shoot(page, 'live_overruled_1280');
+  await page.click('.play');
+  await page.keyboard.press('h');
+  await told('is handed back');
+  assert.equal(await page.$('.seat'), null);
+});
+
+test('ends as the program says, and the run that is left is flown again', { skip: kNoProgram }, async () => {
+  await rate('Infinity');
+  await page.waitForFunction(() => !/^now/.test(document.querySelector('.to-now')!.textContent!));
+  await page.waitForFunction(() => window.eyrie!.run.about.outcome !== 'running');
+  await wait(1500);
+  assert.ok(await is_same());
+  await shoot(page, 'live_over_1280');
+  const hash = await page.evaluate(() => window.eyrie!.run.about.hash);
+  program.kill('SIGINT');
+  await once(program, 'exit');
+  const [name] = readdirSync(join(folder, 'runs')).filter((one) => one !== 'latest');
+  const { stdout } = await promisify(execFile)(kProgram, ['replay', join(folder, 'runs', name!), '--workers', '3', '--json']);
+  assert.ok(stdout.includes(hash), stdout);
+  assert.deepEqual(complaints.filter((one) => !/favicon|^network: http:\/\/127|WebSocket|ws:/.test(one)), []);
+});
