@@ -5,7 +5,7 @@ type Events = HTMLElementEventMap & Pick<WindowEventMap, 'hashchange'>;
 type Heard = { [K in keyof Events]?: (event: Events[K]) => void };
 
 /** Returns how to stop listening. */
-export function listen(target: Window | HTMLElement, heard: Heard, options: AddEventListenerOptions = {}): () => void {
+export function listen(target: Window | HTMLElement | MediaQueryList, heard: Heard, options: AddEventListenerOptions = {}): () => void {
   const done = new AbortController();
   for (const [name, call] of Object.entries(heard))
     target.addEventListener(name, call as EventListener, { ...options, signal: done.signal });

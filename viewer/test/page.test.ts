@@ -338,12 +338,17 @@ describe('two runs on one page', { skip: kNoProgram }, () => {
     await two.page.click('[data-divergence-step] button');
     assert.ok(Math.abs((await two.page.evaluate(() => window.eyrie!.store.get().time)) - parting.time_s) < 0.2);
     // of a quantity both, and how far they are apart
-    await two.page.evaluate(() => window.eyrie!.store.set({ time: 560 }));
+    await two.page.evaluate(() => {
+      const { store } = window.eyrie!;
+      store.set({ time: 560, layers: { ...store.get().layers, labels: true } });
+    });
     assert.ok(Number.isFinite(Number(await two.page.$eval('[data-apart]', (e) => (e as HTMLElement).dataset['apart']))));
     await shoot(two.page, 'two-runs');
     const button = await two.page.$('button[title^="One picture"]');
     await button!.click();
     assert.equal((await two.page.$$('.stage')).length, 1);
+    await two.page.at_rest('.scene');
+    assert.match(await two.page.evaluate(() => window.eyrie!.scene.svg()), />(lost, )?B</, 'who of the other run is elsewhere has its letter');
     await shoot(two.page, 'two-runs-ghosts');
     assert.deepEqual(two.complaints, []);
     await two.page.close();

@@ -67,12 +67,12 @@ describe('axe finds nothing', { skip: kNoPage }, () => {
     const stops = await page.$$eval('button, input, select, summary, [tabindex]', (all) => all
       .filter((e) => e.getClientRects().length > 0 && (e as HTMLElement).tabIndex >= 0 && !e.closest('details:not([open]) > :not(summary)')).length);
     assert.ok(stops < 70, `${stops} tab stops`);
-    for (const [list, key] of [['.story ol', 'ArrowDown'], ['.players', 'ArrowDown'], ['.moments ol', 'ArrowRight']] as const) {
-      assert.equal(await page.$$eval(`${list} button`, (all) => all.filter((e) => (e as HTMLElement).tabIndex === 0).length), 1, list);
-      await page.$eval(`${list} button:not([tabindex="-1"])`, (e) => (e as HTMLElement).focus());
+    for (const [items, key] of [['.story ol button', 'ArrowDown'], ['.players button', 'ArrowDown'], ['.tree [role=treeitem]', 'ArrowDown'], ['.moments ol button', 'ArrowRight']] as const) {
+      assert.equal(await page.$$eval(items, (all) => all.filter((e) => (e as HTMLElement).tabIndex === 0).length), 1, items);
+      await page.$eval(`${items}:not([tabindex="-1"])`, (e) => (e as HTMLElement).focus());
       await page.keyboard.press('Home');
       await page.keyboard.press(key);
-      assert.equal(await page.$$eval(`${list} button`, (all) => [...all].findIndex((e) => e === document.activeElement)), 1, list);
+      assert.equal(await page.$$eval(items, (all) => [...all].findIndex((e) => e === document.activeElement)), 1, items);
     }
     await page.keyboard.press('Enter');
     assert.equal(await page.$eval('.moments button:nth-of-type(1)[aria-current=true], .moments li:nth-child(2) button', (e) => e.getAttribute('aria-current')), 'true');

@@ -79,16 +79,49 @@ test('in the end all of it is seen, and who is followed has the opponent beside 
   await page.at_rest('.scene');
   // the way there and back is a hundred miles long
   assert.ok((await height()) > 100, `${await height()} km`);
-  await page.evaluate(() => window.eyrie!.store.set({ time: 530, camera: 'follow' }));
-  await page.at_rest('.scene');
-  const seen = await page.evaluate(() => {
+  for (const time of [482.5, 530]) {
+    await page.evaluate((t) => window.eyrie!.store.set({ time: t, camera: 'follow' }), time);
+    await page.at_rest('.scene');
+    assert.ok(await opponent_seen(), `the opponent is out of the picture at ${time} s`);
+  }
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole' }));
+});
+
+function opponent_seen(): Promise<boolean> {
+  return page.evaluate(() => {
     const { frame } = window.eyrie!.scene as unknown as { frame: { sight: { now: { tracks: { is_target: boolean; truth: number }[] } }; players: { x: number[]; y: number[]; z: number[] };
       eye: { project(x: number, y: number, z: number): boolean; on_screen(): boolean } } };
     const foe = frame.sight.now.tracks.find((track) => track.is_target)!.truth;
     return frame.eye.project(frame.players.x[foe]!, frame.players.y[foe]!, frame.players.z[foe]!) && frame.eye.on_screen();
   });
-  assert.ok(seen, 'the opponent is out of the picture');
-  await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole' }));
+}
+
+test('range rings, the bullseye and ways of any length are in the picture if somebody wants them', { skip: kNoPage }, async () => {
+  // from so high that all of the way is in the picture
+  await page.evaluate(() => window.eyrie!.store.set({ time: 560, camera: 'top', pose: [-40, 0, 0, 400, 0, 0] }));
+  await page.at_rest('.scene');
+  const drawn = () => page.evaluate(() => {
+    const svg = window.eyrie!.scene.svg();
+    const said = [...svg.matchAll(/<text [^>]*>([^<]*)</g)].map(([, words]) => words!);
+    return { size: svg.length, said, ranges: said.filter((words) => /^[\d.]+ nmi$/.test(words)).length };
+  });
+  const flip = async () => {
+    for (const words of ['range rings', 'bullseye']) await page.$eval(`input[aria-label="Layer ${words}"]`, (e) => (e as HTMLElement).click());
+  };
+  const without = await drawn();
+  assert.ok(!without.said.includes('bullseye'));
+  await flip();
+  const { said, ranges } = await drawn();
+  assert.ok(said.includes('bullseye') && said.some((words) => /^eagle1 \d{3}° [\d.]+ nmi$/.test(words)), `${said}`);
+  assert.ok(ranges > without.ranges, `${said}`);
+  await flip();
+  const sizes: number[] = [];
+  for (const trail of ['20', '60', '300', 'Infinity']) {
+    await page.selectOption('select[aria-label="Length of the trails"]', trail);
+    sizes.push((await drawn()).size);
+  }
+  assert.ok(sizes.every((size, i) => i === 0 || size > sizes[i - 1]!), `${sizes}`);
+  await page.evaluate(() => window.eyrie!.store.set({ camera: 'whole', trail: 60 }));
 });
 
 /** What is written in the picture at a time that lies over other writing, or over the buttons. */
@@ -198,6 +231,11 @@ test('in a window of any width the picture has its place, and nothing lies outsi
         .filter((e) => e.getClientRects().length > 0 && !e.closest('details:not([open])'))
         .filter((e) => e.getBoundingClientRect().right > innerWidth || e.getBoundingClientRect().left < 0).map((e) => e.outerHTML.slice(0, 80)));
       assert.deepEqual(await outside(), [], `${width}`);
+      const [left, right] = await other.$eval('.moment[aria-current=true]', (e) => [e.getBoundingClientRect().left, e.getBoundingClientRect().right]);
+      assert.ok(left! >= 0 && right! <= width, `the key moment of now reaches from ${left} to ${right} of ${width}`);
+      const [writing, rem] = await other.evaluate(() => [parseFloat((window.eyrie!.scene as unknown as { frame: { notes: { context: CanvasRenderingContext2D } } }).frame.notes.context.font),
+        parseFloat(getComputedStyle(document.documentElement).fontSize)] as const);
+      assert.ok(writing > 0.9 * rem, `${writing} px in the picture, ${rem} px around it, in ${width}`);
       if (width < 900)
         for (const sheet of ['Players and story', 'Decision']) {
           await other.click(`button[aria-label="Show: ${sheet}"]`);

@@ -141,6 +141,8 @@ test('it opens at the first shot with its decision, and each key moment leads to
   await on_page(open_page(browser), async (fresh) => {
     const shown = () => fresh.$eval('.inspector', (e) => ({ ...(e as HTMLElement).dataset }));
     assert.match((await shown())['leader']!, /release_weapon$/);
+    const written = await fresh.evaluate(() => window.eyrie!.scene.svg());
+    for (const name of ['eagle1', 'bogey1']) assert.ok(written.includes(`>${name}<`), `${name} is in the picture`);
     const moments = await fresh.$$eval('.moment', (all) => all.map((e) => (e as HTMLElement).dataset['moment']));
     assert.deepEqual([...new Set(moments)].sort(), ['kill', 'launch', 'phase']);
     await fresh.click('[data-moment=kill]');

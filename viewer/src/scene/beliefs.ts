@@ -4,6 +4,7 @@ import { last_at, type Place, type Player, type Side, type Sight, type TrackSeen
 import { kCrowd, range_words, x_of, y_of, z_of, type Frame } from './frame.ts';
 import type { Mark } from './notes.ts';
 import type { Palette } from './palette.ts';
+import { draw_arc } from './rings.ts';
 
 const kMark: Record<TrackSeen['identity'], Mark> = { hostile: 'square', friendly: 'circle', unknown: 'diamond' };
 /** s: older tracks are pale, and say how old they are. */
@@ -38,14 +39,11 @@ export function draw_tracks({ view, players, lines, palette, eye, notes, sight }
   }
 }
 
-function target_of(sight: Eyesight): TrackSeen | undefined {
-  return sight.now.tracks.find((track) => track.is_target);
-}
-
 /** Arcs around the player towards its target: nearest, no escape and farthest. */
-export function draw_zone({ view, players, lines, palette, eye, notes, sight }: Frame): void {
+export function draw_zone(frame: Frame): void {
+  const { view, players, lines, palette, eye, notes, sight } = frame;
   const zone = sight?.now.zone;
-  const target = sight && target_of(sight);
+  const target = sight?.now.tracks.find((track) => track.is_target);
   if (!view.layers.zones || !sight || !zone || !target) return;
   const i = sight.player.index;
   const [x, y, z] = [players.x[i]!, players.y[i]!, players.z[i]!];
@@ -55,12 +53,7 @@ export function draw_zone({ view, players, lines, palette, eye, notes, sight }: 
     const km = range / 1000;
     if (!(km > 0) || km < 24 * eye.ui * eye.km_per_px(x, y, z)) return;
     lines.pen(palette.zone, width, dash);
-    const steps = 48;
-    for (let k = 0; k < steps; ++k) {
-      const a = bearing - kHalfArc + (2 * kHalfArc * k) / steps;
-      const b = bearing - kHalfArc + (2 * kHalfArc * (k + 1)) / steps;
-      lines.add(x + km * Math.sin(a), y, z - km * Math.cos(a), x + km * Math.sin(b), y, z - km * Math.cos(b), alpha);
-    }
+    draw_arc(frame, x, y, z, km, alpha, bearing - kHalfArc, 2 * kHalfArc);
     const end = bearing + kHalfArc;
     if (eye.project(x + km * Math.sin(end), y, z - km * Math.cos(end)) && eye.on_screen())
       notes.tag(-10 - width, eye.px, eye.py, label, range_words(km), palette.zone, null, 60);

@@ -2,6 +2,7 @@
 /** What every layer draws from and into. Each is a function of this alone, so a picture depends on nothing before it. */
 import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
+import { height_text } from '../words/text.ts';
 import { size_of_unit, spoken } from '../words/units.ts';
 import type { Eyesight } from './beliefs.ts';
 import type { Eye } from './eye.ts';
@@ -47,10 +48,8 @@ export function range_words(km: number): string {
   return `${value < 9.95 ? value.toFixed(1) : value.toFixed(0)} ${spoken().far[0]}`;
 }
 
-/** "27,400 ft" */
+/** "27400 ft": in hundreds. */
 export function height_words(km: number): string {
-  const value = Math.round(km / near_km() / 100) * 100;
-  const thousands = Math.trunc(value / 1000);
-  const figures = Math.abs(value) < 1000 ? String(value) : `${thousands},${String(Math.abs(value % 1000)).padStart(3, '0')}`;
-  return `${figures} ${spoken().near[0]}`;
+  const hundred = 100 * near_km();
+  return height_text(Math.round(km / hundred) * hundred * 1000);
 }

@@ -78,18 +78,10 @@ function find(motion: Motion, t: number): boolean {
   return true;
 }
 
+const kAxes = ['east', 'north', 'up'] as const;
 function locate(motion: Motion, out: Place): void {
-  const { t } = motion;
   const { i, u } = found;
-  if (u > 0) {
-    out.east = hermite(t, motion.east, i, u);
-    out.north = hermite(t, motion.north, i, u);
-    out.up = hermite(t, motion.up, i, u);
-  } else {
-    out.east = motion.east[i]!;
-    out.north = motion.north[i]!;
-    out.up = motion.up[i]!;
-  }
+  for (const axis of kAxes) out[axis] = u > 0 ? hermite(motion.t, motion[axis], i, u) : motion[axis][i]!;
 }
 
 /** The place at `t`; before the first and after the last sample, those. False: it has none. */

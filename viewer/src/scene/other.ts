@@ -5,6 +5,7 @@ import type { Run, Side } from '../run/run.ts';
 import { kSideMark, type Frame } from './frame.ts';
 import { Poses } from './motion.ts';
 import { draw_way, trail_of } from './trails.ts';
+import { kSmoke } from './weapons.ts';
 
 export interface Other {
   from: number;  // s: where it parts from the run.
@@ -15,8 +16,6 @@ export const kFlownOn = 'flown on';
 
 /** km: nearer than this the two futures are one in the picture. */
 const kApart = 0.05;
-/** s: how long the way of a missile is drawn. */
-const kSmoke = 20;
 
 const kPoses = new WeakMap<Run, { players: Poses; missiles: Poses }>();
 

@@ -86,9 +86,7 @@ export class Rig {
 
   /** What is followed moved: all go along. */
   carry(x: number, y: number, z: number): void {
-    this.anchor.x = x;
-    this.anchor.y = y;
-    this.anchor.z = z;
+    Object.assign(this.anchor, { x, y, z });
   }
 
   /** Something else is followed: the camera stays where it is for now. */
@@ -164,12 +162,10 @@ export class Rig {
 
   place([x, y, z, height, azimuth, polar]: Pose): void {
     const { goal, anchor } = this;
-    goal.x = x - anchor.x;
-    goal.y = y - anchor.y;
-    goal.z = z - anchor.z;
-    goal.height = Math.min(kLargest, Math.max(kSmallest, height));
-    goal.azimuth = azimuth;
-    goal.polar = Math.min(kLowest, Math.max(0, polar));
+    Object.assign(goal, {
+      x: x - anchor.x, y: y - anchor.y, z: z - anchor.z, height: Math.min(kLargest, Math.max(kSmallest, height)),
+      azimuth, polar: Math.min(kLowest, Math.max(0, polar)),
+    });
     this.pace = kPace.change;
   }
 
@@ -180,10 +176,6 @@ export class Rig {
 
   stance(): Stance {
     const { now, out, anchor } = this;
-    Object.assign(out, now);
-    out.x += anchor.x;
-    out.y += anchor.y;
-    out.z += anchor.z;
-    return out;
+    return Object.assign(out, now, { x: now.x + anchor.x, y: now.y + anchor.y, z: now.z + anchor.z });
   }
 }

@@ -8,9 +8,10 @@ import { round_up } from './grid.ts';
 const kRings = 4;
 const kSides = 72;
 
-function draw_ring({ lines }: Frame, x: number, y: number, z: number, km: number, alpha: number): void {
+/** Around (x, y, z), from a bearing (rad) so far on; all around unless told. */
+export function draw_arc({ lines }: Frame, x: number, y: number, z: number, km: number, alpha: number, from = 0, span = 2 * Math.PI): void {
   for (let k = 0; k < kSides; ++k) {
-    const [a, b] = [(2 * Math.PI * k) / kSides, (2 * Math.PI * (k + 1)) / kSides];
+    const [a, b] = [from + (span * k) / kSides, from + (span * (k + 1)) / kSides];
     lines.add(x + km * Math.sin(a), y, z - km * Math.cos(a), x + km * Math.sin(b), y, z - km * Math.cos(b), alpha);
   }
 }
@@ -23,7 +24,7 @@ export function draw_rings(frame: Frame): void {
   const step = round_up(eye.stance.height / far_km() / (2 * kRings)) * far_km();
   lines.pen(palette.faint, 1.2);
   for (let k = 1; k <= kRings; ++k) {
-    draw_ring(frame, x, y, z, k * step, 0.7);
+    draw_arc(frame, x, y, z, k * step, 0.7);
     if (eye.project(x, y, z - k * step) && eye.on_screen()) notes.write(range_words(k * step), eye.px, eye.py, palette.faint);
   }
 }
@@ -34,7 +35,7 @@ export function draw_bullseye(frame: Frame): void {
   if (!view.layers.bullseye) return;
   const km = 9 * eye.ui * eye.km_per_px(0, 0, 0);
   lines.pen(palette.ruler, 1.6);
-  for (const part of [1, 0.5]) draw_ring(frame, 0, 0, 0, part * km, 0.95);
+  for (const part of [1, 0.5]) draw_arc(frame, 0, 0, 0, part * km, 0.95);
   lines.add(-km * 1.5, 0, 0, km * 1.5, 0, 0, 0.95);
   lines.add(0, 0, -km * 1.5, 0, 0, km * 1.5, 0.95);
   if (!eye.project(0, 0, 0) || !eye.on_screen(20)) return;

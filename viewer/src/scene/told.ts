@@ -2,7 +2,7 @@
 /** The picture in words, for those who do not see it. */
 import type { Run } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { heading_text } from '../words/text.ts';
+import { clock_text, heading_text } from '../words/text.ts';
 import { height_words } from './frame.ts';
 import { convergence } from './geo.ts';
 import type { Poses } from './motion.ts';
@@ -10,11 +10,6 @@ import type { Poses } from './motion.ts';
 const kCamera: Record<View['camera'], string> = {
   free: 'seen from a free camera', follow: 'seen from behind the selected player', top: 'seen from above', whole: 'seen as a whole',
 };
-
-export function clock(t: number): string {
-  const whole = Math.floor(t + 1e-6);
-  return `${String(Math.floor(whole / 60)).padStart(2, '0')}:${String(whole % 60).padStart(2, '0')}`;
-}
 
 /** rad: of a player who is there now. */
 export function true_heading(run: Run, players: Poses, i: number): number {
@@ -28,7 +23,7 @@ export function told(run: Run, view: View, players: Poses, missiles: Poses): str
   for (let i = 0; i < missiles.count; ++i) flying += missiles.shown[i]!;
   const sides = (['blue', 'red', 'none'] as const).filter((side) => run.players.some((p) => p.side === side))
     .map((side) => `${alive[side]} ${side === 'none' ? 'neutral' : side}`);
-  const words = [`Air picture at ${clock(view.time)}, ${kCamera[view.camera]}: ${sides.join(', ')}, ${flying} missiles in flight.`];
+  const words = [`Air picture at ${clock_text(view.time)}, ${kCamera[view.camera]}: ${sides.join(', ')}, ${flying} missiles in flight.`];
   const chosen = run.players[view.selected];
   if (chosen) {
     const i = chosen.index;

@@ -5,7 +5,7 @@ import { type Frame, kCrowd, kSideMark } from './frame.ts';
 import { draw_legs } from './trails.ts';
 
 /** s: how long smoke, fire and its smoke hang there. */
-const kSmoke = 20;
+export const kSmoke = 20;
 const kFire = 4;
 const kPlume = 25;
 const kPuff = 2.5;

@@ -81,12 +81,10 @@ function use_layout() {
   const [hidden, set_hidden] = useState<readonly Panel[]>(narrow ? kSheets : []);
   useEffect(() => {
     const media = matchMedia(kNarrow);
-    const change = (): void => {
+    return listen(media, { change: () => {
       set_narrow(media.matches);
       set_hidden(media.matches ? kSheets : []);
-    };
-    media.addEventListener('change', change);
-    return () => media.removeEventListener('change', change);
+    } });
   }, []);
   useEffect(() => {
     if (!touched) return listen(window, { resize: () => set_sizes(first_sizes()) });

@@ -52,3 +52,18 @@ export function fitted(pen: CanvasRenderingContext2D, text: string, room: number
   while (end > 1 && pen.measureText(`${text.slice(0, end)}…`).width > room) --end;
   return end > 1 ? `${text.slice(0, end)}…` : '';
 }
+
+let measuring: CanvasRenderingContext2D | null = null;
+const kMeasured = new Map<string, number>();
+
+/** px, of words in the font of the page. */
+export function text_width(text: string, size: number): number {
+  const key = `${size}/${text}`;
+  let width = kMeasured.get(key);
+  if (width === undefined) {
+    measuring ??= document.createElement('canvas').getContext('2d')!;
+    measuring.font = `${size}px system-ui, sans-serif`;
+    kMeasured.set(key, (width = measuring.measureText(text).width));
+  }
+  return width;
+}

@@ -181,9 +181,9 @@ export function first_other_line(a: Run, b: Run): { of: 0 | 1; line: number } | 
   // lines of one moment may stand in another order
   const lines = (run: Run): Set<string> => new Set(run.story.map((_, line) => key(run, line)));
   const [all_a, all_b] = [lines(a), lines(b)];
-  const only_a = a.story.findIndex((_, line) => !all_b.has(key(a, line)));
-  const only_b = b.story.findIndex((_, line) => !all_a.has(key(b, line)));
-  if (only_a < 0 && only_b < 0) return null;
-  if (only_b < 0 || (only_a >= 0 && a.story[only_a]!.t <= b.story[only_b]!.t)) return { of: 0, line: only_a };
-  return { of: 1, line: only_b };
+  const only = [a.story.findIndex((_, line) => !all_b.has(key(a, line))), b.story.findIndex((_, line) => !all_a.has(key(b, line)))] as const;
+  const [t_a, t_b] = [a.story[only[0]]?.t ?? Infinity, b.story[only[1]]?.t ?? Infinity];
+  if (t_a === t_b && t_a === Infinity) return null;
+  const of = t_a <= t_b ? 0 : 1;
+  return { of, line: only[of] };
 }

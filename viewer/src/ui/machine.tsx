@@ -5,7 +5,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import { last_at, type Player, type Run, type Shape, type Tree } from '../run/run.ts';
 import { quantity_text, clock_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
-import { text_width } from './text_width.ts';
+import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
 import { use_rove } from './rove.ts';
 import { use_node_types } from './what_if_answer.ts';

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-/** One tab stop for all buttons of a list: two arrow keys, home and end go from one to the next. */
+/** One tab stop for all buttons of a list, or nodes of a tree: two arrow keys, home and end go from one to the next. */
 import type { RefObject } from 'preact';
 import { useEffect } from 'preact/hooks';
 import { listen } from '../events.ts';
 
-export function use_rove(list: RefObject<HTMLElement | null>, back = 'ArrowUp', on = 'ArrowDown'): void {
-  const buttons = (): HTMLElement[] => [...(list.current?.querySelectorAll<HTMLElement>('button') ?? [])];
+export function use_rove(list: RefObject<HTMLElement | null>, back = 'ArrowUp', on = 'ArrowDown', of = 'button'): void {
+  const buttons = (): HTMLElement[] => [...(list.current?.querySelectorAll<HTMLElement>(of) ?? [])];
   const stop_at = (stop: HTMLElement | undefined): void => {
     for (const one of buttons()) if (one.tabIndex !== (one === stop ? 0 : -1)) one.tabIndex = one === stop ? 0 : -1;
   };
   // after every drawing, which may have brought others
   useEffect(() => {
     const all = buttons();
-    stop_at(all.find((one) => one === document.activeElement) ?? list.current?.querySelector<HTMLElement>('button:is([aria-current=true], [aria-pressed=true])') ?? all[0]);
+    stop_at(all.find((one) => one === document.activeElement) ?? all.find((one) => one.matches('[aria-current=true], [aria-pressed=true], [aria-selected=true]')) ?? all[0]);
   });
   useEffect(() => list.current ? listen(list.current, {
     focusin: (event) => stop_at(event.target as HTMLElement),

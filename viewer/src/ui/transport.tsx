@@ -7,16 +7,16 @@ import { LiveControls } from '../live/controls.tsx';
 import { clock_text, read_clock } from '../words/text.ts';
 import { fight_of, jump, kRates, step_decision, step_mark, toggle_play, toggle_zoom, zoom_by, zoom_to } from './actions.ts';
 import { Glyph, Icon, IconButton } from './icon.tsx';
-import { kMarks, type MarkKind } from './marks.ts';
+import { kMarkKinds, kMarks, neighbor, type MarkKind } from './marks.ts';
 import { use_page } from './page.ts';
 import { StripMenu } from './strips.tsx';
 import { use_view } from './use.ts';
 
 /** Written at the pace of panels: nobody reads faster, and each time the line is laid out anew. */
 function Time() {
-  const { store } = use_page();
-  const end = use_view(store, (v) => v.end);
   const page = use_page();
+  const { store } = page;
+  const end = use_view(store, (v) => v.end);
   const text = useRef<HTMLInputElement>(null);
   useEffect(() => {
     const write = (): void => {
@@ -80,12 +80,17 @@ export function Transport({ children }: { children?: ComponentChildren }) {
 
 function MarkLegend() {
   const page = use_page();
-  const kinds: MarkKind[] = ['contact', 'launch', 'defend', 'kill', 'phase', 'lead', 'home'];
+  /** To the next event of the kind, or the first one after the last. */
+  const first_of = (kind: MarkKind): void => {
+    const times = page.marks.filter((m) => m.kind === kind).map((m) => m.t);
+    const next = neighbor(times, page.store.get().time, 1) ?? times[0];
+    if (next !== undefined) jump(page, next);
+  };
   return (
     <details class="menu up glyphs">
       <summary aria-label="What the glyphs mean">glyphs</summary>
       <div class="menu-body">
-        {kinds.map((kind) => (
+        {kMarkKinds.map((kind) => (
           <button type="button" key={kind} onClick={() => first_of(kind)}>
             <Glyph kind={kind} />{kMarks[kind].word}
           </button>
@@ -93,10 +98,4 @@ function MarkLegend() {
       </div>
     </details>
   );
-  /** To the next event of the kind, or the first one after the last. */
-  function first_of(kind: MarkKind): void {
-    const times = page.marks.filter((m) => m.kind === kind).map((m) => m.t);
-    const next = times.find((t) => t > page.store.get().time + 0.01) ?? times[0];
-    if (next !== undefined) jump(page, next);
-  }
 }

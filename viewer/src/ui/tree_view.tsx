@@ -5,8 +5,9 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words, path_of_leader } from '../words/contest.ts';
 import { number_text, reworded } from '../words/text.ts';
+import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
-import { text_width } from './text_width.ts';
+import { use_rove } from './rove.ts';
 import { use_cell } from './use.ts';
 import { change_of } from './what_if_answer.ts';
 
@@ -130,8 +131,8 @@ function Face({ tree, shape, place: { node, width, hidden }, most }: Omit<Shown,
   );
 }
 
-function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean }) {
-  const { tree, shape, place, on_way, focusable, onToggle } = shown;
+function Pill(shown: Shown & { on_way: boolean; most: number }) {
+  const { tree, shape, place, on_way, onToggle } = shown;
   const page = use_page();
   const looked = use_cell(page.node) === place.node;
   const pointed = use_cell(page.pointed) === place.node;
@@ -152,7 +153,7 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
   return (
     <g class={classes.join(' ')} transform={`translate(${x} ${y - kPill / 2})`} onClick={look} onKeyDown={press}
       data-path={path} data-status={status} data-vote={shape.vote[node]!} data-asked={status !== 'none'}
-      role="treeitem" tabIndex={focusable ? 0 : -1} aria-selected={looked} aria-level={depth + 1}
+      role="treeitem" tabindex={-1} aria-selected={looked} aria-level={depth + 1}
       aria-expanded={children.length ? hidden === 0 : undefined} aria-description={answer_words(shape, node)}>
       <g>
         <title>{`${path}\n${label === type ? '' : `${reworded(label)}\n`}${type}: ${answer_words(shape, node)}`}</title>
@@ -163,20 +164,11 @@ function Pill(shown: Shown & { on_way: boolean; most: number; focusable: boolean
   );
 }
 
-/** Arrows up and down go from node to node. */
-function walk(event: KeyboardEvent): void {
-  if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
-  const nodes = [...(event.currentTarget as Element).querySelectorAll<SVGGElement>('[role=treeitem]')];
-  const rows = nodes.map((node) => ({ node, y: node.getBoundingClientRect().top })).sort((a, b) => a.y - b.y);
-  const next = rows[rows.findIndex(({ node }) => node === event.target) + (event.key === 'ArrowUp' ? -1 : 1)];
-  next?.node.focus();
-  event.preventDefault();
-}
-
 export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
   const page = use_page();
   const looked = use_cell(page.node);
   const scroller = useRef<HTMLDivElement>(null);
+  use_rove(scroller, 'ArrowUp', 'ArrowDown', '[role=treeitem]');
   /** By node, what the user wants instead of: open where it was asked. */
   const [turned, set_turned] = useState<ReadonlyMap<number, boolean>>(new Map());
   useEffect(() => set_turned(new Map()), [tree]);
@@ -197,7 +189,6 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
   }, [layout, shape.leader, looked]);
 
   const toggle = (node: number): void => set_turned(new Map(turned).set(node, !is_open(node)));
-  const focusable = layout.placed.some(({ node }) => node === looked) ? looked : 0;
   /** Of the nodes whose path has these words the first one that is not yet looked at, then the next. */
   const find = (words: string): void => {
     const found = words ? tree.nodes.flatMap(({ path }, node) => (path.includes(words) ? [node] : [])) : [];
@@ -214,7 +205,7 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
         onKeyDown={(event) => event.key === 'Enter' && find(event.currentTarget.value.trim())} />
     )}
     <div class="tree" ref={scroller} tabIndex={0} role="group" aria-label="Tree">
-      <svg role="tree" aria-label="Decision tree" viewBox={`0 0 ${layout.width} ${layout.height}`} onKeyDown={walk}
+      <svg role="tree" aria-label="Decision tree" viewBox={`0 0 ${layout.width} ${layout.height}`}
         style={{ width: `${layout.width / kFont}rem`, height: `${layout.height / kFont}rem` }}>
         <g class="links">
           {layout.placed.filter(({ link }) => link).map(({ node, link }) => (
@@ -222,8 +213,7 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
           ))}
         </g>
         {layout.placed.map((place) => (
-          <Pill key={place.node} tree={tree} shape={shape} place={place} on_way={way.has(place.node)} most={most}
-            focusable={place.node === focusable} onToggle={toggle} />
+          <Pill key={place.node} tree={tree} shape={shape} place={place} on_way={way.has(place.node)} most={most} onToggle={toggle} />
         ))}
       </svg>
     </div>
