@@ -33,7 +33,8 @@ foreach(component ${named})
   list(GET pair 0 name)
   list(GET pair 1 part)
   install(FILES LICENSE DESTINATION share/doc/${name} COMPONENT ${part} RENAME copyright)
-  install(CODE "execute_process(COMMAND gzip -9nc \"${PROJECT_SOURCE_DIR}/CHANGELOG.md\"
+  install(CODE "execute_process(
+    COMMAND \"${PROJECT_SOURCE_DIR}/tools/debian-changelog\" ${name} \"${CPACK_PACKAGE_CONTACT}\" COMMAND gzip -9n
     OUTPUT_FILE \"${PROJECT_BINARY_DIR}/changelog.gz\" COMMAND_ERROR_IS_FATAL ANY)" COMPONENT ${part})
   install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION share/doc/${name} COMPONENT ${part})
 endforeach()
