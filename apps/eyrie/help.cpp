@@ -129,20 +129,6 @@ std::vector<Line> lines_of(const CLI::App& app, bool positional) {
   return lines;
 }
 
-/// "[SCENARIO] [options]"
-std::string usage_of(const CLI::App& app) {
-  std::string usage;
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
-    return below->get_name() + " " + usage_of(*below);
-  for (const CLI::Option* option : app.get_options())
-    if (option->get_positional()) {
-      const std::string name =
-          capitals(option->get_name()) + (option->get_items_expected_max() > 1 ? " ..." : "");
-      usage += option->get_required() ? name + " " : "[" + name + "] ";
-    }
-  return usage + "[options]";
-}
-
 /// The words of a text, no line of it wider than kWidth; all but the first are indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string out;
@@ -307,6 +293,19 @@ compdef _eyrie eyrie
 }
 
 }  // namespace
+
+std::string usage_of(const CLI::App& app) {
+  std::string usage;
+  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
+    return below->get_name() + " " + usage_of(*below);
+  for (const CLI::Option* option : app.get_options())
+    if (option->get_positional()) {
+      const std::string name =
+          capitals(option->get_name()) + (option->get_items_expected_max() > 1 ? " ..." : "");
+      usage += option->get_required() ? name + " " : "[" + name + "] ";
+    }
+  return usage + "[options]";
+}
 
 void set_help(CLI::App& app) {
   app.formatter(std::make_shared<Words>());

@@ -12,6 +12,9 @@ namespace eyrie::app {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
+/// "[SCENARIO] [options]"
+[[nodiscard]] std::string usage_of(const CLI::App& app);
+
 /// From now on --help is in our words: what options take, their texts, examples.
 void set_help(CLI::App& app);
 

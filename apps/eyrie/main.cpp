@@ -344,10 +344,11 @@ int run(int argc, char** argv) {
   }
   std::vector<char*> typed(argv, argv + argc);
   char help[] = "--help";
-  if (argc > 1 && std::string_view(argv[1]) == "help") {  // "help fly" means "fly --help"
+  bool asks = false;
+  for (; typed.size() > 1 && std::string_view(typed[1]) == "help"; asks = true)
     typed.erase(typed.begin() + 1);
-    typed.insert(typed.begin() + std::min<std::ptrdiff_t>(argc - 1, 2), help);
-  }
+  if (asks)  // "help fly" means "fly --help"
+    typed.insert(typed.begin() + std::min<std::ptrdiff_t>(std::ssize(typed), 2), help);
   const std::span<char*> words(typed);
   try {
     if (const std::string problem = empty_text(words); !problem.empty())

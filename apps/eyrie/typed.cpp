@@ -3,6 +3,7 @@
 
 #include <fmt/ranges.h>
 
+#include <map>
 #include <sstream>
 
 #include "core/diagnostics.hpp"
@@ -40,21 +41,46 @@ Names options_of(const CLI::App& command) {
   return names;
 }
 
-/// The option that may be meant: a near one, one that begins as it does, or that of another
-/// command.
-std::string option_hint(const CLI::App& app, const std::string& wrong, const Names& names) {
+/// "new behavior"
+std::string name_of(const CLI::App& command) {
+  const CLI::App* above = command.get_parent();
+  return above && above->get_parent() ? name_of(*above) + " " + command.get_name()
+                                      : command.get_name();
+}
+
+/// The option that may be meant: a near one, one that begins as it does, what needs no option, or
+/// that of another command.
+std::string option_hint(const CLI::App& app, const CLI::App& command, const std::string& wrong) {
+  const Names names = options_of(command);
   if (std::find(names.begin(), names.end(), wrong) != names.end())  // behind one '-'
     return fmt::format("; did you mean '{}'?", wrong);
   if (std::string hint = did_you_mean(wrong, names); !hint.empty())
     return hint;
+  Names longer;
   for (const std::string& name : names)
-    if (wrong.size() > 3 && (name.starts_with(wrong) || wrong.starts_with(name)))
-      return fmt::format("; did you mean '{}'?", name);
-  Names others;
-  for (const CLI::App* command : commands_of(app))
-    if (command->get_option_no_throw(wrong))
-      others.push_back("'" + command->get_name() + "'");
-  return others.empty() ? "" : fmt::format("; it is an option of {}", fmt::join(others, ", "));
+    if (name.starts_with(wrong) || (wrong.size() > 3 && wrong.starts_with(name)))
+      longer.push_back("'" + name + "'");
+  if (!longer.empty())
+    return fmt::format("; did you mean {}?", fmt::join(longer, " or "));
+  Names arguments;
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_positional())
+      arguments.push_back(option->get_name());
+  if (!did_you_mean(wrong.substr(2), arguments).empty())
+    return fmt::format("; that needs none: eyrie {} {}", name_of(command), usage_of(command));
+  std::map<std::string, Names> others;
+  Names all;
+  for (const CLI::App* one : commands_of(app))
+    for (const std::string& name : options_of(*one)) {
+      others[name].push_back("'" + one->get_name() + "'");
+      all.push_back(name);
+    }
+  const std::string hint = did_you_mean(wrong, all);
+  for (const auto& [name, commands] : others)
+    if (!hint.empty() && did_you_mean(wrong, Names{name}) == hint)
+      return fmt::format("; {} is an option of {}", name == wrong ? "it" : "'" + name + "'",
+                         fmt::join(commands, ", "));
+  return "";
 }
 
 /// An option that a command has not, or "".
@@ -68,8 +94,8 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command, std::sp
     if (!word.starts_with('-') || number || name.size() < 2 || name == "-h")
       continue;
     if (std::find(names.begin(), names.end(), name) == names.end())
-      return fmt::format("{} has no option {}{}", command.get_name(), quote(name),
-                         option_hint(app, (name[1] == '-' ? "" : "-") + name, names));
+      return fmt::format("{} has no option {}{}", name_of(command), quote(name),
+                         option_hint(app, command, (name[1] == '-' ? "" : "-") + name));
   }
   return "";
 }
@@ -78,7 +104,7 @@ std::string unknown_option(const CLI::App& app, const CLI::App& command, std::sp
 std::string missing_argument(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options())
     if (option->get_required() && option->count() == 0)
-      return fmt::format("{} needs {}: {}", command.get_name(), option->get_name(),
+      return fmt::format("{} needs {}: {}", name_of(command), option->get_name(),
                          option->get_description());
   return "";
 }
@@ -94,7 +120,7 @@ std::string word_too_many(const CLI::App& command, const std::string& extra,
     if (words[i] == extra && std::string_view(words[i - 2]).starts_with("--") &&
         words[i - 1][0] != '-')
       hint = fmt::format("; did you mean {} '{} {}'?", words[i - 2], words[i - 1], extra);
-  return fmt::format("{} has no use for {}{}", command.get_name(), quote(extra), hint);
+  return fmt::format("{} has no use for {}{}", name_of(command), quote(extra), hint);
 }
 
 /// What is wrong with the words of a command.
@@ -103,17 +129,27 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
   const std::string wrong = words.empty() ? "" : words[0];
   if (const CLI::App* one = command_named(command, wrong))
     return problem_in(app, *one, e, words.subspan(1));
+  const bool required = dynamic_cast<const CLI::RequiredError*>(&e);
+  const Names below = command_names(command);
+  const std::string usage = fmt::format("eyrie {} {}", name_of(command), usage_of(command));
+  if (!below.empty() && required && !wrong.empty() && wrong[0] != '-') {
+    const std::string hint = did_you_mean(wrong, below);
+    return fmt::format("{} begins no {}{}", name_of(command), quote(wrong),
+                       hint.empty() ? "; say " + usage : hint);
+  }
   if (std::string unknown = unknown_option(app, command, words); !unknown.empty())
     return unknown;
-  const Names below = command_names(command);
-  if (!below.empty() && dynamic_cast<const CLI::RequiredError*>(&e)) {
-    const std::string hint = did_you_mean(wrong, below);
-    return hint.empty() ? fmt::format("say what: eyrie {} {} NAME", command.get_name(), below[0])
-                        : fmt::format("{} begins no {}{}", command.get_name(), quote(wrong), hint);
-  }
-  if (dynamic_cast<const CLI::RequiredError*>(&e))
+  if (!below.empty() && required)
+    return "say what: " + usage;
+  if (required) {
     if (std::string missing = missing_argument(command); !missing.empty())
       return missing;
+    Names any;  // as require_option(1) wants
+    for (const CLI::Option* option : command.get_options())
+      if (option->get_name() != "--help")
+        any.push_back(option->get_name());
+    return fmt::format("{} needs one of {}", name_of(command), fmt::join(any, ", "));
+  }
   const std::string said = e.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && said.starts_with("--"))
     return fmt::format("{} needs a value", said.substr(0, said.find(':')));
@@ -126,7 +162,15 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
 
 /// A command that there is not, with the nearest one.
 std::string unknown_command(const CLI::App& app, std::string_view word) {
-  const std::string hint = did_you_mean(word, command_names(app));
+  Names names = command_names(app);
+  names.push_back("help");
+  const char* script = std::getenv("EYRIE_SCRIPT");  // ./eyrie has more commands
+  std::istringstream more(script ? script : "");
+  for (std::string name; more >> name;)
+    names.push_back(name);
+  std::string hint = did_you_mean(word, names);
+  if (hint.empty())
+    hint = did_you_mean("--" + std::string(word), options_of(app));
   return fmt::format("there is no command {}{}", quote(word),
                      !hint.empty() ? hint : "; 'eyrie catalog NAME' tells of a node");
 }

@@ -160,10 +160,12 @@ expect "once as well" "$(run validate)" "flown: validate"$'\n'"code 0"
 begin
 tool npm "$fetches"
 tool node 'echo page >"$2/debrief.html"'
-tool ctest 'echo "tested: $*"'
+tool ctest '[ "$1" != --help ] || { echo "  -R <regex>, --tests-regex <regex> = Run those."; exit; }
+echo "tested: $*"'
 tool ninja "sleep 0.2; $ninja"
 expect "tests" "$(run test -R Break)" \
   "*built: -C * all*built tests*tested: --test-dir $work/build * -R Break"$'\n'"code 0"
+expect "a wrong option builds nothing" "$(run test --repat)" "eyrie: ctest has no option '--repat'*"$'\n'"code 2"
 expect "with a page" "$(cat "$work/build/viewer/debrief.html")" page
 
 # help
