@@ -81,6 +81,27 @@ class EventTimes final : public sim::Observer {
   bool released_ = false;
 };
 
+/// debrief::explain, with where each node stands in the document.
+class Explainer {
+ public:
+  explicit Explainer(const debrief::Recorded& recorded)
+      : scenario_(*recorded.scenario), paths_(debrief::tree_paths(recorded)) {}
+
+  std::optional<debrief::Decision> operator()(const debrief::Reflight& flight, PlayerId who) const {
+    auto decision =
+        debrief::explain(scenario_, flight.before(), flight.after(), who, flight.orders());
+    if (decision)
+      for (debrief::Answer& node : decision->nodes)
+        if (const auto at = paths_.find(node.where.text()); at != paths_.end())
+          node.document = at->second;
+    return decision;
+  }
+
+ private:
+  const scenario::Scenario& scenario_;
+  std::map<std::string, std::string> paths_;
+};
+
 struct Found {
   std::vector<debrief::Decision> decisions;
   std::vector<debrief::Change> changes;
@@ -95,10 +116,8 @@ Found look(const debrief::Recorded& recorded, PlayerId who, const Wanted& wanted
   debrief::Reflight flight(recorded);
   EventTimes events(*recorded.scenario, who, wanted.event);
   flight.attach(events);
-  const auto explain = [&] {
-    return debrief::explain(*recorded.scenario, flight.before(), flight.after(), who,
-                            flight.orders());
-  };
+  const Explainer explainer(recorded);
+  const auto explain = [&] { return explainer(flight, who); };
 
   std::optional<debrief::Decision> last;         // for events between two decisions
   std::map<double, debrief::Decision> released;  // s
@@ -177,12 +196,12 @@ std::vector<Moment> key_moments(const debrief::Recorded& recorded) {
     }
   }
   constexpr double kLongest = 2;  // s, between two decisions
+  const Explainer explain(recorded);
   debrief::Reflight flight(recorded);
   while (flight.step())
     for (Moment& moment : moments)
       if (flight.time() <= moment.line.decided && flight.time() > moment.line.decided - kLongest)
-        if (auto decision = debrief::explain(scenario, flight.before(), flight.after(),
-                                             moment.line.decider, flight.orders()))
+        if (auto decision = explain(flight, moment.line.decider))
           moment.decision = std::move(decision);
   return moments;
 }
@@ -254,11 +273,6 @@ int explain(const ExplainOptions& options) {
                 wanted.from);
 
   Found found = look(recorded, who, wanted);
-  const auto paths = debrief::tree_paths(recorded);
-  for (debrief::Decision& decision : found.decisions)
-    for (debrief::Answer& node : decision.nodes)
-      if (const auto at = paths.find(node.where.text()); at != paths.end())
-        node.document = at->second;
   if (options.csv) {
     say("{}", Composed{debrief::decisions_csv(found.decisions, roster)});
   } else if (options.json) {

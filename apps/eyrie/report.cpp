@@ -114,7 +114,8 @@ void Report::table(const record::Tally& tally, const Ends& ends) const {
     if (scenario_.roster.flights[phase.flight].side == Side::blue)
       phases.push_back(fmt::format("{} {} {}", scenario_.roster.flights[phase.flight].name,
                                    phase.phase, record::clock_text(phase.time)));
-  say("\n{}\n", fmt::format("{}", fmt::join(phases, "   ")));
+  if (!phases.empty())
+    say("\n{}\n", fmt::format("{}", fmt::join(phases, "   ")));
 }
 
 namespace {

@@ -74,7 +74,7 @@ Json over_seeds(const debrief::Recorded& recorded,
       {"red losses", [](const debrief::Outcome& o) { return double(o.red.losses); }},
       {"blue shots", [](const debrief::Outcome& o) { return double(o.blue.shots); }},
       {"red shots", [](const debrief::Outcome& o) { return double(o.red.shots); }},
-      {"time", [](const debrief::Outcome& o) { return o.time; }}};
+      {"time_s", [](const debrief::Outcome& o) { return o.time; }}};
   using Both = std::pair<debrief::Outcome, debrief::Outcome>;
   std::uint64_t flown = 0;
   listen_for_interrupts();

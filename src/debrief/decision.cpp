@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "record/csv.hpp"
 #include "record/json_text.hpp"
+#include "record/names.hpp"
 #include "record/story.hpp"
 
 namespace eyrie::debrief {
@@ -77,14 +78,30 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
 namespace {
 
 /// "#3 (bogey1)": as the agent knows it, and who it really was.
-std::string debrief_name(const Perceived& one, const scenario::Roster& roster) {
-  if (!one.truth)
-    return fmt::format("#{}", one.number);
-  return roster.find(one.truth) ? fmt::format("#{} ({})", one.number, roster.name(one.truth))
-                                : fmt::format("#{} (missile {})", one.number, one.truth.value);
+std::string debrief_name(const Perceived& one, const scenario::Scenario& scenario,
+                         const sim::World& world) {
+  return one.truth
+             ? fmt::format("#{} ({})", one.number, record::name_in(scenario, world, one.truth))
+             : fmt::format("#{}", one.number);
 }
 
 }  // namespace
+
+void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario) {
+  constexpr std::string_view kStore = "store ";  // as pilot::Release is written
+  if (text.starts_with(kStore))
+    text.replace(0, text.find(' ', kStore.size()),
+                 record::store_label(scenario, std::strtof(text.c_str() + kStore.size(), nullptr)));
+  const std::size_t number = text.rfind('#');
+  if (number == std::string::npos)
+    return;
+  for (const Perceived& one : decision.perceived)
+    if ((one.kind == "target" || one.kind == "track") &&
+        std::string_view(text).substr(number + 1) == std::to_string(one.number)) {
+      text.replace(number, std::string::npos, one.name);
+      return;
+    }
+}
 
 std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
                                 const sim::World& after, PlayerId who,
@@ -95,7 +112,15 @@ std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::W
     found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
       decision = m.decision(*(other ? *other : scenario).fleet_of(who).agents);
       for (Perceived& one : decision->perceived)
-        one.name = debrief_name(one, scenario.roster);
+        one.name = debrief_name(one, scenario, before);
+      const auto name = [&](Value& value) { put_names(value.text, *decision, scenario); };
+      for (Answer& answer : decision->nodes)
+        std::for_each(answer.action.begin(), answer.action.end(), name);
+      for (Won& won : decision->action) {
+        name(won.value);
+        for (Rival& rival : won.rivals)
+          name(rival.value);
+      }
     });
   return decision;
 }
@@ -193,13 +218,16 @@ void tree_text(const Decision& d, std::string& text) {
 }
 
 void action_text(const Decision& d, std::string& text) {
+  std::size_t width = 14;
+  for (const Won& won : d.action)
+    width = std::max(width, columns(won.value.text));
   for (const Won& won : d.action) {
     std::string rivals;
     for (const Rival& rival : won.rivals)
       rivals += fmt::format("{}{} {}", rivals.empty() ? " (" : ", ", d.nodes[rival.node].label,
                             rival.value.text);
-    fmt::format_to(std::back_inserter(text), "  {:<12} {:<14} {:<16} {}{}\n", won.value.name,
-                   won.value.text, label_of(d, won.winner), reason(won),
+    fmt::format_to(std::back_inserter(text), "  {:<12} {:<{}} {:<16} {}{}\n", won.value.name,
+                   won.value.text, width, label_of(d, won.winner), reason(won),
                    rivals.empty() ? "" : rivals + ")");
   }
 }

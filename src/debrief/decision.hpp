@@ -29,6 +29,10 @@ using team::parting, team::Won;
                                               PlayerId who, std::span<const sim::Order> orders,
                                               const scenario::Scenario* other = nullptr);
 
+/// Puts names for the numbers in the text of a value: "#3 (bogey1)", "AIM-120 at #3 (bogey1)". The
+/// decision says who is #3; those that explain() gives have them.
+void put_names(std::string& text, const Decision& decision, const scenario::Scenario& scenario);
+
 /// A system of a simulation by its type, or null.
 template <class System>
 [[nodiscard]] const System* find_system(const sim::Simulation& simulation) {

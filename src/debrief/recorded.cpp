@@ -157,11 +157,15 @@ std::string leader_of(const scenario::Scenario& s, const sim::World& world, Play
 std::pair<std::string, std::string> apart(std::string_view name, Dimension dimension, double a,
                                           double b) {
   constexpr int kMost = 17;
-  for (int more = 0;; ++more)
-    if (std::pair texts{team::number_text(name, dimension, a, more),
-                        team::number_text(name, dimension, b, more)};
-        texts.first != texts.second || more == kMost)
+  const auto unit = [](const std::string& text) { return text.substr(text.rfind(' ') + 1); };
+  for (int more = 0;; ++more) {
+    std::pair texts{team::number_text(name, dimension, a, more),
+                    team::number_text(name, dimension, b, more)};
+    if (dimension == Dimension::length && unit(texts.first) != unit(texts.second))
+      texts = {format_range(a, more), format_range(b, more)};
+    if (texts.first != texts.second || more == kMost)
       return texts;
+  }
 }
 
 /// "pursue leads, heading 277°" as both have it: the leader, and the fields that are not the

@@ -58,10 +58,19 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   const scenario::Fleet& fleet = flown.fleet_of(who);
   Twice twice(fleet, other.fleet_of(who), result);
   Reflight flight(recorded);
-  while (flight.step())
-    if (flight.time() >= from - 1e-9)
-      fleet.agents->look_again(flight.before(), flight.after(), who, flight.orders(),
-                               [&](const team::AnyMoment& m) { twice.look(m); });
+  std::optional<Decision> first;  // which has the names
+  while (flight.step()) {
+    if (flight.time() < from - 1e-9)
+      continue;
+    fleet.agents->look_again(flight.before(), flight.after(), who, flight.orders(),
+                             [&](const team::AnyMoment& m) { twice.look(m); });
+    if (!result.first || first)
+      continue;
+    first = explain(flown, flight.before(), flight.after(), who, flight.orders());
+    for (Changed& field : result.first->fields)
+      for (std::string* text : {&field.flown, &field.other})
+        put_names(*text, *first, flown);
+  }
   return result;
 }
 

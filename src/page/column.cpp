@@ -32,7 +32,7 @@ std::string encoded(const std::vector<std::int64_t>& values, int order) {
 }  // namespace
 
 std::int64_t Column::rounded(double value) const {
-  if (std::isnan(value))
+  if (!std::isfinite(value))
     return kNothing;
   const double quanta = std::floor(value / quantum_ + 0.5);
   constexpr double kMost = 9e15;  // what is beyond is shown as the most

@@ -17,12 +17,11 @@ using Json = nlohmann::ordered_json;
 /// Numbers rounded to multiples of a quantum.
 class Column {
  public:
-  /// Stands for NaN.
+  /// Stands for NaN and infinity.
   static constexpr std::int64_t kNothing = -2147483648;
 
   explicit Column(double quantum = 1) : quantum_(quantum) {}
 
-  /// NaN is kept; everything else must be finite.
   void add(double value) { values_.push_back(rounded(value)); }
   /// In quanta.
   void add_rounded(std::int64_t value) { values_.push_back(value); }

@@ -170,21 +170,15 @@ class Writer final : public Packer {
                               [&](const driver::State& s) { agent.sights.add(s); });
             });
       else
-        pilot_system_->revisit(before, after, who, orders,
-                               [&](const team::Moment<pilot::State>& m) {
-                                 pilots_.decide(m, agent, periods_, [&](const pilot::State& s) {
-                                   agent.sights.add(s, radar_of(after, who));
-                                 });
-                               });
+        pilot_system_->revisit(
+            before, after, who, orders, [&](const team::Moment<pilot::State>& m) {
+              pilots_.decide(m, agent, periods_,
+                             [&](const pilot::State& s) { agent.sights.add(s, after, who); });
+            });
     }
   }
 
  private:
-  [[nodiscard]] const model::RadarState* radar_of(const sim::World& world, PlayerId who) const {
-    const auto row = world.row(scenario_.aircraft.table, who);
-    return row ? &world.rows(scenario_.aircraft.radar)[*row] : nullptr;
-  }
-
   void tell(const record::StoryLine& line) {
     constexpr const char* kTones[] = {"plain", "blue", "red", "kill", "phase"};
     const bool is_player = scenario_.roster.find(line.player);

@@ -46,10 +46,9 @@ void Sights::add_track(std::uint32_t id, PlayerId truth, model::Identity identit
                at.east, at.north, at.up, age});
 }
 
-void Sights::add_warning(const std::string& kind, double bearing, double range, PlayerId truth) {
-  const std::string name = scenario_.roster.find(truth) ? scenario_.roster.name(truth)
-                           : truth                      ? fmt::format("missile {}", truth.value)
-                                                        : "?";
+void Sights::add_warning(const sim::World& world, const std::string& kind, double bearing,
+                         double range, PlayerId truth) {
+  const std::string name = truth ? record::name_in(scenario_, world, truth) : "?";
   const auto kind_number = static_cast<double>(texts_.number(kind));
   warnings_.add({kind_number, wrap_tau(bearing), range, static_cast<double>(texts_.number(name))});
 }
@@ -66,25 +65,26 @@ void Sights::add_zone(const pilot::State& s) {
   zone_.add({zone.r_min, zone.r_ne, zone.r_max});
 }
 
-void Sights::add(const pilot::State& s, const model::RadarState* radar) {
+void Sights::add(const pilot::State& s, const sim::World& world, PlayerId who) {
   add_state(s);
   for (const pilot::Seen& seen : s.tracks_seen())
     add_track(seen.id().value, seen.track->truth, seen.track->identity, s.target() == &seen,
               position_at(*seen.track, s.time), s.time - seen.track->time);
   for (std::uint32_t i = 0; i < s.rwr.count; ++i) {
     const model::RwrWarning& warning = s.rwr.warnings[i];
-    add_warning("radar " + std::string(enum_name(warning.kind)), warning.bearing, ubf::kNoValue,
-                warning.emitter);
+    add_warning(world, "radar " + std::string(enum_name(warning.kind)), warning.bearing,
+                ubf::kNoValue, warning.emitter);
   }
   for (std::uint32_t i = 0; i < s.threats.count; ++i) {
     const model::InboundMissile& missile = s.threats.missiles[i];
-    add_warning("missile", missile.bearing, missile.has_position ? missile.range : ubf::kNoValue,
-                missile.truth);
+    add_warning(world, "missile", missile.bearing,
+                missile.has_position ? missile.range : ubf::kNoValue, missile.truth);
   }
   track_counts_.add_rounded(static_cast<std::int64_t>(s.tracks_seen().size()));
   warning_counts_.add_rounded(s.rwr.count + s.threats.count);
-  const model::RadarState off{};
-  const model::RadarState& scan = radar ? *radar : off;
+  const auto row = world.row(scenario_.aircraft.table, who);
+  const model::RadarState scan =
+      row ? world.rows(scenario_.aircraft.radar)[*row] : model::RadarState{};
   scan_.add({static_cast<double>(scan.mode), scan.scan_azimuth, scan.scan_elevation});
   add_zone(s);
 }

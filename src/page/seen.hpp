@@ -24,8 +24,8 @@ class Sights {
  public:
   Sights(const scenario::Scenario& scenario, TextBook& texts);
 
-  /// `radar` is null for who has none.
-  void add(const pilot::State& state, const model::RadarState* radar);
+  /// `world` is the one after the step in which `who` had that state.
+  void add(const pilot::State& state, const sim::World& world, PlayerId who);
   void add(const driver::State& state);
   /// s, of the last one; before the run if there is none.
   [[nodiscard]] double last_time() const { return last_time_; }
@@ -38,7 +38,8 @@ class Sights {
   void add_state(const State& state);
   void add_track(std::uint32_t id, PlayerId truth, model::Identity identity, bool target,
                  const Vec3& position, double age);
-  void add_warning(const std::string& kind, double bearing, double range, PlayerId truth);
+  void add_warning(const sim::World& world, const std::string& kind, double bearing, double range,
+                   PlayerId truth);
   void add_zone(const pilot::State& state);
 
   const scenario::Scenario& scenario_;

@@ -27,7 +27,8 @@ constexpr auto kTargetCrossing = [](const State& s, const Seen& t) {
   return angles_of(s, t).crossing;
 };
 constexpr auto kTargetUnseen = [](const State& s, const Seen& t) {
-  return s.time - t.track->seen_time;
+  const double seen = t.track->seen_time;
+  return seen == model::kNever ? std::numeric_limits<double>::infinity() : s.time - seen;
 };
 constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
 
@@ -92,7 +93,8 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target<kTargetOffTail>),
     number("crossing", "rad", "of the chosen target's path and the own one, in [0, 180°]",
            of_target<kTargetCrossing>),
-    number("unseen", "s", "since an own eye saw the chosen target", of_target<kTargetUnseen>),
+    number("unseen", "s", "since an own eye saw the chosen target; none did: infinite",
+           of_target<kTargetUnseen>),
     number("target_above", "m", "height of the chosen target over the own",
            of_target<kTargetHeight>),
     flag("threatened", "a missile is believed to come for this aircraft",

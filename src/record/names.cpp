@@ -6,6 +6,11 @@
 namespace eyrie::record {
 namespace {
 
+std::string missile_name(const scenario::Scenario& scenario, const std::string& label, PlayerId id,
+                         PlayerId shooter) {
+  return fmt::format("{} #{} of {}", label, id.value, scenario.roster.name(shooter));
+}
+
 /// The tree that an event names, or null.
 const ubf::AnyTree* tree_of(const scenario::Scenario& scenario, const sim::Event& e) {
   if (!scenario.roster.find(e.who))
@@ -79,6 +84,16 @@ std::string order_sentence(const scenario::Scenario& scenario, const sim::Event&
   return fmt::format("is told to go by tree {}", by);
 }
 
+std::string name_in(const scenario::Scenario& scenario, const sim::World& world, PlayerId id) {
+  const auto row = world.row(scenario.missiles.table, id);
+  if (!row)
+    return scenario.roster.find(id) ? scenario.roster.name(id)
+                                    : fmt::format("missile {}", id.value);
+  const model::MissileState& missile = world.rows(scenario.missiles.state)[*row];
+  return missile_name(scenario, scenario.library->missiles[missile.type].label, id,
+                      missile.shooter);
+}
+
 void Missiles::note(const sim::Event& e) {
   if (kind_of(e) == model::EventKind::launch)
     all_[e.who] = {PlayerId{e.detail}, e.whom, store_label(*scenario_, e.values[1])};
@@ -91,8 +106,7 @@ const Missiles::Missile* Missiles::find(PlayerId id) const {
 
 std::string Missiles::name(PlayerId id) const {
   const Missile* missile = find(id);
-  return missile ? fmt::format("{} #{} of {}", missile->label, id.value,
-                               scenario_->roster.name(missile->shooter))
+  return missile ? missile_name(*scenario_, missile->label, id, missile->shooter)
                  : scenario_->roster.name(id);
 }
 

@@ -34,6 +34,11 @@ namespace eyrie::record {
 /// Label of a missile type by its index in the library, "?" if there is none.
 [[nodiscard]] std::string store_label(const scenario::Scenario& scenario, float index);
 
+/// A player's name; "AIM-120C #7 of eagle1" of a missile that flies in this world, "missile 7" of
+/// one that does not.
+[[nodiscard]] std::string name_in(const scenario::Scenario& scenario, const sim::World& world,
+                                  PlayerId id);
+
 /// Every missile since its launch.
 class Missiles {
  public:

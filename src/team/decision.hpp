@@ -78,12 +78,15 @@ struct Decision {
   std::vector<Perceived> perceived;
 };
 
-/// "045°", "6000 ft", "467 kt"; "-" for no value. Headings and bearings are directions, from 000 to
-/// 359; heights are in feet however large they are. With so many more decimals.
+/// "045°", "6000 ft", "467 kt"; "-" for no value, "never" for infinity. Headings and bearings are
+/// directions, from 000 to 359; heights are in feet however large they are. With so many more
+/// decimals.
 [[nodiscard]] inline std::string number_text(std::string_view name, Dimension dimension,
                                              double number, int more = 0) {
   if (std::isnan(number))
     return "-";
+  if (std::isinf(number))
+    return "never";
   const bool height = name.find("altitude") != name.npos || name.find("above") != name.npos;
   const bool direction = name == "heading" || name == "bearing" || name == "course";
   return height                                       ? format_height(number, more)
@@ -93,7 +96,7 @@ struct Decision {
 
 [[nodiscard]] inline Value number_value(std::string_view name, const Unit& unit, double number) {
   return {std::string(name), std::string(unit.si_symbol),
-          std::isnan(number) ? std::nullopt : std::optional(number),
+          std::isfinite(number) ? std::optional(number) : std::nullopt,
           number_text(name, unit.dimension, number)};
 }
 

@@ -50,6 +50,7 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
       says(ran.out, R"(\n  heading +097° +follow_lead +voted 20 against 10 \(navigate 123°\)\n)"));
   // which of the two it is, is the sort's choice: pilot/sort_test.cpp
   EXPECT_TRUE(says(ran.out, R"(target #\d+ \(bogey\d\): identity hostile, range)"));
+  EXPECT_TRUE(says(ran.out, "unseen never,")) << "no eye reaches so far";
 }
 
 TEST(ExplainProgram, ShowsWarningsAsTheyWerePerceived) {
@@ -57,7 +58,8 @@ TEST(ExplainProgram, ShowsWarningsAsTheyWerePerceived) {
   EXPECT_TRUE(says(ran.out, R"(radar #\d+ \(eagle\d\): kind search, bearing)")) << ran.out;
   // whoever breaks knows of a missile
   const Ran breaks = debriefed({"explain", "a", "--player", "bogey1", "--event", "break"});
-  EXPECT_TRUE(says(breaks.out, R"(missile #\d+ \(missile \d+\): bearing)")) << breaks.out;
+  EXPECT_TRUE(says(breaks.out, R"(missile #\d+ \(AIM-120 #\d+ of eagle\d\): bearing)"))
+      << breaks.out;
 }
 
 TEST(ExplainProgram, ListsWhoTookOverFromWhomAndWhy) {
@@ -98,6 +100,8 @@ TEST(ExplainProgram, TellsOnWhichDecisionsARunTurned) {
       << ran.out;
   EXPECT_TRUE(says(ran.out, R"(splash bogey1 [^\n]*\n    bogey1: )")) << "what its victim did";
   EXPECT_TRUE(says(ran.out, R"(eagle flight: bvr\n    eagle1: \d\d:\d\d\.\d  pursue )"));
+  EXPECT_TRUE(says(ran.out, R"(, target #\d+ \(bogey\d\), release AIM-120 at #\d+ \(bogey\d\)\n)"));
+  EXPECT_FALSE(says(ran.out, R"(#\d+(,|\n)|store \d)")) << "a number without a name\n" << ran.out;
   const json moments = json::parse(debriefed({"explain", "a", "--json"}).out);
   ASSERT_GT(moments.size(), 5U);
   for (const json& moment : moments)

@@ -24,13 +24,14 @@ TEST(NodePaths, GoFromExplainToWhatIfSetAndReplace) {
   as_json.emplace_back("--json");
   const json decision = json::parse(said(as_json)).at(0);
   std::string document, path = decision.at("leader");
-  std::size_t named = 0;
-  for (const json& node : decision.at("nodes")) {
-    named += node.contains("document");
+  for (const json& node : decision.at("nodes"))
     if (node.at("path") == path)
       document = node.at("document");
-  }
-  EXPECT_EQ(named, decision.at("nodes").size()) << "every node stands in a file";
+  for (const std::vector<std::string>& words :
+       {as_json, {"explain", "a", "--json"}, {"explain", "a", "--json", "--player", "eagle1"}})
+    for (const json& one : json::parse(said(words)))
+      for (const json& node : one.value("decision", one).at("nodes"))
+        EXPECT_TRUE(node.contains("document")) << "every node stands in a file: " << node;
   EXPECT_NE(said(asked).find("\n" + path + " is " + document + "\n"), std::string::npos);
 
   const auto what_if = [&](const std::string& node) {
