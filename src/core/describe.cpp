@@ -116,7 +116,7 @@ void check_value(const ValueType& type, const void* value, const ParamInfo& rule
       problems.push_back(fmt::format("{} is {}", rule.name, x));
     else if (!rule.limits.contains(x))
       problems.push_back(fmt::format("{}: {} is {}", rule.name,
-                                     exact_quantity(x, rule.unit.dimension),
+                                     with_degree_signs(exact_quantity(x, rule.unit.dimension)),
                                      limits_text(rule.limits, rule.unit.dimension)));
   } else if (type.kind == ParamKind::choice && choice_in(type, value).empty()) {
     problems.push_back(fmt::format("{} is none of its choices", rule.name));
@@ -190,7 +190,7 @@ ParamInfo brief_info(const ParamLine& line, std::string_view path) {
 }
 
 std::string limits_text(const Range& limits, Dimension dimension) {
-  const auto show = [&](double x) { return exact_quantity(x, dimension); };
+  const auto show = [&](double x) { return with_degree_signs(exact_quantity(x, dimension)); };
   if (!std::isfinite(limits.min))
     return fmt::format("more than {}", show(limits.max));
   if (!std::isfinite(limits.max))

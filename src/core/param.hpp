@@ -93,6 +93,10 @@ struct Range {
 [[nodiscard]] constexpr Range range(double low, double high) {
   return {low, high};
 }
+/// The same in another unit: `range(0, 85, "deg")`.
+[[nodiscard]] constexpr Range range(double low, double high, UnitName unit) {
+  return {si(low, unit), si(high, unit)};
+}
 [[nodiscard]] constexpr Range at_least(double low) {
   return {low};
 }

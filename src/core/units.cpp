@@ -231,6 +231,35 @@ std::size_t reading_cost(std::string_view number) {
   return number.size() + static_cast<std::size_t>(digits);
 }
 
+UnitSystem unit_system = UnitSystem::us;
+
+/// How people read a dimension; the others, in SI. tests/quantities.txt holds the page to it, too.
+struct Read {
+  Dimension dimension;
+  UnitName us, metric;
+  int decimals = 0;
+};
+constexpr Read kFar{Dimension::length, "nmi", "km", 1};
+constexpr Read kNear{Dimension::length, "ft", "m"};
+constexpr Read kRead[] = {
+    {Dimension::speed, "kt", "km/h"},
+    {Dimension::acceleration, "g", "g", 1},
+    {Dimension::mass, "lb", "kg"},
+    {Dimension::mass_flow, "lb/h", "kg/h"},
+    {Dimension::force, "lbf", "kN"},
+    {Dimension::pressure, "hPa", "hPa", 1},
+    {Dimension::temperature, "°C", "°C"},
+    {Dimension::angle, "°", "°"},
+    {Dimension::angular_rate, "°/s", "°/s", 1},
+};
+
+UnitName unit_of(const Read& read) {
+  return unit_system == UnitSystem::us ? read.us : read.metric;
+}
+std::string format_as(const Read& read, double si, int more) {
+  return format_in(si, unit_of(read), read.decimals + more);
+}
+
 }  // namespace
 
 std::string_view dimension_noun(Dimension dimension) {
@@ -288,39 +317,6 @@ std::string format_in(double si, UnitName unit, int decimals) {
                      symbol.starts_with("°") ? "" : " ", symbol);
 }
 
-namespace {
-
-UnitSystem unit_system = UnitSystem::us;
-
-/// How people read a dimension; the others, in SI. tests/quantities.txt holds the page to it, too.
-struct Read {
-  Dimension dimension;
-  UnitName us, metric;
-  int decimals = 0;
-};
-constexpr Read kFar{Dimension::length, "nmi", "km", 1};
-constexpr Read kNear{Dimension::length, "ft", "m"};
-constexpr Read kRead[] = {
-    {Dimension::speed, "kt", "km/h"},
-    {Dimension::acceleration, "g", "g", 1},
-    {Dimension::mass, "lb", "kg"},
-    {Dimension::mass_flow, "lb/h", "kg/h"},
-    {Dimension::force, "lbf", "kN"},
-    {Dimension::pressure, "hPa", "hPa", 1},
-    {Dimension::temperature, "°C", "°C"},
-    {Dimension::angle, "°", "°"},
-    {Dimension::angular_rate, "°/s", "°/s", 1},
-};
-
-UnitName unit_of(const Read& read) {
-  return unit_system == UnitSystem::us ? read.us : read.metric;
-}
-std::string format_as(const Read& read, double si, int more) {
-  return format_in(si, unit_of(read), read.decimals + more);
-}
-
-}  // namespace
-
 void write_units(UnitSystem system) {
   unit_system = system;
 }
@@ -364,7 +360,8 @@ std::string exact_quantity(Real si, Dimension dimension) {
   if (dimension == Dimension::none)
     return fmt::format("{}", si);
   std::string best = fmt::format("{} {}", si, si_symbol);
-  std::size_t best_cost = reading_cost(fmt::format("{}", si));
+  std::size_t best_cost = si_symbol.starts_with("rad") ? std::numeric_limits<std::size_t>::max()
+                                                       : reading_cost(fmt::format("{}", si));
   for (const UnitInfo& unit : units()) {
     if (unit.dimension != dimension || unit.symbol == si_symbol)
       continue;
@@ -374,14 +371,22 @@ std::string exact_quantity(Real si, Dimension dimension) {
     const std::string text =
         fmt::format("{:.{}g} {}", number, std::numeric_limits<Real>::digits10, unit.symbol);
     const Parsed back = parse_quantity(text, dimension);
-    // at equal cost SI is preferred
-    const std::size_t cost = 1 + reading_cost(std::string_view(text).substr(0, text.find(' ')));
+    // at equal cost SI is preferred, and degrees to mrad
+    const std::size_t cost = (unit.symbol == "mrad" ? 2 : 1) +
+                             reading_cost(std::string_view(text).substr(0, text.find(' ')));
     if (cost < best_cost && back && static_cast<Real>(back.value) == si) {
       best = text;
       best_cost = cost;
     }
   }
   return best;
+}
+
+std::string with_degree_signs(std::string text) {
+  constexpr std::string_view kDegrees = " deg";
+  for (std::size_t at = 0; (at = text.find(kDegrees, at)) != text.npos;)
+    text.replace(at, kDegrees.size(), "°");
+  return text;
 }
 
 template std::string exact_quantity(double, Dimension);

@@ -241,8 +241,11 @@ void write_units(UnitSystem system);
 
 /// For files and references: a text that parse_quantity reads back to the same double or float, in
 /// SI or in the unit that says it more simply, so 3704 m is "2 nmi".
+/// An angle is never in rad that can be said in degrees or mrad.
 template <std::floating_point Real>
 [[nodiscard]] std::string exact_quantity(Real si, Dimension dimension);
+/// What a file or reference says as people are shown it: "30°" for "30 deg".
+[[nodiscard]] std::string with_degree_signs(std::string text);
 
 extern template std::string exact_quantity(double, Dimension);
 extern template std::string exact_quantity(float, Dimension);

@@ -325,7 +325,12 @@ TEST(ExactQuantity, PicksTheUnitThatSaysItMostSimply) {
   EXPECT_EQ(exact(-1234.5, Dimension::length), "-1234.5 m");
   EXPECT_EQ(exact(250, Dimension::speed), "250 m/s");
   EXPECT_EQ(exact(radians(30), Dimension::angle), "30 deg");
-  EXPECT_EQ(exact(0.5, Dimension::angle), "0.5 rad");
+  EXPECT_EQ(exact(0, Dimension::angle), "0 deg");
+  EXPECT_EQ(exact(0.5, Dimension::angle), "500 mrad");
+  EXPECT_EQ(exact(1e-3, Dimension::angle), "1 mrad");
+  EXPECT_EQ(exact(radians(3), Dimension::angular_rate), "3 deg/s");
+  EXPECT_EQ(exact(0.5, Dimension::angular_rate), "0.5 rad/s") << "no degrees are just that";
+  EXPECT_EQ(exact(std::nan(""), Dimension::angle), "nan rad");
   EXPECT_EQ(exact(0.02, Dimension::time), "20 ms");
   EXPECT_EQ(exact(60, Dimension::time), "60 s");
   EXPECT_EQ(exact(300, Dimension::time), "5 min");
@@ -333,6 +338,11 @@ TEST(ExactQuantity, PicksTheUnitThatSaysItMostSimply) {
   EXPECT_EQ(exact(288.15, Dimension::temperature), "15 degC");
   EXPECT_EQ(exact(0.5, Dimension::none), "0.5");
   EXPECT_EQ(exact(std::numeric_limits<double>::infinity(), Dimension::mass), "inf kg");
+}
+
+TEST(WithDegreeSigns, ShowsWhatAFileSays) {
+  EXPECT_EQ(with_degree_signs("[-30 deg, 3 deg/s, 15 degC]"), "[-30°, 3°/s, 15°C]");
+  EXPECT_EQ(with_degree_signs("2 nmi"), "2 nmi");
 }
 
 TEST(ExactQuantity, WritesAFloatWithTheDigitsOfAFloat) {

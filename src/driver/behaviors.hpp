@@ -44,7 +44,7 @@ class Scatter final : public ubf::WithMemory<Behavior, ScatterMemory> {
         param("vote", &S::vote_, range(0, 1000), "how strongly"),
         param("range", &S::range_, "m", range(0, 50e3), "an aircraft this near is too near"),
         param("distance", &S::distance_, "m", range(0, 5e3), "how far off the way it drives"),
-        param("angle", &S::angle_, "rad", range(0.1, 3.1415), "off its course, to drive there"),
+        param("angle", &S::angle_, "rad", range(5, 179.9, "deg"), "off its course, to drive there"),
         param("speed", &S::speed_, "m/s", range(0.5, 50), "at which it drives there"),
         param("calm", &S::calm_, "s", range(0, 3600),
               "comes back so long after the last aircraft was near")};

@@ -83,6 +83,8 @@ struct Catalog {
 
 /// "required", or the default as a file would write it; "" where that is no short text.
 [[nodiscard]] std::string default_text(const ParamInfo& info);
+/// "°/s", "m": the unit of SI, but degrees.
+[[nodiscard]] std::string_view shown_symbol(Dimension dimension);
 
 /// Calls `visit(path, info)` for every parameter and, behind it, for those inside it:
 /// "start.altitude"; "stations[].store" inside the items of a list.

@@ -17,8 +17,10 @@ constexpr std::string_view kHead =
     "What files may say: every key, node, model and parameter, as this program reads them. The\n"
     "same as a JSON schema for editors: `./eyrie catalog --json-schema`.\n"
     "\n"
-    "A quantity is a number and its unit, `6000 ft`; only 0 may go without. A parameter that is\n"
-    "not given has its default; where that is `null`, the meaning says what then happens.\n"
+    "A quantity is a number and its unit, `6000 ft`; only 0 may go without. Degrees are `30 deg` "
+    "or\n"
+    "`30°`. A parameter that is not given has its default; where that is `null`, the meaning says\n"
+    "what then happens.\n"
     "`[]` in a name stands for each item of a list.\n";
 
 constexpr std::string_view kModels =
@@ -172,7 +174,7 @@ class Writer {
       add("| `{}` | {} | {} |\n", field.name,
           field.kind == ubf::FieldKind::flag     ? "flag"
           : field.kind == ubf::FieldKind::choice ? fmt::format("{}", fmt::join(field.choices, ", "))
-                                                 : std::string(field.unit.si_symbol),
+                                                 : std::string(shown_symbol(field.unit.dimension)),
           field.help);
   }
   static bool is_sequencer(const ubf::NodeInfo& node) {

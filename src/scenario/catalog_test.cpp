@@ -178,9 +178,9 @@ TEST(ParamText, SaysWhatAFileMayWrite) {
             "\n";
   });
   EXPECT_EQ(said,
-            "range | length | 0 m to 50 km | 2 nmi\n"
+            "range | length | 0 to 50 km | 2 nmi\n"
             "above | number | above 0 | 1\n"
-            "free | angle |  | 30 deg\n"
+            "free | angle |  | 30°\n"
             "count | whole number | 1 to 255 | 1\n"
             "seed | whole number | at least 0 | 1\n"
             "maybe | time | at least 0 s | null\n"

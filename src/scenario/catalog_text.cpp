@@ -33,7 +33,7 @@ std::string catalog_text(const Catalog& catalog) {
   for (const ubf::StateFieldInfo& field : catalog.fields)
     line(field.name, field.unit.si_symbol.empty()
                          ? std::string(field.help)
-                         : fmt::format("{}, {}", field.unit.si_symbol, field.help));
+                         : fmt::format("{}, {}", shown_symbol(field.unit.dimension), field.help));
   for (const OtherKind& kind : catalog.others) {
     text += fmt::format(
         "\nTrees of {}: what they have besides arbiters, control nodes and decorators\n",
@@ -85,6 +85,13 @@ std::string_view dimension_word(Dimension dimension) {
   return noun.substr(noun.find(' ') + 1);
 }
 
+std::string_view shown_symbol(Dimension dimension) {
+  for (const UnitInfo& unit : units())
+    if (unit.dimension == dimension && unit.symbol.starts_with("°"))
+      return unit.symbol;
+  return Unit(dimension).si_symbol;
+}
+
 std::string kind_text(const ParamInfo& info) {
   switch (info.kind) {
     case ParamKind::number:
@@ -118,7 +125,10 @@ std::string range_text(const ParamInfo& info) {
                ? fmt::format("{} to {} characters", info.min_items, info.max_items)
                : "";
   const Range& limits = info.limits;
-  const auto show = [&](double x) { return exact_quantity(x, info.unit.dimension); };
+  const auto show = [&](double x) {
+    const bool bare = x == 0 && info.unit.dimension != Dimension::temperature;
+    return bare ? "0" : with_degree_signs(exact_quantity(x, info.unit.dimension));
+  };
   const bool low = std::isfinite(limits.min) && limits.min > -kLargestSaid;
   const bool high = std::isfinite(limits.max) && limits.max < kLargestSaid;
   if (low && high && limits.min == limits.max)
@@ -135,7 +145,9 @@ std::string range_text(const ParamInfo& info) {
 std::string default_text(const ParamInfo& info) {
   if (info.required)
     return "required";
-  return info.kind == ParamKind::text && info.default_text.empty() ? "empty" : info.default_text;
+  if (info.kind == ParamKind::text)
+    return info.default_text.empty() ? "empty" : info.default_text;
+  return with_degree_signs(info.default_text);
 }
 
 void each_parameter(std::span<const ParamInfo> parameters,

@@ -137,7 +137,8 @@ struct FlightLimits {
         param("min_load_factor", &L::min_load_factor, range(-10, 0), "g"),
         param("load_factor_rate", &L::load_factor_rate, range(0.1, 100),
               "g per second by which the load factor changes"),
-        param("roll_rate", &L::roll_rate, "rad/s", range(0.01, 10), "largest rate of roll"),
+        param("roll_rate", &L::roll_rate, "rad/s", range(0.5, 600, "deg/s"),
+              "largest rate of roll"),
         param("max_mach", &L::max_mach, range(0.1, 4), "the autopilot flies no faster"),
         param("max_equivalent_airspeed", &L::max_equivalent_airspeed, "m/s", range(50, 600),
               "the autopilot flies no faster: true airspeed times the root of the density ratio")};

@@ -29,15 +29,17 @@ struct Laero {
   static constexpr auto params() {
     using L = Laero;
     return std::tuple{
-        param("max_turn_rate", &L::max_turn_rate, "rad/s", range(1e-3, 1), "of the heading"),
-        param("max_bank", &L::max_bank, "rad", range(0.01, 1.5),
+        param("max_turn_rate", &L::max_turn_rate, "rad/s", range(0.05, 60, "deg/s"),
+              "of the heading"),
+        param("max_bank", &L::max_bank, "rad", range(0.5, 85, "deg"),
               "turns no tighter than a level turn at this bank"),
         param("max_climb_rate", &L::max_climb_rate, "m/s", range(0.1, 500), "up and down"),
         param("max_acceleration", &L::max_acceleration, "m/s2", range(0.01, 100),
               "faster and slower"),
-        param("roll_rate", &L::roll_rate, "rad/s", range(0.01, 10),
+        param("roll_rate", &L::roll_rate, "rad/s", range(0.5, 600, "deg/s"),
               "of the bank, which is for show"),
-        param("pitch_rate", &L::pitch_rate, "rad/s", range(0.01, 10), "of the climb angle"),
+        param("pitch_rate", &L::pitch_rate, "rad/s", range(0.5, 600, "deg/s"),
+              "of the climb angle"),
         param("heading_time", &L::heading_time, "s", range(0.05, 60), "heading error over rate"),
         param("altitude_time", &L::altitude_time, "s", range(0.05, 60),
               "altitude error over climb rate"),

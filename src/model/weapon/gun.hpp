@@ -63,7 +63,7 @@ struct GunType {
               "one standard deviation of the aim at a target that flies straight"),
         param("maneuver_error", &G::maneuver_error, range(0, 1),
               "which part of the target's acceleration the sight does not predict"),
-        param("aim_cone", &G::aim_cone, "rad", range(0, 0.2),
+        param("aim_cone", &G::aim_cone, "rad", range(0, 12, "deg"),
               "the pilot corrects so much between the nose and the lead that is needed"),
         param("greatest_range", &G::greatest_range, "m", range(50, 5000),
               "nobody is aimed at beyond"),

@@ -73,15 +73,15 @@ struct MissileAero {
 
 /// Climbs over thin air: aims above the target while it is far.
 struct Loft {
-  double angle = 0.1;       ///< rad, aim above the line to the target
-  double end_range = 20e3;  ///< m, from here on it aims at the target
-  double ceiling = 25e3;    ///< m, altitude that it never aims above
+  double angle = si(6, "deg");  ///< rad, aim above the line to the target
+  double end_range = 20e3;      ///< m, from here on it aims at the target
+  double ceiling = 25e3;        ///< m, altitude that it never aims above
 
   static constexpr std::string_view type_name = "loft";
   static constexpr std::string_view help = "aims above a distant target to fly in thin air";
   static constexpr auto params() {
     return std::tuple{
-        param("angle", &Loft::angle, "rad", range(0, 1), "above the line to the target"),
+        param("angle", &Loft::angle, "rad", range(0, 60, "deg"), "above the line to the target"),
         param("end_range", &Loft::end_range, "m", positive(500e3), "nearer targets are aimed at"),
         param("ceiling", &Loft::ceiling, "m", positive(100e3), "never aims above this altitude")};
   }

@@ -16,25 +16,25 @@ constexpr auto names_of(SeekerKind) {
 /// Const. Angles in radians, everything else SI.
 struct SeekerType {
   SeekerKind kind = SeekerKind::radar;
-  double detection_range = 15e3;   ///< m, at the reference signature
-  double reference_signature = 5;  ///< m^2 (radar) or W/sr (infrared)
-  double greatest_range = 40e3;    ///< m, however bright the target
-  double activation_range = 15e3;  ///< m, to the believed target: switch on
-  double field_of_view = 0.1;      ///< rad, whole cone in which it searches
-  double gimbal = 0.9;             ///< rad, off the axis of the missile
-  double greatest_rate = 0.5;      ///< rad/s, of the line of sight, that it can follow
-  double look_rate = 50;           ///< Hz
-  double angle_noise = 1e-3;       ///< rad, 1 sigma of each of two angles in one look, near
-  double glint = 0;                ///< m, 1 sigma: how far the target's apparent center wanders
-  double glint_time = 0.1;         ///< s, in which it does
-  double range_noise = 10;         ///< m, 1 sigma (radar)
-  double closing_noise = 2;        ///< m/s, 1 sigma (radar)
-  double filter_time = 0.1;        ///< s, time constant of the line-of-sight filter
-  double memory = 5;               ///< s without seeing anything before it destroys itself
-  double notch_speed = 50;         ///< m/s (radar): slower along the line of sight is clutter
-  double range_gate = 150;         ///< m (radar): nearer to each other than half of it is one echo
-  double doppler_gate = 30;        ///< m/s (radar): of a speed, the same
-  double decoy_rejection = 0;      ///< chance that a decoy is known as one
+  double detection_range = 15e3;           ///< m, at the reference signature
+  double reference_signature = 5;          ///< m^2 (radar) or W/sr (infrared)
+  double greatest_range = 40e3;            ///< m, however bright the target
+  double activation_range = 15e3;          ///< m, to the believed target: switch on
+  double field_of_view = si(6, "deg");     ///< rad, whole cone in which it searches
+  double gimbal = si(50, "deg");           ///< rad, off the axis of the missile
+  double greatest_rate = si(30, "deg/s");  ///< rad/s, of the line of sight, that it can follow
+  double look_rate = 50;                   ///< Hz
+  double angle_noise = 1e-3;               ///< rad, 1 sigma of each of two angles in one look, near
+  double glint = 0;            ///< m, 1 sigma: how far the target's apparent center wanders
+  double glint_time = 0.1;     ///< s, in which it does
+  double range_noise = 10;     ///< m, 1 sigma (radar)
+  double closing_noise = 2;    ///< m/s, 1 sigma (radar)
+  double filter_time = 0.1;    ///< s, time constant of the line-of-sight filter
+  double memory = 5;           ///< s without seeing anything before it destroys itself
+  double notch_speed = 50;     ///< m/s (radar): slower along the line of sight is clutter
+  double range_gate = 150;     ///< m (radar): nearer to each other than half of it is one echo
+  double doppler_gate = 30;    ///< m/s (radar): of a speed, the same
+  double decoy_rejection = 0;  ///< chance that a decoy is known as one
 
   static constexpr std::string_view type_name = "seeker";
   static constexpr std::string_view help = "the sensor of a missile";
@@ -52,11 +52,11 @@ struct SeekerType {
               "it sees nothing farther away, however bright"),
         param("activation_range", &S::activation_range, "m", range(0, 500e3),
               "radar: switches on when the target is believed to be this near"),
-        param("field_of_view", &S::field_of_view, "rad", range(1e-3, kPi),
+        param("field_of_view", &S::field_of_view, "rad", range(0.05, 180, "deg"),
               "whole angle of the cone that it searches around the expected direction"),
-        param("gimbal", &S::gimbal, "rad", range(0.01, kPi),
+        param("gimbal", &S::gimbal, "rad", range(0.5, 180, "deg"),
               "greatest angle between the missile's axis and the line of sight"),
-        param("greatest_rate", &S::greatest_rate, "rad/s", positive(100),
+        param("greatest_rate", &S::greatest_rate, "rad/s", positive(si(6000, "deg/s")),
               "fastest turn of the line of sight that it can follow"),
         param("look_rate", &S::look_rate, "Hz", positive(1000), "measurements per second"),
         param("angle_noise", &S::angle_noise, "rad", range(0, 1),

@@ -45,7 +45,7 @@ class BreakTurn final : public ubf::WithMemory<Behavior, BreakMemory> {
         param("ceiling", &B::ceiling_, "m", range(0, 30e3), "far phase: climbs no higher"),
         param("dive", &B::dive_, "m", range(0, 10e3), "near phase: how much lower"),
         param("floor", &B::floor_, "m", range(0, 25e3), "near phase: dives no lower"),
-        param("turn", &B::turn_, "rad", range(0.2, 3.1415),
+        param("turn", &B::turn_, "rad", range(10, 179.9, "deg"),
               "near phase: how far off the nose the missile shall be; 90° beams it"),
         param("speed", &B::speed_, "m/s", range(50, 1000), "true airspeed to fly"),
         param("load_factor", &B::load_factor_, range(1, 12), "g of the hard turn")};

@@ -20,8 +20,9 @@ class Crank final : public Maneuver {
     return std::tuple_cat(
         Maneuver::params(),
         std::tuple{
-            param("angle", &C::angle_, "rad", range(0, 1.5), "of the target off the nose"),
-            param("margin", &C::margin_, "rad", range(0, 1), "to keep from the edge of the gimbal"),
+            param("angle", &C::angle_, "rad", range(0, 85, "deg"), "of the target off the nose"),
+            param("margin", &C::margin_, "rad", range(0, 60, "deg"),
+                  "to keep from the edge of the gimbal"),
             param("support", &C::support_, "true: no longer than the missile needs the radar"),
             param("descend", &C::descend_, "m", range(0, 10e3), "below the present altitude")});
   }

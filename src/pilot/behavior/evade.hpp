@@ -48,7 +48,7 @@ class Evade final : public ubf::WithMemory<Maneuver, EvadeMemory> {
             param("against", &E::against_, "missile, radar or fighter; each includes those before"),
             param("within", &E::within_, "s", range(0, 120),
                   "answers a missile that is here so soon"),
-            param("angle", &E::angle_, "rad", range(0.2, 3.1416),
+            param("angle", &E::angle_, "rad", range(10, 180, "deg"),
                   "off the nose at the end of the turn"),
             param("dive", &E::dive_, "m", range(0, 15e3), "goes down by so much"),
             param("dispense", &E::dispense_,

@@ -20,7 +20,7 @@ class LeadPursuit final : public Maneuver {
     return std::tuple_cat(Maneuver::params(),
                           std::tuple{param("gun_range", &L::gun_range_, "m", range(0, 10e3),
                                            "nearer than this it aims the gun"),
-                                     param("cash_in", &L::cash_in_, "rad", range(0, 1.5),
+                                     param("cash_in", &L::cash_in_, "rad", range(0, 85, "deg"),
                                            "nearer to the aim it pulls all that the wing gives")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
@@ -46,7 +46,7 @@ class Snapshot final : public Maneuver {
                    param("ahead", &S::ahead_, "s", range(0, 5), "fires so long before it does"),
                    param("max_age", &S::max_age_, "s", range(0, 60),
                          "not at a target that nobody has seen for longer"),
-                   param("clear_cone", &S::clear_cone_, "rad", range(0, 0.5),
+                   param("clear_cone", &S::clear_cone_, "rad", range(0, 30, "deg"),
                          "no friend may be within this angle of the line of fire")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
@@ -95,9 +95,10 @@ class HighYoYo final : public Maneuver {
     return std::tuple_cat(
         Maneuver::params(),
         std::tuple{
-            param("angle", &H::angle_, "rad", range(0, 1.5), "points so far above him"),
+            param("angle", &H::angle_, "rad", range(0, 85, "deg"), "points so far above him"),
             param("closing", &H::closing_, "m/s", range(0, 1000), "slower closing is kept"),
-            param("crossing", &H::crossing_, "rad", range(0, 3.1416), "flatter crossing is kept"),
+            param("crossing", &H::crossing_, "rad", range(0, 180, "deg"),
+                  "flatter crossing is kept"),
             param("within", &H::within_, "m", range(0, 50e3), "of the target")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
@@ -118,13 +119,13 @@ class LowYoYo final : public Maneuver {
   static constexpr std::string_view help = "cuts inside the target's turn, below him";
   static constexpr auto params() {
     using L = LowYoYo;
-    return std::tuple_cat(
-        Maneuver::params(),
-        std::tuple{param("angle", &L::angle_, "rad", range(0, 1.5), "points so far below him"),
-                   param("closing", &L::closing_, "m/s", range(-1000, 1000),
-                         "faster closing needs no help"),
-                   param("off_nose", &L::off_nose_, "rad", range(0, 3.1416),
-                         "nearer to the nose he needs no help")});
+    return std::tuple_cat(Maneuver::params(),
+                          std::tuple{param("angle", &L::angle_, "rad", range(0, 85, "deg"),
+                                           "points so far below him"),
+                                     param("closing", &L::closing_, "m/s", range(-1000, 1000),
+                                           "faster closing needs no help"),
+                                     param("off_nose", &L::off_nose_, "rad", range(0, 180, "deg"),
+                                           "nearer to the nose he needs no help")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 
@@ -160,7 +161,7 @@ class MergeTurn final : public ubf::WithMemory<Maneuver, TurnMemory> {
     return std::tuple_cat(
         Maneuver::params(),
         std::tuple{param("circle", &M::circle_, "one, two or best"),
-                   param("off_nose", &M::off_nose_, "rad", range(0.1, 3.1),
+                   param("off_nose", &M::off_nose_, "rad", range(5, 177, "deg"),
                          "he has been passed when he is farther off the nose"),
                    param("within", &M::within_, "m", range(0, 50e3), "of the target")});
   }
@@ -218,7 +219,7 @@ class Jink final : public ubf::WithMemory<Maneuver, JinkMemory> {
     return std::tuple_cat(
         Maneuver::params(),
         std::tuple{param("within", &J::within_, "m", range(0, 10e3), "reach of his gun"),
-                   param("cone", &J::cone_, "rad", range(0, 1.5), "his nose is this near"),
+                   param("cone", &J::cone_, "rad", range(0, 85, "deg"), "his nose is this near"),
                    param("period", &J::period_, "s", range(0.1, 20), "of one pull")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
@@ -236,9 +237,9 @@ class Extend final : public Maneuver {
   static constexpr std::string_view type_name = "extend";
   static constexpr std::string_view help = "unloads and runs straight away from the target";
   static constexpr auto params() {
-    return std::tuple_cat(
-        Maneuver::params(),
-        std::tuple{param("dive", &Extend::dive_, "rad", range(0, 1.5), "below the horizontal")});
+    return std::tuple_cat(Maneuver::params(),
+                          std::tuple{param("dive", &Extend::dive_, "rad", range(0, 85, "deg"),
+                                           "below the horizontal")});
   }
   Status tick(const Tick& t, Proposal& out) const override;
 

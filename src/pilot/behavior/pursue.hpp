@@ -45,11 +45,11 @@ class Pursue final : public Maneuver {
                   "mode follow: place behind the target"),
             param("gun_range", &P::gun_range_, "m", range(0, 10e3),
                   "mode lead: nearer than this it aims the gun"),
-            param("dead_band", &P::dead_band_, "rad", range(0, 0.5),
+            param("dead_band", &P::dead_band_, "rad", range(0, 30, "deg"),
                   "beyond level_range: smaller changes of heading are not flown"),
             param("far_load_factor", &P::far_load_factor_, range(1, 12),
                   "g, the most it turns with beyond level_range"),
-            param("crank", &P::crank_, "rad", range(0, 1.5),
+            param("crank", &P::crank_, "rad", range(0, 85, "deg"),
                   "angle off the nose at which the target is kept while an own missile flies; 0: "
                   "none"),
             param("separation", &P::separation_, "m", range(0, 5e3),

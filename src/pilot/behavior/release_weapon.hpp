@@ -50,7 +50,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
         param("least_f_pole", &R::least_f_pole_, "m", range(0, 100e3),
               "beyond the no-escape range: no shot if the target will be nearer when the missile "
               "arrives, should both keep their course"),
-        param("off_boresight", &R::off_boresight_, "rad", range(0, 3.2),
+        param("off_boresight", &R::off_boresight_, "rad", range(0, 180, "deg"),
               "largest angle between nose and target"),
         param("ripple", &R::ripple_, range(1, Agent::kShots),
               "own missiles on their way to one target before it looks what they did; 1: "
@@ -72,7 +72,7 @@ class ReleaseWeapon final : public ubf::WithMemory<Behavior, HoldMemory> {
         param("max_error", &R::max_error_, "m", range(0, 100e3),
               "missiles that lock on after launch: no shot at a track that is worse than this, one "
               "standard deviation"),
-        param("clear_cone", &R::clear_cone_, "rad", range(0, 0.5),
+        param("clear_cone", &R::clear_cone_, "rad", range(0, 30, "deg"),
               "no friend may be within this angle of the line from the missile to the target, from "
               "where its seeker is switched on; at least half of its field of view"),
         param("clear_turn", &R::clear_turn_, range(0, 9),

@@ -61,7 +61,7 @@ class Egress final : public Behavior {
               "flight does not have: goes directly"),
         param("speed", &Egress::speed_, "m/s", range(50, 1000), "true airspeed to fly"),
         param("altitude", &Egress::altitude_, "m", range(0, 25e3), "altitude of the way home"),
-        param("descent", &Egress::descent_, "rad", range(0.005, 0.7),
+        param("descent", &Egress::descent_, "rad", range(0.25, 40, "deg"),
               "slope of the way down, below the horizontal"),
         param("landing_altitude", &Egress::landing_altitude_, "m", range(0, 10e3),
               "altitude over home at which it is low enough to land"),
