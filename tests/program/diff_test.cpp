@@ -23,9 +23,8 @@ TEST(DiffProgram, WritesValuesOfEventsInTheUnitsAskedFor) {
     const std::string words = run_program(folder, {"diff", "7", "13", "--units", units}).out;
     return words.substr(words.find("\nevent "));
   };
-  EXPECT_TRUE(
-      has(event("us"), R"( range \S+ (nmi|ft); and [^;]+ range \S+ (nmi|ft) in the other)"));
-  EXPECT_TRUE(has(event("metric"), R"( range \S+ k?m; and [^;]+ range \S+ k?m in the other)"));
+  EXPECT_TRUE(has(event("us"), R"( range \S+ (nmi|ft); and [^;]+ range \S+ \1 in the other)"));
+  EXPECT_TRUE(has(event("metric"), R"( range \S+ (k?m); and [^;]+ range \S+ \1 in the other)"));
 }
 
 }  // namespace
