@@ -77,6 +77,20 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
 
 namespace {
 
+template <class Visit>
+void each_value(Decision& d, Visit visit) {
+  for (Answer& answer : d.nodes)
+    std::for_each(answer.action.begin(), answer.action.end(), visit);
+  for (Won& won : d.action) {
+    visit(won.value);
+    for (Rival& rival : won.rivals)
+      visit(rival.value);
+  }
+  std::for_each(d.state.begin(), d.state.end(), visit);
+  for (Perceived& one : d.perceived)
+    std::for_each(one.values.begin(), one.values.end(), visit);
+}
+
 /// "#3 (bogey1)": as the agent knows it, and who it really was.
 std::string debrief_name(const Perceived& one, const scenario::Scenario& scenario,
                          const sim::World& world) {
@@ -97,10 +111,8 @@ void put_names(std::string& text, const Decision& decision, const scenario::Scen
     return;
   for (const Perceived& one : decision.perceived)
     if ((one.kind == "target" || one.kind == "track") &&
-        std::string_view(text).substr(number + 1) == std::to_string(one.number)) {
+        std::string_view(text).substr(number + 1) == std::to_string(one.number))
       text.replace(number, std::string::npos, one.name);
-      return;
-    }
 }
 
 std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
@@ -113,14 +125,10 @@ std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::W
       decision = m.decision(*(other ? *other : scenario).fleet_of(who).agents);
       for (Perceived& one : decision->perceived)
         one.name = debrief_name(one, scenario, before);
-      const auto name = [&](Value& value) { put_names(value.text, *decision, scenario); };
-      for (Answer& answer : decision->nodes)
-        std::for_each(answer.action.begin(), answer.action.end(), name);
-      for (Won& won : decision->action) {
-        name(won.value);
-        for (Rival& rival : won.rivals)
-          name(rival.value);
-      }
+      each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });
+      for (Changed& field : decision->overruled)
+        for (std::string* text : {&field.flown, &field.other})
+          put_names(*text, *decision, scenario);
     });
   return decision;
 }
@@ -134,32 +142,19 @@ constexpr std::size_t kWidth = 100;
 /// With every text in it fit for a terminal: labels and names come from files and plug-ins.
 Decision printable_copy(Decision d) {
   const auto make = [](std::string& text) { text = printable(text); };
-  const auto make_value = [&](Value& value) {
-    for (std::string* text : {&value.name, &value.unit, &value.text})
-      make(*text);
-  };
-  const auto make_values = [&](std::vector<Value>& values) {
-    for (Value& value : values)
-      make_value(value);
-  };
   make(d.tree);
-  for (Answer& answer : d.nodes) {
+  for (Answer& answer : d.nodes)
     for (std::string* text :
          {&answer.label, &answer.type, &answer.path, &answer.document, &answer.why})
       make(*text);
-    make_values(answer.action);
-  }
-  for (Won& won : d.action) {
-    make_value(won.value);
-    for (Rival& rival : won.rivals)
-      make_value(rival.value);
-  }
-  make_values(d.state);
   for (Perceived& one : d.perceived) {
     make(one.kind);
     make(one.name);
-    make_values(one.values);
   }
+  each_value(d, [&](Value& value) {
+    for (std::string* text : {&value.name, &value.unit, &value.text})
+      make(*text);
+  });
   return d;
 }
 
