@@ -183,7 +183,7 @@ TEST(ParamText, SaysWhatAFileMayWrite) {
             "free | angle |  | 30°\n"
             "count | whole number | 1 to 255 | 1\n"
             "seed | whole number | at least 0 | 1\n"
-            "maybe | time | at least 0 s | null\n"
+            "maybe | time | at least 0 | null\n"
             "three | list of 3 lengths |  | [0 m, 0 m, 0 m]\n"
             "inner | list of 1 to 4 maps |  | []\n"
             "inner[].store | text |  | required\n"

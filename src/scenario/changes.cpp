@@ -183,11 +183,16 @@ class Changer {
       change.passed.push_back(list = children);
     if (!list)
       return;
-    if (!list->is_list())
-      return error(last.where,
-                   fmt::format("{} is there already ({}), and no list; 'replace' puts something "
-                               "else in its place",
-                               quote(last.text), list->where.text()));
+    if (!list->is_list()) {
+      const bool maps = list->is_map() && change.value.is_map() && !change.value.entries.empty();
+      return error(
+          last.where,
+          fmt::format("{} is there already ({}), and no list; {}", quote(last.text),
+                      list->where.text(),
+                      maps ? fmt::format("'insert' each new key by its own path, which ends in {}",
+                                         quote(last.text + "." + change.value.entries[0].key))
+                           : "'replace' puts something else in its place"));
+    }
     change.in = list;
     change.at = list->items.size() + 1;
     keep(std::move(change), nullptr);

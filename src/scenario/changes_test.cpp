@@ -204,6 +204,9 @@ TEST(Changes, SayWhatIsWrongWithTheirPaths) {
            Case{"insert: {seed: 2}",
                 "2:10: 'seed' is there already (scenarios/base.yaml:2:7), and no list; 'replace' "
                 "puts something else in its place"},
+           Case{"insert: {trees: {mine: navigate}}",
+                "2:10: 'trees' is there already (scenarios/base.yaml:5:3), and no list; 'insert' "
+                "each new key by its own path, which ends in 'trees.mine'"},
            Case{"insert: {after seed: 2}",
                 "2:16: 'after' is for items of lists; in a map the order does not count"},
            Case{"insert: {seed.deep: 2}", "2:15: there is no 'deep' here, only '1'"},
