@@ -129,7 +129,7 @@ int debrief_page(const DebriefOptions& options);
 [[nodiscard]] std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed);
 
 struct ServeOptions {
-  std::vector<std::string> what;  ///< one run or two, or a scenario
+  std::vector<std::string> what;  ///< one run or two, or a scenario; empty: the home page
   std::uint16_t port = 8042;
   std::string address = "127.0.0.1";
   std::vector<std::string> plugins;  ///< of the runs

@@ -177,13 +177,15 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
 
 void add_serve(CLI::App& app, Chosen& chosen) {
   CLI::App* served = app.add_subcommand(
-      "serve", "A mission that browsers look at and steer while it is flown, or the debrief page");
+      "serve",
+      "A mission, or the debrief page of a run, for browsers, which also choose and steer it");
   ServeOptions& o = options_of(served, serve, chosen);
   served
-      ->add_option("what", o.what,
-                   "a scenario, as for fly; or a run folder or its run file, or two of them")
-      ->required()
-      ->expected(1, 2);
+      ->add_option(
+          "what", o.what,
+          "a scenario, as for fly; or a run folder or its run file, or two of them (default: "
+          "the home page, to choose from)")
+      ->expected(0, 2);
   served->add_option("--port", o.port, "0: any that is free")
       ->check(whole_number(0, 65'535))
       ->capture_default_str();

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-/// \file  serve: a mission while it is flown, or the debrief page of a recorded run, for browsers,
-/// also those of other machines.
+/// \file  serve: the home page, a mission while it is flown, or the debrief page of a recorded run,
+/// for browsers, also those of other machines.
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <random>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "command.hpp"
 #include "commands.hpp"
 #include "disk/file_system.hpp"
 #include "flight.hpp"
+#include "home.hpp"
 #include "live/exercise.hpp"
 #include "locate.hpp"
 #include "net/web_host.hpp"
@@ -33,28 +36,38 @@ std::string name_of_this_machine() {
   return name;
 }
 
-/// A host of one page.
-net::WebOptions site(const ServeOptions& options, std::string page) {
-  net::WebOptions web{.at = {.address = options.address, .port = options.port}};
-  if (!web.at.loopback())
-    web.token = new_token();
+/// Where this program is reached, as long as it runs.
+struct Place {
+  explicit Place(const ServeOptions& options)
+      : at{.address = options.address, .port = options.port},
+        token(at.loopback() ? "" : new_token()) {}
+  net::Endpoint at;
+  std::string token;
+  bool told = false;
+};
+
+net::WebOptions site(const Place& place, std::string page) {
+  net::WebOptions web{.at = place.at, .token = place.token};
   web.pages["/"] = {"text/html; charset=utf-8", std::move(page)};
   return web;
 }
 
-/// Makes what listens there and says how to reach it.
+/// Makes what listens there, and says once how to reach it.
 template <class Make>
-auto listening(const net::WebOptions& web, Make make) {
+auto listening(Place& place, Make make) {
   try {
     auto made = make();
-    net::Endpoint shown = made->host().at();
+    place.at = made->host().at();
+    if (std::exchange(place.told, true))
+      return made;
+    net::Endpoint shown = place.at;
     if (shown.address == "0.0.0.0" || shown.address == "::")
       shown.address = name_of_this_machine();
     complain("eyrie: http://{}/{}{} shows it until ^C\n", shown.text(),
-             web.token.empty() ? "" : "?token=", web.token);
+             place.token.empty() ? "" : "?token=", place.token);
     return made;
   } catch (const std::system_error& error) {
-    refuse("cannot listen at {}: {}", web.at.text(), disk::words_of(error.code().value()));
+    refuse("cannot listen at {}: {}", place.at.text(), disk::words_of(error.code().value()));
   }
 }
 
@@ -81,42 +94,86 @@ int serve_runs(const ServeOptions& options) {
            quote_path(options.what.front()));
   const auto runs = open_runs(options.what, options.plugins);
   listen_for_interrupts();
-  const net::WebOptions web = site(options, debrief_text(runs, false));
-  const auto pages = listening(web, [&] { return std::make_unique<Pages>(web); });
+  Place place(options);
+  const net::WebOptions web = site(place, debrief_text(runs, false));
+  const auto pages = listening(place, [&] { return std::make_unique<Pages>(web); });
   while (!interrupted())
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   tell(pages->host().counts(), false);
   return 0;
 }
 
-int serve_mission(const ServeOptions& options) {
-  const auto scenario = load_scenario(options.what.front(), options.flight.sets, {}, {});
-  if (!scenario->plugins.empty())
-    refuse("eyrie: {} uses plug-ins, which browsers cannot: 'eyrie fly' flies it",
-           quote_path(options.what.front()));
-  listen_for_interrupts();
-  Flight flight(options.flight, scenario);
-  const net::WebOptions web = site(options, live_text(*scenario, flight.seed()));
-  const auto exercise = listening(web, [&] {
+/// Until ^C, or, if it was chosen there, until somebody asks for the home page after its end.
+int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& asked,
+                  const std::shared_ptr<const scenario::Scenario>& scenario, bool from_home) {
+  Flight flight(asked, scenario);
+  std::atomic<bool> over = false, leave = false;
+  net::WebOptions web = site(place, live_text(*scenario, flight.seed()));
+  if (from_home)
+    web.made = [&](std::string_view target) -> std::optional<net::WebPage> {
+      if (target != "/home" || !over)
+        return {};
+      leave = true;
+      return net::WebPage{"text/html", "<meta http-equiv=\"refresh\" content=\"1; url=/\">"};
+    };
+  const auto exercise = listening(place, [&] {
     return std::make_unique<live::Exercise>(
         flight.mission(), record::run_file_of(*scenario, flight.seed(), version_text()), web,
-        live::ExerciseOptions{.rate = options.flight.real_time.value_or(1),
-                              .paused = options.paused});
+        live::ExerciseOptions{.rate = asked.real_time.value_or(1), .paused = options.paused});
   });
   const int code = flight.fly([&] {
     exercise->fly([&] { return interrupted() || flight.broken(); });
     flight.timing().pacing = exercise->pacing();
   });
-  exercise->stay(interrupted);
+  over = true;
+  exercise->stay([&] { return interrupted() || leave; });
+  if (leave)
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the answer is on its way
   tell(exercise->host().counts(), true);
   return code;
+}
+
+int serve_scenario(const ServeOptions& options) {
+  const std::string& name = options.what.front();
+  const auto scenario = load_scenario(name, options.flight.sets, {}, {});
+  if (!scenario->plugins.empty())
+    refuse("eyrie: {} uses plug-ins, which browsers cannot: 'eyrie fly' flies it",
+           quote_path(name));
+  listen_for_interrupts();
+  Place place(options);
+  return serve_mission(place, options, options.flight, scenario, false);
+}
+
+/// The home page, and what is chosen there, one after the other.
+int serve_home(const ServeOptions& options) {
+  if (options.flight.seed || !options.flight.sets.empty())
+    refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
+  listen_for_interrupts();
+  Place place(options);
+  Home home;
+  for (int code = 0;;) {
+    net::WebOptions web = site(place, "");
+    home.furnish(web);
+    std::optional<Choice> chosen;
+    {
+      const auto pages = listening(place, [&] { return std::make_unique<Pages>(web); });
+      chosen = home.ask(pages->web);
+    }
+    if (!chosen)
+      return code;
+    FlyOptions flight = options.flight;
+    flight.seed = chosen->seed;
+    code = serve_mission(place, options, flight, chosen->scenario, true);
+  }
 }
 
 }  // namespace
 
 int serve(const ServeOptions& options) {
+  if (options.what.empty())
+    return serve_home(options);
   return options.what.size() > 1 || is_run(options.what.front()) ? serve_runs(options)
-                                                                 : serve_mission(options);
+                                                                 : serve_scenario(options);
 }
 
 }  // namespace eyrie::app

@@ -244,7 +244,7 @@ void Exercise::tell(Clock::time_point now) {
     hashed_ = now;
   }
   host_.send(news.dump());
-  if (!paused_ && !over_ && rate_ > 0 && now - paced_ >= kSeldom) {
+  if (!paused_ && !over_ && rate_ > 0 && pacing_.frames() > 0 && now - paced_ >= kSeldom) {
     tell_pacing();
     paced_ = now;
   }

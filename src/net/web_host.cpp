@@ -87,7 +87,7 @@ struct Visitor : Guest {
   beast::flat_buffer in{kLongestHead};
   Request request;
   Response response;
-  std::string said;  ///< the body of a response that is no page
+  std::shared_ptr<const WebPage> page;
   Text greeting;
   double allowance = 0;  ///< messages
   Clock::time_point talked{};
@@ -143,11 +143,14 @@ struct WebHost::Network {
       return join(visitor);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
       return say(visitor, http::status::method_not_allowed, "only GET and HEAD");
-    const auto page = options.pages.find(path);
-    if (page == options.pages.end())
+    if (const auto page = options.pages.find(path); page != options.pages.end())
+      visitor->page = {std::shared_ptr<void>(), &page->second};
+    else if (auto made = options.made ? options.made(target) : std::nullopt)
+      visitor->page = std::make_shared<WebPage>(std::move(*made));
+    if (!visitor->page)
       return say(visitor, http::status::not_found, "there is no such page");
     ++pages;
-    send_page(visitor, http::status::ok, page->second.type, page->second.body);
+    send(visitor, http::status::ok);
   }
 
   /// A page of another site may give its own name this machine's address: it asks by that name.
@@ -173,18 +176,20 @@ struct WebHost::Network {
 
   void say(const VisitorPtr& visitor, http::status status, std::string_view words) {
     guests.refused += status != http::status::see_other;
-    visitor->said = words;
-    send_page(visitor, status, "text/plain; charset=utf-8", visitor->said);
+    visitor->page =
+        std::make_shared<WebPage>(WebPage{"text/plain; charset=utf-8", std::string(words)});
+    send(visitor, status);
   }
 
-  void send_page(const VisitorPtr& visitor, http::status status, const std::string& type,
-                 const std::string& body) {
+  /// His page.
+  void send(const VisitorPtr& visitor, http::status status) {
+    const std::string& body = visitor->page->body;
     visitor->state = Visitor::State::answered;
     Visitor::Response& response = visitor->response;
     response.result(status);
     response.version(11);
     response.keep_alive(false);
-    response.set(http::field::content_type, type);
+    response.set(http::field::content_type, visitor->page->type);
     response.set(http::field::cache_control, "no-store");
     response.set("Referrer-Policy", "no-referrer");
     response.set("Content-Security-Policy", "frame-ancestors 'none'; connect-src 'self'");

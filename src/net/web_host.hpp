@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,11 +36,13 @@ struct WebOptions {
   /// is asked by the names of this machine alone.
   std::string token;
   std::map<std::string, WebPage, std::less<>> pages;  ///< by their path, such as "/"
-  std::size_t connections = 64;                       ///< at a time
-  Channel channel;                                    ///< none: a viewer who talks is shown out
-  std::size_t message = 4096;                         ///< bytes, the longest that a viewer may send
-  double messages = 60;                               ///< that he may send in a second, and at once
-  std::size_t waiting = 8 << 20;                      ///< bytes, for one viewer
+  /// Another page, made when it is asked for, by the thread of the network; nothing: there is none.
+  std::function<std::optional<WebPage>(std::string_view target)> made;
+  std::size_t connections = 64;                ///< at a time
+  Channel channel;                             ///< none: a viewer who talks is shown out
+  std::size_t message = 4096;                  ///< bytes, the longest that a viewer may send
+  double messages = 60;                        ///< that he may send in a second, and at once
+  std::size_t waiting = 8 << 20;               ///< bytes, for one viewer
   std::chrono::milliseconds patience{10'000};  ///< for a request; six times as long to take a page
 };
 

@@ -130,6 +130,18 @@ TEST(WebHost, AsksForItsToken) {
   EXPECT_EQ(first_line(viewer.read_to("\r\n\r\n")), "HTTP/1.1 101 Switching Protocols");
 }
 
+TEST(WebHost, MakesPagesThatAreAskedFor) {
+  Site site({.made = [](std::string_view target) -> std::optional<WebPage> {
+    if (!target.starts_with("/made"))
+      return {};
+    return WebPage{"text/plain", "of " + std::string(target)};
+  }});
+  EXPECT_TRUE(site.ask("GET /").ends_with("<p>hello"));
+  EXPECT_TRUE(site.ask("GET /made?x=1").ends_with("\r\n\r\nof /made?x=1"));
+  EXPECT_EQ(first_line(site.ask("GET /else")), "HTTP/1.1 404 Not Found");
+  EXPECT_EQ(site.host.counts().pages, 2u);
+}
+
 /// What viewers did, as the thread of the network tells it.
 struct Heard {
   std::mutex mutex;

@@ -7,8 +7,7 @@
 #include <regex>
 
 #include "support/live_viewer.hpp"
-#include "support/program.hpp"
-#include "support/soon.hpp"
+#include "support/served.hpp"
 
 namespace eyrie::test {
 namespace {
@@ -16,24 +15,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// A mission that is served.
-struct Mission {
-  TempFolder folder;
-  std::optional<Running> server;
-  std::uint16_t port = 0;
-  std::string address;  ///< as it was printed
+struct Mission : Served {
+  using Served::Served;
 
-  explicit Mission(std::vector<std::string> words) {
-    words.insert(words.begin(), "serve");
-    words.insert(words.end(), {"--port", "0"});
-    server.emplace(folder, words);
-    std::smatch found;
-    static const std::regex kAt(R"((http://[^ ]*:(\d+)/[^ ]*) shows it)");
-    std::string said;
-    if (!soon([&] { return std::regex_search(said = server->err(), found, kAt); }))
-      throw std::runtime_error("says no address: " + said);
-    address = found[1];
-    port = static_cast<std::uint16_t>(std::stoi(found[2]));
-  }
   /// The run that it left flies again, on so many workers, to that hash.
   void expect_replay(const sim::World& world, const char* workers) const {
     const Ran again = run_program(folder, {"replay", "runs/latest", "--workers", workers});
@@ -107,6 +91,34 @@ TEST(Live, SeveralFlyAlongAndSteerAndTheRunIsReplayed) {
   mission.expect_replay(first.world(), "3");
 }
 
+TEST(Live, HandsBackWhatSomebodyFlewWhoLeaves) {
+  Mission mission({"sweep", "--paused"});
+  const Json take_over{{"do", "order"},  {"order", "manual"}, {"player", "eagle1"},
+                       {"heading", 1.5}, {"altitude", 7000},  {"speed", 250}};
+  LiveViewer stays(mission.port);
+  {
+    LiveViewer goes(mission.port);
+    goes.say(take_over);
+    goes.say({{"do", "step"}, {"steps", 50}});
+    goes.follow_to(50);
+    stays.say(take_over);
+    EXPECT_EQ(stays.follow(refused)["refused"], "eagle1 is flown by somebody else");
+    EXPECT_EQ(stays.orders(), 1u);
+  }
+  stays.follow([](const Json& j) { return j.value("viewers", 0) == 1; });
+  stays.say({{"do", "step"}, {"steps", 50}});
+  stays.follow_to(100);
+  EXPECT_EQ(stays.orders(), 2u) << "handed back";
+  stays.say(take_over);
+  stays.say({{"do", "step"}, {"steps", 50}});
+  stays.follow_to(150);
+  EXPECT_EQ(stays.orders(), 3u);
+  mission.server->kill(SIGINT);
+  stays.follow_to_the_end();
+  static_cast<void>(mission.server->wait());
+  mission.expect_replay(stays.world(), "2");
+}
+
 TEST(Live, IsRecordedWhenItIsEndedEarly) {
   Mission mission({"merge", "--rate", "100"});
   LiveViewer viewer(mission.port);
@@ -120,9 +132,7 @@ TEST(Live, IsRecordedWhenItIsEndedEarly) {
 
 TEST(Live, GivesItsPage) {
   Mission mission({"merge", "--paused"});
-  TcpClient client(mission.port);
-  client.send(fmt::format("GET / HTTP/1.1\r\nHost: localhost:{}\r\n\r\n", mission.port));
-  const std::string page = client.read_all();
+  const std::string page = mission.ask("/");
   EXPECT_NE(page.find("connect-src 'self'\r\n"), page.npos);
   EXPECT_NE(page.find("application/x-eyrie-live"), page.npos);
   EXPECT_EQ(page.find("application/x-eyrie-run"), page.npos);

@@ -3,47 +3,24 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <regex>
 
-#include "support/program.hpp"
-#include "support/soon.hpp"
-#include "support/tcp_client.hpp"
+#include "support/served.hpp"
 
 namespace eyrie::test {
 namespace {
 
 /// A run that is served.
-struct Served {
-  TempFolder folder;
-  std::optional<Running> server;
-  std::uint16_t port = 0;
-  std::string address;  ///< as it was printed
-
-  explicit Served(std::vector<std::string> more = {}) {
-    const Ran flown = run_program(folder, {"fly", "merge", "--until", "10 s", "--out", "run"});
-    if (flown.code != 0)
-      throw std::runtime_error(flown.err);
-    std::vector<std::string> words{"serve", "run", "--port", "0"};
-    words.insert(words.end(), more.begin(), more.end());
-    server.emplace(folder, words);
-    std::smatch found;
-    static const std::regex kAt(R"((http://[^ ]*:(\d+)/[^ ]*) shows it)");
-    std::string said;
-    if (!soon([&] { return std::regex_search(said = server->err(), found, kAt); }))
-      throw std::runtime_error("says no address: " + said);
-    address = found[1];
-    port = static_cast<std::uint16_t>(std::stoi(found[2]));
-  }
-  [[nodiscard]] std::string ask(const std::string& path) const {
-    TcpClient client(port);
-    client.send("GET " + path + " HTTP/1.1\r\nHost: localhost:" + std::to_string(port) +
-                "\r\n\r\n");
-    return client.read_all();
+struct ServedRun : Served {
+  explicit ServedRun(std::vector<std::string> more = {})
+      : Served(with_run(std::move(more)), {"fly", "merge", "--until", "10 s", "--out", "run"}) {}
+  static std::vector<std::string> with_run(std::vector<std::string> words) {
+    words.insert(words.begin(), "run");
+    return words;
   }
 };
 
 TEST(Serve, GivesTheDebriefPageUntilItIsEnded) {
-  Served site;
+  ServedRun site;
   EXPECT_EQ(site.address, "http://127.0.0.1:" + std::to_string(site.port) + "/");
   const std::string answer = site.ask("/");
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\n")) << answer.substr(0, 200);
@@ -56,18 +33,18 @@ TEST(Serve, GivesTheDebriefPageUntilItIsEnded) {
 }
 
 TEST(Serve, AsksOthersForAToken) {
-  Served site({"--address", "0.0.0.0"});
+  ServedRun site({"--address", "0.0.0.0"});
   const std::size_t token = site.address.find("?token=");
   ASSERT_NE(token, std::string::npos) << site.address;
   EXPECT_EQ(site.address.size() - token, 7u + 32);
   EXPECT_TRUE(site.ask("/").starts_with("HTTP/1.1 403 "));
   EXPECT_TRUE(site.ask("/" + site.address.substr(token)).starts_with("HTTP/1.1 303 "));
-  Served other({"--address", "0.0.0.0"});
+  ServedRun other({"--address", "0.0.0.0"});
   EXPECT_TRUE(other.ask("/" + site.address.substr(token)).starts_with("HTTP/1.1 403 "));
 }
 
 TEST(Serve, SaysWhatIsWrong) {
-  Served site;
+  ServedRun site;
   const std::string port = std::to_string(site.port);
   const Ran taken = run_program(site.folder, {"serve", "run", "--port", port});
   EXPECT_EQ(taken.code, 2);

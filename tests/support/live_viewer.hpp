@@ -39,19 +39,52 @@ namespace eyrie::test {
   return client;
 }
 
+/// The messages of a mission.
+class LiveChannel {
+ public:
+  using Json = nlohmann::json;
+  struct Message {
+    bool binary = false;
+    std::string data;
+  };
+
+  explicit LiveChannel(std::uint16_t port) : client_(join_live(port)) {
+    if (!client_.read_to("\r\n\r\n").starts_with("HTTP/1.1 101 "))
+      throw std::runtime_error("was not let in");
+  }
+  void say(const Json& message) { client_.send(ws_frame(message.dump())); }
+  [[nodiscard]] Message next() {
+    const std::uint64_t opcode = number(1);
+    std::uint64_t size = number(1);
+    if (size >= 126)
+      size = number(size == 126 ? 2 : 8);
+    std::string data = client_.read(size);
+    if (data.size() < size || opcode == 0x88)
+      throw std::runtime_error("was shown out: " + data);
+    return {opcode == 0x82, std::move(data)};
+  }
+
+ private:
+  std::uint64_t number(std::size_t size) {
+    std::uint64_t value = 0;
+    for (const char byte : client_.read(size))
+      value = value << 8 | static_cast<unsigned char>(byte);
+    return value;
+  }
+  TcpClient client_;
+};
+
 class LiveViewer {
  public:
   using Json = nlohmann::json;
 
   /// Joins, and flies what has been flown.
-  explicit LiveViewer(std::uint16_t port) : client_(join_live(port)) {
-    if (!client_.read_to("\r\n\r\n").starts_with("HTTP/1.1 101 "))
-      throw std::runtime_error("was not let in");
+  explicit LiveViewer(std::uint16_t port) : channel_(port) {
     while (!run_)
       next();
   }
 
-  void say(const Json& message) { client_.send(ws_frame(message.dump())); }
+  void say(const Json& message) { channel_.say(message); }
   /// Flies along up to a message of which that is true, and gives it.
   Json follow(const std::function<bool(const Json&)>& enough) {
     for (;;)
@@ -70,28 +103,13 @@ class LiveViewer {
   [[nodiscard]] std::size_t orders() const { return run_->orders().size(); }
   /// That were compared, besides those of the run file.
   [[nodiscard]] std::size_t hashes() const { return hashes_; }
-  [[nodiscard]] std::size_t first_bytes() const { return first_bytes_; }
-  [[nodiscard]] std::size_t bytes() const { return bytes_; }  ///< after the first message
 
  private:
   Json next() {
-    const auto number = [&](std::size_t size) {
-      std::uint64_t value = 0;
-      for (const char byte : client_.read(size))
-        value = value << 8 | static_cast<unsigned char>(byte);
-      return value;
-    };
-    const std::uint64_t opcode = number(1);
-    std::uint64_t size = number(1);
-    if (size >= 126)
-      size = number(size == 126 ? 2 : 8);
-    const std::string data = client_.read(size);
-    if (data.size() < size || opcode == 0x88)
-      throw std::runtime_error("was shown out: " + data);
-    if (opcode == 0x82)
-      return take(data);
-    bytes_ += data.size();
-    Json message = Json::parse(data);
+    const LiveChannel::Message got = channel_.next();
+    if (got.binary)
+      return take(got.data);
+    Json message = Json::parse(got.data);
     if (message.contains("step") && run_)
       fly(message);
     return message;
@@ -100,7 +118,6 @@ class LiveViewer {
   Json take(const std::string& bytes) {
     if (run_)
       throw std::runtime_error("a second run file");
-    first_bytes_ = bytes.size();
     record::Decoded decoded = record::decode(bytes);
     if (!decoded.error.empty())
       throw std::runtime_error(decoded.error);
@@ -159,11 +176,11 @@ class LiveViewer {
     return bytes;
   }
 
-  TcpClient client_;
+  LiveChannel channel_;
   debrief::Recorded recorded_;
   std::optional<sim::Run> run_;
   std::optional<sim::TrailChecker> checker_;
-  std::size_t hashes_ = 0, first_bytes_ = 0, bytes_ = 0;
+  std::size_t hashes_ = 0;
 };
 
 }  // namespace eyrie::test

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "home.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "command.hpp"
+#include "core/text.hpp"
+#include "disk/file_system.hpp"
+#include "home_page.hpp"
+#include "locate.hpp"
+#include "record/run_file.hpp"
+#include "say.hpp"
+
+namespace eyrie::app {
+namespace {
+namespace fs = std::filesystem;
+
+using Object = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRuns = 20;
+constexpr const char* kJson = "application/json; charset=utf-8";
+constexpr const char* kHtml = "text/html; charset=utf-8";
+
+std::vector<std::string> scenario_names() {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(home()) / "scenarios", ignored))
+    if (entry.path().extension() == ".yaml")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// With who begins where, for a small picture: east, north (m) and side of each player.
+Object about(const std::string& name) {
+  Object one{{"name", name}, {"help", ""}, {"players", Object::array()}};
+  try {
+    const auto scenario = load_scenario(name, {}, {}, {});
+    one["help"] = scenario->spec.help_text;
+    one["seed"] = std::to_string(scenario->spec.seed);
+    scenario->each_player(*scenario->start, [&](const auto& fleet, PlayerId id, std::size_t row) {
+      const Vec3 at = fleet.motion(*scenario->start, row).position;
+      const auto side = scenario->roster.find(id)->side;
+      one["players"].push_back(
+          {std::nearbyint(at.y), std::nearbyint(at.x), std::string(scenario::side_name(side))});
+    });
+  } catch (const std::exception& error) {
+    one["help"] = words_for(error);
+  }
+  return one;
+}
+
+/// A name that stands for itself in an address.
+bool is_plain(const std::string& name) {
+  return !name.empty() && !name.starts_with('.') &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+         });
+}
+
+/// Those in runs/, the last ones first.
+std::vector<std::string> run_names() {
+  std::vector<std::pair<fs::file_time_type, std::string>> found;
+  std::error_code failed;
+  for (fs::directory_iterator at("runs", failed); at != end(at); at.increment(failed)) {
+    const std::string name = at->path().filename().string();
+    const auto written = fs::last_write_time(at->path() / record::kRunFileName, failed);
+    if (!failed && is_plain(name) && !at->is_symlink())
+      found.emplace_back(written, name);
+  }
+  std::sort(found.rbegin(), found.rend());
+  std::vector<std::string> names;
+  for (auto& [written, name] : found)
+    names.push_back(std::move(name));
+  return names;
+}
+
+Object runs() {
+  Object all = Object::array();
+  for (const std::string& name : run_names()) {
+    if (all.size() == kMostRuns)
+      break;
+    const record::Decoded read = record::read_run_file("runs/" + name + '/' + record::kRunFileName);
+    Object one{{"name", name}, {"problem", read.error}};
+    if (read.error.empty())
+      one = {{"name", name},
+             {"scenario", fs::path(read.run.scenario).stem().string()},
+             {"seed", std::to_string(read.run.seed)},
+             {"sets", read.run.sets},
+             {"outcome", read.run.outcome}};
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::string text_of(const Object& json) {
+  return json.dump(-1, ' ', false, Object::error_handler_t::replace);
+}
+
+/// "/debrief?run=sweep-1&run=merge-8": the page of one run or two of runs/.
+std::optional<net::WebPage> debrief_at(std::string_view target) {
+  constexpr std::string_view kBegin = "/debrief?";
+  if (!target.starts_with(kBegin))
+    return {};
+  std::vector<std::string> asked;
+  for (std::string_view rest = target.substr(kBegin.size()); !rest.empty();) {
+    const std::string word(rest.substr(0, rest.find('&')));
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+    if (!word.starts_with("run=") || !is_plain(word.substr(4)) || asked.size() == 2)
+      return {};
+    asked.push_back("runs/" + word.substr(4));
+  }
+  if (asked.empty())
+    return {};
+  try {
+    return net::WebPage{kHtml, debrief_text(open_runs(asked, {}), false)};
+  } catch (const std::exception& error) {
+    return net::WebPage{"text/plain; charset=utf-8", words_for(error)};
+  }
+}
+
+}  // namespace
+
+void Home::furnish(net::WebOptions& site) {
+  if (names_.empty()) {
+    names_ = scenario_names();
+    Object all = Object::array();
+    for (const std::string& name : names_)
+      all.push_back(about(name));
+    scenarios_ = text_of(all);
+  }
+  site.pages["/"] = {kHtml, kHomePage};
+  site.pages["/api/scenarios"] = {kJson, scenarios_};
+  site.pages["/api/schema"] = {
+      kJson,
+      disk::read_file((fs::path(home()) / "data/eyrie.schema.json").string(), 16 << 20).bytes};
+  site.made = [](std::string_view target) -> std::optional<net::WebPage> {
+    if (target == "/api/runs")
+      return net::WebPage{kJson, text_of(runs())};
+    return debrief_at(target);
+  };
+  site.channel.said = [this](net::ViewerId who, std::string_view text) { return hear(who, text); };
+}
+
+/// {"do": "fly", "scenario": "sweep", "seed": "7", "sets": ["until=10 min"]}
+std::string Home::hear(net::ViewerId who, std::string_view text) {
+  constexpr const char* kWrong = "no wish to fly a scenario";
+  const Object json = Object::parse(text, nullptr, false);
+  if (!json.is_object() || json.value("do", Object()) != "fly")
+    return kWrong;
+  const Object scenario = json.value("scenario", Object()), seed = json.value("seed", Object("")),
+               sets = json.value("sets", Object::array());
+  if (!scenario.is_string() || !seed.is_string() || !sets.is_array())
+    return kWrong;
+  Wish wish{.who = who, .scenario = scenario};
+  for (const Object& set : sets) {
+    if (!set.is_string())
+      return kWrong;
+    wish.sets.push_back(set);
+  }
+  if (const std::string number = seed; !number.empty()) {
+    std::uint64_t value = 0;
+    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (failed != std::errc{} || end != number.data() + number.size())
+      return kWrong;
+    wish.seed = value;
+  }
+  return wishes_.put(std::move(wish)) ? "" : "too many wishes";
+}
+
+std::string Home::problem(const Wish& wish, Choice& chosen) const {
+  if (std::find(names_.begin(), names_.end(), wish.scenario) == names_.end())
+    return "there is no scenario " + quote(wish.scenario);
+  try {
+    chosen = {load_scenario(wish.scenario, wish.sets, {}, {}), wish.seed};
+  } catch (const std::exception& error) {
+    return words_for(error);
+  }
+  return chosen.scenario->plugins.empty() ? "" : "it uses plug-ins, which browsers cannot";
+}
+
+std::optional<Choice> Home::ask(net::WebHost& host) {
+  while (!interrupted()) {
+    for (const Wish& wish : wishes_.take()) {
+      Choice chosen;
+      const std::string words = problem(wish, chosen);
+      host.send(wish.who, text_of(words.empty() ? Object{{"flies", wish.scenario}}
+                                                : Object{{"refused", words}}));
+      if (words.empty()) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // he hears of it
+        return chosen;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return {};
+}
+
+}  // namespace eyrie::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  The home page of `serve`: which scenarios there are, which runs, and what somebody chose.
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands.hpp"
+#include "live/mailbox.hpp"
+#include "net/web_host.hpp"
+
+namespace eyrie::app {
+
+/// What is to be flown.
+struct Choice {
+  std::shared_ptr<const scenario::Scenario> scenario;
+  std::optional<std::uint64_t> seed;
+};
+
+/// Makes a site the home page, with the debrief pages of the runs in runs/.
+class Home {
+ public:
+  /// The thread of the network uses it as long as there is a host of that site.
+  void furnish(net::WebOptions& site);
+  /// Until somebody has chosen a scenario that can be flown; nothing if it was interrupted.
+  [[nodiscard]] std::optional<Choice> ask(net::WebHost& host);
+
+ private:
+  struct Wish {
+    net::ViewerId who = 0;
+    std::string scenario;
+    std::optional<std::uint64_t> seed;
+    std::vector<std::string> sets;
+  };
+  std::string hear(net::ViewerId who, std::string_view text);
+  [[nodiscard]] std::string problem(const Wish& wish, Choice& chosen) const;
+
+  std::vector<std::string> names_;  ///< of the scenarios
+  std::string scenarios_;           ///< what the page is told of them
+  live::Mailbox<Wish> wishes_{16};
+};
+
+}  // namespace eyrie::app
