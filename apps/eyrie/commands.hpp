@@ -21,7 +21,9 @@ struct FlyOptions {
   std::string tacview_password;     ///< file; empty: none
   bool tacview_wait = false;        ///< flies when somebody has joined
   std::string dis;                  ///< where to send packets of DIS; empty: nowhere
-  std::string dis_station, dis_interface;  ///< empty: the usual ones
+  std::string dis_station, dis_interface, dis_threshold;  ///< empty: the usual ones
+  bool dis_obey = false;  ///< starts and stops when another simulation says so
+  std::string ours;       ///< "blue,bogey2": whom we fly; empty: as the scenario says
   bool quiet = false, json = false, force = false;
   bool debrief = true;  ///< writes the page beside the run
   bool watch = false;   ///< flies again whenever a file of the scenario changes

@@ -90,7 +90,7 @@ int Flight::fly(const std::function<void()>& steps) {
   for (sim::Observer* o : std::initializer_list<sim::Observer*>{&tally_, &csv_, &acmi_, &recorder_})
     mission_.run().attach(*o);
   if (others_)
-    mission_.run().attach(others_->announcer);
+    mission_.run().attach(others_->announcer());
   if (!options_.json && !options_.quiet) {
     report_.header(seed_);
     mission_.run().attach(story_);
@@ -122,9 +122,9 @@ int Flight::fly(const std::function<void()>& steps) {
     timing_.tacview = tacview_->counts();
   }
   if (others_) {
-    others_->sender.close();
-    timing_.dis = others_->sender.counts();
-    tell_nameless(others_->announcer);
+    others_->close();
+    timing_.dis = others_->counts();
+    tell_nameless(others_->announcer());
   }
   if (const auto& difference = mission_.run().difference()) {
     complain("eyrie: the step is not deterministic: {}\n", difference->text());

@@ -28,6 +28,14 @@ class Flight {
   /// has found something.
   [[nodiscard]] bool broken() const { return mission_.run().difference() || !run_.error().empty(); }
 
+  /// Before each step: what other programs tell of their players. False while one of them has
+  /// stopped us.
+  [[nodiscard]] bool listen() {
+    if (others_)
+      others_->listen(mission_);
+    return !others_ || !others_->frozen();
+  }
+
   /// `steps` makes the steps, all of them watched; the flight ends with the last one and is kept.
   /// Gives the exit code.
   [[nodiscard]] int fly(const std::function<void()>& steps);

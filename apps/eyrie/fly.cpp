@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <thread>
+
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/units.hpp"
@@ -24,6 +26,8 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
       net::sleep_until(pacing->due(), interrupted);
       begun = Clock::now();
     }
+    while (!flight.listen() && !interrupted())
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     if (!mission.step())
       break;
     if (pacing)
@@ -48,8 +52,10 @@ int fly(const FlyOptions& options, Flown& flown) {
       refuse("--until: {}", time.error);
     until = time.value;
   }
-  const auto scenario =
-      load_scenario(options.scenario, options.sets, options.plugins, options.includes);
+  std::vector<std::string> sets = options.sets;
+  if (!options.ours.empty())
+    sets.push_back(fmt::format("ours=[{}]", options.ours));
+  const auto scenario = load_scenario(options.scenario, sets, options.plugins, options.includes);
   if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
     refuse("--until: {}", *problem);
   for (const auto& [name, text] : scenario->files)

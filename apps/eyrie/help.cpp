@@ -87,6 +87,8 @@ std::string value_of(const CLI::App& app, const CLI::Option& option) {
                                                                    {"dis", "ADDRESS"},
                                                                    {"dis-station", "NUMBERS"},
                                                                    {"dis-interface", "ADDRESS"},
+                                                                   {"dis-threshold", "LIMITS"},
+                                                                   {"ours", "NAMES"},
                                                                    {"altitude", "HEIGHT"},
                                                                    {"speed", "SPEED"},
                                                                    {"units", "UNITS"},

@@ -183,7 +183,9 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
   } catch (const std::exception& error) {
     return words_for(error);
   }
-  return chosen.scenario->plugins.empty() ? "" : "it uses plug-ins, which browsers cannot";
+  return !chosen.scenario->plugins.empty() ? "it uses plug-ins, which browsers cannot"
+         : chosen.scenario->remote         ? "some of its players are another program's"
+                                           : "";
 }
 
 std::optional<Choice> Home::ask(net::WebHost& host) {

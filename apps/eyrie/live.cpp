@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "command.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
 #include "disk/file_system.hpp"
 #include "disk/sink.hpp"
 #include "say.hpp"
@@ -26,7 +28,104 @@ std::string password_in(const std::string& file) {
   return line;
 }
 
+/// s since 1970.
+double seconds_of(std::chrono::system_clock::time_point time) {
+  return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+bool is_shared(const scenario::Scenario& scenario) {
+  return scenario.remote.has_value();
+}
+
+/// "2 m", "5 deg" or both, with a comma between.
+dis::Thresholds thresholds_of(const std::string& text) {
+  dis::Thresholds thresholds;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string one = text.substr(at, end - at);
+    const Parsed length = parse_quantity(one, Dimension::length);
+    const Parsed angle = parse_quantity(one, Dimension::angle);
+    if (length && length.value > 0 && length.value <= 10e3)
+      thresholds.position = length.value;
+    else if (angle && angle.value > 0 && angle.value <= kPi)
+      thresholds.angle = angle.value;
+    else
+      refuse(
+          "--dis-threshold: {} is no distance up to 10 km and no angle up to 180 deg, such as "
+          "'2 m, 5 deg'",
+          quote(one));
+    at = end + 1;
+  }
+  return thresholds;
+}
+
 }  // namespace
+
+Broadcast::Broadcast(const scenario::Scenario& scenario, const net::DatagramOptions& options,
+                     const dis::Station& station, double rate, bool obeys)
+    : station_(station),
+      sender_(options),
+      others_(scenario, station, rate),
+      announcer_(
+          scenario, station, [this](double, const dis::Packet& packet) { send(packet); },
+          is_shared(scenario) ? &others_ : nullptr),
+      obeys_(obeys),
+      timed_(is_shared(scenario) && rate == 1) {
+  if (is_shared(scenario))
+    receiver_.emplace(net::ReceiverOptions{.at = options.to, .interface = options.interface});
+}
+
+void Broadcast::send(const dis::Packet& packet) {
+  if (!timed_)
+    return sender_.send(dis::encode(packet));
+  // others reckon from when it was so, if their clock is that of the world, too
+  dis::Packet stamped = packet;
+  stamped.timestamp =
+      dis::timestamp_at(std::fmod(seconds_of(std::chrono::system_clock::now()), 3600)) | 1;
+  sender_.send(dis::encode(stamped));
+}
+
+void Broadcast::listen(scenario::Mission& mission) {
+  if (!receiver_)
+    return;
+  receiver_->drain([this](std::span<const std::byte> bytes, auto came) {
+    others_.hear(bytes, seconds_of(came));
+  });
+  const double now = seconds_of(std::chrono::system_clock::now());
+  for (const sim::Order& order : others_.orders(mission.run().world(), now))
+    EYRIE_DEMAND(mission.run().submit(order).empty(), "an order for the next step");
+  for (const dis::Others::Asked& asked : others_.asked()) {
+    ++asked_;
+    obeyed_ += obeys_ ? 1 : 0;
+    if (obeys_)
+      frozen_ = asked.stop && !asked.over;
+    if (obeys_ && asked.over)
+      mission.stop();
+    // UID 69 and 70
+    const std::uint16_t kStart = 3, kStop = 4, kAble = 1, kUnable = 2;
+    send({.exercise = station_.exercise,
+          .timestamp = dis::timestamp_at(mission.run().time()),
+          .pdu = dis::Acknowledge{.from = {station_.site, station_.application, 0},
+                                  .to = asked.from,
+                                  .what = asked.stop ? kStop : kStart,
+                                  .response = obeys_ ? kAble : kUnable,
+                                  .request = asked.request}});
+  }
+}
+
+void Broadcast::close() {
+  sender_.close();
+  if (receiver_)
+    receiver_->close();
+}
+
+Broadcast::Counts Broadcast::counts() const {
+  return {.sent = sender_.counts(),
+          .came = receiver_ ? std::optional(receiver_->counts()) : std::nullopt,
+          .heard = others_.counts(),
+          .asked = asked_,
+          .obeyed = obeyed_};
+}
 
 std::unique_ptr<net::TelemetryHost> host_tacview(const FlyOptions& options,
                                                  const std::string& name) {
@@ -49,14 +148,22 @@ std::unique_ptr<net::TelemetryHost> host_tacview(const FlyOptions& options,
 
 std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
                                          const scenario::Scenario& scenario) {
-  if (options.dis.empty())
+  if (options.dis.empty()) {
+    if (is_shared(scenario))
+      complain(
+          "eyrie: some of its players are another program's: without --dis nobody hears of "
+          "them, and they never appear\n");
     return {};
+  }
   const net::Endpoint to = net::endpoint_of(options.dis, kDisStandard).value_or(kDisStandard);
   try {
+    dis::Station station = dis::station_of(options.dis_station).value_or(dis::Station{});
+    station.thresholds = thresholds_of(options.dis_threshold);
     auto made = std::make_unique<Broadcast>(
-        scenario, net::DatagramOptions{.to = to, .interface = options.dis_interface},
-        dis::station_of(options.dis_station).value_or(dis::Station{}));
-    complain("eyrie: tells other simulations by DIS at {}\n", to.text());
+        scenario, net::DatagramOptions{.to = to, .interface = options.dis_interface}, station,
+        options.real_time.value_or(1), options.dis_obey);
+    complain("eyrie: tells other simulations by DIS at {}{}\n", to.text(),
+             is_shared(scenario) ? ", and listens there" : "");
     return made;
   } catch (const std::system_error& error) {
     refuse(

@@ -6,8 +6,10 @@
 
 #include "commands.hpp"
 #include "dis/announcer.hpp"
+#include "net/datagram_receiver.hpp"
 #include "net/datagram_sender.hpp"
 #include "net/telemetry_host.hpp"
+#include "scenario/mission.hpp"
 
 namespace eyrie::app {
 
@@ -24,16 +26,41 @@ void wait_for_tacview(const net::TelemetryHost& host);
 /// Where DIS is sent if nothing else is said.
 inline const net::Endpoint kDisStandard{.address = "127.0.0.1", .port = dis::kPort};
 
-/// Sends packets of a flight as it is flown.
-struct Broadcast {
-  net::DatagramSender sender;
-  dis::Announcer announcer;
-
+/// Sends packets of a flight as it is flown; and, where other programs fly some of its players,
+/// hears theirs.
+class Broadcast {
+ public:
   Broadcast(const scenario::Scenario& scenario, const net::DatagramOptions& options,
-            const dis::Station& station)
-      : sender(options), announcer(scenario, station, [this](double, const dis::Packet& packet) {
-          sender.send(dis::encode(packet));
-        }) {}
+            const dis::Station& station, double rate, bool obeys);
+
+  /// Between two steps: what was heard becomes orders.
+  void listen(scenario::Mission& mission);
+  /// Somebody whom we obey has stopped us, until he says go on.
+  [[nodiscard]] bool frozen() const { return frozen_; }
+  void close();
+
+  struct Counts {
+    net::DatagramSender::Counts sent;
+    std::optional<net::DatagramReceiver::Counts> came;
+    dis::HeardCounts heard;
+    std::uint64_t asked = 0;   ///< starts and stops
+    std::uint64_t obeyed = 0;  ///< of these
+  };
+  /// After close().
+  [[nodiscard]] Counts counts() const;
+  [[nodiscard]] const dis::Announcer& announcer() const { return announcer_; }
+  [[nodiscard]] dis::Announcer& announcer() { return announcer_; }
+
+ private:
+  void send(const dis::Packet& packet);
+
+  dis::Station station_;
+  net::DatagramSender sender_;
+  std::optional<net::DatagramReceiver> receiver_;
+  dis::Others others_;
+  dis::Announcer announcer_;
+  bool obeys_, timed_, frozen_ = false;
+  std::uint64_t asked_ = 0, obeyed_ = 0;
 };
 /// Says where to. Null if the options ask for none; refuses what they ask for and cannot be had.
 [[nodiscard]] std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,

@@ -134,6 +134,54 @@ std::string pacing_text(const net::Pacing& p) {
   return text;
 }
 
+std::string heard_text(const Broadcast::Counts& counts) {
+  const dis::HeardCounts& heard = counts.heard;
+  std::string text = fmt::format(
+      "DIS: {} packets heard of {} entities, {} of whom vanished: {} states, {} shots, {} ends, {} "
+      "emissions\n",
+      counts.came->received, heard.entities, heard.vanished, heard.states, heard.shots, heard.ends,
+      heard.emissions);
+  std::vector<std::string> unused;
+  if (const auto lost = counts.came->dropped + counts.came->too_long)
+    unused.push_back(fmt::format("{} too many or too long", lost));
+  for (std::size_t i = 0; i < heard.unused.size(); ++i)
+    if (heard.unused[i])
+      unused.push_back(
+          fmt::format("{} {}", heard.unused[i], dis::words_of(static_cast<dis::Unused>(i))));
+  if (!unused.empty())
+    text += fmt::format("     not used: {}\n", fmt::join(unused, ", "));
+  if (heard.latency.count)
+    text += fmt::format("     on their way {:.1f} ms, {:.1f} ms at most\n",
+                        1e3 * heard.latency.mean(), 1e3 * heard.latency.max);
+  text += fmt::format("     dead reckoning was off by {:.2f} m, {:.1f} m at most\n",
+                      heard.error.mean(), heard.error.max);
+  if (counts.asked)
+    text += fmt::format("     {} of {} orders to start or stop obeyed{}\n", counts.obeyed,
+                        counts.asked, counts.obeyed ? "" : ": --dis-obey does");
+  return text;
+}
+
+nlohmann::ordered_json heard_json(const Broadcast::Counts& counts) {
+  const dis::HeardCounts& heard = counts.heard;
+  nlohmann::ordered_json j = {{"packets", counts.came->received},
+                              {"dropped", counts.came->dropped + counts.came->too_long},
+                              {"entities", heard.entities},
+                              {"states", heard.states},
+                              {"shots", heard.shots},
+                              {"ends", heard.ends},
+                              {"emissions", heard.emissions},
+                              {"vanished", heard.vanished},
+                              {"asked", counts.asked},
+                              {"obeyed", counts.obeyed},
+                              {"latency_mean_s", heard.latency.mean()},
+                              {"latency_max_s", heard.latency.max},
+                              {"error_mean_m", heard.error.mean()},
+                              {"error_max_m", heard.error.max}};
+  for (std::size_t i = 0; i < heard.unused.size(); ++i)
+    j["not_used"][std::string(enum_name(static_cast<dis::Unused>(i)))] = heard.unused[i];
+  return j;
+}
+
 nlohmann::ordered_json pacing_json(const net::Pacing& p) {
   const auto spread = [](const net::Histogram& h) {
     return nlohmann::ordered_json{{"mean", h.mean()},
@@ -168,12 +216,15 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
     say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,
         t->joined == 1 ? "client" : "clients", t->refused, t->dropped,
         static_cast<double>(t->bytes) / 1e6);
-  if (const auto& d = timing.dis)
-    say("DIS: {} packets sent, {:.0f} kB, {} dropped{}\n", d->sent,
-        static_cast<double>(d->bytes) / 1e3, d->dropped,
-        d->failed
-            ? fmt::format(", {} not taken by the system: {}", d->failed, disk::words_of(d->error))
-            : "");
+  if (const auto& d = timing.dis) {
+    say("DIS: {} packets sent, {:.0f} kB, {} dropped{}\n", d->sent.sent,
+        static_cast<double>(d->sent.bytes) / 1e3, d->sent.dropped,
+        d->sent.failed ? fmt::format(", {} not taken by the system: {}", d->sent.failed,
+                                     disk::words_of(d->sent.error))
+                       : "");
+    if (d->came)
+      say("{}", Composed{heard_text(*d)});
+  }
   say("written to {}: {}\n", run_dir, files);
 }
 
@@ -214,9 +265,14 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
                     {"refused", t->refused},
                     {"dropped", t->dropped},
                     {"bytes", t->bytes}};
-  if (const auto& d = timing.dis)
-    j["dis"] = {
-        {"sent", d->sent}, {"bytes", d->bytes}, {"dropped", d->dropped}, {"failed", d->failed}};
+  if (const auto& d = timing.dis) {
+    j["dis"] = {{"sent", d->sent.sent},
+                {"bytes", d->sent.bytes},
+                {"dropped", d->sent.dropped},
+                {"failed", d->sent.failed}};
+    if (d->came)
+      j["dis"]["heard"] = heard_json(*d);
+  }
   j["run_dir"] = run_dir;
   return record::json_lines(j);
 }

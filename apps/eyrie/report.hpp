@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
-#include "net/datagram_sender.hpp"
+#include "live.hpp"
 #include "net/pacing.hpp"
 #include "net/telemetry_host.hpp"
 #include "record/names.hpp"
@@ -16,7 +16,7 @@ struct Timing {
   double wall = 0;                      ///< s
   std::optional<net::Pacing> pacing{};  ///< if that was asked for
   std::optional<net::TelemetryHost::Counts> tacview{};
-  std::optional<net::DatagramSender::Counts> dis{};
+  std::optional<Broadcast::Counts> dis{};
 };
 
 /// How each player ended: who lost it, and its fuel at most a second before.

@@ -139,6 +139,9 @@ int serve_scenario(const ServeOptions& options) {
   if (!scenario->plugins.empty())
     refuse("eyrie: {} uses plug-ins, which browsers cannot: 'eyrie fly' flies it",
            quote_path(name));
+  if (scenario->remote)
+    refuse("eyrie: some players of {} are another program's: 'eyrie fly --dis' flies it with them",
+           quote_path(name));
   listen_for_interrupts();
   Place place(options);
   return serve_mission(place, options, options.flight, scenario, false);

@@ -12,15 +12,12 @@ using model::EventKind;
 
 constexpr std::uint16_t kBlastFragmentation = 1620, kProximity = 3000, kHighExplosive = 1000,
                         kContact = 1000;   // UID 60 and 61
+constexpr double kFarewell = 0.5;          // s
 constexpr double kEmissionHeartbeat = 10;  // s, HBT_PDU_EE
 constexpr double kBeamAngle = radians(1);  // EE_AZ_THRSH and EE_EL_THRSH
 constexpr float kVoteStep = 5;             // a twentieth of the scale
 constexpr std::uint8_t kTermination = 2;   // UID 67
 constexpr std::size_t kLongestLabel = 60;  // characters, each of 16 bytes at most
-
-Vec3f narrow(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 Munition missile_of(const model::Library& library, float index) {
   const auto i = static_cast<std::size_t>(index);
@@ -44,10 +41,13 @@ Force force_of(model::Side side) {
 
 }  // namespace
 
-Announcer::Announcer(const scenario::Scenario& scenario, const Station& station, Send send)
-    : scenario_(scenario), station_(station), send_(std::move(send)) {}
+Announcer::Announcer(const scenario::Scenario& scenario, const Station& station, Send send,
+                     const Others* others)
+    : scenario_(scenario), station_(station), send_(std::move(send)), others_(others) {}
 
 EntityId Announcer::id_of(PlayerId who) const {
+  if (const auto* player = scenario_.roster.find(who); player && player->remote)
+    return others_ ? others_->entity_of(who) : kNobody;
   return who && who.value < 0xFFFF
              ? EntityId{station_.site, station_.application, static_cast<std::uint16_t>(who.value)}
              : kNobody;
@@ -56,6 +56,11 @@ EntityId Announcer::id_of(PlayerId who) const {
 Announcer::Entity* Announcer::find(PlayerId who) {
   const auto at = entities_.find(who);
   return at == entities_.end() ? nullptr : &at->second;
+}
+
+Announcer::Entity* Announcer::ours(PlayerId who) {
+  Entity* entity = find(who);
+  return entity && !entity->theirs ? entity : nullptr;
 }
 
 ClockTime Announcer::clock() const {
@@ -86,8 +91,10 @@ void Announcer::begin(const sim::World& world, double dt) {
   time_ = static_cast<double>(world.step()) * dt;
   const auto& players = scenario_.roster.players;
   for (std::size_t i = 0; i < players.size(); ++i)
-    introduce(PlayerId{static_cast<std::uint32_t>(i + 1)}, players[i].side, players[i].entity_type,
-              players[i].name);
+    if (const PlayerId who{static_cast<std::uint32_t>(i + 1)}; players[i].remote)
+      entities_[who].theirs = true;
+    else
+      introduce(who, players[i].side, players[i].entity_type, players[i].name);
   const EntityId from{station_.site, station_.application, 0};
   send(StartResume{.from = from,
                    .to = {station_.site, station_.application, kEverybody.entity},
@@ -104,7 +111,9 @@ void Announcer::observe(const sim::World& world, const sim::StepInfo& info,
   for (const sim::Event& e : events)  // before they are looked at
     if (record::kind_of(e) == EventKind::launch) {
       const auto* shooter = scenario_.roster.find(PlayerId{e.detail});
-      introduce(e.who, shooter ? shooter->side : model::Side::none,
+      if (!shooter || shooter->remote)
+        continue;
+      introduce(e.who, shooter->side,
                 scenario_.library->missiles[static_cast<std::size_t>(e.values[1])].entity_type,
                 fmt::format("{} {}", record::store_label(scenario_, e.values[1]), e.who.value));
     }
@@ -117,8 +126,10 @@ void Announcer::observe(const sim::World& world, const sim::StepInfo& info,
 
 void Announcer::finish(const sim::World&) {
   for (auto& [who, entity] : entities_)
-    if (entity.here)
+    if (entity.here && !entity.theirs)
       tell_state(entity, kDeactivated);
+  for (const Farewell& farewell : farewells_)
+    send(farewell.state);
   send(StopFreeze{.from = {station_.site, station_.application, 0},
                   .to = {station_.site, station_.application, kEverybody.entity},
                   .real = clock(),
@@ -164,7 +175,9 @@ void Announcer::tell_events(std::span<const sim::Event> events) {
         burst(e);
         break;
       case EventKind::detonation:
-        end_of_missile(e, fate->end == "kill" ? Result::proximate : Result::end_game_miss);
+        // of another program's aircraft that program says what became of it
+        end_of_missile(
+            e, fate->end == "kill" || e.values[2] < 0 ? Result::proximate : Result::end_game_miss);
         break;
       case EventKind::timeout: {
         const auto end = static_cast<model::weapon::MissileEnd>(e.values[0]);
@@ -183,7 +196,7 @@ void Announcer::tell_events(std::span<const sim::Event> events) {
 }
 
 void Announcer::launch(const sim::Event& e) {
-  Entity* missile = find(e.who);
+  Entity* missile = ours(e.who);
   if (!missile)
     return;
   missile->shot = {station_.site, station_.application, ++shots_};
@@ -211,8 +224,13 @@ void Announcer::end_of_missile(const sim::Event& e, Result result) {
       .location = scenario_.library->reference.to_ecef(e.place),
       .what = {.type = missile->state.type, .warhead = kBlastFragmentation, .fuse = kProximity},
       .result = result};
-  if (const Entity* target = find(e.whom))
-    end.place = narrow(target->now.attitude * (end.location - target->now.position));
+  if (const Entity* target = find(e.whom)) {
+    const Vec3 there = target->now.attitude * (end.location - target->now.position);
+    // the fuze works within the step, the target is where it is after it: the miss is that of the
+    // event
+    const bool fuzed = record::kind_of(e) == EventKind::detonation && norm(there) > 0;
+    end.place = narrow(fuzed ? double{e.values[0]} / norm(there) * there : there);
+  }
   send(std::move(end));
 }
 
@@ -244,7 +262,7 @@ void Announcer::burst(const sim::Event& e) {
     return;
   rounds.quantity = static_cast<std::uint16_t>(e.values[2]);
   send(Detonation{.shooter = shooter->state.id,
-                  .target = target->state.id,
+                  .target = id_of(e.whom),
                   .event = event,
                   .velocity = velocity,
                   .location = target->now.position,
@@ -257,9 +275,15 @@ void Announcer::tell_states() {
   for (auto at = entities_.begin(); at != entities_.end();) {
     Entity& entity = at->second;
     const double since = time_ - entity.told;
+    if (entity.theirs) {
+      ++at;
+      continue;
+    }
     if (!entity.here) {
       if (entity.told >= 0)
         tell_state(entity, entity.destroyed ? kDeactivated | kDestroyed : kDeactivated);
+      if (entity.told >= 0 && others_)
+        farewells_.push_back({entity.state, time_ + kFarewell});
       at = entities_.erase(at);
       continue;
     }
@@ -268,6 +292,13 @@ void Announcer::tell_states() {
       tell_state(entity, 0);
     ++at;
   }
+  for (Farewell& farewell : farewells_)
+    if (time_ >= farewell.next && farewell.left > 0) {
+      --farewell.left;
+      farewell.next += kFarewell;
+      send(farewell.state);
+    }
+  std::erase_if(farewells_, [](const Farewell& f) { return f.left == 0; });
 }
 
 void Announcer::tell_state(Entity& entity, std::uint32_t appearance) {
@@ -294,7 +325,7 @@ void Announcer::tell_emissions(const sim::World& world) {
 }
 
 void Announcer::tell_emission(PlayerId who, std::vector<Emission::System> systems) {
-  Entity* entity = find(who);
+  Entity* entity = ours(who);
   if (!entity)
     return;
   Emission& told = entity->emission;
@@ -313,7 +344,7 @@ void Announcer::tell_emission(PlayerId who, std::vector<Emission::System> system
 void Announcer::tell_decisions(const sim::World& world) {
   scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
     const team::LastDecision now = fleet.agents->last_decision(world, row);
-    if (Entity* entity = find(id); entity && now.ticks && now.tree < fleet.trees.size())
+    if (Entity* entity = ours(id); entity && now.ticks && now.tree < fleet.trees.size())
       tell_decision(*entity, fleet, now);
   });
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "dis/emissions.hpp"
+#include "dis/others.hpp"
 #include "dis/station.hpp"
 #include "record/names.hpp"
 #include "scenario/scenario.hpp"
@@ -29,7 +30,10 @@ class Announcer final : public sim::Observer {
  public:
   /// Called with each packet and its time (s).
   using Send = std::function<void(double time, const Packet& packet)>;
-  Announcer(const scenario::Scenario& scenario, const Station& station, Send send);
+  /// `others`: who knows by what numbers remote players go; null if there are none. Nothing is told
+  /// of these: their own program does.
+  Announcer(const scenario::Scenario& scenario, const Station& station, Send send,
+            const Others* others = nullptr);
 
   void begin(const sim::World& world, double dt) override;
   void observe(const sim::World& world, const sim::StepInfo& info,
@@ -48,6 +52,7 @@ class Announcer final : public sim::Observer {
     bool moved = false;  ///< `now` has been taken twice: its acceleration and spin are known
     bool here = false;   ///< it has a row in this step
     bool destroyed = false;
+    bool theirs = false;  ///< remote
     Emission emission;
     double radiated = -1e9;  ///< s
     team::LastDecision decision;
@@ -55,8 +60,16 @@ class Announcer final : public sim::Observer {
     EntityId shooter;
   };
 
+  /// The last words of somebody, which are said again for who did not hear them.
+  struct Farewell {
+    EntityState state;
+    double next = 0;  ///< s
+    int left = 2;
+  };
+
   [[nodiscard]] EntityId id_of(PlayerId who) const;
   [[nodiscard]] Entity* find(PlayerId who);
+  [[nodiscard]] Entity* ours(PlayerId who);
   void look(const sim::World& world);
   void look(PlayerId who, const model::Kinematics& k);
   void introduce(PlayerId who, model::Side side, std::string_view type, std::string_view marking);
@@ -76,7 +89,9 @@ class Announcer final : public sim::Observer {
   const scenario::Scenario& scenario_;
   Station station_;
   Send send_;
+  const Others* others_;
   std::map<PlayerId, Entity> entities_;
+  std::vector<Farewell> farewells_;  ///< if there are others
   double time_ = 0, dt_ = 0;
   std::uint16_t shots_ = 0, emissions_ = 0;
   std::size_t nameless_ = 0;

@@ -3,6 +3,7 @@
 /// \file  Where somebody is who has not been heard of for a while: dead reckoning in world
 /// coordinates. IEEE 1278.1-2012, annex E.
 #include "dis/pdu.hpp"
+#include "model/attitude.hpp"
 
 namespace eyrie::dis {
 
@@ -13,9 +14,7 @@ struct Motion {
   Vec3 spin;                              ///< rad/s, about the body's axes
 };
 
-/// The axes of psi, theta, phi (rad), and back: the 3-2-1 Euler angles from world to body.
-[[nodiscard]] Mat3 attitude_of(const Vec3& euler);
-[[nodiscard]] Vec3 euler_of(const Mat3& attitude);
+using model::attitude_of, model::euler_of;
 
 /// After `time` (s), by an algorithm of world coordinates; by any other it stays where it is.
 [[nodiscard]] Motion reckon(Reckoning algorithm, const Motion& from, double time);

@@ -60,7 +60,8 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
     using enum sim::Phase;
     return std::tuple{
         column("fit", &C::fit),
-        column("kinematics", &C::kinematics, WrittenBy{"flight", move}),
+        column("kinematics", &C::kinematics, WrittenBy{"flight", move},
+               WrittenBy{"remote", move}),
         column("flying", &C::flying, WrittenBy{"flight", move}),
         column("propulsion", &C::propulsion, WrittenBy{"flight", move}),
         column("command", &C::command, WrittenBy{"pilot", decide}),
@@ -71,7 +72,8 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
         column("tracks", &C::tracks, WrittenBy{"sensors", perceive}),
         column("datalink", &C::datalink, WrittenBy{"sensors", perceive}),
         column("sent", &C::sent, WrittenBy{"sensors", act}),
-        column("emission", &C::emission, WrittenBy{"sensors", act}),
+        column("emission", &C::emission, WrittenBy{"sensors", act},
+               WrittenBy{"remote", act}),
         column("stores", &C::stores, WrittenBy{"stores", act}),
         column("decoys", &C::decoys, WrittenBy{"stores", act}),
         column("gun", &C::gun, WrittenBy{"gun", interact}),
@@ -93,10 +95,12 @@ struct MissileColumns : sim::Table<MissileColumns> {
     using sim::column, sim::WrittenBy;
     using enum sim::Phase;
     return std::tuple{
-        column("kinematics", &C::kinematics, WrittenBy{"missile", move}),
+        column("kinematics", &C::kinematics, WrittenBy{"missile", move},
+               WrittenBy{"remote missile", move}),
         column("state", &C::state, WrittenBy{"missile", perceive}, WrittenBy{"missile", decide},
                WrittenBy{"missile", move}, WrittenBy{"missile", interact}),
-        column("emission", &C::emission, WrittenBy{"missile", act})};
+        column("emission", &C::emission, WrittenBy{"missile", act},
+               WrittenBy{"remote missile", act})};
   }
 };
 

@@ -60,7 +60,7 @@ constexpr std::array kInfos = [] {
        "The fuze of missile who works near whom; it kills if the draw is below the probability.",
        {{kMiss,
          {"kill_probability", {}, "kill_probability", C::number, "0 to 1, of that miss"},
-         {"draw", {}, "draw", C::number, "0 to 1"}}}},
+         {"draw", {}, "draw", C::number, "0 to 1; -1: the program whose aircraft it is decides"}}}},
       {timeout,
        "timeout",
        "Missile who ends without its fuze. whom: it was shot at, or whose towed decoy it met.",

@@ -53,8 +53,11 @@ class Reference {
   /// A position, Earth-centred and Earth-fixed, metres.
   [[nodiscard]] Vec3 to_ecef(const Vec3& local) const { return origin_ecef_ + to_ecef_ * local; }
 
-  /// A direction or a velocity in the axes of to_ecef().
+  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const { return from_ecef_ * (ecef - origin_ecef_); }
+
+  /// A direction or a velocity in the axes of to_ecef(), and back.
   [[nodiscard]] Vec3 turned_to_ecef(const Vec3& local) const { return to_ecef_ * local; }
+  [[nodiscard]] Vec3 turned_from_ecef(const Vec3& ecef) const { return from_ecef_ * ecef; }
 
   /// Height above the ellipsoid and the geodetic axes at a place, for altitudes from -10 km to
   /// 1000 km. On the Earth's axis (within 2^-10 m) north and east are those of the reference's

@@ -35,6 +35,13 @@ struct Kinematics {
   }
 };
 
+/// Where a player waits who is in the run and has not appeared: on the other side of the Earth, so
+/// that nobody senses him.
+inline constexpr Vec3 kNowhere{0, 0, 12.77e6};
+[[nodiscard]] inline bool is_nowhere(const Kinematics& k) {
+  return k.position.z > 10e6;
+}
+
 /// Three orthonormal axes in the local frame.
 struct Axes {
   Vec3 forward{1, 0, 0}, right{0, 1, 0}, down{0, 0, 1};

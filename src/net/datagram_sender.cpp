@@ -1,54 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "net/datagram_sender.hpp"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <thread>
 #include <vector>
+
+#include "net/datagram_socket.hpp"
 
 namespace eyrie::net {
 namespace {
 
-void must(bool good) {
-  if (!good)
-    throw std::system_error(errno, std::system_category());
-}
-
-in_addr ipv4_of(const std::string& text) {
-  in_addr address{};
-  errno = EAFNOSUPPORT;
-  must(::inet_pton(AF_INET, text.c_str(), &address) == 1);
-  return address;
-}
-
 class Socket {
  public:
-  explicit Socket(const DatagramOptions& options)
-      : file_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    must(file_ >= 0);
-    try {
-      open(options);
-    } catch (...) {
-      ::close(file_);
-      throw;
+  explicit Socket(const DatagramOptions& options) {
+    const in_addr to = ipv4_of(options.to.address);
+    const bool group = IN_MULTICAST(ntohl(to.s_addr));
+    socket_.set(SOL_SOCKET, SO_BROADCAST, 1);
+    if (group || !options.interface.empty()) {
+      const in_addr from = ipv4_of(options.interface.empty() ? "127.0.0.1" : options.interface);
+      socket_.bind(from, 0);
+      if (group) {
+        socket_.set(IPPROTO_IP, IP_MULTICAST_IF, from);
+        socket_.set(IPPROTO_IP, IP_MULTICAST_LOOP, 1);  // others on this machine hear it, too
+      }
     }
+    socket_.connect(to, options.to.port);
   }
-  ~Socket() { ::close(file_); }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
 
   /// errno, or 0.
   [[nodiscard]] int send(std::span<const std::byte> bytes) const {
     for (;;) {
-      if (::send(file_, bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0)
+      if (::send(socket_.file(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0)
         return 0;
       // of an earlier one, that nobody listens there now: somebody may later
       if (errno != EINTR && errno != ECONNREFUSED)
@@ -57,30 +41,7 @@ class Socket {
   }
 
  private:
-  void set(int level, int option, const auto& value) const {
-    must(::setsockopt(file_, level, option, &value, sizeof value) == 0);
-  }
-  void open(const DatagramOptions& options) const {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(options.to.port);
-    to.sin_addr = ipv4_of(options.to.address);
-    const bool group = IN_MULTICAST(ntohl(to.sin_addr.s_addr));
-    set(SOL_SOCKET, SO_BROADCAST, 1);
-    if (group || !options.interface.empty()) {
-      sockaddr_in from{};
-      from.sin_family = AF_INET;
-      from.sin_addr = ipv4_of(options.interface.empty() ? "127.0.0.1" : options.interface);
-      must(::bind(file_, reinterpret_cast<const sockaddr*>(&from), sizeof from) == 0);
-      if (group) {
-        set(IPPROTO_IP, IP_MULTICAST_IF, from.sin_addr);
-        set(IPPROTO_IP, IP_MULTICAST_LOOP, 1);  // others on this machine hear it, too
-      }
-    }
-    must(::connect(file_, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0);
-  }
-
-  int file_;
+  DatagramSocket socket_;
 };
 
 }  // namespace

@@ -70,8 +70,8 @@ struct Fate {
 [[nodiscard]] inline std::optional<Fate> fate_of(const sim::Event& e) {
   using model::EventKind;
   switch (kind_of(e)) {
-    case EventKind::detonation:  // the draw was below the kill probability
-      return Fate{e.who, e.values[2] < e.values[1] ? "kill" : "miss"};
+    case EventKind::detonation:  // the draw was below the kill probability; -1: others decide
+      return Fate{e.who, e.values[2] >= 0 && e.values[2] < e.values[1] ? "kill" : "miss"};
     case EventKind::timeout:
       return Fate{e.who, "trashed"};
     case EventKind::kill:

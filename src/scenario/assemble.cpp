@@ -43,9 +43,12 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     model::Kinematics& k = world.rows(c.kinematics)[row];
     k = model::flight::placed(library.reference, library.environment, s.position, s.heading,
                               s.speed);
+    if (player.remote)
+      k.position = model::kNowhere;  // until it is heard of
     world.rows(c.fit)[row] = {.type = s.type,
                               .flight = player.flight,
-                              .rank = player.rank,
+                              .rank = static_cast<std::uint8_t>(player.rank),
+                              .remote = player.remote,
                               .side = player.side,
                               .privileged = s.privileged};
     model::Command command{.heading = k.heading, .altitude = k.altitude, .speed = s.speed};
@@ -64,8 +67,8 @@ void populate(const Scenario& scenario, std::span<const Start> starts, sim::Worl
     world.rows(c.gun)[row] = gun;
     if (type.index.dispenser)
       world.rows(c.decoys)[row] = model::weapon::loaded(library.dispensers[*type.index.dispenser]);
-    world.rows(scenario.pilots.agent)[row] = {.bingo = s.bingo,
-                                              .tree = s.tree.value_or(pilot::kNoTree)};
+    world.rows(scenario.pilots.agent)[row] = {
+        .bingo = s.bingo, .tree = player.remote ? pilot::kNoTree : s.tree.value_or(pilot::kNoTree)};
   }
 }
 
@@ -79,8 +82,10 @@ void park(const Scenario& scenario, std::span<const VehicleStart> starts, sim::W
     c.set_defaults(world, row);
     world.rows(c.kinematics)[row] =
         model::vehicle::parked(scenario.library->reference, s.position, s.heading, s.speed);
-    world.rows(c.fit)[row] = {
-        .type = s.type, .flight = player.flight, .rank = player.rank, .side = player.side};
+    world.rows(c.fit)[row] = {.type = s.type,
+                              .flight = player.flight,
+                              .rank = static_cast<std::uint8_t>(player.rank),
+                              .side = player.side};
     world.rows(c.command)[row] = {.heading = wrap_pi(s.heading), .speed = s.tree ? s.speed : 0};
     world.rows(scenario.drivers.agent)[row] = {.tree = s.tree.value_or(team::kNoTree)};
   }
@@ -195,6 +200,10 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   scenario.missiles = model::MissileColumns::define(schema, all_missiles(starts));
   scenario.pilots = pilot::PilotColumns::define(
       schema, scenario.aircraft.table, static_cast<std::uint32_t>(scenario.trees->max_memory()));
+  if (std::any_of(scenario.roster.players.begin(), scenario.roster.players.end(),
+                  [](const Roster::Player& p) { return p.remote; }))
+    scenario.remote =
+        model::RemoteColumns::define(schema, scenario.aircraft.table, scenario.missiles.table);
   if (!vehicles.empty()) {
     scenario.vehicles =
         model::VehicleColumns::define(schema, static_cast<std::uint32_t>(vehicles.size()));
@@ -239,6 +248,11 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
                                             dt);
   builder.add<model::weapon::StoresSystem>(scenario.aircraft, scenario.missiles, scenario.library);
   builder.add<model::weapon::GunSystem>(scenario.aircraft, scenario.library);
+  if (scenario.remote) {
+    builder.add<model::RemoteSystem>(scenario.aircraft, scenario.missiles, *scenario.remote,
+                                     scenario.library);
+    builder.add<model::RemoteMissiles>(scenario.missiles, *scenario.remote, scenario.library);
+  }
   builder.add<model::flight::FlightSystem>(scenario.aircraft, scenario.library, decisions.steps);
   builder.add<model::MotionCheck>(scenario.aircraft.table, scenario.aircraft.kinematics);
   builder.add<model::MotionCheck>(scenario.missiles.table, scenario.missiles.kinematics);

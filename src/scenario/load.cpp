@@ -12,6 +12,7 @@
 #include "scenario/data.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/mission.hpp"
+#include "scenario/ours.hpp"
 #include "scenario/plan.hpp"
 #include "scenario/player_kind.hpp"
 #include "scenario/plugins.hpp"
@@ -78,6 +79,8 @@ class Loader {
     out_->convoys.resize(library_->flights.size());
     if (const auto problem = until_problem(out_->spec, out_->spec.until))
       error(document_.where_of("until"), "until: " + *problem);
+    if (const Value* v = document_.find("ours"))
+      share_out(out_->spec.ours, *v, out_->roster, diagnostics_);
     orders();
     stop_if_wrong();
     finish();
@@ -324,6 +327,8 @@ class Loader {
     }
   }
   void give(const OrderSpec& order, PlayerId who, const Location& where) {
+    if (out_->roster.find(who)->remote)
+      return;  // by the program that flies it
     const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
     if (order.lose)
       return out_->orders.push_back(model::weapon::lose_order(step, who));

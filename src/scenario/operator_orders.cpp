@@ -23,7 +23,8 @@ using pilot::OrderKind, model::Manual, model::Seat;
 struct AskedOfPlayer {
   using A = AskedOfPlayer;
   static constexpr std::string_view type_name = "order";
-  static constexpr std::string_view help = "something asked of a player from outside, now";
+  [[maybe_unused]] static constexpr std::string_view help =
+      "something asked of a player from outside, now";
   static constexpr auto params() {
     return std::tuple{param("order", &A::order, "what is asked").required(),
                       param("player", &A::player, "who"),

@@ -24,6 +24,7 @@ struct Roster {
     std::uint16_t rank = 1;    ///< from the name
     std::uint8_t fleet = 0;    ///< index into Scenario::fleets
     std::string entity_type;   ///< as its type has it (model::EntityType); "": other
+    bool remote = false;       ///< another program flies it
   };
   struct Flight {
     std::string name;

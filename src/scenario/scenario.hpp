@@ -4,6 +4,7 @@
 #include "driver/state.hpp"
 #include "model/columns.hpp"
 #include "model/library.hpp"
+#include "model/remote.hpp"
 #include "pilot/agent.hpp"
 #include "pilot/state.hpp"
 #include "pilot/trees.hpp"
@@ -30,6 +31,7 @@ struct Scenario {
   model::AircraftColumns aircraft;
   model::MissileColumns missiles;
   pilot::PilotColumns pilots;
+  std::optional<model::RemoteColumns> remote;  ///< if another program flies somebody
   std::vector<pilot::Formation> formations;  ///< by Fit::flight
   std::shared_ptr<const driver::Trees> driver_trees;
   std::vector<driver::Spacing> convoys;              ///< by Fit::flight
@@ -67,12 +69,13 @@ struct Scenario {
     const auto found = find(world, who);
     return found ? found->fleet.agents->last_decision(world, found->row).node : ubf::kNone;
   }
-  /// Calls `use(fleet, id, row)` for every player that is there.
+  /// Calls `use(fleet, id, row)` for every player that is there and has appeared.
   template <class Use>
   void each_player(const sim::World& world, Use use) const {
     for (const auto& fleet : fleets)
       for (std::size_t row = 0; row < fleet->rows(world); ++row)
-        use(*fleet, fleet->id(world, row), row);
+        if (!model::is_nowhere(fleet->motion(world, row)))
+          use(*fleet, fleet->id(world, row), row);
   }
   /// The world at step 0 for a seed.
   [[nodiscard]] sim::World world(std::uint64_t seed) const;

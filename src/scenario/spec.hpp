@@ -224,7 +224,11 @@ struct ScenarioSpec {
         param("until", &ScenarioSpec::until, "s", range(0.001, kLongestFlight),
               "the run ends at the latest then; at least one step"),
         param("ends", &ScenarioSpec::ends, "what else ends the run"),
-        param("orders", &ScenarioSpec::orders, "orders from outside, carried out on time")};
+        param("orders", &ScenarioSpec::orders, "orders from outside, carried out on time"),
+        param("ours", &ScenarioSpec::ours,
+              "sides, flights and aircraft that this program flies, [blue] or [eagle, bogey2]; all "
+              "others are flown by programs that are heard over DIS; [] (the default): nobody is")
+            .items(0, 1000)};
   }
   int eyrie = 1;
   std::string name, help_text;
@@ -234,6 +238,7 @@ struct ScenarioSpec {
   double until = si(60, "min");
   Ends ends = Ends::blue_home;
   std::vector<OrderSpec> orders;
+  std::vector<std::string> ours;
 };
 
 }  // namespace eyrie::scenario

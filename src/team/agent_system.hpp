@@ -66,7 +66,7 @@ class AgentSystem final : public Agents {
   void apply_order(sim::World& world, const sim::StepInfo&, const sim::Order& order,
                    sim::Outbox& out) const override {
     const auto row = world.row(table(), order.player);
-    if (!row)
+    if (!row || world.rows(setup_.columns.fit)[*row].remote != 0)
       return;
     Agent& agent = world.rows(setup_.agents.agent)[*row];
     if (obey(order, agent, world.bytes(setup_.agents.brain, *row), asked_of(world)[*row]) ==
@@ -166,7 +166,8 @@ class AgentSystem final : public Agents {
                      std::span<const sim::Order> orders, Use use) const {
     const auto row = before.row(table(), who), sensed_row = after.row(table(), who);
     const sim::StepInfo info{.step = before.step(), .seed = before.seed(), .dt = setup_.dt};
-    if (!row || !sensed_row || !sim::due(info.step, who, setup_.period))
+    if (!row || !sensed_row || !sim::due(info.step, who, setup_.period) ||
+        before.rows(setup_.columns.fit)[*row].remote != 0)
       return false;
     Agent agent = before.rows(setup_.agents.agent)[*row];
     const auto slab = before.bytes(setup_.agents.brain, *row);

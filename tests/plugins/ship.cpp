@@ -306,8 +306,9 @@ class Kind final : public scenario::AgentKind<Platform> {
       columns_.set_defaults(world, born->row);
       world.rows(columns_.kinematics)[born->row] =
           model::vehicle::parked(scenario.library->reference, start.place, start.heading, 5);
-      world.rows(columns_.fit)[born->row] = {
-          .flight = player.flight, .rank = player.rank, .side = player.side};
+      world.rows(columns_.fit)[born->row] = {.flight = player.flight,
+                                             .rank = static_cast<std::uint8_t>(player.rank),
+                                             .side = player.side};
       world.rows(columns_.command)[born->row] = {.heading = start.heading, .speed = 5};
       world.rows(brains_.agent)[born->row] = {.tree = trees_->find(start.tree).value()};
     }

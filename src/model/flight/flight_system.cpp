@@ -150,6 +150,8 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
                              type.dynamics, kinematics[i], propulsion[i].fuel, load_of(stores[i]));
     }
     for (std::size_t i = begin; i < end; ++i) {
+      if (fit[i].remote != 0)
+        continue;
       const Type& type = types_[fit[i].type];
       FlightContext context{.reference = library_->reference,
                             .environment = library_->environment,
@@ -164,16 +166,18 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
         out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
     }
     for (std::size_t i = begin; i < end; ++i)
-      set_vertical(kinematics[i], library_->reference.vertical_at(kinematics[i].position));
+      if (fit[i].remote == 0)
+        set_vertical(kinematics[i], library_->reference.vertical_at(kinematics[i].position));
   }
 }
 
 void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
   const auto ids = world.ids(columns_.table);
+  const auto fit = world.rows(columns_.fit);
   const auto kinematics = world.rows(columns_.kinematics);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-    if (kinematics[i].altitude < 0)
+    if (kinematics[i].altitude < 0 && fit[i].remote == 0)
       out.emit({.kind = EventKind::crash, .who = ids[i], .place = kinematics[i].position});
 
   // ten times a second, over the way flown since the last time
@@ -181,10 +185,11 @@ void FlightSystem::interact(sim::World& world, const sim::StepInfo& info, sim::C
   if (info.step % every == 0)
     for_each_collision(kinematics, chunk.begin, chunk.end, static_cast<double>(every) * info.dt,
                        [&](std::size_t i, std::size_t other) {
-                         out.emit({.kind = EventKind::crash,
-                                   .who = ids[i],
-                                   .whom = ids[other],
-                                   .place = kinematics[i].position});
+                         if (fit[i].remote == 0)
+                           out.emit({.kind = EventKind::crash,
+                                     .who = ids[i],
+                                     .whom = ids[other],
+                                     .place = kinematics[i].position});
                        });
 }
 

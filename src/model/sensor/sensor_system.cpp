@@ -175,7 +175,7 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
   track::TrackNewsList news;
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    if (!due(all.step, all.ids[i], all.suite(i).any_steps))
+    if (!due(all.step, all.ids[i], all.suite(i).any_steps) || all.fit[i].remote != 0)
       continue;
     news.clear();
     Self self{.row = i,
@@ -210,7 +210,7 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const PlayerId id = all.ids[i];
     const SensorSuite& suite = all.suite(i);
-    if (!due(all.step, id, suite.any_steps))
+    if (!due(all.step, id, suite.any_steps) || all.fit[i].remote != 0)
       continue;
     if (due(all.step, id, suite.upkeep_steps))
       emission[i] = radiate(all, i, radar[i], tracks[i], rwr[i]);

@@ -36,7 +36,7 @@ constexpr double kFriendLast = 1e16;
 void know_aircraft(const Scene& scene, Self& self) {
   Nearest<kMaxTracks> nearest(kMaxTracks);
   for (std::size_t j = 0; j < scene.kinematics.size(); ++j) {
-    if (j == self.row)
+    if (j == self.row || is_nowhere(scene.kinematics[j]))
       continue;
     const bool is_friend = true_identity(scene, self, j) == Identity::friendly;
     nearest.offer({norm2(scene.kinematics[j].position - self.kinematics.position) +

@@ -82,7 +82,7 @@ void GunSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chun
       Draw draw(info.seed, ids[i], Stream::gun, info.step);
       for (std::uint32_t round = 0; chance > 0 && round < rounds; ++round)
         hits += draw.chance(chance) ? 1 : 0;
-      if (hits != 0)
+      if (hits != 0 && fit[target->row].remote == 0)
         out.emit({.kind = EventKind::hit,
                   .who = ids[i],
                   .whom = ids[target->row],

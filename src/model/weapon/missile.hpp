@@ -223,7 +223,8 @@ struct MissileState {
   std::uint8_t active = 0;  ///< 1: the seeker is switched on
   std::uint8_t locked = 0;  ///< 1: the seeker rests on `seen` now
   std::uint8_t decoy = 0;   ///< 1 + place among the decoys of `seen` on which it rests; 0: on none
-  std::uint8_t reserved[2] = {};
+  std::uint8_t remote = 0;  ///< 1: another program flies it, see model/remote.hpp
+  std::uint8_t reserved = 0;
   std::uint64_t decoy_step = 0;  ///< Decoy::step of that one
 
   static constexpr auto fields() {
@@ -239,7 +240,8 @@ struct MissileState {
         field("next_fuze_scan", &M::next_fuze_scan, "s"), field("shooter", &M::shooter),
         field("intended", &M::intended), field("track", &M::track), field("seen", &M::seen),
         field("type", &M::type), field("side", &M::side), field("active", &M::active),
-        field("locked", &M::locked), field("decoy", &M::decoy), field("reserved", &M::reserved),
+        field("locked", &M::locked), field("decoy", &M::decoy), field("remote", &M::remote),
+        field("reserved", &M::reserved),
         field("decoy_step", &M::decoy_step));
   }
 };

@@ -80,6 +80,8 @@ void MissileSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     MissileState& state = states[i];
+    if (state.remote != 0)
+      continue;
     const Kinematics& k = kinematics[i];
     const MissileType& type = library_->missiles[state.type];
     if (switch_on(type, k, time, state))
@@ -118,6 +120,8 @@ void MissileSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Ch
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     MissileState& state = states[i];
+    if (state.remote != 0)
+      continue;
     const MissileType& type = library_->missiles[state.type];
     // midcourse: the shooter must be alive and still hold the track
     if (const auto& interval = type.guidance.link_interval;
@@ -137,7 +141,7 @@ void MissileSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     const MissileState& state = states[i];
     const MissileType& type = library_->missiles[state.type];
-    if (state.active == 0 || type.seeker.kind != SeekerKind::radar)
+    if (state.active == 0 || type.seeker.kind != SeekerKind::radar || state.remote != 0)
       continue;  // a missile that was silent at birth has an empty row
     const Kinematics& k = kinematics[i];
     const bool locked = state.locked != 0;
@@ -160,8 +164,9 @@ void MissileSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chun
   const auto states = world.rows(missiles_.state);
   const auto kinematics = world.rows(missiles_.kinematics);
   for (std::size_t i = chunk.begin; i < chunk.end; ++i)
-    move_missile(library_->missiles[states[i].type], *library_, info.time(), info.dt, kinematics[i],
-                 states[i]);
+    if (states[i].remote == 0)
+      move_missile(library_->missiles[states[i].type], *library_, info.time(), info.dt,
+                   kinematics[i], states[i]);
 }
 
 void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
@@ -174,6 +179,8 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
 
   for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
     MissileState& state = states[i];
+    if (state.remote != 0)
+      continue;
     const Kinematics& k = kinematics[i];
     const MissileType& type = library_->missiles[state.type];
     const double age = time - state.launch_time;
@@ -185,7 +192,8 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
         const double miss = victim->nearest.distance;
         const double pk = kill_probability(type.warhead, miss);
         Draw draw(info.seed, ids[i], Stream::lethality, info.step);
-        const double drawn = draw.uniform();
+        const bool theirs = scene.fit[victim->row].remote != 0;
+        const double drawn = theirs ? -1 : draw.uniform();
         const Vec3 place = k.position + victim->nearest.time * k.velocity;
         out.emit({.kind = EventKind::detonation,
                   .who = ids[i],
@@ -193,7 +201,7 @@ void MissileSystem::interact(sim::World& world, const sim::StepInfo& info, sim::
                   .place = place,
                   .values = {static_cast<float>(miss), static_cast<float>(pk),
                              static_cast<float>(drawn)}});
-        if (drawn < pk)
+        if (drawn < pk && !theirs)
           out.emit({.kind = EventKind::hit,
                     .detail = ids[i].value,
                     .who = state.shooter,

@@ -50,7 +50,7 @@ struct Desk {
   void in_convoy(std::uint32_t count, std::uint32_t rank) {
     datalink.count = count;
     datalink.self = rank - 1;
-    fit.rank = static_cast<std::uint16_t>(rank);
+    fit.rank = static_cast<std::uint8_t>(rank);
     for (std::uint32_t i = 0; i < count; ++i)
       datalink.members[i] = {
           .position = own.position + Vec3{50 * (double(datalink.self) - double(i)), 0, 0},

@@ -78,7 +78,7 @@ struct AirWar {
     if (members.size() < kMaxFlight)
       members.push_back(id);
     players_.push_back({{.flight = flight,
-                         .rank = static_cast<std::uint16_t>(members.size()),
+                         .rank = static_cast<std::uint8_t>(members.size()),
                          .side = side,
                          .privileged = privileged},
                         k});

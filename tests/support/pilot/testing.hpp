@@ -92,7 +92,7 @@ struct Desk {
   void in_flight(std::uint32_t count, std::uint32_t rank) {
     datalink.count = count;
     datalink.self = rank - 1;
-    fit.rank = static_cast<std::uint16_t>(rank);
+    fit.rank = static_cast<std::uint8_t>(rank);
     for (std::uint32_t i = 0; i < count; ++i) {
       model::Mate& mate = datalink.members[i];
       mate.id = PlayerId{i + 1};

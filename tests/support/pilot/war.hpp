@@ -72,7 +72,7 @@ class War {
     const bool blue = born->id.value <= 4;
     world->rows(aircraft.fit)[i] = {
         .flight = static_cast<std::uint16_t>(blue ? 0 : 1),
-        .rank = static_cast<std::uint16_t>((born->id.value - 1) % 4 + 1),
+        .rank = static_cast<std::uint8_t>((born->id.value - 1) % 4 + 1),
         .side = blue ? model::Side::blue : model::Side::red,
         .privileged = 1};
     const Vec3 place{north_east_up.x, north_east_up.y, -north_east_up.z};

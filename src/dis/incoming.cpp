@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "dis/incoming.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace eyrie::dis {
+namespace {
+
+constexpr double kHour = 3600;       // s
+constexpr double kReordered = 10;    // s that a packet may be overtaken; what is older began anew
+constexpr double kLongestWay = 2;    // s that one takes; a clock that is farther off is another one
+constexpr double kSameClock = 0.02;  // s that clocks of the world are apart
+constexpr std::size_t kRemembered = 256;  // shots of an application
+constexpr std::size_t kWaiting = 65536;   // PDUs between two steps
+
+/// s that a is behind b, within half an hour.
+double behind(double a, double b) {
+  const double apart = b - a;
+  return apart - kHour * std::floor(apart / kHour + 0.5);
+}
+double seconds_of(std::uint32_t stamp) {
+  return static_cast<double>(stamp >> 1) * (kHour / 2147483648.0);
+}
+
+EntityId sender_of(const Pdu& pdu) {
+  return std::visit(
+      [](const auto& p) {
+        using P = std::decay_t<decltype(p)>;
+        if constexpr (std::is_same_v<P, EntityState>)
+          return p.id;
+        else if constexpr (std::is_same_v<P, Fire> || std::is_same_v<P, Detonation>)
+          return EntityId{p.event.site, p.event.application, 0};
+        else if constexpr (std::is_same_v<P, Emission>)
+          return p.emitter;
+        else
+          return p.from;
+      },
+      pdu);
+}
+
+template <class... T>
+bool finite(const T&... values) {
+  const auto good = [](const auto& v) {
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(v)>>)
+      return std::isfinite(v);
+    else if constexpr (std::is_same_v<std::decay_t<decltype(v)>, Vec3>)
+      return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    else
+      return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  };
+  return (good(values) && ...);
+}
+
+}  // namespace
+
+std::string_view words_of(Unused why) {
+  static constexpr std::array<std::string_view, 11> kWords{
+      "shorter than they say",
+      "of another version",
+      "of a kind that is not read",
+      "malformed",
+      "of another exercise",
+      "of our own number",
+      "that came twice",
+      "overtaken by newer ones",
+      "that cannot be",
+      "of more entities than fit",
+      "of entities without a place in the scenario"};
+  return kWords[static_cast<std::size_t>(why)];
+}
+
+void Incoming::hear(std::span<const std::byte> datagram, double came) {
+  ++counts.datagrams;
+  while (!datagram.empty()) {
+    Decoded read = decode(datagram);
+    // who speaks of another exercise may speak another version
+    if (read.refusal != Refusal::none && read.refusal != Refusal::truncated &&
+        read.packet.exercise != station_.exercise)
+      ++counts[Unused::exercise];
+    else if (read.refusal != Refusal::none)
+      ++counts[static_cast<Unused>(static_cast<int>(read.refusal) - 1)];
+    else if (const auto why = check(read.packet))
+      ++counts[*why];
+    else if (received_.size() < kWaiting) {
+      const EntityId from = sender_of(read.packet.pdu);
+      Application& application = applications_[{from.site, from.application}];
+      received_.push_back(
+          {std::move(read.packet.pdu), valid_at(application, read.packet.timestamp, came)});
+    } else {
+      ++counts[Unused::crowded];
+    }
+    if (read.length == 0)
+      return;
+    datagram = datagram.subspan(read.length);
+  }
+}
+
+std::optional<Unused> Incoming::check(const Packet& packet) {
+  const EntityId from = sender_of(packet.pdu);
+  if (packet.exercise != station_.exercise)
+    return Unused::exercise;
+  if (from.site == station_.site && from.application == station_.application)
+    return Unused::own;
+  const auto key = std::pair(from.site, from.application);
+  if (!applications_.contains(key) && applications_.size() >= kMost)
+    return Unused::crowded;
+  Application& application = applications_[key];
+  return std::visit(
+      [&](const auto& p) -> std::optional<Unused> {
+        using P = std::decay_t<decltype(p)>;
+        if constexpr (std::is_same_v<P, EntityState>) {
+          if (!finite(p.velocity, p.location, p.orientation, p.acceleration, p.spin))
+            return Unused::implausible;
+          return newest(p.id, p.kType, packet.timestamp);
+        } else if constexpr (std::is_same_v<P, Emission>) {
+          return newest(p.emitter, p.kType, packet.timestamp);
+        } else if constexpr (std::is_same_v<P, Fire>) {
+          return finite(p.location, p.velocity, p.range)
+                     ? once(application, p.kType, p.event.number)
+                     : Unused::implausible;
+        } else if constexpr (std::is_same_v<P, Detonation>) {
+          return finite(p.location, p.velocity, p.place)
+                     ? once(application, p.kType, p.event.number)
+                     : Unused::implausible;
+        } else if constexpr (requires { p.request; } && !std::is_same_v<P, Data>) {
+          return once(application, p.kType, p.request ^ packet.timestamp);
+        } else {
+          return std::nullopt;
+        }
+      },
+      packet.pdu);
+}
+
+std::optional<Unused> Incoming::newest(const EntityId& who, std::uint8_t type,
+                                       std::uint32_t stamp) {
+  const auto at = entities_.find(who);
+  if (at == entities_.end() && entities_.size() >= kMost)
+    return Unused::crowded;
+  auto& last = entities_[who].last;
+  const auto [known, fresh] = last.emplace(type, stamp);
+  if (fresh)
+    return std::nullopt;
+  const double older = behind(seconds_of(stamp), seconds_of(known->second));
+  if (older == 0)
+    return Unused::twice;
+  if (older > 0 && older < kReordered)
+    return Unused::late;
+  known->second = stamp;
+  return std::nullopt;
+}
+
+std::optional<Unused> Incoming::once(Application& application, std::uint8_t type,
+                                     std::uint32_t number) {
+  const auto key = std::pair(type, number);
+  if (!application.told.insert(key).second)
+    return Unused::twice;
+  if (application.order.size() < kRemembered) {
+    application.order.push_back(key);
+  } else {
+    application.told.erase(std::exchange(application.order[application.next], key));
+    application.next = (application.next + 1) % kRemembered;
+  }
+  return std::nullopt;
+}
+
+double Incoming::valid_at(Application& application, std::uint32_t stamp, double came) {
+  const double ago = behind(seconds_of(stamp), std::fmod(came, kHour));
+  if ((stamp & 1) != 0 && ago > -kSameClock && ago < kLongestWay) {
+    counts.latency.add(std::max(ago, 0.0));
+    return came - std::max(ago, 0.0);
+  }
+  // its own clock: that packet was the quickest which is the least behind
+  const double later = behind(application.nearest, ago);
+  if (!application.known || later < 0 || later > kLongestWay) {
+    application.known = true;
+    application.nearest = ago;
+    return came;
+  }
+  return came - later;
+}
+
+}  // namespace eyrie::dis

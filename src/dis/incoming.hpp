@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What comes in from the network: which of it is for us and new, and when it was so.
+#include <map>
+#include <set>
+
+#include "core/enum_names.hpp"
+#include "dis/station.hpp"
+
+namespace eyrie::dis {
+
+/// Why something that came in is not used.
+enum class Unused : std::uint8_t {
+  truncated,    ///< shorter than it says
+  version,      ///< neither 6 nor 7
+  kind,         ///< a PDU that is not read
+  malformed,    ///< its parts do not have the length of the whole
+  exercise,     ///< of another exercise
+  own,          ///< what we sent ourselves, or somebody under our number
+  twice,        ///< it was there before
+  late,         ///< a newer one was there before
+  implausible,  ///< no number, or nowhere near the place of the scenario
+  crowded,      ///< more entities, or applications, than can be
+  no_place,     ///< an entity that is nobody of the scenario, and no place is left for it
+};
+constexpr auto names_of(Unused) {
+  return names_from_zero<Unused>("truncated", "version", "kind", "malformed", "exercise", "own",
+                                 "twice", "late", "implausible", "crowded", "no_place");
+}
+/// The words behind a number of these: "of another exercise".
+[[nodiscard]] std::string_view words_of(Unused why);
+
+/// Many numbers in short.
+struct Spread {
+  std::uint64_t count = 0;
+  double sum = 0, max = 0;
+  void add(double x) {
+    ++count;
+    sum += x;
+    max = std::max(max, x);
+  }
+  [[nodiscard]] double mean() const { return count ? sum / static_cast<double>(count) : 0; }
+};
+
+struct HeardCounts {
+  std::uint64_t datagrams = 0, states = 0, shots = 0, ends = 0, emissions = 0, management = 0,
+                words = 0;
+  std::array<std::uint64_t, 11> unused{};  ///< by Unused
+  std::uint64_t entities = 0, vanished = 0;
+  Spread latency;  ///< s, of those whose clock is that of the world
+  Spread error;    ///< m, of dead reckoning, when a new state came
+
+  std::uint64_t& operator[](Unused why) { return unused[static_cast<std::size_t>(why)]; }
+  [[nodiscard]] std::uint64_t operator[](Unused why) const {
+    return unused[static_cast<std::size_t>(why)];
+  }
+};
+
+/// A PDU that is for us and new.
+struct Received {
+  Pdu pdu;
+  double valid = 0;  ///< s since 1970, when it was so, by our clock
+};
+
+/// From datagrams to PDUs. Keeps no more than kMost entities and applications, whatever comes.
+class Incoming {
+ public:
+  static constexpr std::size_t kMost = 4096;
+
+  explicit Incoming(const Station& station) : station_(station) {}
+
+  /// A datagram that came at `came` (s since 1970).
+  void hear(std::span<const std::byte> datagram, double came);
+  /// What was heard since the last time, in its order.
+  [[nodiscard]] std::vector<Received> take() { return std::exchange(received_, {}); }
+
+  HeardCounts counts;
+
+ private:
+  /// Whose timestamps say which of its states, and of its emissions, is the newest.
+  struct Stamps {
+    std::map<std::uint8_t, std::uint32_t> last;  ///< by type of PDU
+  };
+  struct Application {
+    double nearest = 0;  ///< s, the least that its stamps are behind our clock
+    bool known = false;
+    std::set<std::pair<std::uint8_t, std::uint32_t>>
+        told;  ///< type and number of what is told once
+    std::vector<std::pair<std::uint8_t, std::uint32_t>> order;  ///< of these
+    std::size_t next = 0;
+  };
+
+  [[nodiscard]] std::optional<Unused> check(const Packet& packet);
+  [[nodiscard]] std::optional<Unused> newest(const EntityId& who, std::uint8_t type,
+                                             std::uint32_t stamp);
+  [[nodiscard]] std::optional<Unused> once(Application& application, std::uint8_t type,
+                                           std::uint32_t number);
+  [[nodiscard]] double valid_at(Application& application, std::uint32_t stamp, double came);
+
+  Station station_;
+  std::map<EntityId, Stamps> entities_;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, Application> applications_;
+  std::vector<Received> received_;
+};
+
+}  // namespace eyrie::dis

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+/// \file  One mission by two programs, in one process: each hears of the other's players by packets
+/// alone, over a network that delays, loses, doubles and overtakes.
+#include "dis/others.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/draw.hpp"
+#include "dis/announcer.hpp"
+#include "sim/trail.hpp"
+#include "support/flight.hpp"
+
+namespace eyrie::dis {
+namespace {
+
+constexpr double kStart = 1'767'268'800;  // s since 1970: 2026-01-01 12:00 UTC, when missions begin
+
+struct Network {
+  double delay = 0;   ///< s
+  double jitter = 0;  ///< s, more for some
+  double loss = 0, twice = 0;
+};
+
+struct Program {
+  Program(const std::string& name, std::vector<std::string> ours, std::uint16_t number,
+          const Network& network, const sim::RunOptions& options = {})
+      : flight(test::load_scenario(name, sets_of(std::move(ours))), {}, options),
+        station{.application = number},
+        others(*flight.scenario, station),
+        announcer(
+            *flight.scenario, station,
+            [this](double, const Packet& packet) { sent.push_back(encode(packet)); }, &others),
+        network_(network) {
+    flight.mission.run().attach(announcer);
+  }
+  static std::vector<std::string> sets_of(std::vector<std::string> ours) {
+    std::string list;
+    for (const std::string& one : ours)
+      list += (list.empty() ? "" : ", ") + one;
+    return ours.empty() ? std::vector<std::string>{} : std::vector{"ours=[" + list + "]"};
+  }
+
+  bool step() {
+    const double now = kStart + flight.mission.run().time();
+    for (auto at = coming_.begin(); at != coming_.end() && at->first <= now; at = coming_.erase(at))
+      others.hear(at->second, at->first);
+    for (const sim::Order& order : others.orders(flight.world(), now))
+      EXPECT_EQ(flight.mission.run().submit(order), "");
+    return flight.mission.step();
+  }
+  /// What was sent since goes to `to`.
+  void deliver(Program& to) {
+    const double now = kStart + flight.mission.run().time();
+    for (auto& bytes : sent) {
+      Draw draw(1, PlayerId{station.application}, Stream::datalink, ++sent_count_);
+      if (draw.chance(network_.loss))
+        continue;
+      const double way = network_.delay + network_.jitter * draw.uniform();
+      if (draw.chance(network_.twice))
+        to.coming_.emplace(now + way + 0.01, bytes);
+      to.coming_.emplace(now + way, std::move(bytes));
+    }
+    sent.clear();
+  }
+  [[nodiscard]] std::vector<std::string> kills() const {
+    std::vector<std::string> all;
+    for (const auto& h : flight.log.of(model::EventKind::kill))
+      all.push_back(flight.scenario->roster.name(h.event.who) + " kills " +
+                    flight.scenario->roster.name(h.event.whom));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+  [[nodiscard]] std::vector<std::string> shots() const {
+    std::vector<std::string> all;
+    for (const auto& h : flight.log.of(model::EventKind::launch))
+      all.push_back(flight.scenario->roster.name(PlayerId{h.event.detail}) + " at " +
+                    flight.scenario->roster.name(h.event.whom));
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+  test::Flight flight;
+  Station station;
+  std::vector<std::vector<std::byte>> sent;
+  Others others;
+  Announcer announcer;
+
+ private:
+  Network network_;
+  std::multimap<double, std::vector<std::byte>> coming_;
+  std::uint64_t sent_count_ = 0;
+};
+
+struct Both {
+  explicit Both(const std::string& scenario, const Network& network = {},
+                const sim::RunOptions& options = {})
+      : blue(scenario, {"blue"}, 1, network, options), red(scenario, {"red"}, 2, network) {}
+
+  /// Until both are over, or `until` (s).
+  void fly(double until) {
+    bool blue_flies = true, red_flies = true;
+    while ((blue_flies || red_flies) && blue.flight.mission.run().time() < until) {
+      blue_flies = blue_flies && blue.step();
+      red_flies = red_flies && red.step();
+      blue.deliver(red);
+      red.deliver(blue);
+      worst = std::max({worst, apart(blue, red), apart(red, blue)});
+    }
+    blue.flight.mission.run().finish();
+    red.flight.mission.run().finish();
+  }
+  /// m, between where one has the other's players and where they are.
+  static double apart(const Program& here, const Program& there) {
+    double most = 0;
+    const auto& s = *here.flight.scenario;
+    const auto ids = here.flight.world().ids(s.aircraft.table);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const auto& k = here.flight.world().rows(s.aircraft.kinematics)[i];
+      const auto row = there.flight.world().row(s.aircraft.table, ids[i]);
+      if (here.flight.world().rows(s.aircraft.fit)[i].remote != 0 && row && !model::is_nowhere(k))
+        most = std::max(
+            most,
+            norm(k.position - there.flight.world().rows(s.aircraft.kinematics)[*row].position));
+    }
+    return most;
+  }
+
+  Program blue, red;
+  double worst = 0;
+};
+
+TEST(Others, FlyOneMissionFromTwoProgramsAndTellTheSameStory) {
+  Both both("merge");
+  both.fly(600);
+  EXPECT_EQ(both.blue.kills(), both.red.kills());
+  EXPECT_EQ(both.blue.shots(), both.red.shots());
+  EXPECT_GE(both.blue.shots().size(), 1u);
+  EXPECT_GE(both.blue.kills().size(), 1u);
+  EXPECT_EQ(both.blue.flight.mission.outcome(), both.red.flight.mission.outcome());
+  EXPECT_LT(both.worst, 30);  // m: of a break turn, between two steps of the network
+  EXPECT_EQ(both.blue.others.counts()[Unused::no_place], 0u);
+}
+
+TEST(Others, TellTheSameStoryOverABadNetwork) {
+  Both both("sweep_even", {.delay = 0.05, .jitter = 0.03, .loss = 0.02, .twice = 0.05});
+  both.fly(1200);
+  EXPECT_EQ(both.blue.kills(), both.red.kills());
+  EXPECT_EQ(both.blue.shots().size(), both.red.shots().size());
+  EXPECT_GE(both.blue.kills().size(), 1u);
+  const HeardCounts& counts = both.blue.others.counts();
+  EXPECT_GT(counts[Unused::late], 0u);
+  EXPECT_GT(counts[Unused::twice], 0u);
+  EXPECT_EQ(counts[Unused::malformed] + counts[Unused::own] + counts[Unused::exercise], 0u);
+}
+
+}  // namespace
+}  // namespace eyrie::dis

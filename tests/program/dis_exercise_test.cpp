@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+/// \file  `fly --dis --ours` in two processes at once, over a group of this machine: one mission.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "dis/pdu.hpp"
+#include "net/datagram_sender.hpp"
+#include "support/program.hpp"
+
+namespace eyrie::test {
+namespace {
+
+using nlohmann::json;
+
+/// The merge, begun close behind the other; blue and red in a process each, by the clock.
+struct Exercise {
+  explicit Exercise(const std::string& at) {
+    const auto words = [&](const char* side, const char* station) {
+      const std::string start = "red.flights.bandit.start.";
+      return std::vector<std::string>{"fly",           "merge",
+                                      "--set",         start + "east=-5.6 nmi",
+                                      "--set",         start + "north=0.2 nmi",
+                                      "--set",         start + "heading=90 deg",
+                                      "--until",       "40 s",
+                                      "--ours",        side,
+                                      "--dis",         at,
+                                      "--dis-station", station,
+                                      "--real-time",   "1",
+                                      "--out",         side,
+                                      "--no-debrief",  "--json"};
+    };
+    Running blue(folder, words("blue", "1.1.1"));
+    Running red(folder, words("red", "1.1.2"));
+    // somebody else in the same group: garbage, another exercise, another version
+    net::DatagramSender stranger({.to = *net::endpoint_of(at, {})});
+    for (const std::uint8_t version : {std::uint8_t{7}, std::uint8_t{3}})
+      for (int i = 0; i < 30; ++i) {
+        auto bytes = dis::encode({.exercise = 9, .pdu = dis::EntityState{}});
+        bytes[0] = std::byte{version};
+        bytes[1] = std::byte{version == 7 ? std::uint8_t{9} : std::uint8_t{1}};
+        stranger.send(bytes);
+        stranger.send(std::span(bytes).first(60));
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    of_blue = report_of(blue.wait());
+    of_red = report_of(red.wait());
+  }
+  static json report_of(const Ran& ran) {
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    return json::parse(ran.out);
+  }
+
+  TempFolder folder;
+  json of_blue, of_red;
+};
+
+TEST(DisExercise, IsOneMissionWhoseStoriesAgreeAndIsReplayedWithoutTheNetwork) {
+  const Exercise exercise("239.30.12.83:30183");
+  for (const char* side : {"blue", "red"})
+    for (const char* what : {"shots", "kills", "losses"})
+      EXPECT_EQ(exercise.of_blue["sides"][side][what], exercise.of_red["sides"][side][what])
+          << side << " " << what;
+  EXPECT_GE(exercise.of_blue["sides"]["blue"]["shots"].get<int>() +
+                exercise.of_blue["sides"]["red"]["shots"].get<int>(),
+            1);
+  for (const json* report : {&exercise.of_blue, &exercise.of_red}) {
+    const json& heard = (*report)["dis"]["heard"];
+    EXPECT_GE(heard["entities"], 1);
+    EXPECT_GE(heard["states"], 10);
+    EXPECT_GE(heard["not_used"]["exercise"], 1);
+    EXPECT_GE(heard["not_used"]["version"], 1);
+    EXPECT_GE(heard["not_used"]["truncated"], 1);
+    EXPECT_GE(heard["not_used"]["own"], 1);
+    EXPECT_LT(heard["error_max_m"], 100);
+    EXPECT_GT(heard["latency_max_s"], 0);
+  }
+  for (const char* side : {"blue", "red"}) {
+    const json& report = side == std::string("blue") ? exercise.of_blue : exercise.of_red;
+    const Ran again = run_program(exercise.folder, {"replay", side, "--workers", "3", "--json"});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find(report["hash"].get<std::string>()), std::string::npos) << again.out;
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"explain", side, "--player", side == std::string("blue") ? "viper1" : "bandit1",
+              "--at", "5"},
+             {"whatif", side, "--player", side == std::string("blue") ? "viper1" : "bandit1",
+              "--set", "root/wvr=fusion"},
+             {"debrief", side},
+             {"export", side, "--to", "sqlite"}}) {
+      const Ran ran = run_program(exercise.folder, words);
+      EXPECT_EQ(ran.code, 0) << words[0] << "\n" << ran.err;
+    }
+  }
+}
+
+TEST(DisExercise, RefusesWhoIsNobodyAndWhatIsNoThreshold) {
+  const TempFolder folder;
+  for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"--ours", "blu"}, "did you mean 'blue'"},
+           {{"--ours", "viper2"}, "viper1"},
+           {{"--dis-threshold", "3 kg"}, "--dis-threshold"}}) {
+    std::vector<std::string> all{"fly", "merge", "--dis"};
+    all.insert(all.end(), words.begin(), words.end());
+    const Ran ran = run_program(folder, all);
+    EXPECT_EQ(ran.code, 2) << words[1] << "\n" << ran.err;
+    EXPECT_NE(ran.err.find(said), std::string::npos) << ran.err;
+  }
+  EXPECT_EQ(run_program(folder, {"fly", "merge", "--ours", "blue"}).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
+}
+
+}  // namespace
+}  // namespace eyrie::test
