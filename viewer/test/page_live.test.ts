@@ -49,9 +49,9 @@ const rate = (text: string): Promise<unknown> => page.$eval('[aria-label="Rate o
 
 test('flies along once the mission is played, and stops when it is paused', { skip: kNoProgram }, async () => {
   assert.equal(await time(), 0);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   await page.waitForFunction(() => window.eyrie!.store.get().time > 20);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   await page.waitForFunction(() => !window.eyrie!.store.get().playing);
   await wait(300);
   const stopped = await time();
@@ -59,7 +59,7 @@ test('flies along once the mission is played, and stops when it is paused', { sk
   await wait(300);
   assert.equal(await time(), stopped);
   assert.ok(await is_same());
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
 });
 
 test('looks back while the mission goes on, and comes to the present again', { skip: kNoProgram }, async () => {
@@ -113,7 +113,12 @@ test('who joins late sees the same', { skip: kNoProgram }, async () => {
 const take_over = (): Promise<void> => page.$$eval('.orders button', (all) => (all.find((one) => one.textContent === 'Take over') as HTMLElement).click());
 
 test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async () => {
-  await page.waitForFunction(() => window.eyrie!.run.players[0]!.sights.at(window.eyrie!.run.players[0]!.sights.t.length - 1).tracks.some(({ identity }) => identity !== 'friendly'));
+  // until a missile reaches somebody
+  await rate('100');
+  await page.waitForFunction(() => {
+    const [own, ...others] = window.eyrie!.run.players.filter(({ index, side, end }) => index === 0 || (side === 'red' && !end)).map(({ motion }) => motion);
+    return others.some(({ east, north }) => Math.hypot(east.at(-1)! - own!.east.at(-1)!, north.at(-1)! - own!.north.at(-1)!) < 50_000);
+  });
   await rate('4');
   await page.keyboard.press('1');
   await page.waitForFunction(() => document.querySelector('.orders')?.getAttribute('aria-label')?.includes('eagle1'));
@@ -134,7 +139,7 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   }, before);
   await page.keyboard.press('t');
   await page.waitForFunction(() => !document.querySelector<HTMLButtonElement>('.acts button:nth-child(2)')!.disabled);
-  await page.keyboard.press('Space');
+  await page.keyboard.press(' ');
   await page.waitForFunction(() => window.eyrie!.run.missiles.some(({ shooter }) => shooter === 0));
   await wait(1200);
   assert.ok(await is_same());

@@ -17,9 +17,9 @@ export function told_since(run: Run, player: number, time: number): number | nul
   let since: number | null = null;
   for (const { t, kind, who, text } of run.story) {
     if (t > time) break;
-    if (kind !== 'order_given' || who !== player) continue;
-    if (/handed back|route again|weapons: free/.test(text)) since = null;
-    else if (/taken over|to a point|weapons: tight/.test(text)) since ??= t;
+    if (kind !== 'order' || who !== player) continue;
+    if (/handed back|route again|weapons free/.test(text)) since = null;
+    else if (/taken over|to a point|weapons tight/.test(text)) since ??= t;
   }
   return since;
 }
