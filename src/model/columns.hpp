@@ -60,8 +60,7 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
     using enum sim::Phase;
     return std::tuple{
         column("fit", &C::fit),
-        column("kinematics", &C::kinematics, WrittenBy{"flight", move},
-               WrittenBy{"remote", move}),
+        column("kinematics", &C::kinematics, WrittenBy{"flight", move}, WrittenBy{"remote", move}),
         column("flying", &C::flying, WrittenBy{"flight", move}),
         column("propulsion", &C::propulsion, WrittenBy{"flight", move}),
         column("command", &C::command, WrittenBy{"pilot", decide}),
@@ -72,8 +71,7 @@ struct AircraftColumns : sim::Table<AircraftColumns> {
         column("tracks", &C::tracks, WrittenBy{"sensors", perceive}),
         column("datalink", &C::datalink, WrittenBy{"sensors", perceive}),
         column("sent", &C::sent, WrittenBy{"sensors", act}),
-        column("emission", &C::emission, WrittenBy{"sensors", act},
-               WrittenBy{"remote", act}),
+        column("emission", &C::emission, WrittenBy{"sensors", act}, WrittenBy{"remote", act}),
         column("stores", &C::stores, WrittenBy{"stores", act}),
         column("decoys", &C::decoys, WrittenBy{"stores", act}),
         column("gun", &C::gun, WrittenBy{"gun", interact}),

@@ -53,7 +53,9 @@ class Reference {
   /// A position, Earth-centred and Earth-fixed, metres.
   [[nodiscard]] Vec3 to_ecef(const Vec3& local) const { return origin_ecef_ + to_ecef_ * local; }
 
-  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const { return from_ecef_ * (ecef - origin_ecef_); }
+  [[nodiscard]] Vec3 from_ecef(const Vec3& ecef) const {
+    return from_ecef_ * (ecef - origin_ecef_);
+  }
 
   /// A direction or a velocity in the axes of to_ecef(), and back.
   [[nodiscard]] Vec3 turned_to_ecef(const Vec3& local) const { return to_ecef_ * local; }

@@ -32,7 +32,7 @@ struct Scenario {
   model::MissileColumns missiles;
   pilot::PilotColumns pilots;
   std::optional<model::RemoteColumns> remote;  ///< if another program flies somebody
-  std::vector<pilot::Formation> formations;  ///< by Fit::flight
+  std::vector<pilot::Formation> formations;    ///< by Fit::flight
   std::shared_ptr<const driver::Trees> driver_trees;
   std::vector<driver::Spacing> convoys;              ///< by Fit::flight
   std::optional<model::VehicleColumns> vehicles;     ///< if there are any

@@ -241,8 +241,7 @@ struct MissileState {
         field("intended", &M::intended), field("track", &M::track), field("seen", &M::seen),
         field("type", &M::type), field("side", &M::side), field("active", &M::active),
         field("locked", &M::locked), field("decoy", &M::decoy), field("remote", &M::remote),
-        field("reserved", &M::reserved),
-        field("decoy_step", &M::decoy_step));
+        field("reserved", &M::reserved), field("decoy_step", &M::decoy_step));
   }
 };
 

@@ -70,11 +70,10 @@ class War {
     const auto born = world->spawn(aircraft.table);
     const std::uint32_t i = born->row;
     const bool blue = born->id.value <= 4;
-    world->rows(aircraft.fit)[i] = {
-        .flight = static_cast<std::uint16_t>(blue ? 0 : 1),
-        .rank = static_cast<std::uint8_t>((born->id.value - 1) % 4 + 1),
-        .side = blue ? model::Side::blue : model::Side::red,
-        .privileged = 1};
+    world->rows(aircraft.fit)[i] = {.flight = static_cast<std::uint16_t>(blue ? 0 : 1),
+                                    .rank = static_cast<std::uint8_t>((born->id.value - 1) % 4 + 1),
+                                    .side = blue ? model::Side::blue : model::Side::red,
+                                    .privileged = 1};
     const Vec3 place{north_east_up.x, north_east_up.y, -north_east_up.z};
     auto& k = world->rows(aircraft.kinematics)[i];
     k = model::flight::placed(library_->reference, library_->environment, place, heading, 250);
