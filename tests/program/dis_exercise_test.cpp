@@ -97,7 +97,7 @@ TEST(DisExercise, RefusesWhoIsNobodyAndWhatIsNoThreshold) {
   const TempFolder folder;
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"--ours", "blu"}, "did you mean 'blue'"},
-           {{"--ours", "viper2"}, "viper1"},
+           {{"--ours", "viper2"}, "did you mean 'viper"},
            {{"--dis-threshold", "3 kg"}, "--dis-threshold"}}) {
     std::vector<std::string> all{"fly", "merge", "--dis"};
     all.insert(all.end(), words.begin(), words.end());
