@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import type { Player, Run, Tree } from '../run/run.ts';
 import type { Ghost } from '../store.ts';
 import { contest, type Rival, type Won } from '../words/contest.ts';
-import { value_text, number_text } from '../words/text.ts';
+import { told_text, number_text } from '../words/text.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
 import { use_rove } from './rove.ts';
@@ -91,7 +91,7 @@ export function Fields({ player, index, tree }: { player: Player; index: number;
       <thead class="unseen"><tr><th>field</th><th>value</th><th>who won, and why</th></tr></thead>
       {fields.map((won) => (
           <FieldRow key={won.field} won={won} tree={tree} onPoint={point}
-            text={(value) => value_text(page.run, page.run.platforms[player.kind].action[won.field]!, value)} />
+            text={(value) => told_text(page.run, player, player.decisions.t[index]!, page.run.platforms[player.kind].action[won.field]!, value)} />
       ))}
     </table>
   );

@@ -4,7 +4,7 @@ import { VoteOrder } from '../live/orders.tsx';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
-import { general, quantity_text, value_text } from '../words/text.ts';
+import { general, quantity_text, told_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
 import { ask, change_of, use_node_types, type Change } from './what_if_answer.ts';
@@ -28,7 +28,7 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
       {rows.map(({ supplier, field }) => (
         <div key={field}>
           <dt>{action[field]!.name}</dt>
-          <dd>{value_text(run, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
+          <dd>{told_text(run, player, player.decisions.t[index]!, action[field]!, player.decisions.value(supplier, field)?.[index] ?? NaN)}
             {supplier !== node && <span class="dim"> {tree.nodes[supplier]!.label}</span>}</dd>
         </div>
       ))}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Values, numbers and times in words, as the terminal writes them: src/team/decision.hpp, and {:.Nf} and {:g} of fmt, which
  * round halves to even. */
-import type { Run } from '../run/run.ts';
+import { last_at, type Player, type Run } from '../run/run.ts';
 import { kSystems, size_of_unit, spoken, type Unit } from './units.ts';
 
 /** What value_text needs of an ActionField or a StateField; only a field of the state has choices. */
@@ -80,6 +80,15 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
       if (unit === 'rad' && /^(heading|bearing|course)$/.test(name)) return heading_text(value);
       return /altitude|above/.test(name) ? height_text(value) : quantity_text(value, unit);
   }
+}
+
+/** A value of an action of a player at a time (s): a track with the name of who it really was. */
+export function told_text(run: Run, player: Player, time: number, field: FieldInfo, value: number): string {
+  const text = value_text(run, field, value);
+  const sight = field.kind === 'id' && value ? last_at(player.sights.t, time) : -1;
+  const track = sight < 0 ? undefined : player.sights.at(sight).tracks.find(({ id }) => id === value);
+  const truth = track && run.players[track.truth];
+  return truth ? `${text} (${truth.name})` : text;
 }
 
 /** As {:.Nf}. JavaScript's own toFixed rounds an exact half up. */
