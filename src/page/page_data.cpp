@@ -222,6 +222,9 @@ class Writer final : public Packer {
     all["origin"] = {{"latitude", degrees(origin.latitude)},
                      {"longitude", degrees(origin.longitude)}};
     all["flights"] = flights();
+    all["stores"] = Json::array();  // as releases count them
+    for (std::uint16_t i = 0; i < scenario_.library->missiles.size(); ++i)
+      all["stores"].push_back(scenario_.library->missiles[i].label);
     all["trees"] = Json::array();
     pilots_.put_trees("aircraft", all["trees"]);
     drivers_.put_trees("vehicle", all["trees"]);

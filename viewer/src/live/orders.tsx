@@ -36,7 +36,6 @@ export function Orders({ live }: { live: Live }) {
       stop();
     };
   }, [pointing, player.name, whole]);
-  useEffect(() => set_sure(''), [player.name, whole]);
 
   return (
     <section class="orders" aria-label={`Orders for ${whole ? flight.name : player.name}`}>
@@ -55,7 +54,7 @@ export function Orders({ live }: { live: Live }) {
         <button type="button" disabled={gone} title="Weapons tight: nothing is shot" onClick={() => live.order('weapons', { ...whom, free: false })}>tight</button>
         <button type="button" disabled={gone} title="Weapons free" onClick={() => live.order('weapons', { ...whom, free: true })}>free</button>
       </>}
-      {sure
+      {sure === (whole ? flight.name : player.name)
         ? <><button type="button" class="bad" onClick={() => { live.order('lose', whom); set_sure(''); }}>kill {sure}</button><button type="button" onClick={() => set_sure('')}>no</button></>
         : <button type="button" disabled={gone} title="Lost, to something that is not simulated" onClick={() => set_sure(whole ? flight.name : player.name)}>kill …</button>}
       {flight.members.length > 1 && (

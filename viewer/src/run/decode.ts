@@ -71,7 +71,7 @@ export interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
   why: [node: number, text: number][];
   supplier: number[][];  // [node, supplier of field 0, of field 1, ...]
 }
-export interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'story'> {
+export interface Document extends Pick<Run, 'about' | 'origin' | 'platforms' | 'texts' | 'stores' | 'story'> {
   format: number;
   flights: (Omit<Flight, 'route' | 'home'> & { route: (number | null)[][]; home: number[] | null })[];
   players: PlayerData[];

@@ -214,6 +214,7 @@ export interface Run {
   shapes: Shape[];
   platforms: Record<PlayerKind, Platform>;
   texts: string[];
+  stores: string[];  // Types of missiles, as a release counts them.
   story: StoryLine[];
   verified?: string;  // With what it was compared, if not with a recording.
   is_part?: boolean;  // Only its beginning: the rest is being flown.

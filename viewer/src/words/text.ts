@@ -82,11 +82,12 @@ export function value_text(run: Run, { name, unit, kind, choices }: FieldInfo, v
   }
 }
 
-/** A value of an action of a player at a time (s): a track with the name of who it really was. */
+/** A value of an action of a player at a time (s): stores and tracks by name, and who a track really was. */
 export function told_text(run: Run, player: Player, time: number, field: FieldInfo, value: number): string {
-  const text = value_text(run, field, value);
-  const sight = field.kind === 'id' && value ? last_at(player.sights.t, time) : -1;
-  const track = sight < 0 ? undefined : player.sights.at(sight).tracks.find(({ id }) => id === value);
+  const text = value_text(run, field, value).replace(/^store (\d+)(?= at #)/, (_, store: string) => run.stores[Number(store)] ?? '?');
+  const number = /#(\d+)$/.exec(text)?.[1];
+  const sight = number ? last_at(player.sights.t, time) : -1;
+  const track = sight < 0 ? undefined : player.sights.at(sight).tracks.find(({ id }) => id === Number(number));
   const truth = track && run.players[track.truth];
   return truth ? `${text} (${truth.name})` : text;
 }
