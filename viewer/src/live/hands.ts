@@ -73,11 +73,12 @@ export function steered(wanted: Wanted, [right, up, faster]: readonly [number, n
   };
 }
 
-/** The target after this one: the nearest first, and none after the last. */
+/** The target after this one, the nearest first and again after the last: who is hostile, or where nobody is, who may be; 0: nobody. */
 export function next_target(tracks: readonly TrackSeen[], from: { east: number; north: number }, now: number): number {
   const far = ({ place }: TrackSeen): number => Math.hypot(place.east - from.east, place.north - from.north);
-  const ids = tracks.filter(({ identity }) => identity !== 'friendly').sort((a, b) => far(a) - far(b)).map(({ id }) => id);
-  return ids[ids.indexOf(now) + 1] ?? 0;
+  const of = (wanted: TrackSeen['identity']): TrackSeen[] => tracks.filter(({ identity }) => identity === wanted);
+  const ids = (of('hostile').length ? of('hostile') : of('unknown')).sort((a, b) => far(a) - far(b)).map(({ id }) => id);
+  return ids[ids.indexOf(now) + 1] ?? ids[0] ?? 0;
 }
 
 /** The order that says it, as src/scenario/operator_orders.hpp reads it. */
