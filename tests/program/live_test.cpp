@@ -120,7 +120,7 @@ TEST(Live, HandsBackWhatSomebodyFlewWhoLeaves) {
 }
 
 TEST(Live, IsRecordedWhenItIsEndedEarly) {
-  Mission mission({"merge", "--rate", "100"});
+  Mission mission({"merge", "--rate", "1"});
   LiveViewer viewer(mission.port);
   const std::uint64_t begun = viewer.world().step();
   viewer.follow_to(begun + 1);
