@@ -9,7 +9,7 @@ namespace eyrie::test {
 /// Whether it comes true within 20 seconds.
 template <class F>
 [[nodiscard]] bool soon(F&& true_now) {
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 20'000; ++i) {
     if (true_now())
       return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
