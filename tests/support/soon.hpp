@@ -6,7 +6,7 @@
 
 namespace eyrie::test {
 
-/// Whether it comes true within 20 seconds.
+/// Whether it comes true within 100 seconds: programs that are watched by a sanitizer are slow.
 template <class F>
 [[nodiscard]] bool soon(F&& true_now) {
   for (int i = 0; i < 20'000; ++i) {

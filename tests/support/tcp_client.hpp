@@ -87,7 +87,7 @@ class TcpClient {
   }
   [[nodiscard]] bool ready(short what) const {
     pollfd one{.fd = socket_, .events = what, .revents = 0};
-    return ::poll(&one, 1, 100'000) == 1;  // sanitizers are slow
+    return ::poll(&one, 1, 100'000) == 1;
   }
   int socket_;
   std::string held_;
