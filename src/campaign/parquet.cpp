@@ -12,14 +12,6 @@
 namespace eyrie::campaign {
 namespace {
 
-/// Of DuckDB's C interface, which keeps it (https://duckdb.org/docs/stable/clients/c/api).
-struct QueryResult {
-  std::uint64_t columns, rows, changed;
-  void* column_data;
-  char* error;
-  void* internal;
-};
-
 std::string sql_text(std::string_view text) {
   std::string out = "'";
   for (const char c : text)
@@ -37,7 +29,14 @@ std::string without_patterns(std::string_view path) {
 
 }  // namespace
 
+/// Of DuckDB's C interface, which keeps it (https://duckdb.org/docs/stable/clients/c/api).
 struct Parquet::Calls {
+  struct QueryResult {
+    std::uint64_t columns, rows, changed;
+    void* column_data;
+    char* error;
+    void* internal;
+  };
   int (*open)(const char* file, void** database);
   int (*connect)(void* database, void** connection);
   int (*query)(void* connection, const char* sql, QueryResult* result);
@@ -83,7 +82,7 @@ Parquet::~Parquet() {
 }
 
 void Parquet::run(const std::string& sql) {
-  QueryResult result{};
+  Calls::QueryResult result{};
   const bool failed = calls_->query(calls_->connection, sql.c_str(), &result) != 0;
   const char* const words = calls_->error(&result);
   const std::string why = words ? words : "DuckDB does not say why";
