@@ -20,8 +20,9 @@ foreach(function sin cos tan asin acos atan atan2 sinh cosh tanh exp exp2 log lo
   target_compile_options(eyrie_options INTERFACE -fno-builtin-${function})
 endforeach()
 
-# what only Eyrie itself is held to
-set(own_options -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion)
+# what only Eyrie itself is held to; what it says of a file does not depend on where it was built, so that checkouts share
+# the compiler cache and builds are the same
+set(own_options -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/= -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers -Wconversion -Wno-sign-conversion)
 if(EYRIE_WERROR)
   list(APPEND own_options -Werror)
 endif()
