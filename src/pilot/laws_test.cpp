@@ -10,6 +10,7 @@
 #include <cmath>
 #include <string>
 
+#include "pilot/policy/observation.hpp"
 #include "support/pilot/testing.hpp"
 
 namespace eyrie::pilot {
@@ -119,6 +120,23 @@ RC_GTEST_PROP(EveryBehavior, AttacksNobodyWhoIsNotConfirmedAndHostile, ()) {
     if (a.target && *a.target)
       RC_ASSERT(hostile(*a.target));
   }
+}
+
+RC_GTEST_PROP(EveryField, IsAFeatureWithinItsBounds, ()) {
+  Desk s = anything();
+  s.own.roll = any_heading();
+  std::string text;
+  for (const auto& field : ubf::StateFields<State>::all()) {
+    const Dimension unit = field.info.unit.dimension;
+    text += fmt::format("{0} present\n{0} linear {1} {2}\n", field.info.name,
+                        exact_quantity(-3.0, unit), exact_quantity(1000.0, unit));
+    if (unit == Dimension::angle)
+      text += fmt::format("{0} sine\n{0} cosine\n", field.info.name);
+  }
+  const Observation all(text);
+  std::vector<float> numbers(all.size(), 99);
+  all.write(s.state(), numbers.data());
+  RC_ASSERT(std::all_of(numbers.begin(), numbers.end(), [](float x) { return x >= -1 && x <= 1; }));
 }
 
 /// The same with east and west exchanged.

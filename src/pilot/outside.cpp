@@ -92,6 +92,8 @@ std::optional<std::uint32_t> store_for(std::uint8_t wish, const State& state, co
   return best;
 }
 
+}  // namespace
+
 void fly_by_hand(const Manual& m, const State& state, Action& action) {
   const auto said = [&](Manual::Field field, float value) {
     return m.has(field) ? std::optional<double>(value) : std::nullopt;
@@ -118,8 +120,6 @@ void fly_by_hand(const Manual& m, const State& state, Action& action) {
       if (const auto store = store_for(m.store, state, *target))
         action.release = Release{target->id(), *store};
 }
-
-}  // namespace
 
 Obeyed Outside::obey(const sim::Order& order, Asked& asked, std::size_t nodes) {
   switch (static_cast<OrderKind>(order.kind.value)) {

@@ -23,6 +23,11 @@ inline constexpr double kPointReached = 2000;
 /// As a Manual's `store`: the missile of the shortest reach in whose zone the target is.
 inline constexpr std::uint8_t kAnyStore = 255;
 
+/// Puts what a person asks for into an action: his numbers are flown by hold or, with a climb, as a
+/// direction, and he alone shoots. Target, radar and decoys that he says nothing of stay as they
+/// are.
+void fly_by_hand(const model::Manual& manual, const State& state, Action& action);
+
 /// See team::NoOutside.
 struct Outside {
   using Asked = model::Tasking;

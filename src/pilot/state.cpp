@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/state.hpp"
 
+#include <bitset>
+
+#include "model/weapon/stores.hpp"
 #include "pilot/sort.hpp"
 
 namespace eyrie::pilot {
@@ -121,6 +124,33 @@ const Reach& State::reach_of(const Seen& one) const {
       worst = {zone.r_max, zone.r_ne};
   }
   return worst;
+}
+
+const OwnReach& State::own_reach(const Seen& one) const {
+  if (own_reach_to_ == one.id())
+    return own_reach_;
+  own_reach_to_ = one.id();
+  own_reach_ = {};
+  const auto situation = launch_situation(one);
+  double shortest = math::kInfinity;
+  std::bitset<256> tried;
+  for (const model::Station& station : stores.stations) {
+    if (station.store == 0 || station.count == 0 || tried[station.store])
+      continue;
+    tried.set(station.store);
+    const auto store = static_cast<std::uint16_t>(station.store - 1);
+    const model::weapon::EmploymentZone zone = library.missiles[store].zone.at(situation);
+    if (!zone.possible())
+      continue;
+    own_reach_.r_max = std::max(own_reach_.r_max, zone.r_max);
+    own_reach_.r_ne = std::max(own_reach_.r_ne, zone.r_ne);
+    if (one.range >= zone.r_min && one.range <= zone.r_max && zone.r_max < shortest &&
+        model::weapon::can_release(stores, store, time)) {
+      shortest = zone.r_max;
+      own_reach_.store = store;
+    }
+  }
+  return own_reach_;
 }
 
 double State::off_nose(const Vec3& ned) const {

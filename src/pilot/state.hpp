@@ -31,6 +31,13 @@ struct Reach {
   double r_max, r_ne;
 };
 
+/// What the missiles on board can do about somebody.
+struct OwnReach {
+  double r_max = 0, r_ne = 0;  ///< m, the longest of them; 0: none reaches him
+  /// Of those that may leave now and in whose zone he is, the one of the shortest r_max.
+  std::optional<std::uint16_t> store;
+};
+
 /// The rows of one aircraft that its pilot reads.
 struct Cockpit {
   const model::Kinematics& own;
@@ -119,6 +126,8 @@ struct State : Cockpit {
   /// From where a track, as it flies now, could hit this aircraft. Nobody knows what it carries: it
   /// is the farthest-reaching radar missile that the library knows. Found once a decision.
   [[nodiscard]] const Reach& reach_of(const Seen& one) const;
+  /// What the missiles on board can do about a track. Found once a decision for the last one asked.
+  [[nodiscard]] const OwnReach& own_reach(const Seen& one) const;
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
   [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
@@ -130,6 +139,8 @@ struct State : Cockpit {
  private:
   mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
   mutable std::array<Reach, model::kMaxTracks> reaches_;
+  mutable TrackId own_reach_to_;  ///< whom own_reach_ is about
+  mutable OwnReach own_reach_;
 };
 
 /// What is in a state, for debriefs.

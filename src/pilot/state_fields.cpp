@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "model/weapon/stores.hpp"
+#include "pilot/danger.hpp"
 #include "pilot/fight.hpp"
+#include "pilot/gunnery.hpp"
 #include "pilot/trees.hpp"
 
 namespace eyrie::pilot {
@@ -10,6 +12,52 @@ namespace {
 using ubf::kNoValue;
 constexpr auto number = ubf::FieldsOf<State>::number;
 constexpr auto flag = ubf::FieldsOf<State>::flag;
+
+/// rad in (-pi, pi], of a true bearing from the own heading, positive right.
+double right_of_nose(const State& s, double bearing) {
+  return angle_between(s.own.heading, bearing);
+}
+
+/// A direction (NED) in the own body axes.
+struct InBody {
+  double azimuth = 0;    ///< rad in (-pi, pi], from the nose to the right wing
+  double elevation = 0;  ///< rad, from the plane of the wings to the canopy
+};
+InBody in_body(const State& s, const Vec3& ned) {
+  const model::Axes axes = model::body_axes(s.own);
+  const Vec3 local = from_ned(s.own, ned);
+  const Vec3 body{dot(local, axes.forward), dot(local, axes.right), dot(local, axes.down)};
+  return {bearing_of(body), elevation_of(body)};
+}
+
+/// rad/s, at which the line of sight to a track turns: the part of the velocity across it over the
+/// range, to the right and up as seen from here.
+struct Drift {
+  double right = 0, up = 0;
+};
+Drift drift(const State& s, const Seen& t) {
+  const Vec3 sight = normalized(t.ned, {1, 0, 0});
+  const Vec3 right = normalized({-sight.y, sight.x, 0}, {0, 1, 0});
+  const Vec3 turning = (s.velocity_of(t) - s.velocity_ned) / std::max(t.range, 1.0);
+  return {dot(turning, right), dot(turning, cross(right, sight))};
+}
+
+/// A range over a reach; infinite if there is no reach.
+double over(double range, double reach) {
+  return reach > 0 ? range / reach : math::kInfinity;
+}
+
+/// m, from here to the own place in the formation, ahead and to the right along the own heading,
+/// level, and down.
+Vec3 to_place(const State& s, const team::Leader& lead) {
+  const auto turned = [](const Vec3& v, double angle) {
+    const auto [sine, cosine] = math::sin_cos(angle);
+    return Vec3{cosine * v.x - sine * v.y, sine * v.x + cosine * v.y, v.z};
+  };
+  const Vec3 ned =
+      to_ned(s.own, lead.position - s.own.position) + turned(s.place(), s.forward_of(lead));
+  return turned(ned, -s.own.heading);
+}
 
 /// What `of` says of the chosen target; no value without one.
 template <auto of>
@@ -31,6 +79,109 @@ constexpr auto kTargetUnseen = [](const State& s, const Seen& t) {
   return seen == model::kNever ? std::numeric_limits<double>::infinity() : s.time - seen;
 };
 constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
+constexpr auto kTargetAge = [](const State& s, const Seen& t) { return s.time - t.track->time; };
+constexpr auto kTargetAltitude = [](const State& s, const Seen& t) {
+  return altitude_of(s.own, t.ned);
+};
+constexpr auto kTargetSpeed = [](const State& s, const Seen& t) { return norm(s.velocity_of(t)); };
+constexpr auto kTargetClimb = [](const State& s, const Seen& t) {
+  return elevation_of(s.velocity_of(t));
+};
+constexpr auto kTargetCourse = [](const State& s, const Seen& t) {
+  return right_of_nose(s, bearing_of(s.velocity_of(t)));
+};
+constexpr auto kTargetAspect = [](const State& s, const Seen& t) {
+  return angle_between(bearing_of(s.velocity_of(t)), bearing_of(-t.ned));
+};
+constexpr auto kTargetRight = [](const State& s, const Seen& t) {
+  return right_of_nose(s, bearing_of(t.ned));
+};
+constexpr auto kTargetUp = [](const State&, const Seen& t) { return elevation_of(t.ned); };
+constexpr auto kTargetAzimuth = [](const State& s, const Seen& t) {
+  return in_body(s, t.ned).azimuth;
+};
+constexpr auto kTargetElevation = [](const State& s, const Seen& t) {
+  return in_body(s, t.ned).elevation;
+};
+constexpr auto kDriftRight = [](const State& s, const Seen& t) { return drift(s, t).right; };
+constexpr auto kDriftUp = [](const State& s, const Seen& t) { return drift(s, t).up; };
+constexpr auto kShots = [](const State& s, const Seen& t) {
+  return static_cast<double>(s.agent.flying_at(t.id(), s.time));
+};
+constexpr auto kOverRMax = [](const State& s, const Seen& t) {
+  return over(t.range, s.own_reach(t).r_max);
+};
+constexpr auto kOverRNe = [](const State& s, const Seen& t) {
+  return over(t.range, s.own_reach(t).r_ne);
+};
+constexpr auto kOverHisRMax = [](const State& s, const Seen& t) {
+  return over(t.range, s.reach_of(t).r_max);
+};
+constexpr auto kOverHisRNe = [](const State& s, const Seen& t) {
+  return over(t.range, s.reach_of(t).r_ne);
+};
+constexpr auto kInZone = [](const State& s, const Seen& t) -> double {
+  return s.own_reach(t).store.has_value();
+};
+
+/// What `of` says of the sight on the chosen target; no value without target or gun.
+template <auto of>
+double of_sight(const State& s) {
+  const Seen* target = s.target();
+  const std::optional<Sight> sight = target ? gun_sight(s, *target) : std::nullopt;
+  return sight ? of(s, *sight) : kNoValue;
+}
+constexpr auto kGunAzimuth = [](const State& s, const Sight& g) {
+  return in_body(s, g.aim).azimuth;
+};
+constexpr auto kGunElevation = [](const State& s, const Sight& g) {
+  return in_body(s, g.aim).elevation;
+};
+constexpr auto kGunReach = [](const State& s, const Sight& g) {
+  return over(g.range, s.library.guns[*s.type.index.gun].greatest_range);
+};
+
+/// What `of` says of the missile to worry about; no value without one.
+template <auto of>
+double of_missile(const State& s) {
+  const model::InboundMissile* missile = s.threat();
+  return missile ? of(s, *missile) : kNoValue;
+}
+constexpr auto kMissileRange = [](const State&, const model::InboundMissile& m) {
+  return m.has_position ? m.range : kNoValue;
+};
+constexpr auto kMissileRight = [](const State& s, const model::InboundMissile& m) {
+  return right_of_nose(s, m.bearing);
+};
+constexpr auto kMissileTime = [](const State& s, const model::InboundMissile& m) {
+  return time_to_go(s, m).value_or(kNoValue);
+};
+
+/// What `of` says of who is followed; no value for who leads, or who has not heard of the lead.
+template <auto of>
+double of_lead(const State& s) {
+  const std::optional<team::Leader> lead = s.leader();
+  return lead ? of(s, *lead) : kNoValue;
+}
+constexpr auto kPlaceAhead = [](const State& s, const team::Leader& l) { return to_place(s, l).x; };
+constexpr auto kPlaceRight = [](const State& s, const team::Leader& l) { return to_place(s, l).y; };
+constexpr auto kPlaceAbove = [](const State& s, const team::Leader& l) {
+  return -to_place(s, l).z;
+};
+constexpr auto kLeadCourse = [](const State& s, const team::Leader& l) {
+  return right_of_nose(s, s.forward_of(l));
+};
+constexpr auto kLeadSpeed = [](const State&, const team::Leader& l) { return norm(l.velocity); };
+
+bool in_gun(const State& s) {
+  const Seen* target = s.target();
+  const std::optional<Sight> sight =
+      target && s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
+  if (!sight)
+    return false;
+  const model::GunType& gun = s.library.guns[*s.type.index.gun];
+  return sight->range <= gun.greatest_range && sight->off_nose <= gun.aim_cone;
+}
 
 template <bool (Seen::*is)() const>
 std::size_t count(const State& s) {
@@ -48,6 +199,19 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("heading", "rad", "own, true, in (-180°, 180°]",
            [](const State& s) { return s.own.heading; }),
     number("pitch", "rad", "own, positive up", [](const State& s) { return s.own.pitch; }),
+    number("roll", "rad", "own, positive right wing down",
+           [](const State& s) { return s.own.roll; }),
+    number("climb_rate", "m/s", "own, positive up",
+           [](const State& s) { return -s.velocity_ned.z; }),
+    // the level part of the lift turns the path: Stevens, Lewis & Johnson, Aircraft Control and
+    // Simulation, 3rd ed., sec. 3.6, without sideslip
+    number("turn_rate", "rad/s",
+           "of the own heading as load factor and roll give it, positive right",
+           [](const State& s) {
+             const double level_speed = s.own.speed * math::cos(s.own.pitch);
+             return model::kGravity * s.own.load_factor * math::sin(s.own.roll) /
+                    std::max(level_speed, 1.0);
+           }),
     number("load_factor", "", "own, in g", [](const State& s) { return s.own.load_factor; }),
     number("available", "", "g that wing and structure give now",
            [](const State& s) { return double(s.flying.energy.available); }),
@@ -66,6 +230,13 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("rounds", "", "left in the gun", [](const State& s) { return double(s.gun.rounds); }),
     number("home_range", "m", "to the home of the flight, along the ground",
            [](const State& s) { return s.home_distance().value_or(kNoValue); }),
+    number("home_right", "rad", "home off the own heading, in (-180°, 180°], positive right",
+           [](const State& s) {
+             return s.flight.home
+                        ? right_of_nose(s,
+                                        bearing_of(to_ned(s.own, *s.flight.home - s.own.position)))
+                        : kNoValue;
+           }),
     number("rank", "", "own, among the members believed alive; 1 leads",
            [](const State& s) { return double(s.rank); }),
     number("alive", "", "members of the flight believed alive, the pilot included",
@@ -73,6 +244,14 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
     number("lost", "", "members of the flight believed lost",
            [](const State& s) { return double(s.lost); }),
     flag("leads", "the own rank is the first", [](const State& s) -> double { return s.leads(); }),
+    number("place_ahead", "m", "from here to the own place in the formation, along the own heading",
+           of_lead<kPlaceAhead>),
+    number("place_right", "m", "likewise to the right", of_lead<kPlaceRight>),
+    number("place_above", "m", "likewise up", of_lead<kPlaceAbove>),
+    number("lead_course", "rad",
+           "of who is followed, from the own heading, in (-180°, 180°], positive right",
+           of_lead<kLeadCourse>),
+    number("lead_speed", "m/s", "of who is followed, over the ground", of_lead<kLeadSpeed>),
     number("tracks", "", "that this pilot knows",
            [](const State& s) { return double(s.seen_count); }),
     number("hostiles", "", "tracks identified as hostile",
@@ -97,13 +276,73 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target<kTargetUnseen>),
     number("target_above", "m", "height of the chosen target over the own",
            of_target<kTargetHeight>),
+    number("target_age", "s", "since anything told of the chosen target", of_target<kTargetAge>),
+    number("target_altitude", "m", "of the chosen target", of_target<kTargetAltitude>),
+    number("target_speed", "m/s", "of the chosen target, over the ground", of_target<kTargetSpeed>),
+    number("target_climb", "rad", "of the chosen target's path above the horizon",
+           of_target<kTargetClimb>),
+    number("target_course", "rad",
+           "of the chosen target from the own heading, in (-180°, 180°], positive right",
+           of_target<kTargetCourse>),
+    number("target_aspect", "rad",
+           "of this aircraft from the chosen target's course, in (-180°, 180°], positive on his "
+           "right: 0 in front of him",
+           of_target<kTargetAspect>),
+    number("target_right", "rad",
+           "the chosen target off the own heading along the horizon, in (-180°, 180°], positive "
+           "right",
+           of_target<kTargetRight>),
+    number("target_up", "rad", "the chosen target above the horizon", of_target<kTargetUp>),
+    number("target_azimuth", "rad",
+           "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
+           "right",
+           of_target<kTargetAzimuth>),
+    number("target_elevation", "rad",
+           "the chosen target out of the plane of the wings, positive up",
+           of_target<kTargetElevation>),
+    number("drift_right", "rad/s", "at which the line of sight to the chosen target turns right",
+           of_target<kDriftRight>),
+    number("drift_up", "rad/s", "at which it turns up", of_target<kDriftUp>),
+    number("over_r_max", "",
+           "range of the chosen target over the longest r_max of the missiles on board; infinite "
+           "if none reaches him",
+           of_target<kOverRMax>),
+    number("over_r_ne", "", "the same over the longest r_ne", of_target<kOverRNe>),
+    number("over_his_r_max", "",
+           "range over the r_max of the farthest-reaching radar missile that he might have",
+           of_target<kOverHisRMax>),
+    number("over_his_r_ne", "", "the same over its r_ne", of_target<kOverHisRNe>),
+    flag("in_zone", "the chosen target is in the zone of a missile that may leave now",
+         [](const State& s) -> double { return of_target<kInZone>(s) == 1; }),
+    number("shots", "", "own missiles on their way to the chosen target", of_target<kShots>),
+    flag("supporting", "an own missile on its way needs the radar",
+         [](const State& s) -> double { return support_needed(s); }),
+    number("gun_azimuth", "rad", "where to aim the gun at the chosen target, as target_azimuth",
+           of_sight<kGunAzimuth>),
+    number("gun_elevation", "rad", "likewise as target_elevation", of_sight<kGunElevation>),
+    number("over_gun_range", "",
+           "range of the chosen target over the farthest that the gun is good for",
+           of_sight<kGunReach>),
+    flag("in_gun",
+         "the gun is on the chosen target: in its range and its aim cone, with rounds left",
+         [](const State& s) -> double { return in_gun(s); }),
     flag("threatened", "a missile is believed to come for this aircraft",
          [](const State& s) -> double { return s.threats.count > 0; }),
-    number("missile_range", "m", "to the missile to worry about, if its range is known",
+    number("missiles_inbound", "", "believed to come for this aircraft",
+           [](const State& s) { return double(s.threats.count); }),
+    number("missile_right", "rad",
+           "the missile to worry about off the own heading, in (-180°, 180°], positive right",
+           of_missile<kMissileRight>),
+    number("missile_time", "s", "until it is here, if that is known", of_missile<kMissileTime>),
+    flag("spiked", "a radar tracks this aircraft",
+         [](const State& s) -> double { return spike(s) != nullptr; }),
+    number("spike_right", "rad", "that radar off the own heading, in (-180°, 180°], positive right",
            [](const State& s) {
-             const model::InboundMissile* m = s.threat();
-             return m && m->has_position ? m->range : kNoValue;
+             const model::RwrWarning* warning = spike(s);
+             return warning ? right_of_nose(s, warning->bearing) : kNoValue;
            }),
+    number("missile_range", "m", "to the missile to worry about, if its range is known",
+           of_missile<kMissileRange>),
 });
 
 /// The position in `seen` of the i-th hostile.

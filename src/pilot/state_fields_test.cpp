@@ -83,6 +83,114 @@ TEST(StateFields, TellOfTargetAndThreatAndHaveNoValueWithoutThem) {
   EXPECT_EQ(f.at("missile_range"), 9e3);
 }
 
+TEST(StateFields, SayOnWhichSideTheTargetIs) {
+  Desk desk;  // at 8000 m, north at 250 m/s
+  desk.track({-3000, -4000, -1000}, -kPi / 2, 200);
+  Fields f = fields_of(desk);
+  EXPECT_NEAR(f.at("target_right"), std::atan2(-4000, -3000), 1e-9);
+  EXPECT_NEAR(f.at("target_up"), std::atan2(1000, 5000), 1e-9);
+  EXPECT_NEAR(f.at("target_azimuth"), f.at("target_right"), 1e-9) << "wings level";
+  EXPECT_NEAR(f.at("target_elevation"), f.at("target_up"), 1e-9);
+  EXPECT_NEAR(f.at("target_course"), -kPi / 2, 1e-9);
+  EXPECT_NEAR(f.at("target_aspect"), std::atan2(3000, -4000), 1e-9) << "behind him on his right";
+  EXPECT_NEAR(f.at("target_speed"), 200, 1e-9);
+  EXPECT_NEAR(f.at("target_climb"), 0, 1e-12);
+  EXPECT_NEAR(f.at("target_altitude"), 9000, 3) << "the Earth is round";
+  EXPECT_EQ(f.at("target_age"), 0);
+
+  // with the right wing down he is over the canopy if he is right
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{3000, 4000, 0};
+  desk.own.roll = kPi / 2;
+  f = fields_of(desk);
+  EXPECT_EQ(f.at("roll"), kPi / 2);
+  EXPECT_NEAR(f.at("target_elevation"), std::atan2(4000, 3000), 1e-9);
+  EXPECT_NEAR(f.at("target_azimuth"), 0, 1e-9);
+  EXPECT_NEAR(f.at("off_nose"), std::atan2(4000, 3000), 1e-9);
+}
+
+TEST(StateFields, TellHowFastTheLineOfSightTurns) {
+  Desk desk;
+  desk.track({4000, 0, 0}, kPi / 2, 200);  // crosses to the right
+  Fields f = fields_of(desk);
+  EXPECT_NEAR(f.at("drift_right"), 200.0 / 4000, 1e-9);
+  EXPECT_NEAR(f.at("drift_up"), 0, 1e-12);
+  desk.tracks.tracks[0].velocity = desk.own.velocity + Vec3{0, 0, -100};
+  f = fields_of(desk);
+  EXPECT_NEAR(f.at("drift_right"), 0, 1e-12);
+  EXPECT_NEAR(f.at("drift_up"), 100.0 / 4000, 1e-9);
+  desk.own.load_factor = 2;
+  desk.own.roll = -kPi / 3;
+  desk.own.velocity.z = -20;
+  f = fields_of(desk);
+  EXPECT_NEAR(f.at("turn_rate"), -2 * 9.80665 * std::sin(kPi / 3) / 250, 1e-9);
+  EXPECT_EQ(f.at("climb_rate"), 20);
+}
+
+TEST(StateFields, TellWhoseWeaponsReach) {
+  Desk desk;
+  desk.track({12e3, 0, 0});
+  const State state = desk.state();
+  const auto zone = state.zone(kMedium, *state.target());
+  ASSERT_GT(zone.r_max, state.zone(kShort, *state.target()).r_max);
+  Fields f = fields_of(desk);
+  EXPECT_NEAR(f.at("over_r_max"), 12e3 / zone.r_max, 1e-9);
+  EXPECT_NEAR(f.at("over_r_ne"), 12e3 / zone.r_ne, 1e-9);
+  EXPECT_NEAR(f.at("over_his_r_max"), 12e3 / zone.r_max, 0.01) << "a mirror image";
+  EXPECT_EQ(f.at("in_zone"), 1);
+  EXPECT_EQ(f.at("shots"), 0);
+  desk.agent.shots[0] = {.until = 200, .track = TrackId{1}, .store = kMedium};
+  EXPECT_EQ(fields_of(desk).at("shots"), 1);
+  EXPECT_EQ(fields_of(desk).at("supporting"), 1);
+  desk.stores = {};
+  f = fields_of(desk);
+  EXPECT_EQ(f.at("in_zone"), 0);
+  EXPECT_EQ(f.at("over_r_max"), math::kInfinity);
+
+  const double reach = library().guns[0].greatest_range;
+  EXPECT_NEAR(f.at("over_gun_range"), 12e3 / reach, 1e-9);
+  EXPECT_EQ(f.at("in_gun"), 0);
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{0.5 * reach, 0, 0};
+  desk.tracks.tracks[0].velocity = desk.own.velocity;
+  f = fields_of(desk);
+  EXPECT_EQ(f.at("in_gun"), 1);
+  EXPECT_NEAR(f.at("gun_azimuth"), 0, 1e-9);
+  EXPECT_GT(f.at("gun_elevation"), 0) << "rounds drop";
+  EXPECT_LT(f.at("gun_elevation"), 0.5 * kDegree);
+  desk.gun.rounds = 0;
+  EXPECT_EQ(fields_of(desk).at("in_gun"), 0);
+}
+
+TEST(StateFields, TellOfMissilesAndRadarsOnTheirSides) {
+  Desk desk;
+  desk.own.heading = kPi / 2;
+  desk.threat(0, 7e3);
+  desk.rwr.warnings[desk.rwr.count++] = {.bearing = kPi, .kind = model::EmissionKind::track};
+  const Fields f = fields_of(desk);
+  EXPECT_EQ(f.at("missiles_inbound"), 1);
+  EXPECT_NEAR(f.at("missile_right"), -kPi / 2, 1e-9);
+  EXPECT_NEAR(f.at("missile_time"), 7e3 / model::sensor::kMissileClosing, 1e-9);
+  EXPECT_EQ(f.at("spiked"), 1);
+  EXPECT_NEAR(f.at("spike_right"), kPi / 2, 1e-9);
+}
+
+TEST(StateFields, TellTheWayToTheOwnPlace) {
+  Desk desk;
+  EXPECT_TRUE(std::isnan(fields_of(desk).at("place_ahead")));
+  desk.in_flight(2, 2);  // the lead is a mile to the west, on the own course
+  Fields f = fields_of(desk);
+  EXPECT_NEAR(f.at("place_ahead"), -desk.formation.behind, 1e-6);
+  EXPECT_NEAR(f.at("place_right"), -1852 - desk.formation.abreast, 1e-6);
+  EXPECT_NEAR(f.at("place_above"), -desk.formation.below, 1e-6);
+  EXPECT_NEAR(f.at("lead_speed"), 250, 1e-6);
+  EXPECT_NEAR(f.at("lead_course"), 0, 1e-6);
+  desk.own.heading = kPi / 2;
+  f = fields_of(desk);
+  EXPECT_NEAR(f.at("place_ahead"), -1852 - desk.formation.abreast, 1e-6);
+  EXPECT_NEAR(f.at("place_right"), desk.formation.behind, 1e-6);
+  EXPECT_NEAR(f.at("lead_course"), -kPi / 2, 1e-6);
+  EXPECT_NEAR(f.at("home_right"), kPi / 2, 1e-3) << "50 nmi to the south";
+}
+
 TEST(StateFields, LetATreeDecideInWords) {
   Pilot pilot("{guard: {when: range < 10 nmi and not threatened, child: {break_turn: {}}}}");
   Pilot chooser("{switch: {on: rank, cases: {1: navigate, 2: {follow_lead: {vote: 3}}}}}");

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/policy/controls.hpp"
+
+#include "core/hash.hpp"
+#include "pilot/policy/layout.hpp"
+#include "pilot/state.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+using model::Dispense, model::Manual;
+
+/// What is commanded, beyond the fields of Manual that say so.
+constexpr std::uint16_t kTrigger = 1U << 9, kRelease = 1U << 10, kChaff = 1U << 11,
+                        kFlares = 1U << 12;
+constexpr std::uint16_t kVertical = Manual::kClimb | Manual::kAltitude;
+
+constexpr bool always(const State&) {
+  return true;
+}
+bool dispenses(const State& s) {
+  return s.type.index.dispenser.has_value();
+}
+/// The missile that a release would take; nothing if none would reach.
+std::optional<std::uint16_t> store_to_release(const State& s) {
+  const Seen* target = s.target();
+  return target && target->hostile() ? s.own_reach(*target).store : std::nullopt;
+}
+template <Dispense what>
+void dispense(const State&, double on, Manual& m) {
+  if (on > 0) {
+    m.dispense =
+        static_cast<Dispense>(static_cast<unsigned>(m.dispense) | static_cast<unsigned>(what));
+    m.said |= Manual::kDispense;
+  }
+}
+void say(Manual& m, Manual::Field field, float Manual::*member, double value) {
+  m.*member = static_cast<float>(value);
+  m.said |= field;
+}
+
+constexpr double kSteepest = radians(90);
+
+constexpr std::array kTypes = std::to_array<ControlType>({
+    {"turn", "heading to fly, from the own one, positive right", "rad", -kPi, kPi, Manual::kHeading,
+     [](const State& s, double x, Manual& m) {
+       say(m, Manual::kHeading, &Manual::heading, wrap_pi(s.own.heading + x));
+     },
+     always},
+    {"heading", "true heading to fly", "rad", -kPi, kPi, Manual::kHeading,
+     [](const State&, double x, Manual& m) { say(m, Manual::kHeading, &Manual::heading, x); },
+     always},
+    {"climb", "direction to fly to above the horizon, whichever way up, as the mode aim", "rad",
+     -kSteepest, kSteepest, kVertical,
+     [](const State&, double x, Manual& m) { say(m, Manual::kClimb, &Manual::climb, x); }, always},
+    {"pull", "the same from the own direction of flight, positive up", "rad", -kSteepest, kSteepest,
+     kVertical,
+     [](const State& s, double x, Manual& m) {
+       say(m, Manual::kClimb, &Manual::climb, std::clamp(s.own.pitch + x, -kSteepest, kSteepest));
+     },
+     always},
+    {"altitude", "to fly", "m", 0, 25e3, kVertical,
+     [](const State&, double x, Manual& m) { say(m, Manual::kAltitude, &Manual::altitude, x); },
+     always},
+    {"altitude_change", "altitude to fly, from the own one", "m", -25e3, 25e3, kVertical,
+     [](const State& s, double x, Manual& m) {
+       say(m, Manual::kAltitude, &Manual::altitude, s.own.altitude + x);
+     },
+     always},
+    {"speed", "true airspeed to fly", "m/s", 50, 1000, Manual::kSpeed,
+     [](const State&, double x, Manual& m) { say(m, Manual::kSpeed, &Manual::speed, x); }, always},
+    {"speed_change", "true airspeed to fly, from the own one", "m/s", -500, 500, Manual::kSpeed,
+     [](const State& s, double x, Manual& m) {
+       say(m, Manual::kSpeed, &Manual::speed, std::max(s.own.speed + x, 50.0));
+     },
+     always},
+    {"load_factor", "g, the most that turning may use", "", 1, 12, Manual::kLoadFactor,
+     [](const State&, double x, Manual& m) {
+       say(m, Manual::kLoadFactor, &Manual::load_factor, x);
+     },
+     always},
+    {"trigger",
+     "presses the trigger of the gun",
+     {},
+     0,
+     0,
+     kTrigger,
+     [](const State&, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; },
+     [](const State& s) { return s.gun.rounds > 0 && s.type.index.gun.has_value(); }},
+    {"release",
+     "releases a missile at the target, if it is hostile and in the zone of one that may leave "
+     "now: "
+     "of these the one of the shortest reach",
+     {},
+     0,
+     0,
+     kRelease,
+     [](const State& s, double on, Manual& m) {
+       if (const auto store = on > 0 ? store_to_release(s) : std::nullopt)
+         m.store = static_cast<std::uint8_t>(*store + 1);
+     },
+     [](const State& s) { return store_to_release(s).has_value(); }},
+    {"radar",
+     "the radar radiates",
+     {},
+     0,
+     0,
+     Manual::kRadar,
+     [](const State&, double on, Manual& m) {
+       m.radar_off = on > 0 ? 0 : 1;
+       m.said |= Manual::kRadar;
+     },
+     [](const State& s) { return s.type.index.radar.has_value(); }},
+    {"chaff",
+     "throws out chaff by the dispenser's program",
+     {},
+     0,
+     0,
+     kChaff,
+     dispense<Dispense::chaff>,
+     dispenses},
+    {"flares",
+     "throws out flares by the dispenser's program",
+     {},
+     0,
+     0,
+     kFlares,
+     dispense<Dispense::flares>,
+     dispenses},
+    {"dispense",
+     "throws out both",
+     {},
+     0,
+     0,
+     kChaff | kFlares,
+     dispense<Dispense::both>,
+     dispenses},
+});
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, kTypes.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    names[i] = kTypes[i].name;
+  return names;
+}();
+
+std::optional<Control> read_control(LayoutLine& line) {
+  const std::string_view name = line.word();
+  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) {
+    line.fail(fmt::format("there is no control {}{}", quote(name), did_you_mean(name, kNames)));
+    return std::nullopt;
+  }
+  Control control{.type = static_cast<std::uint32_t>(found - kNames.begin())};
+  const ControlType& type = control.info();
+  if (type.is_flag())
+    return line.end() ? std::optional(control) : std::nullopt;
+  const auto range = line.range(type.unit.dimension);
+  if (!range)
+    return std::nullopt;
+  std::tie(control.low, control.high) = *range;
+  if (control.low < type.least || control.high > type.most) {
+    line.fail(fmt::format("{}: the range must be within {} to {}", name,
+                          exact_quantity(type.least, type.unit.dimension),
+                          exact_quantity(type.most, type.unit.dimension)));
+    return std::nullopt;
+  }
+  return control;
+}
+
+}  // namespace
+
+std::span<const ControlType> control_types() {
+  return kTypes;
+}
+
+double Control::value(float unit) const {
+  const double x = static_cast<double>(unit);
+  return info().is_flag() ? (x > 0 ? 1 : 0) : from_unit(x, low, high);
+}
+
+std::optional<Controls> Controls::read(std::string_view text, const Location& where,
+                                       Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.count();
+  Controls controls;
+  read_layout(text, where, diagnostics, [&](LayoutLine& line) {
+    const auto control = read_control(line);
+    if (!control)
+      return;
+    for (const Control& other : controls.controls_)
+      if ((other.info().commands & control->info().commands) != 0)
+        line.fail(
+            fmt::format("{} commands what {} commands", control->info().name, other.info().name));
+    controls.controls_.push_back(*control);
+  });
+  return diagnostics.count() == before ? std::optional(std::move(controls)) : std::nullopt;
+}
+
+Controls::Controls(std::string_view text, const Location& where) {
+  Diagnostics diagnostics;
+  auto controls = read(text, where, diagnostics);
+  if (!controls)
+    throw ConfigError(diagnostics);
+  *this = std::move(*controls);
+}
+
+Manual Controls::apply(const State& state, std::span<const float> units) const {
+  EYRIE_DEMAND(units.size() >= controls_.size(), "a number for each control");
+  Manual manual{.seat = model::Seat::person};
+  if (const Seen* target = state.target()) {
+    manual.target = target->id();
+    manual.said |= Manual::kTarget;
+  }
+  for (std::size_t i = 0; i < controls_.size(); ++i)
+    if (!std::isnan(units[i]))
+      controls_[i].info().apply(state, controls_[i].value(units[i]), manual);
+  return manual;
+}
+
+void Controls::mask(const State& state, std::uint8_t* out) const {
+  for (const Control& control : controls_)
+    *out++ = control.info().can(state) ? 1 : 0;
+}
+
+std::string Controls::text() const {
+  std::string text;
+  for (const Control& control : controls_) {
+    const ControlType& type = control.info();
+    text += type.name;
+    if (!type.is_flag())
+      text += fmt::format(" {} {}", exact_quantity(control.low, type.unit.dimension),
+                          exact_quantity(control.high, type.unit.dimension));
+    text += '\n';
+  }
+  return text;
+}
+
+std::uint64_t Controls::hash() const {
+  const std::string all = text();
+  return hash_bytes(std::as_bytes(std::span(all)));
+}
+
+}  // namespace eyrie::pilot

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What a learned behavior commands: named controls, each a number in [-1, 1].
+#include "model/tasking.hpp"
+#include "pilot/trees.hpp"
+
+namespace eyrie::pilot {
+
+/// One thing that can be commanded, and how it becomes what a person at the controls would ask for.
+struct ControlType {
+  std::string_view name;
+  std::string_view help;
+  Unit unit;  ///< of a number
+  /// What a file may give as the range; a flag has none and is on above 0.
+  double least = 0, most = 0;
+  /// A bit for each thing that it commands: no two controls of one list command the same.
+  std::uint16_t commands = 0;
+  /// Writes a number in SI, or of a flag 1 or 0.
+  void (*apply)(const State&, double, model::Manual&) = nullptr;
+  /// Whether it could do anything now.
+  bool (*can)(const State&) = nullptr;
+
+  [[nodiscard]] constexpr bool is_flag() const { return least == most; }
+};
+/// All there are, in the order of the reference.
+[[nodiscard]] std::span<const ControlType> control_types();
+
+/// One number of a policy's answer: -1 is low, 1 is high, and it is not taken beyond them.
+struct Control {
+  std::uint32_t type = 0;    ///< index into control_types()
+  double low = 0, high = 1;  ///< in SI; of a number
+
+  [[nodiscard]] const ControlType& info() const { return control_types()[type]; }
+  /// The number in SI, or of a flag 1 or 0, for one in [-1, 1].
+  [[nodiscard]] double value(float unit) const;
+};
+
+/// An ordered list of controls: the layout of what comes out of a policy. As text it has a line for
+/// each: the name of a control and, unless it is a flag, a range.
+///
+///   turn -90 deg 90 deg
+///   climb -30 deg 30 deg
+///   release
+class Controls {
+ public:
+  /// Nothing is commanded.
+  Controls() = default;
+  /// From text; throws ConfigError with all of its mistakes, at `where`.
+  explicit Controls(std::string_view text, const Location& where = {"controls", 1, 1});
+  /// The same with the mistakes to `diagnostics`; nothing if there are any.
+  [[nodiscard]] static std::optional<Controls> read(std::string_view text, const Location& where,
+                                                    Diagnostics& diagnostics);
+
+  [[nodiscard]] std::size_t size() const { return controls_.size(); }
+  [[nodiscard]] std::span<const Control> controls() const { return controls_; }
+
+  /// What a person who wants this would ask for: as the payload of OrderKind::manual it is flown,
+  /// and by fly_by_hand() it becomes an action. It attacks the pilot's target. `units`: size() of
+  /// them; one that is NaN commands nothing. Allocates nothing.
+  [[nodiscard]] model::Manual apply(const State& state, std::span<const float> units) const;
+  /// Writes size() times 1 if the control could do anything now, else 0.
+  void mask(const State& state, std::uint8_t* out) const;
+
+  /// What read() reads back to the same, the ranges in the units that say them most simply.
+  [[nodiscard]] std::string text() const;
+  /// Of text(): two lists of one hash mean the same.
+  [[nodiscard]] std::uint64_t hash() const;
+
+ private:
+  std::vector<Control> controls_;
+};
+
+}  // namespace eyrie::pilot

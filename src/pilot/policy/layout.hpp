@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Layouts of what goes into a policy and comes out of it, as text: a line for each number.
+#include <optional>
+
+#include "core/diagnostics.hpp"
+#include "core/units.hpp"
+#include "ubf/state_fields.hpp"
+
+namespace eyrie::pilot {
+
+/// A layout has at most this many lines.
+inline constexpr std::size_t kMostLines = 1024;
+
+/// One line of a layout, read word by word. The first mistake is reported, what follows is not.
+class LayoutLine {
+ public:
+  LayoutLine(std::string_view line, Location where, Diagnostics& diagnostics)
+      : line_(line), where_(std::move(where)), diagnostics_(diagnostics) {}
+
+  /// The next word; empty at the end.
+  std::string_view word();
+  /// Two quantities, the lower one first, up to the end of the line.
+  std::optional<std::pair<double, double>> range(Dimension dimension);
+  /// Whether the line ends here, as it should.
+  bool end();
+  /// Reports a mistake at the last word; false.
+  bool fail(std::string message);
+
+ private:
+  std::optional<double> quantity(Dimension dimension);
+  [[nodiscard]] std::string_view next_word() const;
+
+  std::string_view line_;
+  Location where_;
+  Diagnostics& diagnostics_;
+  std::size_t at_ = 0, begin_ = 0;  ///< behind the last word, and where it begins
+  bool failed_ = false;
+};
+
+/// Calls `read(LayoutLine&)` for every line that is not empty; `where` is the place of the text.
+/// False, and reported, if there are none or too many.
+template <class Read>
+bool read_layout(std::string_view text, Location where, Diagnostics& diagnostics, Read read) {
+  const Location begin = where;
+  std::size_t lines = 0;
+  while (!text.empty() && lines <= kMostLines) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    if (line.find_first_not_of(" \t\r") != line.npos && ++lines <= kMostLines) {
+      LayoutLine words(line, where, diagnostics);
+      read(words);
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+    ++where.line;
+    where.column = 1;
+  }
+  if (lines == 0)
+    diagnostics.error(begin, "there is no line in it");
+  if (lines > kMostLines)
+    diagnostics.error(begin, fmt::format("more than {} lines", kMostLines));
+  return lines > 0 && lines <= kMostLines;
+}
+
+/// x in [low, high] -> [-1, 1], what is beyond at the bounds; NaN stays.
+[[nodiscard]] constexpr double to_unit(double x, double low, double high) {
+  const double unit = (2 * x - (low + high)) / (high - low);
+  return unit < -1 ? -1 : unit > 1 ? 1 : unit;
+}
+/// And back.
+[[nodiscard]] constexpr double from_unit(double unit, double low, double high) {
+  const double inside = unit < -1 ? -1 : unit > 1 ? 1 : unit;
+  return 0.5 * ((low + high) + inside * (high - low));
+}
+
+}  // namespace eyrie::pilot
