@@ -127,8 +127,9 @@ int debrief_page(const DebriefOptions& options);
 /// The page of one run or two, by the engine in it or (`columns`) what was recorded. "" if it was
 /// interrupted; throws disk::Failed if it cannot be.
 [[nodiscard]] std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool columns);
-/// The page that looks at a mission while it is flown.
-[[nodiscard]] std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed);
+/// The page that looks at a mission while it is flown; `home`: it was chosen on the home page.
+[[nodiscard]] std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed,
+                                    bool home);
 
 struct ServeOptions {
   std::vector<std::string> what;  ///< one run or two, or a scenario; empty: the home page

@@ -109,12 +109,14 @@ std::string debrief_text(const std::vector<debrief::Recorded>& runs, bool column
   return interrupted() ? "" : page_of(shell, std::move(data));
 }
 
-std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed) {
+std::string live_text(const scenario::Scenario& scenario, std::uint64_t seed, bool home) {
   const disk::FileRead shell = viewer();
   if (!shell.problem.empty())
     throw disk::Failed(shell.problem);
-  const std::string about =
-      nlohmann::json{{"scenario", scenario.spec.name}, {"seed", std::to_string(seed)}}.dump();
+  const std::string about = nlohmann::json{
+      {"scenario", scenario.spec.name},
+      {"seed", std::to_string(seed)},
+      {"home", home}}.dump();
   const std::array parts{page::part_of("live", about), page::part_of("zones", launch_zones())};
   return page::live_page(shell.bytes, parts);
 }

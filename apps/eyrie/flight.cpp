@@ -54,6 +54,13 @@ struct Beside {
 
 }  // namespace
 
+std::vector<std::string> overrides(const FlyOptions& options) {
+  std::vector<std::string> sets = options.sets;
+  if (!options.ours.empty())
+    sets.push_back(fmt::format("ours=[{}]", options.ours));
+  return sets;
+}
+
 Flight::Flight(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,
                std::optional<double> until)
     : options_(options),

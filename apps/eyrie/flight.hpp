@@ -13,6 +13,9 @@
 
 namespace eyrie::app {
 
+/// What the options change in the scenario: `--set`, and `--ours`.
+[[nodiscard]] std::vector<std::string> overrides(const FlyOptions& options);
+
 class Flight {
  public:
   /// With the folder and the hosts that the options ask for. `until` (s) as for a mission. The
@@ -28,13 +31,12 @@ class Flight {
   /// has found something.
   [[nodiscard]] bool broken() const { return mission_.run().difference() || !run_.error().empty(); }
 
-  /// Before each step: what other programs tell of their players. False while one of them has
-  /// stopped us.
-  [[nodiscard]] bool listen() {
-    if (others_)
-      others_->listen(mission_);
-    return !others_ || !others_->frozen();
+  /// Before each step: what other programs tell of their players, as orders for it.
+  [[nodiscard]] std::vector<sim::Order> listen() {
+    return others_ ? others_->listen(mission_) : std::vector<sim::Order>{};
   }
+  /// One of them has stopped us, until it says go on.
+  [[nodiscard]] bool frozen() const { return others_ && others_->frozen(); }
 
   /// `steps` makes the steps, all of them watched; the flight ends with the last one and is kept.
   /// Gives the exit code.

@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "commands.hpp"
+#include "core/assert.hpp"
 #include "core/units.hpp"
 #include "flight.hpp"
 #include "locate.hpp"
@@ -11,6 +12,11 @@
 
 namespace eyrie::app {
 namespace {
+
+void listen(Flight& flight) {
+  for (const sim::Order& order : flight.listen())
+    EYRIE_DEMAND(flight.mission().run().submit(order).empty(), "an order for the next step");
+}
 
 /// Or until it cannot be recorded any more.
 void fly_to_the_end(Flight& flight, const FlyOptions& options) {
@@ -26,7 +32,7 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
       net::sleep_until(pacing->due(), interrupted);
       begun = Clock::now();
     }
-    while (!flight.listen() && !interrupted())
+    for (listen(flight); flight.frozen() && !interrupted(); listen(flight))
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     if (!mission.step())
       break;
@@ -52,10 +58,8 @@ int fly(const FlyOptions& options, Flown& flown) {
       refuse("--until: {}", time.error);
     until = time.value;
   }
-  std::vector<std::string> sets = options.sets;
-  if (!options.ours.empty())
-    sets.push_back(fmt::format("ours=[{}]", options.ours));
-  const auto scenario = load_scenario(options.scenario, sets, options.plugins, options.includes);
+  const auto scenario =
+      load_scenario(options.scenario, overrides(options), options.plugins, options.includes);
   if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
     refuse("--until: {}", *problem);
   for (const auto& [name, text] : scenario->files)

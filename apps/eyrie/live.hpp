@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What `fly --tacview` and `fly --dis` add: a host that Tacview connects to, and packets
-/// for other simulations.
+/// \file  What `--tacview` and `--dis` add to a flight: a host that Tacview connects to, and
+/// packets for other simulations.
 #include <memory>
 
 #include "commands.hpp"
@@ -33,8 +33,8 @@ class Broadcast {
   Broadcast(const scenario::Scenario& scenario, const net::DatagramOptions& options,
             const dis::Station& station, double rate, bool obeys);
 
-  /// Between two steps: what was heard becomes orders.
-  void listen(scenario::Mission& mission);
+  /// Between two steps: what was heard, as orders for the next one.
+  [[nodiscard]] std::vector<sim::Order> listen(scenario::Mission& mission);
   /// Somebody whom we obey has stopped us, until he says go on.
   [[nodiscard]] bool frozen() const { return frozen_; }
   void close();

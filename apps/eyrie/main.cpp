@@ -67,6 +67,14 @@ void add_others(CLI::App* command, FlyOptions& o) {
       ->add_option("--dis-threshold", o.dis_threshold,
                    "how far others may be off before they are told (default: '1 m, 3 deg')")
       ->needs(dis);
+  command
+      ->add_option("--ours", o.ours,
+                   "sides, flights and aircraft that are flown here, such as blue or "
+                   "eagle,bogey2; the others are another program's, heard by --dis")
+      ->needs(dis);
+  command
+      ->add_flag("--dis-obey", o.dis_obey, "start, freeze and stop when another simulation says so")
+      ->needs(dis);
 }
 
 void add_fly(CLI::App& app, Chosen& chosen) {
@@ -105,13 +113,6 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   fly->add_flag("--json", o.json,
                 "one JSON object on standard output instead of words; with --seeds one a line for "
                 "each, and one for all");
-  auto* dis = fly->get_option("--dis");
-  fly->add_option("--ours", o.ours,
-                  "sides, flights and aircraft that are flown here, such as blue or eagle,bogey2; "
-                  "the others are another program's, heard by --dis")
-      ->needs(dis);
-  fly->add_flag("--dis-obey", o.dis_obey, "start, freeze and stop when another simulation says so")
-      ->needs(dis);
   add_units(fly);
   for (const char* of_one : {"--seed", "--out", "--paranoid", "--real-time", "--tacview", "--dis",
                              "--force", "--quiet", "--no-debrief"})

@@ -103,12 +103,22 @@ int serve_runs(const ServeOptions& options) {
   return 0;
 }
 
+/// The other programs of an exercise, if there are any.
+live::Outside outside(Flight& flight, const scenario::Scenario& scenario, const FlyOptions& asked) {
+  if (!scenario.remote || asked.dis.empty())
+    return {};
+  return [&flight] {
+    std::vector<sim::Order> orders = flight.listen();
+    return live::Heard{.orders = std::move(orders), .frozen = flight.frozen()};
+  };
+}
+
 /// Until ^C, or, if it was chosen there, until somebody asks for the home page after its end.
 int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& asked,
                   const std::shared_ptr<const scenario::Scenario>& scenario, bool from_home) {
   Flight flight(asked, scenario);
   std::atomic<bool> over = false, leave = false;
-  net::WebOptions web = site(place, live_text(*scenario, flight.seed()));
+  net::WebOptions web = site(place, live_text(*scenario, flight.seed(), from_home));
   if (from_home)
     web.made = [&](std::string_view target) -> std::optional<net::WebPage> {
       if (target != "/home" || !over)
@@ -119,7 +129,9 @@ int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& a
   const auto exercise = listening(place, [&] {
     return std::make_unique<live::Exercise>(
         flight.mission(), record::run_file_of(*scenario, flight.seed(), version_text()), web,
-        live::ExerciseOptions{.rate = asked.real_time.value_or(1), .paused = options.paused});
+        live::ExerciseOptions{.rate = asked.real_time.value_or(1),
+                              .paused = options.paused,
+                              .outside = outside(flight, *scenario, asked)});
   });
   const int code = flight.fly([&] {
     exercise->fly([&] { return interrupted() || flight.broken(); });
@@ -135,12 +147,9 @@ int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& a
 
 int serve_scenario(const ServeOptions& options) {
   const std::string& name = options.what.front();
-  const auto scenario = load_scenario(name, options.flight.sets, {}, {});
+  const auto scenario = load_scenario(name, overrides(options.flight), {}, {});
   if (!scenario->plugins.empty())
     refuse("eyrie: {} uses plug-ins, which browsers cannot: 'eyrie fly' flies it",
-           quote_path(name));
-  if (scenario->remote)
-    refuse("eyrie: some players of {} are another program's: 'eyrie fly --dis' flies it with them",
            quote_path(name));
   listen_for_interrupts();
   Place place(options);
@@ -149,8 +158,8 @@ int serve_scenario(const ServeOptions& options) {
 
 /// The home page, and what is chosen there, one after the other.
 int serve_home(const ServeOptions& options) {
-  if (options.flight.seed || !options.flight.sets.empty())
-    refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
+  if (options.flight.seed || !overrides(options.flight).empty())
+    refuse("eyrie: --seed, --set and --ours are for a scenario; the home page asks for them");
   listen_for_interrupts();
   Place place(options);
   Home home;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/assert.hpp"
 #include "core/text.hpp"
 
 namespace eyrie::live {
@@ -32,6 +33,7 @@ Exercise::Exercise(scenario::Mission& mission, record::RunFile run, net::WebOpti
       run_(std::move(run)),
       pacing_(mission.run().simulation().dt(), Clock::now()),
       rate_(options.rate),
+      outside_(options.outside),
       paused_(options.paused),
       mail_(kMail),
       host_(with_channel(std::move(web))) {
@@ -57,9 +59,13 @@ std::string Exercise::hear(net::ViewerId who, std::string_view text) {
 
 // By the thread that steps.
 
-void Exercise::fly(const Enough& enough) {
+void Exercise::keep_time() {
   const double dt = mission_.run().simulation().dt();
   pacing_.go_on(rate_ > 0 ? dt / rate_ : dt, Clock::now());
+}
+
+void Exercise::fly(const Enough& enough) {
+  keep_time();
   for (;;) {
     attend();
     if (enough())
@@ -68,6 +74,7 @@ void Exercise::fly(const Enough& enough) {
     if (mission_.outcome() == scenario::Outcome::running) {
       tell_when_due();
       if (!runs && single_ == 0) {
+        static_cast<void>(listen());
         wait(Clock::now() + kIdle, enough);
         continue;
       }
@@ -78,6 +85,10 @@ void Exercise::fly(const Enough& enough) {
       }
     }
     const Clock::time_point begun = Clock::now();
+    if (!listen()) {
+      wait(begun + kIdle, enough);
+      continue;
+    }
     if (!mission_.step())
       break;
     if (paced)
@@ -131,19 +142,34 @@ void Exercise::carry_out(const Request& request) {
 void Exercise::steer(const Request& request) {
   if (over_)
     return refuse(request.who, "the mission is over");
+  if (outside_ && request.what != What::play)
+    return refuse(request.who, "other programs take part, by the clock: they do not wait");
   if (request.what == What::step) {
     single_ = std::min(single_ + request.steps, kMostSteps);
     paused_ = true;
   } else {
-    const double dt = mission_.run().simulation().dt();
     if (request.what == What::rate)
       rate_ = request.rate;
     else
       paused_ = request.what == What::pause;
     single_ = 0;
-    pacing_.go_on(rate_ > 0 ? dt / rate_ : dt, Clock::now());
+    keep_time();
   }
   changed_ = true;
+}
+
+/// False as long as another program holds the mission.
+bool Exercise::listen() {
+  if (!outside_ || mission_.outcome() != scenario::Outcome::running)
+    return true;
+  const Heard heard = outside_();
+  EYRIE_DEMAND(give(heard.orders).empty(), "an order for the next step");
+  if (frozen_ != heard.frozen) {
+    frozen_ = heard.frozen;
+    changed_ = true;
+    keep_time();
+  }
+  return !frozen_ || mission_.outcome() != scenario::Outcome::running;
 }
 
 std::string Exercise::problem(const Request& request) const {
@@ -152,7 +178,7 @@ std::string Exercise::problem(const Request& request) const {
     return "the mission is over";
   if (!words.empty())
     return words;
-  if (fresh_.size() + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
+  if (waiting_ + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
     return "there are too many orders";
   for (const sim::Order& one : orders) {
     const std::string name = mission_.scenario().roster.name(one.player);
@@ -169,9 +195,11 @@ std::string Exercise::problem(const Request& request) const {
 void Exercise::order(const Request& request) {
   std::string words = problem(request);
   if (words.empty())
-    words = give(request.order);
+    words = give(request.order.orders);
   if (!words.empty())
     return refuse(request.who, words);
+  given_ += request.order.orders.size();
+  waiting_ += request.order.orders.size();
   for (const sim::Order& one : request.order.orders) {
     if (request.order.kind == "manual")
       held_[one.player] = request.who;
@@ -180,13 +208,12 @@ void Exercise::order(const Request& request) {
   }
 }
 
-std::string Exercise::give(const scenario::OperatorOrders& orders) {
-  for (sim::Order one : orders.orders) {
+std::string Exercise::give(std::span<const sim::Order> orders) {
+  for (sim::Order one : orders) {
     one.step = mission_.run().world().step();
     if (std::string words = mission_.run().submit(one); !words.empty())
       return words;
     fresh_.push_back(one);
-    ++given_;
   }
   return {};
 }
@@ -201,7 +228,7 @@ void Exercise::hand_back(net::ViewerId who) {
                         {"player", mission_.scenario().roster.name(one->first)}};
     if (!over_)
       static_cast<void>(
-          give(scenario::orders_from_json(mission_.scenario(), asked.dump(), 0)));  // as he could
+          give(scenario::orders_from_json(mission_.scenario(), asked.dump(), 0).orders));
     one = held_.erase(one);
   }
 }
@@ -232,14 +259,15 @@ void Exercise::tell(Clock::time_point now) {
   const sim::World& world = mission_.run().world();
   Message news{{"step", world.step()},
                {"rate", rate_ > 0 ? Message(rate_) : Message("max")},
-               {"paused", paused_},
+               {"paused", paused_ || frozen_},
                {"viewers", viewers_},
                {"outcome", enum_name(mission_.outcome())}};
   const auto flown = fresh_.end() - static_cast<std::ptrdiff_t>(not_flown());
   for (auto one = fresh_.begin(); one != flown; ++one)
     news["orders"].push_back(base64_of(*one));
   fresh_.erase(fresh_.begin(), flown);
-  if (paused_ || over_ || now - hashed_ >= kSeldom) {
+  waiting_ = std::min(waiting_, fresh_.size());
+  if (paused_ || frozen_ || over_ || now - hashed_ >= kSeldom) {
     news["hash"] = hash_text(world.hash());
     hashed_ = now;
   }

@@ -13,9 +13,18 @@
 
 namespace eyrie::live {
 
+/// What other programs tell of players whom they fly.
+struct Heard {
+  std::vector<sim::Order> orders;  ///< for the next step
+  bool frozen = false;             ///< one of them holds the mission
+};
+/// Asked before each step, and while there is none.
+using Outside = std::function<Heard()>;
+
 struct ExerciseOptions {
   double rate = 1;  ///< seconds of the mission in one of the clock; 0: as fast as it goes
   bool paused = false;
+  Outside outside = {};  ///< they do not wait: once it goes, viewers change no rate, and no pause
 };
 
 class Exercise {
@@ -40,12 +49,14 @@ class Exercise {
   std::string hear(net::ViewerId who, std::string_view text);
 
   void attend();
+  void keep_time();
+  bool listen();
   void carry_out(const Request& request);
   void steer(const Request& request);
   void order(const Request& request);
   void hand_back(net::ViewerId who);
   /// Gives why it cannot be; "" if it is given.
-  [[nodiscard]] std::string give(const scenario::OperatorOrders& orders);
+  [[nodiscard]] std::string give(std::span<const sim::Order> orders);
   void refuse(net::ViewerId who, const std::string& words);
   [[nodiscard]] std::string problem(const Request& request) const;
 
@@ -62,11 +73,13 @@ class Exercise {
   sim::TrailRecorder trail_{false};
   net::Pacing pacing_;
   double rate_;
-  bool paused_, over_ = false;
+  Outside outside_;
+  bool paused_, over_ = false, frozen_ = false;
   std::uint64_t single_ = 0;  ///< steps to be made although it is paused
 
   std::vector<sim::Order> fresh_;  ///< not told yet
-  std::uint64_t given_ = 0;        ///< orders
+  std::uint64_t given_ = 0;        ///< orders of viewers
+  std::size_t waiting_ = 0;        ///< of these, not told yet
   std::map<PlayerId, net::ViewerId> held_;
   std::uint64_t viewers_ = 0;
   std::vector<net::ViewerId> joining_;

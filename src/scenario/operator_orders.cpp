@@ -90,7 +90,7 @@ class OrderReader {
     result_.kind = asked_.order;
     check(text);
     if (result_.problem.empty())
-      for (const PlayerId who : asked_.player ? player() : flight())
+      for (const PlayerId who : ours(asked_.player ? player() : flight()))
         give(who);
     if (!result_.problem.empty())
       result_.orders.clear();
@@ -140,6 +140,16 @@ class OrderReader {
     }
     refuse("there is no flight {}{}", quote(*asked_.flight), did_you_mean(*asked_.flight, names));
     return {};
+  }
+
+  /// Of these. The others obey the program that flies them.
+  std::vector<PlayerId> ours(std::vector<PlayerId> who) {
+    const auto& roster = scenario_.roster;
+    const std::size_t asked = who.size();
+    std::erase_if(who, [&](PlayerId one) { return roster.find(one)->remote; });
+    if (who.empty() && asked > 0)
+      refuse("{} is another program's", asked_.player ? *asked_.player : *asked_.flight);
+    return who;
   }
 
   void give(PlayerId who) {

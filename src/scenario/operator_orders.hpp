@@ -32,7 +32,8 @@ struct OperatorOrders {
   std::string problem;             ///< why there are none, for people; else ""
 };
 
-/// Orders for a step; "flight": "eagle" instead of "player" means everybody of a flight or convoy.
+/// Orders for a step; "flight": "eagle" instead of "player" means everybody of a flight or convoy
+/// who is not another program's.
 /// Reads nothing but the scenario, on any thread.
 [[nodiscard]] OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
                                               std::uint64_t step);

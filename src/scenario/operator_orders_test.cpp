@@ -54,6 +54,16 @@ TEST_F(OperatorOrder, IsForEverybodyOfAFlight) {
     EXPECT_EQ(who == flight.members, flight.name == "eagle");
 }
 
+TEST_F(OperatorOrder, IsForNobodyOfAnotherProgram) {
+  const auto shared =
+      load({.file = "scenarios/sweep.yaml", .sets = {"ours=[blue, bogey2]"}}, Source::disk("."));
+  const auto of = [&](std::string_view text) { return orders_from_json(*shared, text, 7); };
+  EXPECT_EQ(of(R"({"order":"lose","player":"bogey1"})").problem, "bogey1 is another program's");
+  const auto flight = of(R"({"order":"lose","flight":"bogey"})");
+  ASSERT_EQ(flight.orders.size(), 1u);
+  EXPECT_EQ(flight.orders[0].player, shared->roster.find("bogey2"));
+}
+
 TEST_F(OperatorOrder, PutsAPersonAtTheControls) {
   const auto made = orders(
       R"({"order":"manual","player":"eagle1","heading":1.5,"climb":-0.2,"target":4,"shoot":true,)"

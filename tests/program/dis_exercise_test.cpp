@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-/// \file  `fly --dis --ours` in two processes at once, over a group of this machine: one mission.
+/// \file  `--dis --ours` in two processes at once, over a group of this machine: one mission.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "dis/pdu.hpp"
 #include "net/datagram_sender.hpp"
-#include "support/program.hpp"
+#include "support/live_viewer.hpp"
+#include "support/served.hpp"
 
 namespace eyrie::test {
 namespace {
@@ -96,6 +98,53 @@ TEST(DisExercise, IsOneMissionWhoseStoriesAgreeAndIsReplayedWithoutTheNetwork) {
       EXPECT_EQ(ran.code, 0) << words[0] << "\n" << ran.err;
     }
   }
+}
+
+/// Whether a remote player has appeared in the world of a viewer.
+bool is_there(const LiveViewer& viewer, const char* name) {
+  const auto& scenario = viewer.scenario();
+  const auto found = scenario.find(viewer.world(), *scenario.roster.find(name));
+  return found && viewer.world().rows(scenario.remote->aircraft)[found->row].here;
+}
+
+TEST(DisExercise, IsServedToViewersWhoFlyItAndReplayedAlike) {
+  const std::string at = "239.30.12.84:30184";
+  Served blue({"sweep", "--paused", "--set", "until=20 s", "--ours", "blue", "--dis", at,
+               "--dis-station", "1.1.1"});
+  Running red(blue.folder, {"fly", "sweep", "--ours", "red", "--dis", at, "--dis-station", "1.1.2",
+                            "--until", "5 min", "--out", "red", "--no-debrief"});
+  LiveViewer first(blue.port), second(blue.port);
+  const auto refused = [&](json what) {
+    first.say(what);
+    return first.follow([](const json& j) { return j.contains("refused"); })["refused"];
+  };
+  const json take_over{{"do", "order"},  {"order", "manual"}, {"player", "eagle1"},
+                       {"heading", 1.5}, {"altitude", 7000},  {"speed", 250}};
+  first.say({{"do", "play"}});
+  first.say(take_over);
+  second.say(
+      {{"do", "order"}, {"order", "tree"}, {"player", "eagle2"}, {"tree", "veteran_patrol"}});
+  second.follow(
+      [&](const json&) { return is_there(second, "bogey1") && is_there(second, "bogey2"); });
+  EXPECT_EQ(refused({{"do", "pause"}}), "other programs take part, by the clock: they do not wait");
+  EXPECT_EQ(refused({{"do", "order"}, {"order", "lose"}, {"player", "bogey1"}}),
+            "bogey1 is another program's");
+  LiveViewer late(blue.port);
+  EXPECT_TRUE(is_there(late, "bogey1"));
+  first.say({{"do", "order"}, {"order", "hand_back"}, {"player", "eagle1"}});
+  for (LiveViewer* viewer : {&first, &second, &late}) {
+    EXPECT_EQ(viewer->follow_to_the_end()["step"], 1000);
+    EXPECT_EQ(viewer->world().hash(), first.world().hash());
+    EXPECT_EQ(viewer->orders(), first.orders());
+  }
+  EXPECT_GE(first.orders(), 3u + 2 * 3 * 2) << "ours, and of each of two where he is, twice";
+  blue.server->kill(SIGINT);
+  const Ran ran = blue.server->wait();
+  EXPECT_NE(ran.err.find("listens there"), std::string::npos) << ran.err;
+  const Ran again = run_program(blue.folder, {"replay", "runs/latest", "--workers", "2"});
+  EXPECT_EQ(again.out, fmt::format("runs/latest/run.eyrie: the same, 1000 steps, world hash {}\n",
+                                   hash_text(first.world().hash())))
+      << again.err;
 }
 
 TEST(DisExercise, RefusesWhoIsNobodyAndWhatIsNoThreshold) {

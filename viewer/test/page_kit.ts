@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A real browser without a network, and the program itself: what the tests of the page need. */
 import assert from 'node:assert/strict';
-import { execFile } from 'node:child_process';
+import { execFile, spawn, type ChildProcess } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -72,6 +72,21 @@ export function scratch_folder(): string {
   const folder = mkdtempSync(join(tmpdir(), 'eyrie-page-'));
   after(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
+}
+
+/** `eyrie serve` with these words, at an address that is free. */
+export async function serve(words: string[], cwd: string): Promise<{ program: ChildProcess; address: string }> {
+  const program = spawn(kProgram, ['serve', ...words, '--port', '0'], { cwd, stdio: ['ignore', 'ignore', 'pipe'] });
+  let said = '';
+  const address = await new Promise<string>((done, fail) => {
+    program.stderr!.on('data', (more: Buffer) => {
+      said += more.toString();
+      const found = /http:\/\/[^ ]*/.exec(said);
+      if (found) done(found[0]);
+    });
+    program.on('exit', (code, signal) => fail(new Error(`${said} ended with ${code ?? signal}`)));
+  });
+  return { program, address };
 }
 
 /** A page made by the program of the run and of another flight of it, with changes; with what it says of where they part. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** A mission in the browser while the program flies it: looked at, steered, flown by hand, and the same to the last bit. */
 import assert from 'node:assert/strict';
-import { execFile, spawn, type ChildProcess } from 'node:child_process';
+import { execFile, type ChildProcess } from 'node:child_process';
 import { once } from 'node:events';
 import { readdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
 import { open_url, type UserPage } from './browsers.ts';
-import { kNoProgram, kProgram, launch, scratch_folder, shoot } from './page_kit.ts';
+import { kNoProgram, kProgram, launch, scratch_folder, serve, shoot } from './page_kit.ts';
 
 const folder = kNoProgram ? '' : scratch_folder();
 let browser: Browser, program: ChildProcess, page: UserPage;
@@ -19,16 +19,7 @@ let complaints: string[] = [];
 before(async () => {
   if (kNoProgram) return;
   browser = await launch();
-  program = spawn(kProgram, ['serve', 'sweep', '--rate', '20', '--port', '0', '--paused'], { cwd: folder, stdio: ['ignore', 'ignore', 'pipe'] });
-  let said = '';
-  await new Promise<void>((done, fail) => {
-    program.stderr!.on('data', (words: Buffer) => {
-      said += words.toString();
-      const found = /http:\/\/127[^ ]*/.exec(said);
-      if (found) done(void (address = found[0]));
-    });
-    program.on('exit', (code, signal) => fail(new Error(`${said} ended with ${code ?? signal}`)));
-  });
+  ({ program, address } = await serve(['sweep', '--rate', '20', '--paused'], folder));
   ({ page, complaints } = await open_url(browser, address, { width: 1280, height: 800 }));
   await page.waitForSelector('body[data-ready=true]');
 });
@@ -137,6 +128,18 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
     const turned = window.eyrie!.run.players[0]!.motion.heading.at(-1)! - was;
     return Math.atan2(Math.sin(turned), Math.cos(turned)) > 0.2;
   }, before);
+  // by the stick of a gamepad, pulled
+  const up = (): Promise<number> => page.evaluate(() => window.eyrie!.run.players[0]!.motion.up.at(-1)!);
+  const low = await up();
+  await page.keyboard.press('s');
+  await page.evaluate(() => {
+    const pad = { axes: [0, 0.7], buttons: Array.from({ length: 10 }, () => ({ pressed: false, value: 0 })) };
+    navigator.getGamepads = () => [pad as unknown as Gamepad];
+  });
+  await page.waitForFunction((was: number) => window.eyrie!.run.players[0]!.motion.up.at(-1)! > was + 200, low);
+  assert.ok(await page.evaluate(() => window.eyrie!.run.players[0]!.gauges.load_factor.some((g) => g > 2)));
+  await page.evaluate(() => { navigator.getGamepads = () => []; });
+  await page.keyboard.press('s');
   await page.keyboard.press('t');
   await page.waitForFunction(() => !document.querySelector<HTMLButtonElement>('.acts button:nth-child(2)')!.disabled);
   await page.keyboard.press(' ');

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 /** `eyrie serve` in a browser: the page by the address that was printed, and nothing for a page of another site. */
 import assert from 'node:assert/strict';
-import { spawn, type ChildProcess } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { dirname } from 'node:path';
 import { after, before, test } from 'node:test';
 import type { Browser } from 'puppeteer-core';
 import { open_url } from './browsers.ts';
-import { kNoProgram, kPageFile, kProgram, launch } from './page_kit.ts';
+import { kNoProgram, kPageFile, launch, serve } from './page_kit.ts';
 
 let browser: Browser, program: ChildProcess, other: Server;
 /** As printed, for this machine. */
@@ -17,16 +17,9 @@ let address = '';
 before(async () => {
   if (kNoProgram) return;
   browser = await launch();
-  program = spawn(kProgram, ['serve', dirname(kPageFile), '--address', '0.0.0.0', '--port', '0'], { stdio: ['ignore', 'ignore', 'pipe'] });
-  let said = '';
-  await new Promise<void>((done, fail) => {
-    program.stderr!.on('data', (words: Buffer) => {
-      said += words.toString();
-      const found = /http:\/\/[^ ]*(:\d+\/\?token=\w+)/.exec(said);
-      if (found) done(void (address = `http://127.0.0.1${found[1]}`));
-    });
-    program.on('exit', () => fail(new Error(said)));
-  });
+  const served = await serve([dirname(kPageFile), '--address', '0.0.0.0'], '.');
+  ({ program } = served);
+  address = served.address.replace(/\/\/[^:]*:/, '//127.0.0.1:');
   other = createServer((_, answer) => answer.setHeader('Content-Type', 'text/html').end('<p>another site'));
   await new Promise<void>((done) => other.listen(0, '127.0.0.1', done));
 });

@@ -49,6 +49,7 @@ export function LiveControls({ live }: { live: Live }) {
         onClick={() => live.present!.now()}>
         <i class="dot" />{over ? status.outcome.replace('_', ' ') : following ? 'now' : behind > 0 ? `now, ${clock_text(behind).replace(/\.0$/, '')} on` : 'now'}
       </button>
+      {over && live.home && <a class="tool words" href="/home" title="Choose what is flown next, or look at earlier runs">home page</a>}
     </>
   );
 }

@@ -13,11 +13,13 @@ export interface Wanted {
   heading: number;
   altitude: number;
   speed: number;
-  climb: number | null;  // rad: towards the pointer, instead of an altitude.
+  climb: number | null;  // rad: towards the pointer or the stick, instead of an altitude.
+  load_factor: number | null;  // g, as hard as the stick is moved.
   target: number;  // As his own tracker numbers it; 0: nobody.
   gun: boolean;
   radar: boolean;
   pointer: boolean;  // Towards the pointer.
+  stick: boolean;  // By stick and throttle.
 }
 
 /** ms between two orders. */
@@ -34,8 +36,11 @@ const kFastest = 900;
 const kFull = 2 * Math.PI;
 /** Of a stick that rests. */
 const kDead = 0.12;
+const kAhead = 1;  // rad: from the way it flies to where a stick at its stop shows.
+const kPull = 8;  // g, at its stop; the aircraft has its own limit.
+const kSteepest = 1.5;  // rad
 
-export type Act = 'shoot' | 'next' | 'gun' | 'radar' | 'dispense' | 'pointer' | 'hand_back' | 'help';
+export type Act = 'shoot' | 'next' | 'gun' | 'radar' | 'dispense' | 'pointer' | 'stick' | 'hand_back' | 'help';
 export const kKeys: { keys: string[]; shown: string; words: string; act?: Act }[] = [
   { keys: ['ArrowLeft', 'ArrowRight'], shown: '← →', words: 'heading' },
   { keys: ['ArrowUp', 'ArrowDown'], shown: '↑ ↓', words: 'altitude' },
@@ -46,12 +51,13 @@ export const kKeys: { keys: string[]; shown: string; words: string; act?: Act }[
   { keys: ['r'], shown: 'R', words: 'radar on or silent', act: 'radar' },
   { keys: ['c'], shown: 'C', words: 'chaff and flares', act: 'dispense' },
   { keys: ['m'], shown: 'M', words: 'fly where the pointer is', act: 'pointer' },
+  { keys: ['s'], shown: 'S', words: 'stick and throttle: arrows turn and pull as hard as it can', act: 'stick' },
   { keys: ['h'], shown: 'H', words: 'hand it back to its tree', act: 'hand_back' },
   { keys: ['?'], shown: '?', words: 'this card', act: 'help' },
 ];
 const kActs = new Map(kKeys.flatMap(({ keys, act }) => keys.map((key) => [key, act] as const)));
 /** Of a standard gamepad. */
-const kButtons: (Act | null)[] = ['shoot', 'dispense', 'gun', 'next', 'radar', null, null, null, 'help', 'hand_back'];
+const kButtons: (Act | null)[] = ['shoot', 'dispense', 'gun', 'next', 'radar', 'stick', null, null, 'help', 'hand_back'];
 
 function wrapped(angle: number): number {
   return ((angle % kFull) + kFull) % kFull;
@@ -73,6 +79,14 @@ export function steered(wanted: Wanted, [right, up, faster]: readonly [number, n
   };
 }
 
+/** As stick and throttle fly it: the way it flies is turned to where the stick shows, as hard as it is moved, and stays when it is let go. */
+export function pulled(wanted: Wanted, [right, up, faster]: readonly [number, number, number], flown: { heading: number; climb: number }, s: number): Wanted {
+  const speed = within(wanted.speed + faster * kSpeedUp * s, kSlowest, kFastest);
+  const hard = Math.min(1, Math.hypot(right, up));
+  if (hard) return { ...wanted, speed, heading: wrapped(flown.heading + right * kAhead), climb: within(flown.climb + up * kAhead, -kSteepest, kSteepest), load_factor: 1 + hard * kPull };
+  return wanted.load_factor === null && wanted.climb !== null ? { ...wanted, speed } : { ...wanted, speed, ...flown, load_factor: null };
+}
+
 /** The target after this one, the nearest first and again after the last: who is hostile, or where nobody is, who may be; 0: nobody. */
 export function next_target(tracks: readonly TrackSeen[], from: { east: number; north: number }, now: number): number {
   const far = ({ place }: TrackSeen): number => Math.hypot(place.east - from.east, place.north - from.north);
@@ -83,11 +97,11 @@ export function next_target(tracks: readonly TrackSeen[], from: { east: number; 
 
 /** The order that says it, as src/scenario/operator_orders.hpp reads it. */
 export function order_of(wanted: Wanted, once: Record<string, unknown>): Record<string, unknown> {
-  const { heading, altitude, speed, climb, target, gun, radar } = wanted;
+  const { heading, altitude, speed, climb, load_factor, target, gun, radar } = wanted;
   const short = (value: number): number => Number(value.toFixed(4));
   return {
     heading: short(heading), speed: short(speed), ...(climb === null ? { altitude: short(altitude) } : { climb: short(climb) }),
-    target, gun, radar, ...once,
+    ...(load_factor === null ? {} : { load_factor: short(load_factor) }), target, gun, radar, ...once,
   };
 }
 
@@ -128,7 +142,7 @@ export class Hands {
     this.held.clear();
     this.wanted.set({
       player: index, heading: wrapped(motion.heading[last]! + convergence(run.origin, place)), altitude: motion.up[last]!, speed: gauges.speed[last]!,
-      climb: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false,
+      climb: null, load_factor: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false, stick: false,
     });
     if (!knows_help()) this.help.set(true);
     const stops = [
@@ -169,7 +183,10 @@ export class Hands {
     else if (act === 'dispense') this.once = { ...this.once, dispense: 'both' };
     else if (act === 'radar') change({ radar: !wanted.radar });
     else if (act === 'gun') change({ gun: !wanted.gun });
-    else if (act === 'pointer') change({ pointer: !wanted.pointer, climb: null });
+    else if (act === 'pointer' || act === 'stick') {
+      const level = { climb: null, load_factor: null, altitude: this.player!.motion.up.at(-1)! };
+      change({ ...level, pointer: act === 'pointer' && !wanted.pointer, stick: act === 'stick' && !wanted.stick });
+    }
     else if (act === 'next') {
       const { motion } = this.player!;
       change({ target: next_target(this.tracks(wanted.player), { east: motion.east.at(-1)!, north: motion.north.at(-1)! }, wanted.target) });
@@ -229,7 +246,7 @@ export class Hands {
     const { player } = this;
     if (!wanted || !player) return;
     if (player.end) return this.drop();
-    wanted = this.to_pointer(steered(wanted, ways, kTick / 1000));
+    wanted = wanted.stick ? pulled(wanted, ways, this.flown(player), kTick / 1000) : this.to_pointer(steered(wanted, ways, kTick / 1000));
     this.wanted.set(wanted);
     const order = order_of(wanted, this.once);
     const text = JSON.stringify(order);
@@ -237,6 +254,15 @@ export class Hands {
     this.said = JSON.stringify(order_of(wanted, {}));
     this.once = {};
     this.live.order('manual', { player: player.name, ...order });
+  }
+  /** Which way he flies, true. */
+  private flown({ motion }: Player): { heading: number; climb: number } {
+    const now = motion.t.at(-1)!;
+    const before = motion.t.findLastIndex((t) => t < now - kTick / 1000);
+    const [east, north, up] = [motion.east, motion.north, motion.up].map((all) => all.at(-1)! - all.at(before)!) as [number, number, number];
+    const heading = before < 0 ? motion.heading.at(-1)! : Math.atan2(east, north);
+    const place = { east: motion.east.at(-1)!, north: motion.north.at(-1)! };
+    return { heading: wrapped(heading + convergence(this.live.page!.run.origin, place)), climb: before < 0 ? 0 : Math.atan2(up, Math.hypot(east, north)) };
   }
   /** Where the pointer shows: to its side of the aircraft, above it or below. */
   private to_pointer(wanted: Wanted): Wanted {

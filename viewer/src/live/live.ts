@@ -41,7 +41,8 @@ export class Live {
   flown = 0;  // s: up to which it is drawn.
   private forget: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly line: () => Line | null, private readonly until: () => number) {
+  /** `home`: the mission was chosen on the home page. */
+  constructor(private readonly line: () => Line | null, private readonly until: () => number, readonly home: boolean) {
     this.hands = new Hands(this);
   }
 

@@ -37,7 +37,7 @@ function Card({ live }: { live: Live }) {
       <header><h2>How to fly</h2><button type="button" class="quiet" aria-label="Close the card" onClick={() => live.hands.toggle_help()}>✕</button></header>
       <dl>{kKeys.map(({ shown, words }) => <div key={shown}><dt><kbd>{shown}</kbd></dt><dd>{words}</dd></div>)}</dl>
       <p class="dim small">You say where to, and the autopilot flies there. The tree goes on proposing, beside what you ask for. A gamepad: left stick, triggers for the speed,
-        A shoots, X gun, Y target, B chaff and flares, start hands back.</p>
+        A shoots, X gun, Y target, B chaff and flares, left bumper radar, right bumper stick and throttle, start hands back.</p>
     </div>
   );
 }
@@ -103,6 +103,7 @@ function Table({ live, wanted }: { live: Live; wanted: Wanted }) {
         <button type="button" aria-pressed={wanted.radar} onClick={() => live.hands.act('radar')}>radar (R)</button>
         <button type="button" onClick={() => live.hands.act('dispense')}>chaff (C)</button>
         <button type="button" aria-pressed={wanted.pointer} onClick={() => live.hands.act('pointer')}>pointer (M)</button>
+        <button type="button" aria-pressed={wanted.stick} onClick={() => live.hands.act('stick')}>stick (S)</button>
         {shoots && shoots.value !== 0 && <span class="other small">its tree would shoot</span>}
       </p>
     </section>
