@@ -164,6 +164,7 @@ test('ends as the program says, and the run that is left is flown again', { skip
   await page.waitForFunction(() => window.eyrie!.run.about.outcome !== 'running');
   await wait(1500);
   assert.ok(await is_same());
+  await page.waitForFunction(() => !/running/.test(document.querySelector('.about summary')!.textContent!));
   await shoot(page, 'live_over_1280');
   const hash = await page.evaluate(() => window.eyrie!.run.about.hash);
   program.kill('SIGINT');

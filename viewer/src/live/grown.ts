@@ -80,7 +80,7 @@ export class GrownRun {
   add(bytes: Uint8Array): void {
     const [part, columns] = taken_apart<Part>(bytes);
     const { run } = this;
-    run.about = part.about;
+    Object.assign(run.about, part.about);  // pages have copies of the run, which hold it
     run.texts.push(...part.texts);
     run.story.push(...part.story);
     for (const shape of part.shapes) run.shapes.push(shape_of(shape, run.texts));
