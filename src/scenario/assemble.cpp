@@ -183,6 +183,7 @@ sim::World Scenario::world(std::uint64_t seed) const {
       }
     }
   }
+  scatter(spreads, library->reference, library->environment, aircraft, world);
   return world;
 }
 
@@ -211,6 +212,9 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
         schema, scenario.vehicles->table,
         static_cast<std::uint32_t>(scenario.driver_trees->max_memory()));
   }
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    if (starts[i].spread && !scenario.roster.players[i].remote)
+      scenario.spreads.push_back(*starts[i].spread);
   std::vector<model::weapon::MovingTable> others;
   if (scenario.vehicles)
     others.push_back({scenario.vehicles->table, scenario.vehicles->kinematics});
@@ -274,13 +278,6 @@ std::string assemble(Scenario& scenario, std::span<const Start> starts,
   scenario.start = std::move(world);
   return {};
 }
-
-namespace {
-
-/// m; the local frame promises its accuracy so far out (docs/models/frames.md).
-constexpr double kReach = 500e3;
-
-}  // namespace
 
 Vec3 at_altitude(const Reference& reference, double north, double east, double altitude) {
   // moving down by what the height is off converges by a factor of 1 - cos(tilt) < 0.4 % each time

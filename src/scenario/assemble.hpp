@@ -11,6 +11,9 @@
 
 namespace eyrie::scenario {
 
+/// m; the local frame promises its accuracy so far out (docs/models/frames.md).
+inline constexpr double kReach = 500e3;
+
 /// How one aircraft begins; in the order of the roster.
 struct Start {
   Vec3 position;       ///< m, local frame
@@ -23,6 +26,7 @@ struct Start {
   std::optional<std::uint16_t> tree;
   bool privileged = false;
   std::array<model::Station, model::kMaxStations> stations{};
+  std::optional<Spread> spread;
   Location where;
 };
 

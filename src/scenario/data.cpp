@@ -26,6 +26,18 @@ constexpr std::size_t kMostModels = 200;
 
 }  // namespace
 
+Location place_in_data(const Value& document, std::string_view kind, std::string_view model,
+                       std::string_view parameter) {
+  const Value* found = document.find("data");
+  for (const std::string_view key : {kind, model, parameter}) {
+    const Value* next = found ? found->find(key) : nullptr;
+    if (!next && key != parameter)
+      return document.where_of("rates");
+    found = next ? next : found;
+  }
+  return found->where;
+}
+
 std::vector<std::string_view> DataLoader::kinds() {
   std::vector<std::string_view> all;
   each_kind_of_model([&](const auto& kind) { all.push_back(kind.folder); });

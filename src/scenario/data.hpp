@@ -38,6 +38,10 @@ constexpr void each_kind_of_model(Visit visit) {
   std::apply([&](const auto&... kind) { (visit(kind), ...); }, kKindsOfModels);
 }
 
+/// Where a model in a scenario's own data says something; else where its rates stand.
+[[nodiscard]] Location place_in_data(const Value& document, std::string_view kind,
+                                     std::string_view model, std::string_view parameter);
+
 /// Puts models on the shelves of a Library: those of the scenario at once, so that all their
 /// mistakes are found, those of files when they are first asked for. A model stands in the
 /// scenario's `data: {<kind>: {<name>: {...}}}` or in a file; in both a key `base: <name>` takes

@@ -236,10 +236,18 @@ class Loader {
     }
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);
     begin = {.position = lead, .heading = *s.heading, .speed = *s.speed};
+    Vec3 offset;
     if (!player.own_place && player.rank > 1) {
-      const Vec3 offset = pilot::formation_offset(out_->formations.back(), player.rank);
+      offset = pilot::formation_offset(out_->formations.back(), player.rank);
       begin.position = beside(library_->reference, lead, *s.heading, offset);
     }
+    const PlayerId id{static_cast<std::uint32_t>(starts_.size() + 1)};
+    begin.spread = spread_of(player,
+                             {.player = id,
+                              .drawn_by = out_->roster.flights.back().members.front(),
+                              .place = lead,
+                              .offset = offset},
+                             library_->reference, diagnostics_);
   }
 
   void start(const FlightPlan& plan, const PlayerPlan& player) {
@@ -346,24 +354,11 @@ class Loader {
       trees_.missing(name, where, diagnostics_);
   }
 
-  /// Where a model in the scenario's own data says something; else where the rates stand.
-  Location place_in_data(std::string_view kind, std::string_view model,
-                         std::string_view parameter) const {
-    const Value* found = document_.find("data");
-    for (const std::string_view key : {kind, model, parameter}) {
-      const Value* next = found ? found->find(key) : nullptr;
-      if (!next && key != parameter)
-        return document_.where_of("rates");
-      found = next ? next : found;
-    }
-    return found->where;
-  }
-
   void finish() {
     out_->library = library_;
     for (const auto& [kind, model, parameter, problem] :
          model::problems_of(*library_, 1 / out_->spec.rates.kinematics))
-      error(place_in_data(kind, model, parameter),
+      error(place_in_data(document_, kind, model, parameter),
             fmt::format("data.{}.{}.{}: {}", kind, model, parameter, problem));
     stop_if_wrong();
     const std::string problem = assemble(*out_, starts_, vehicle_starts_, kinds_);

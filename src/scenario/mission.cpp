@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/mission.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "model/events.hpp"
@@ -38,8 +39,7 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
     : scenario_(std::move(scenario)),
       run_(scenario_->simulation, std::move(start), with_copies(options, *scenario_)),
       until_(until),
-      last_step_(step_at(until_, *scenario_)),
-      standings_(scenario_->library->flights.size()),
+      judge_(*scenario_, until_),
       any_home_(any_home) {}
 
 Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t seed,
@@ -50,8 +50,20 @@ Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t 
     static_cast<void>(run_.submit(order));  // of a kind that the pilots accept, at a step to come
 }
 
-Outcome Mission::judge() {
-  const sim::World& world = run_.world();
+Judge::Judge(const Scenario& scenario, double until)
+    : scenario_(&scenario),
+      last_step_(step_at(until, scenario)),
+      standings_(scenario.library->flights.size()) {}
+
+bool Judge::comes_home(std::span<const sim::Event> events) const {
+  return std::any_of(events.begin(), events.end(), [&](const sim::Event& e) {
+    const Roster::Player* who = scenario_->roster.find(e.who);
+    return e.kind == sim::EventKind(model::EventKind::home) && who &&
+           who->side == model::Side::blue;
+  });
+}
+
+Outcome Judge::operator()(const sim::World& world, bool any_home) {
   std::fill(standings_.begin(), standings_.end(), Standing{});
   for (const auto& fleet : scenario_->fleets)
     fleet->count(world, *scenario_->library, standings_);
@@ -67,7 +79,7 @@ Outcome Mission::judge() {
       (is_blue ? blue : red) += flight.players;
   }
   if (scenario_->spec.ends == Ends::blue_home && blue == 0)
-    return any_home_ || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
+    return any_home || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
   if (scenario_->spec.ends == Ends::last_side && (blue == 0 || red == 0))
     return blue == 0 ? Outcome::blue_lost : Outcome::red_lost;
   return world.step() >= last_step_ ? Outcome::time : Outcome::running;
@@ -76,7 +88,7 @@ Outcome Mission::judge() {
 bool Mission::step() {
   if (outcome_ != Outcome::running)
     return false;
-  outcome_ = judge();
+  outcome_ = judge_(run_.world(), any_home_);
   if (outcome_ != Outcome::running)
     return false;
   const auto events = run_.step();
@@ -84,11 +96,7 @@ bool Mission::step() {
     outcome_ = Outcome::fault;
     return false;
   }
-  for (const sim::Event& e : events) {
-    const auto& roster = scenario_->roster;
-    if (e.kind == sim::EventKind(model::EventKind::home) && roster.find(e.who))
-      any_home_ |= roster.find(e.who)->side == model::Side::blue;
-  }
+  any_home_ |= judge_.comes_home(events);
   return true;
 }
 

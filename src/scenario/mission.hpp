@@ -28,6 +28,23 @@ constexpr auto names_of(Outcome) {
 /// any. Nothing if it can.
 [[nodiscard]] std::optional<std::string> until_problem(const ScenarioSpec& spec, double until);
 
+/// Says when a flight is over. Allocates only when it is made.
+class Judge {
+ public:
+  /// `until` in s. The scenario must outlive it.
+  Judge(const Scenario& scenario, double until);
+
+  /// `any_home`: whether a blue aircraft has come home before.
+  [[nodiscard]] Outcome operator()(const sim::World& world, bool any_home);
+  /// Whether one does in these events.
+  [[nodiscard]] bool comes_home(std::span<const sim::Event> events) const;
+
+ private:
+  const Scenario* scenario_;
+  std::uint64_t last_step_;
+  std::vector<Standing> standings_;  ///< by flight
+};
+
 /// A sim::Run that knows when it is over.
 class Mission {
  public:
@@ -60,13 +77,10 @@ class Mission {
   [[nodiscard]] Outcome outcome() const { return outcome_; }
 
  private:
-  [[nodiscard]] Outcome judge();
-
   std::shared_ptr<const Scenario> scenario_;
   sim::Run run_;
   double until_;
-  std::uint64_t last_step_;
-  std::vector<Standing> standings_;  ///< by flight
+  Judge judge_;
   bool any_home_ = false;
   Outcome outcome_ = Outcome::running;
 };

@@ -107,9 +107,9 @@ class Reader {
 
   /// Without what only aircraft have, after saying so.
   Value on_the_ground(Value value, std::string_view convoy) {
-    static constexpr std::array<std::string_view, 9> kInTheAir{"altitude",  "aircraft",   "fuel",
-                                                               "bingo",     "loadout",    "rounds",
-                                                               "formation", "privileged", "home"};
+    static constexpr std::array<std::string_view, 10> kInTheAir{
+        "altitude", "spread", "aircraft",  "fuel",       "bingo",
+        "loadout",  "rounds", "formation", "privileged", "home"};
     for (Value& item : value.items)
       item = on_the_ground(std::move(item), convoy);
     std::erase_if(value.entries, [&](const Value::Entry& e) {

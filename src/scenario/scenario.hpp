@@ -12,6 +12,7 @@
 #include "scenario/roster.hpp"
 #include "scenario/source.hpp"
 #include "scenario/spec.hpp"
+#include "scenario/spread.hpp"
 #include "scenario/trust.hpp"
 #include "sim/event.hpp"
 #include "sim/simulation.hpp"
@@ -39,7 +40,8 @@ struct Scenario {
   driver::DriverColumns drivers;                     ///< of them
   std::vector<std::shared_ptr<const Fleet>> fleets;  ///< aircraft first
   std::shared_ptr<const sim::Simulation> simulation;
-  std::optional<sim::World> start;  ///< with the scenario's own seed; use world()
+  std::optional<sim::World> start;  ///< with the scenario's own seed, unspread; use world()
+  std::vector<Spread> spreads;      ///< of who begins elsewhere with every seed
   std::vector<sim::Order> orders;
   std::map<std::string, std::string> files;  ///< every text it was made from
   std::vector<std::string> sets;             ///< overrides, as given

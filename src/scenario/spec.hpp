@@ -66,6 +66,27 @@ struct WaypointSpec : PlaceSpec {
   std::optional<double> altitude, speed;
 };
 
+/// How far a start may lie from what the file says. Zero: it is the same for every seed.
+struct SpreadSpec {
+  static constexpr std::string_view type_name = "spread";
+  static constexpr std::string_view help =
+      "how far starts differ from seed to seed: each amount is drawn evenly, up to so much more or "
+      "less than the start says";
+  static constexpr auto params() {
+    return std::tuple{
+        param("position", &SpreadSpec::position, "m", range(0, 100e3),
+              "to the north and to the east"),
+        param("altitude", &SpreadSpec::altitude, "m", range(0, 15e3), "higher or lower"),
+        param("heading", &SpreadSpec::heading, "rad", range(0, kPi), "to the right or to the left"),
+        param("speed", &SpreadSpec::speed, "m/s", range(0, 300), "faster or slower")};
+  }
+  double position = 0;  ///< m
+  double altitude = 0;  ///< m
+  double heading = 0;   ///< rad
+  double speed = 0;     ///< m/s
+  friend bool operator==(const SpreadSpec&, const SpreadSpec&) = default;
+};
+
 /// What may be said of a whole flight and again of one of its players.
 struct PlayerSpec {
   static constexpr std::string_view type_name = "player";
@@ -77,6 +98,9 @@ struct PlayerSpec {
         param("tree", &PlayerSpec::tree,
               "name of the tree that flies it; none: the autopilot alone"),
         param("start", &PlayerSpec::start, "where and how it begins"),
+        param(
+            "spread", &PlayerSpec::spread,
+            "by how much its start differs from seed to seed; one of a flight moves it as a whole"),
         param("fuel", &PlayerSpec::fuel, "kg", range(0, 100e3),
               "fuel at the start; not given: full tanks"),
         param("bingo", &PlayerSpec::bingo, "kg", range(0, 100e3),
@@ -89,6 +113,7 @@ struct PlayerSpec {
   }
   std::string aircraft, tree;
   StartSpec start;
+  SpreadSpec spread;
   std::optional<double> fuel, bingo;
   std::optional<std::vector<std::string>> loadout;
   std::optional<std::uint16_t> rounds;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "scenario/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/angle.hpp"
+#include "scenario/scenario.hpp"
+
+namespace eyrie::scenario {
+namespace {
+
+/// Two F-15s side by side, `flight` and `second` beside what else is said of them.
+std::shared_ptr<const Scenario> pair(const std::string& flight, const std::string& second = "") {
+  auto source = Source::disk(".");
+  source.add("pair.yaml",
+             "eyrie: 1\nname: pair\nreference: {latitude: 33 deg, longitude: -68 deg}\n"
+             "trees: {on: {navigate: {vote: 1}}}\n"
+             "blue:\n  flights:\n    eagle:\n      aircraft: f15c\n      tree: on\n"
+             "      formation: {abreast: 1000 m, behind: 0 m, below: 100 m}\n"
+             "      start: {north: 0 km, east: 10 km, altitude: 5000 m, heading: 0 deg, speed: 200 "
+             "m/s}\n" +
+                 flight + "      players:\n        - eagle1\n        - eagle2: {" + second + "}\n");
+  return load({"pair.yaml", {}}, std::move(source));
+}
+const model::Kinematics& motion(const Scenario& s, const sim::World& world, std::size_t row) {
+  return world.rows(s.aircraft.kinematics)[row];
+}
+std::string mistake(const std::string& flight) {
+  try {
+    pair(flight);
+  } catch (const ConfigError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Spread, MovesAStartEvenlyWithinWhatItSays) {
+  const auto s =
+      pair("      spread: {position: 2 km, altitude: 1000 m, heading: 30 deg, speed: 20 m/s}\n");
+  Vec3 least{1e9, 1e9, 1e9}, most{-1e9, -1e9, -1e9}, sum;
+  constexpr int kSeeds = 400;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const auto world = s->world(static_cast<std::uint64_t>(seed));
+    const auto& k = motion(*s, world, 0);
+    const Vec3 moved{k.position.x, k.position.y - 10e3, k.altitude - 5000};
+    for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      least.*axis = std::min(least.*axis, moved.*axis);
+      most.*axis = std::max(most.*axis, moved.*axis);
+    }
+    sum += moved;
+    EXPECT_LE(std::fabs(k.heading), radians(30) + 1e-9);
+    EXPECT_NEAR(k.speed, 200, 20 + 1e-9);
+    const model::Command& command = world.rows(s->aircraft.command)[0];
+    EXPECT_EQ(command.heading, k.heading);
+    EXPECT_NEAR(command.speed, k.speed, 1e-9);
+  }
+  for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    const double range = axis == &Vec3::z ? 1000 : 2000;
+    EXPECT_GE(least.*axis, -range - 1e-6);
+    EXPECT_LT(least.*axis, -0.95 * range);
+    EXPECT_LE(most.*axis, range + 1e-6);
+    EXPECT_GT(most.*axis, 0.95 * range);
+    // the mean of 400 even draws: within four standard deviations
+    EXPECT_NEAR((sum / kSeeds).*axis, 0, 4 * range / std::sqrt(3.0 * kSeeds));
+  }
+}
+
+TEST(Spread, OfAFlightMovesItAsAWhole) {
+  const auto s = pair("      spread: {position: 5 km, altitude: 1 km, heading: 180 deg}\n");
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const auto world = s->world(seed);
+    const auto &lead = motion(*s, world, 0), &wing = motion(*s, world, 1);
+    EXPECT_EQ(lead.heading, wing.heading);
+    EXPECT_NEAR(wing.altitude, lead.altitude - 100, 1e-3);
+    const Vec3 between = wing.position - lead.position;
+    EXPECT_NEAR(dot(between, lead.north) * std::cos(lead.heading) +
+                    dot(between, lead.east) * std::sin(lead.heading),
+                0, 2)
+        << "abreast";
+    EXPECT_NEAR(norm(between), std::hypot(1000, 100), 2);
+  }
+}
+
+TEST(Spread, OfAPlayerMovesHimAlone) {
+  const auto s = pair("", "spread: {position: 3 km}");
+  const auto a = s->world(1), b = s->world(2);
+  EXPECT_EQ(motion(*s, a, 0).position, motion(*s, b, 0).position);
+  EXPECT_NE(motion(*s, a, 1).position, motion(*s, b, 1).position);
+  EXPECT_NEAR(motion(*s, a, 1).altitude, 4900, 1e-3) << "his place in the formation";
+  EXPECT_EQ(s->world(1).hash(), a.hash());
+}
+
+TEST(Spread, LeavesWorldsWithoutOneAsTheyWere) {
+  const auto with = pair("      spread: {position: 0 m}\n"), without = pair("");
+  EXPECT_TRUE(with->spreads.empty());
+  EXPECT_EQ(with->world(3).hash(), without->world(3).hash());
+}
+
+TEST(Spread, IsRefusedWhereAStartCouldNotBeFlown) {
+  EXPECT_EQ(mistake("      spread: {altitude: 6 km}\n"),
+            "pair.yaml:12:15: eagle1: spread.altitude: 6 km below a start at 5 km is below the "
+            "surface\n"
+            "pair.yaml:12:15: eagle2: spread.altitude: 6 km below a start at 5 km is below the "
+            "surface");
+  EXPECT_NE(mistake("      spread: {speed: 200 m/s}\n").find("slower than a start at 200 m/s"),
+            std::string::npos);
+  EXPECT_NE(mistake("      start: {north: 490 km, east: 0 km, altitude: 5 km, heading: 0 deg, "
+                    "speed: 200 m/s}\n"),
+            "");
+  EXPECT_NE(mistake("      spread: {positon: 2 km}\n").find("did you mean 'position'?"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace eyrie::scenario
