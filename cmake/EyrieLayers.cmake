@@ -45,7 +45,7 @@ function(eyrie_layer name)
       target_link_libraries(${name}_test PRIVATE eyrie_${name}_testing)
     endif()
     eyrie_test_executable(${name}_test LINK eyrie_${name})
-    if(name MATCHES "^(pilot|scenario|record|debrief|dis|live|page|campaign|tables)$")  # which load missiles
+    if(name MATCHES "^(pilot|scenario|record|train|debrief|dis|live|page|campaign|tables)$")  # which load missiles
       target_sources(${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/launch_zones.cpp)
     endif()
     eyrie_suites(${name}_test ${name} 300)

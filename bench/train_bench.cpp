@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+/// \file  Decisions a second of training environments: so many worlds of the task merge, commanded
+/// at random, against a tree written by hand. One decision is five steps of the world, 0.1 s.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+
+#include "core/draw.hpp"
+#include "scenario/source.hpp"
+#include "train/vector_env.hpp"
+
+namespace {
+
+using namespace eyrie;
+
+std::string home() {
+  const char* set = std::getenv("EYRIE_HOME");
+  return set ? set : EYRIE_SOURCE_DIR;
+}
+
+void merge(benchmark::State& state) {
+  train::TaskSpec task = train::task("merge");
+  train::VectorEnv env(std::move(task), scenario::Source::disk(home()),
+                       {.envs = static_cast<std::size_t>(state.range(0)),
+                        .workers = static_cast<unsigned>(state.range(1)),
+                        .keep_episodes = 0});
+  const train::Shape& s = env.shape();
+  const std::size_t agents = s.envs * s.agents;
+  std::vector<float> observations(agents * s.observation), last(observations), rewards(agents);
+  std::vector<std::uint8_t> masks(agents * s.action), alive(agents), terminated(agents),
+      truncated(agents), over(s.envs);
+  const train::Arrays out{observations, masks, alive, rewards, terminated, truncated, over, last};
+  // another action every second, so that they fly somewhere
+  std::vector<std::vector<float>> actions(16, std::vector<float>(agents * s.action));
+  Draw draw(1, PlayerId{1}, Stream::test, 0);
+  for (auto& each : actions)
+    for (float& x : each)
+      x = static_cast<float>(draw.uniform(-1, 1));
+  env.reset(1, out);
+  std::uint64_t decisions = 0, episodes = 0;
+  for (auto _ : state) {
+    env.step(actions[decisions++ / 10 % actions.size()], out);
+    for (const std::uint8_t one : over)
+      episodes += one;
+  }
+  const auto made = static_cast<double>(decisions) * static_cast<double>(s.envs);
+  state.counters["decisions_per_s"] = benchmark::Counter(made, benchmark::Counter::kIsRate);
+  state.counters["decisions_per_s_and_worker"] =
+      benchmark::Counter(made / static_cast<double>(state.range(1)), benchmark::Counter::kIsRate);
+  state.counters["episodes"] = static_cast<double>(episodes);
+}
+BENCHMARK(merge)->ArgsProduct({{1, 64, 1024}, {1, 2}})->UseRealTime()->MeasureProcessCPUTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();

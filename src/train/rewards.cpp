@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "train/rewards.hpp"
+
+#include <algorithm>
+
+#include "core/angle.hpp"
+#include "model/events.hpp"
+#include "pilot/geometry.hpp"
+#include "scenario/assemble.hpp"
+
+namespace eyrie::train {
+namespace {
+
+using model::Kinematics;
+
+/// 1 up to `low`, 0 from `high` on, a straight line between.
+double near_one(double x, double low, double high) {
+  return high > low ? std::clamp((high - x) / (high - low), 0.0, 1.0) : x <= low ? 1.0 : 0.0;
+}
+
+/// How many live of each side.
+struct Living {
+  std::uint32_t own = 0, enemies = 0;
+};
+Living living(const scenario::Scenario& scenario, const sim::World& world, model::Side side) {
+  Living count;
+  scenario.each_player(world, [&](const scenario::Fleet&, PlayerId id, std::size_t) {
+    const scenario::Roster::Player* player = scenario.roster.find(id);
+    if (player != nullptr)
+      ++(player->side == side ? count.own : count.enemies);
+  });
+  return count;
+}
+
+const Kinematics* nearest_enemy(const scenario::Scenario& scenario, const sim::World& world,
+                                const Kinematics& own, model::Side side) {
+  const auto fits = world.rows(scenario.aircraft.fit);
+  const auto motions = world.rows(scenario.aircraft.kinematics);
+  const Kinematics* nearest = nullptr;
+  double least = math::kInfinity;
+  for (std::size_t row = 0; row < fits.size(); ++row)
+    if (const double d = norm2(motions[row].position - own.position);
+        fits[row].side != side && d < least) {
+      least = d;
+      nearest = &motions[row];
+    }
+  return nearest;
+}
+
+/// m, from the own place beside the lead of the flight; nothing without another one who leads.
+std::optional<double> off_place(const scenario::Scenario& scenario, const sim::World& world,
+                                PlayerId who, const Kinematics& own) {
+  const scenario::Roster::Player& player = *scenario.roster.find(who);
+  const PlayerId lead = scenario.roster.flights[player.flight].members.front();
+  const auto row = world.row(scenario.aircraft.table, lead);
+  if (lead == who || !row)
+    return std::nullopt;
+  const Kinematics& k = world.rows(scenario.aircraft.kinematics)[*row];
+  const Vec3 offset = pilot::formation_offset(scenario.formations[player.flight], player.rank);
+  return norm(own.position -
+              scenario::beside(scenario.library->reference, k.position, k.heading, offset));
+}
+
+/// How the learner and the nearest enemy fly to each other.
+struct Duel {
+  double range = 0;                       ///< m
+  double closing = 0;                     ///< m/s
+  double off_nose = 0, off_his_nose = 0;  ///< rad in [0, pi]
+};
+Duel duel(const Kinematics& own, const Kinematics& other) {
+  const Vec3 sight = other.position - own.position;
+  const double range = norm(sight);
+  const Vec3 turning = other.velocity - own.velocity;
+  return {.range = range,
+          .closing = range > 0 ? -dot(sight, turning) / range : 0,
+          .off_nose = angle_between(own.velocity, sight),
+          .off_his_nose = angle_between(other.velocity, -sight)};
+}
+
+double of_duel(const Reward& r, const Duel& d) {
+  const double within = r.high > r.low ? near_one(d.range, r.low, r.high) : 1;
+  switch (r.term) {
+    case Term::nose_on:
+      return within * (1 - d.off_nose / kPi);
+    case Term::advantage:
+      return within * (d.off_his_nose - d.off_nose) / kPi;
+    case Term::closeness:
+      return within;
+    case Term::closing:
+      return std::clamp(d.closing / r.high, -1.0, 1.0);
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+void note(const sim::Event& e, PlayerId who, const scenario::Roster& roster, Merit& merit) {
+  switch (e.kind.as<model::EventKind>()) {
+    case model::EventKind::kill: {
+      const auto *own = roster.find(who), *whom = roster.find(e.whom);
+      merit.kills += e.who == who && own && whom && own->side != whom->side ? 1 : 0;
+      break;
+    }
+    case model::EventKind::hit:
+      merit.hits += e.who == who ? 1 : 0;
+      merit.hits_by += e.whom == who ? 1 : 0;
+      break;
+    case model::EventKind::launch:
+      merit.launches += e.detail == who.value ? 1 : 0;
+      break;
+    case model::EventKind::gun_burst:
+      merit.rounds += e.who == who ? e.values[0] : 0;
+      break;
+    case model::EventKind::home:
+      merit.home |= e.who == who;
+      break;
+    default:
+      break;
+  }
+}
+
+double reward(std::span<const Reward> terms, const scenario::Scenario& scenario,
+              const sim::World& world, PlayerId who, const Merit& merit, bool over,
+              double seconds) {
+  const model::Side side = scenario.roster.find(who)->side;
+  const auto row = world.row(scenario.aircraft.table, who);
+  const Kinematics* own = row ? &world.rows(scenario.aircraft.kinematics)[*row] : nullptr;
+  const Kinematics* other = own ? nearest_enemy(scenario, world, *own, side) : nullptr;
+  const std::optional<Duel> fought = other ? std::optional(duel(*own, *other)) : std::nullopt;
+  const Living left = over ? living(scenario, world, side) : Living{};
+
+  double sum = 0;
+  for (const Reward& r : terms) {
+    switch (r.term) {
+      case Term::win:
+        sum += over && left.enemies == 0 && left.own > 0 ? r.weight : 0;
+        break;
+      case Term::loss:
+        sum += over && left.enemies > 0 && left.own == 0 ? r.weight : 0;
+        break;
+      case Term::draw:
+        sum += over && (left.enemies == 0) == (left.own == 0) ? r.weight : 0;
+        break;
+      case Term::kill:
+        sum += r.weight * merit.kills;
+        break;
+      case Term::killed:
+        sum += !merit.alive && !merit.home ? r.weight : 0;
+        break;
+      case Term::hit:
+        sum += r.weight * merit.hits;
+        break;
+      case Term::hit_by:
+        sum += r.weight * merit.hits_by;
+        break;
+      case Term::launch:
+        sum += r.weight * merit.launches;
+        break;
+      case Term::rounds:
+        sum += r.weight * static_cast<double>(merit.rounds);
+        break;
+      case Term::alive:
+        sum += own ? r.weight * seconds : 0;
+        break;
+      case Term::low:
+        sum += own ? r.weight * seconds * near_one(own->altitude, r.low, r.high) : 0;
+        break;
+      case Term::formation:
+        if (const auto off = own ? off_place(scenario, world, who, *own) : std::nullopt)
+          sum += r.weight * seconds * near_one(*off, r.low, r.high);
+        break;
+      case Term::nose_on:
+      case Term::advantage:
+      case Term::closeness:
+      case Term::closing:
+        sum += fought ? r.weight * seconds * of_duel(r, *fought) : 0;
+        break;
+    }
+  }
+  return sum;
+}
+
+}  // namespace eyrie::train

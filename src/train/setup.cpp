@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+/// \file  From a task to environments: who learns, what an action is, against whom.
+#include <algorithm>
+
+#include "train/slot.hpp"
+#include "train/vector_env.hpp"
+
+namespace eyrie::train {
+namespace {
+
+/// Environments are cut into so many runs per worker, so that none waits long for another.
+constexpr std::size_t kLanesPerWorker = 4;
+
+}  // namespace
+
+VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& options)
+    : task_(std::move(task)),
+      options_(options),
+      scenario_(scenario::load({task_.scenario, task_.sets}, std::move(source))),
+      observation_(task_.observation, {"observation", 1, 1}) {
+  if (options_.envs == 0)
+    refuse("there must be an environment");
+  if (options_.workers == 0 || options_.workers > 256)
+    refuse(fmt::format("{} workers: there can be 1 to 256", options_.workers));
+  if (task_.controls.empty() == !task_.votes)
+    refuse("a task has controls or votes, one of them");
+  if (!task_.votes)
+    controls_ = pilot::Controls(task_.controls, {"controls", 1, 1});
+  for (const Reward& r : task_.rewards)
+    if (!std::isfinite(r.weight) || !(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
+        (r.term == Term::closing && !(r.high > 0)))
+      refuse(fmt::format("reward {}: weight {}, from {} to {}", enum_name(r.term), r.weight, r.low,
+                         r.high));
+  for (const pilot::Control& control : controls_.controls())
+    action_names_.emplace_back(control.info().name);
+  read_learners();
+  read_opponents();
+  const double dt = scenario_->simulation->dt();
+  period_ = sim::period_steps(scenario_->spec.rates.decisions, dt).steps;
+  seconds_ = period_ * dt;
+  shape_ = {options_.envs, learners_.size(), observation_.size(), action_names_.size()};
+
+  const auto decisions =
+      static_cast<std::size_t>(scenario_->spec.until / seconds_ + 2) * learners_.size();
+  room_ = scenario_->orders.size() + choices_.size() +
+          decisions * (task_.votes ? action_names_.size() : 1);
+  for (std::size_t env = 0; env < options_.envs; ++env)
+    slots_.emplace_back(*scenario_, learners_.size(), task_.votes ? action_names_.size() : 0,
+                        env < options_.keep_episodes ? room_ : 0);
+  const std::size_t lanes =
+      std::min(options_.envs, options_.workers == 1 ? 1 : options_.workers * kLanesPerWorker);
+  const std::size_t at_once = scenario_->orders.size() + choices_.size() +
+                              learners_.size() * std::max<std::size_t>(1, action_names_.size());
+  for (std::size_t i = 0; i < lanes; ++i)
+    lanes_.push_back(std::make_unique<Lane>(*scenario_, at_once));
+  executor_ = std::make_unique<Executor>(options_.workers);
+  for (std::size_t env = 0; env < options_.envs; ++env)
+    begin(slots_[env], next_seed(env));
+}
+
+VectorEnv::~VectorEnv() = default;
+VectorEnv::VectorEnv(VectorEnv&&) noexcept = default;
+VectorEnv& VectorEnv::operator=(VectorEnv&&) noexcept = default;
+
+void VectorEnv::read_learners() {
+  std::vector<std::string> names;
+  for (const auto& player : scenario_->roster.players)
+    names.push_back(player.name);
+  if (task_.learners.empty())
+    refuse("nobody learns: name a learner");
+  for (const std::string& name : task_.learners) {
+    const auto id = scenario_->roster.find(name);
+    if (!id)
+      refuse(
+          fmt::format("learner: there is no player {}{}", quote(name), did_you_mean(name, names)));
+    const auto row = scenario_->start->row(scenario_->aircraft.table, *id);
+    if (!row || scenario_->roster.find(*id)->remote)
+      refuse(fmt::format("learner {} is no aircraft of this program", quote(name)));
+    for (const Learner& other : learners_)
+      if (other.id == *id)
+        refuse(fmt::format("learner {} is named twice", quote(name)));
+    const std::uint16_t tree = scenario_->start->rows(scenario_->pilots.agent)[*row].tree;
+    if (tree == pilot::kNoTree)
+      refuse(
+          fmt::format("learner {} has no tree: what is asked of it goes through its tree, if "
+                      "only one of navigate",
+                      quote(name)));
+    Learner learner{.id = *id, .nodes = {}};
+    if (task_.votes) {
+      const pilot::Tree& flown = (*scenario_->trees)[tree];
+      std::vector<std::string> paths;
+      for (std::size_t i = 0; i < flown.size(); ++i)
+        paths.push_back(flown.path(static_cast<ubf::NodeIndex>(i)));
+      const auto arbiter = flown.find(task_.votes->arbiter);
+      if (!arbiter)
+        refuse(fmt::format("votes: tree {} of {} has no node {}{}", quote(flown.name()), name,
+                           quote(task_.votes->arbiter), did_you_mean(task_.votes->arbiter, paths)));
+      std::vector<std::string> voters;
+      for (const auto& child : flown.node(*arbiter).children()) {
+        learner.nodes.push_back(static_cast<std::uint16_t>(child->index() + 1));
+        voters.push_back(paths[child->index()]);
+      }
+      if (voters.empty() || voters.size() > model::Tasking::kVotes)
+        refuse(fmt::format("votes: {} has {} children, there can be 1 to {}",
+                           quote(task_.votes->arbiter), voters.size(), model::Tasking::kVotes));
+      if (!(task_.votes->most > 0 && task_.votes->most <= 1000))
+        refuse(fmt::format("votes: {} is outside (0, 1000]", task_.votes->most));
+      if (learners_.empty())
+        action_names_ = voters;
+      else if (action_names_ != voters)
+        refuse(fmt::format("votes: {} and {} fly by trees with other children there",
+                           task_.learners.front(), name));
+    }
+    learners_.push_back(std::move(learner));
+  }
+}
+
+void VectorEnv::read_opponents() {
+  std::vector<std::string> trees;
+  for (const auto& tree : *scenario_->trees)
+    trees.emplace_back(tree.name());
+  for (const Opponent& opponent : task_.opponents) {
+    const auto id = scenario_->roster.find(opponent.player);
+    if (!id || scenario_->roster.find(*id)->fleet != 0)
+      refuse(fmt::format("opponent: there is no aircraft {}", quote(opponent.player)));
+    if (opponent.trees.empty())
+      refuse(fmt::format("opponent {}: name a tree", quote(opponent.player)));
+    Choice choice{.player = *id, .trees = {}};
+    for (const std::string& name : opponent.trees) {
+      const auto tree = scenario_->trees->find(name);
+      if (!tree)
+        refuse(fmt::format("opponent {}: there is no tree {}{}", quote(opponent.player),
+                           quote(name), did_you_mean(name, trees)));
+      choice.trees.push_back(*tree);
+    }
+    choices_.push_back(std::move(choice));
+  }
+}
+
+}  // namespace eyrie::train

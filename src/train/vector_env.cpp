@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: MIT
+#include "train/vector_env.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/draw.hpp"
+#include "core/version.hpp"
+#include "pilot/pilot_system.hpp"
+#include "sim/run.hpp"
+#include "train/slot.hpp"
+
+namespace eyrie::train {
+namespace {
+
+/// Beside those of core/draw.hpp: which episode comes next in training, and against whom.
+constexpr Stream kEpisodeStream{23};
+
+template <class T>
+void check_size(std::string_view name, std::span<T> array, std::size_t size) {
+  if (array.size() != size)
+    refuse(fmt::format("{}: {} numbers, expected {}", name, array.size(), size));
+}
+
+}  // namespace
+
+void VectorEnv::check(const Arrays& out) const {
+  const std::size_t agents = shape_.envs * shape_.agents;
+  check_size("observations", out.observations, agents * shape_.observation);
+  check_size("last_observations", out.last_observations, agents * shape_.observation);
+  check_size("masks", out.masks, agents * shape_.action);
+  check_size("alive", out.alive, agents);
+  check_size("rewards", out.rewards, agents);
+  check_size("terminated", out.terminated, agents);
+  check_size("truncated", out.truncated, agents);
+  check_size("over", out.over, shape_.envs);
+}
+
+void VectorEnv::check_actions(std::span<const float> actions) const {
+  check_size("actions", actions, shape_.envs * shape_.agents * shape_.action);
+  const float* action = actions.data();
+  for (std::size_t env = 0; env < shape_.envs; ++env) {
+    if (slots_[env].fault)
+      refuse(fmt::format("environment {} cannot go on: reset it", env));
+    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+      for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
+        if (std::isnan(*action))
+          refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
+                             task_.learners[agent], env));
+        if (*action != 0 && !slots_[env].agents[agent].alive)
+          refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
+                             task_.learners[agent], env));
+      }
+  }
+}
+
+std::uint64_t VectorEnv::next_seed(std::size_t env) const {
+  Draw draw(options_.seed, PlayerId{static_cast<std::uint32_t>(env + 1)}, kEpisodeStream,
+            slots_[env].episodes);
+  return draw.bits() >> 11;  // a float64 holds it
+}
+
+void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
+  slot.world = scenario_->world(seed);
+  slot.seed = seed;
+  slot.outcome = scenario::Outcome::running;
+  slot.any_home = false;
+  slot.fault.reset();
+  slot.orders.clear();
+  for (Slot::Agent& agent : slot.agents) {
+    agent.alive = true;
+    agent.merit = {};
+    std::fill(agent.votes.begin(), agent.votes.end(), -1.0F);
+  }
+}
+
+void VectorEnv::end(Slot& slot) const {
+  slot.last = {slot.seed, slot.world.step(), slot.outcome};
+  std::swap(slot.last_orders, slot.orders);
+  ++slot.episodes;
+}
+
+template <class Use>
+void VectorEnv::for_all(Use use) {
+  const std::size_t lanes = lanes_.size(), envs = shape_.envs;
+  executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
+    for (std::size_t env = i * envs / lanes; env < (i + 1) * envs / lanes; ++env)
+      use(env, *lanes_[i]);
+  });
+}
+
+void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
+  check(out);
+  options_.seed = seed;
+  for (std::size_t env = 0; env < shape_.envs; ++env) {
+    slots_[env].episodes = 0;
+    slots_[env].last = {};
+    begin(slots_[env], next_seed(env));
+    show(env, out);
+  }
+}
+
+void VectorEnv::reset_one(std::size_t env, std::uint64_t seed, const Arrays& out) {
+  check(out);
+  if (env >= shape_.envs)
+    refuse(fmt::format("environment {} of {}", env, shape_.envs));
+  begin(slots_[env], seed);
+  show(env, out);
+}
+
+void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
+  check(out);
+  check_actions(actions);
+  const std::size_t each = shape_.agents * shape_.action;
+  for_all([&](std::size_t env, Lane& lane) {
+    advance(slots_[env], lane, actions.data() + env * each);
+    judge(slots_[env], env, out);
+  });
+  for (std::size_t env = 0; env < shape_.envs; ++env)
+    if (slots_[env].fault)
+      throw std::runtime_error(
+          fmt::format("environment {}, episode {}: {}", env, slots_[env].seed,
+                      scenario::fault_text(*slots_[env].fault, scenario_->roster,
+                                           scenario_->simulation->dt())));
+}
+
+void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
+                        std::vector<sim::Order>& orders) const {
+  const Learner& learner = learners_[agent];
+  const std::uint64_t step = slot.world.step();
+  if (!task_.votes) {
+    perceive(*scenario_, slot.world, learner.id, [&](const pilot::State& state) {
+      orders.push_back(sim::order_for(step, learner.id, pilot::OrderKind::manual,
+                                      controls_.apply(state, {action, shape_.action})));
+    });
+    return;
+  }
+  for (std::size_t i = 0; i < shape_.action; ++i) {
+    const double unit = std::clamp(static_cast<double>(action[i]), -1.0, 1.0);
+    const auto vote = static_cast<float>(0.5 * (1 + unit) * task_.votes->most);
+    float& before = slot.agents[agent].votes[i];
+    if (vote == before)
+      continue;
+    before = vote;
+    orders.push_back(sim::order_for(step, learner.id, pilot::OrderKind::vote,
+                                    model::VoteChange{.vote = vote, .number = learner.nodes[i]}));
+  }
+}
+
+void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
+  for (Slot::Agent& agent : slot.agents)
+    agent.merit = {};
+  for (std::uint32_t i = 0; i < period_ && slot.outcome == scenario::Outcome::running; ++i) {
+    // the orders of this step: the scenario's own, then those of the decision
+    const std::uint64_t step = slot.world.step();
+    lane.orders.clear();
+    for (const sim::Order& order : scenario_->orders)
+      if (order.step == step)
+        lane.orders.push_back(order);
+    if (step == 0)
+      for (const Choice& choice : choices_) {
+        Draw draw(slot.seed, choice.player, kEpisodeStream, 0, 1);
+        const auto pick =
+            static_cast<std::size_t>(draw.uniform() * static_cast<double>(choice.trees.size()));
+        lane.orders.push_back(
+            pilot::PilotSystem::swap_tree_order(0, choice.player, choice.trees[pick]));
+      }
+    if (i == 0)
+      for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+        if (slot.agents[agent].alive)
+          command(slot, agent, actions + agent * shape_.action, lane.orders);
+    if (slot.kept)
+      slot.orders.insert(slot.orders.end(), lane.orders.begin(), lane.orders.end());
+
+    const auto events = scenario_->simulation->step(slot.world, lane.work, lane.orders);
+    if (lane.work.fault()) [[unlikely]] {
+      slot.fault = *lane.work.fault();
+      slot.outcome = scenario::Outcome::fault;
+      return;
+    }
+    for (const sim::Event& event : events)
+      for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+        note(event, learners_[agent].id, scenario_->roster, slot.agents[agent].merit);
+    slot.any_home |= lane.judge.comes_home(events);
+    slot.outcome = lane.judge(slot.world, slot.any_home);
+  }
+}
+
+void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
+  // who is still there
+  bool any = false;
+  const std::size_t first = env * shape_.agents;
+  for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
+    Slot::Agent& one = slot.agents[agent];
+    one.was_alive = one.alive;
+    one.alive =
+        one.alive && slot.world.row(scenario_->aircraft.table, learners_[agent].id).has_value();
+    one.merit.alive = one.alive;
+    any |= one.alive;
+  }
+  if (slot.fault) [[unlikely]]
+    return;
+  const bool over = slot.outcome != scenario::Outcome::running || !any;
+  const bool decided = over && slot.outcome != scenario::Outcome::time;
+
+  // what it was worth
+  for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
+    const Slot::Agent& one = slot.agents[agent];
+    out.rewards[first + agent] =
+        one.was_alive ? static_cast<float>(reward(task_.rewards, *scenario_, slot.world,
+                                                  learners_[agent].id, one.merit, over, seconds_))
+                      : 0.0F;
+    out.terminated[first + agent] = one.was_alive && (!one.alive || decided) ? 1 : 0;
+    out.truncated[first + agent] = one.alive && over && !decided ? 1 : 0;
+  }
+  out.over[env] = over ? 1 : 0;
+
+  // what they see: of an episode that is over, and of the one that begins
+  float* last = out.last_observations.data() + first * shape_.observation;
+  std::fill_n(last, shape_.agents * shape_.observation, 0.0F);
+  if (over) {
+    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+      observe(slot, agent, last + agent * shape_.observation, nullptr);
+    end(slot);
+    begin(slot, next_seed(env));
+  }
+  show_now(env, out);
+}
+
+void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
+  const Slot& slot = slots_[env];
+  for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
+    const std::size_t at = env * shape_.agents + agent;
+    out.alive[at] = slot.agents[agent].alive ? 1 : 0;
+    observe(slot, agent, out.observations.data() + at * shape_.observation,
+            out.masks.data() + at * shape_.action);
+  }
+}
+
+void VectorEnv::show(std::size_t env, const Arrays& out) const {
+  const std::size_t first = env * shape_.agents;
+  std::fill_n(out.rewards.data() + first, shape_.agents, 0.0F);
+  std::fill_n(out.terminated.data() + first, shape_.agents, std::uint8_t{0});
+  std::fill_n(out.truncated.data() + first, shape_.agents, std::uint8_t{0});
+  std::fill_n(out.last_observations.data() + first * shape_.observation,
+              shape_.agents * shape_.observation, 0.0F);
+  out.over[env] = 0;
+  show_now(env, out);
+}
+
+void VectorEnv::observe(const Slot& slot, std::size_t agent, float* observation,
+                        std::uint8_t* mask) const {
+  const bool there =
+      slot.agents[agent].alive &&
+      perceive(*scenario_, slot.world, learners_[agent].id, [&](const pilot::State& state) {
+        observation_.write(state, observation);
+        if (mask && !task_.votes)
+          controls_.mask(state, mask);
+      });
+  if (!there)
+    std::fill_n(observation, shape_.observation, 0.0F);
+  if (mask && (!there || task_.votes))
+    std::fill_n(mask, shape_.action, static_cast<std::uint8_t>(there ? 1 : 0));
+}
+
+std::uint64_t VectorEnv::seed(std::size_t env) const {
+  return slots_.at(env).seed;
+}
+const Finished& VectorEnv::finished(std::size_t env) const {
+  return slots_.at(env).last;
+}
+const sim::World& VectorEnv::world(std::size_t env) const {
+  return slots_.at(env).world;
+}
+
+std::shared_ptr<const VectorEnv::Snapshot> VectorEnv::save() const {
+  return std::make_shared<const Snapshot>(Snapshot{options_.seed, slots_});
+}
+
+void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
+  check(out);
+  if (snapshot.slots.size() != slots_.size() ||
+      snapshot.slots.front().agents.size() != shape_.agents ||
+      snapshot.slots.front().world.schema().layout_hash() !=
+          scenario_->simulation->schema().layout_hash())
+    refuse("this was saved by environments of another task or number");
+  options_.seed = snapshot.seed;
+  for (std::size_t env = 0; env < shape_.envs; ++env) {
+    auto world = snapshot.slots[env].world.moved_to(scenario_->simulation->shared_schema());
+    if (!world)
+      refuse("this was saved by environments of another task");
+    slots_[env] = snapshot.slots[env];
+    slots_[env].keep(env < options_.keep_episodes ? room_ : 0);
+    slots_[env].world = std::move(*world);
+    show(env, out);
+  }
+}
+
+record::RunFile VectorEnv::episode(std::size_t env, bool last_one) const {
+  const Slot& slot = slots_.at(env);
+  if (!slot.kept)
+    refuse(fmt::format("episodes of environment {} are not kept: those of the first {} are", env,
+                       options_.keep_episodes));
+  if (last_one && slot.last.steps == 0)
+    refuse(fmt::format("no episode of environment {} is over", env));
+  const std::uint64_t seed = last_one ? slot.last.seed : slot.seed;
+  const std::uint64_t steps = last_one ? slot.last.steps : slot.world.step();
+  record::RunFile run = record::run_file_of(*scenario_, seed, kVersion);
+  run.orders = last_one ? slot.last_orders : slot.orders;
+  run.outcome = enum_name(last_one ? slot.last.outcome : slot.outcome);
+
+  sim::Run flight(scenario_->simulation, scenario_->world(seed));
+  sim::TrailRecorder trail;
+  flight.attach(trail);
+  for (const sim::Order& order : run.orders)
+    EYRIE_DEMAND(flight.submit(order).empty(), "these orders were carried out before");
+  while (flight.world().step() < steps && !flight.fault())
+    flight.step();
+  flight.finish();
+  run.trail = trail.trail();
+  return run;
+}
+
+}  // namespace eyrie::train
