@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "core/text.hpp"
+#include "debrief/what_if.hpp"
 #include "disk/file_system.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
@@ -141,7 +142,8 @@ int Flight::fly(const std::function<void()>& steps) {
 }
 
 int Flight::keep(bool with_page) {
-  const std::string lost = recorder_.close(mission_.run().orders(), outcome_text(mission_, tally_));
+  const std::string lost =
+      recorder_.close(mission_.run().orders(), debrief::outcome_text(mission_, tally_));
   if (!run_.close())
     throw disk::Failed(run_.error());
   Beside beside{folder_};

@@ -8,39 +8,13 @@
 
 #include "core/hash.hpp"
 #include "core/units.hpp"
+#include "debrief/what_if.hpp"
 #include "disk/file_system.hpp"
 #include "record/json_text.hpp"
 
 namespace eyrie::app {
 using model::Side;
 using record::Tone;
-
-std::string outcome_text(const scenario::Mission& mission, const record::Tally& tally) {
-  const auto blue = tally.side(Side::blue), red = tally.side(Side::red);
-  std::string text;
-  switch (mission.outcome()) {
-    case scenario::Outcome::blue_home:
-      text = blue.players ? fmt::format("blue is home, {} of {}", blue.home, blue.players)
-                          : "blue has arrived";
-      break;
-    case scenario::Outcome::blue_lost:
-      text = "no blue player is left";
-      break;
-    case scenario::Outcome::red_lost:
-      text = "no red player is left";
-      break;
-    case scenario::Outcome::time:
-      text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
-      break;
-    case scenario::Outcome::fault:
-      text = fmt::format("a fault ended it at {}", record::clock_text(mission.run().time()));
-      break;
-    default:
-      text = fmt::format("stopped at {}", record::clock_text(mission.run().time()));
-      break;
-  }
-  return fmt::format("{}; losses: blue {}, red {}", text, blue.losses, red.losses);
-}
 
 Composed Report::paint(const std::string& text, Tone tone) const {
   const std::string fit = printable(text);
@@ -202,7 +176,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
                      const std::string& files) const {
   table(tally, ends);
   const double time = mission.run().time();
-  say("{}\n", outcome_text(mission, tally));
+  say("{}\n", debrief::outcome_text(mission, tally));
   if (const auto refused = mission.run().world().refused_births(); refused > 0)
     say("no room in the world: {} {} could not be launched or born\n", refused,
         refused == 1 ? "player" : "players");

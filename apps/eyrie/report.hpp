@@ -65,8 +65,4 @@ class Report {
                                       std::uint64_t seed, const Timing& timing,
                                       const std::string& run_dir);
 
-/// One line for people: "blue is home (4 of 4), red lost 2 of 2".
-[[nodiscard]] std::string outcome_text(const scenario::Mission& mission,
-                                       const record::Tally& tally);
-
 }  // namespace eyrie::app

@@ -51,6 +51,34 @@ Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally)
           tally.side(model::Side::blue), tally.side(model::Side::red)};
 }
 
+std::string outcome_text(const scenario::Mission& mission, const record::Tally& tally) {
+  const auto blue = tally.side(model::Side::blue), red = tally.side(model::Side::red);
+  using Ending = scenario::Outcome;
+  std::string text;
+  switch (mission.outcome()) {
+    case Ending::blue_home:
+      text = blue.players ? fmt::format("blue is home, {} of {}", blue.home, blue.players)
+                          : "blue has arrived";
+      break;
+    case Ending::blue_lost:
+      text = "no blue player is left";
+      break;
+    case Ending::red_lost:
+      text = "no red player is left";
+      break;
+    case Ending::time:
+      text = fmt::format("time is up at {}", record::clock_text(mission.run().time()));
+      break;
+    case Ending::fault:
+      text = fmt::format("a fault ended it at {}", record::clock_text(mission.run().time()));
+      break;
+    default:
+      text = fmt::format("stopped at {}", record::clock_text(mission.run().time()));
+      break;
+  }
+  return fmt::format("{}; losses: blue {}, red {}", text, blue.losses, red.losses);
+}
+
 WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, PlayerId who,
                double from) {
   WhatIf result;

@@ -44,6 +44,9 @@ struct Outcome {
 
 /// Of a flight that was watched by `tally`.
 [[nodiscard]] Outcome outcome_of(const scenario::Mission& mission, const record::Tally& tally);
+/// "blue is home, 3 of 4; losses: blue 1, red 2"
+[[nodiscard]] std::string outcome_text(const scenario::Mission& mission,
+                                       const record::Tally& tally);
 /// The run as it was recorded.
 [[nodiscard]] Outcome outcome_of(const Recorded& recorded);
 /// When flights are over that are compared with this run, which ended as `flown` (s): with it if it

@@ -45,6 +45,11 @@ Cell defense_word(float number) {
 
 }  // namespace
 
+std::string_view unit_of(const EventColumn& column) {
+  const std::string_view last = column.name.substr(column.name.rfind('_') + 1);
+  return last == "m" || last == "s" || last == "deg" || last == "kg" ? last : "";
+}
+
 const std::vector<EventColumn>& event_columns() {
   static const std::vector<EventColumn> all = [] {
     std::vector<EventColumn> columns{

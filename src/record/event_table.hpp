@@ -13,6 +13,9 @@ struct EventColumn {
   std::string_view help;
   std::string_view format = "";  ///< of its numbers in a text, such as "{:.3f}"; "": words
 };
+/// As its name ends: "m", "s", "deg", "kg", or "" for none.
+[[nodiscard]] std::string_view unit_of(const EventColumn& column);
+
 /// Nothing, a number or words.
 using Cell = std::variant<std::monostate, double, std::string>;
 
@@ -26,6 +29,8 @@ class EventTable {
   explicit EventTable(const scenario::Scenario& scenario)
       : scenario_(scenario), missiles_(scenario) {}
 
+  /// To be told every event that no row is made of: who a missile was.
+  void note(const sim::Event& e) { missiles_.note(e); }
   /// A cell for each column. Words are as files gave them.
   [[nodiscard]] std::vector<Cell> row(const sim::Event& e, const sim::StepInfo& info);
   /// One of its values: a number as in that column, or what it stands for.

@@ -75,6 +75,8 @@ class Mission {
   void fly();
 
   [[nodiscard]] Outcome outcome() const { return outcome_; }
+  /// Whether a blue aircraft has come home so far: for another mission that goes on from here.
+  [[nodiscard]] bool any_home() const { return any_home_; }
 
  private:
   std::shared_ptr<const Scenario> scenario_;

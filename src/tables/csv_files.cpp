@@ -78,7 +78,9 @@ bool write_decisions(const debrief::Recorded& recorded, const Selection& selecti
                      const std::function<bool()>& stop) {
   const scenario::Scenario& scenario = *recorded.scenario;
   const std::vector<ActionColumn> columns = action_columns(scenario);
-  std::string row = "time_s,step,player,tree,status,vote,leader,leader_path,attacks";
+  std::string row(kDecisionColumns[0].name);
+  for (const DecisionColumn& column : std::span(kDecisionColumns).subspan(1))
+    row += fmt::format(",{}", column.name);
   put_names(columns, row);
   file.write(row);
   debrief::Reflight flight(recorded);

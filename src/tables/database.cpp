@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tables/database.hpp"
 
-#include "core/angle.hpp"
 #include "core/text.hpp"
 #include "sql/database.hpp"
 #include "tables/schema.hpp"
+#include "tables/track_rows.hpp"
 
 namespace eyrie::tables {
 namespace {
 
-constexpr double kPlayers = 1, kMissiles = 0.2;  // s between two rows of tracks
 constexpr double kNull = math::kNaN;
 
 /// A number of a player, or NULL for nobody.
@@ -19,6 +18,13 @@ double id_of(PlayerId id) {
 
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+double scale_of(int decimals) {
+  double scale = 1;
+  while (decimals-- > 0)
+    scale *= 10;
+  return scale;
 }
 
 class Writer final : public sim::Observer {
@@ -32,8 +38,6 @@ class Writer final : public sim::Observer {
         database_(":memory:", sql::Database::Access::create) {
     database_.run("PRAGMA foreign_keys=OFF; PRAGMA user_version=1; BEGIN");
     const double dt = scenario_.simulation->dt();
-    players_every_ = record::steps_in(kPlayers, dt);
-    missiles_every_ = record::steps_in(kMissiles, dt);
     for (Table& table : tables_of(columns_, dt)) {
       database_.run(create(table));
       if (table.query.empty())
@@ -50,7 +54,7 @@ class Writer final : public sim::Observer {
   void begin(const sim::World& world, double) override {
     for (std::uint32_t id = 1; id <= scenario_.roster.players.size(); ++id)
       ends_[id] = {};
-    look(world, 0, true, true);
+    look(world);
   }
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override {
@@ -68,7 +72,7 @@ class Writer final : public sim::Observer {
         end->gone = time;
       }
     }
-    look(world, time, world.step() % players_every_ == 0, world.step() % missiles_every_ == 0);
+    look(world);
   }
   void decide(const debrief::Decision& d);
   std::string bytes();
@@ -99,9 +103,7 @@ class Writer final : public sim::Observer {
   void put_span(PlayerId who, const Span& span);
   void put_answer(const Key& key, std::uint64_t from, std::uint64_t to, const AnswerRow& row);
   void put_players();
-  void look(const sim::World& world, double time, bool players, bool missiles);
-  void put_track(PlayerId id, double time, const model::Kinematics& k,
-                 const scenario::Gauges& gauges);
+  void look(const sim::World& world);
 
   const debrief::Recorded& recorded_;
   const scenario::Scenario& scenario_;
@@ -111,7 +113,6 @@ class Writer final : public sim::Observer {
   sql::Database database_;
   std::map<std::string, sql::Statement, std::less<>> into_;
   std::vector<std::array<std::string, 4>> units_;
-  std::uint64_t players_every_ = 50, missiles_every_ = 10;
   std::int64_t event_count_ = 0, node_count_ = 0;
   std::map<std::string, std::int64_t> texts_;
   std::map<std::pair<std::uint8_t, std::string>, std::int64_t> trees_;  ///< by fleet and name
@@ -246,31 +247,16 @@ void Writer::decide(const debrief::Decision& d) {
   span = {d.step, d.step, 0, root, leader, attacks, std::move(answers)};
 }
 
-void Writer::put_track(PlayerId id, double time, const model::Kinematics& k,
-                       const scenario::Gauges& gauges) {
-  const Geodetic place = scenario_.library->reference.to_geodetic(k.position);
-  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
-  const auto angle = [&](double value) { return rounded(degrees(value), 100); };
-  into("tracks")
-      .with(std::int64_t{id.value}, rounded(time, 1000), rounded(k.position.x, 100),
-            rounded(k.position.y, 100), rounded(place.altitude, 100),
-            rounded(degrees(place.latitude), 1e7), rounded(degrees(place.longitude), 1e7),
-            angle(wrap_tau(k.heading)), angle(k.pitch), angle(k.roll), rounded(k.speed, 100),
-            rounded(gauges.mach.value_or(kNull), 1000),
-            rounded(gauges.load_factor.value_or(kNull), 100),
-            rounded(gauges.fuel.value_or(kNull), 10))
-      .step();
-}
-
-void Writer::look(const sim::World& world, double time, bool players, bool missiles) {
-  if (players)
-    scenario_.each_player(world, [&](const scenario::Fleet& fleet, PlayerId id, std::size_t row) {
-      put_track(id, time, fleet.motion(world, row), fleet.gauges(world, row));
-    });
-  if (missiles)
-    for (std::size_t i = 0; i < world.rows(scenario_.missiles.table); ++i)
-      put_track(world.ids(scenario_.missiles.table)[i], time,
-                world.rows(scenario_.missiles.kinematics)[i], {});
+void Writer::look(const sim::World& world) {
+  each_track(scenario_, world, {}, [&](PlayerId id, const TrackRow& values) {
+    sql::Statement& row = into("tracks");
+    row.with(std::int64_t{id.value});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double scale = scale_of(kTrackColumns[i].decimals);
+      row.bind(static_cast<int>(i + 2), std::round(values[i] * scale) / scale);
+    }
+    row.step();
+  });
 }
 
 void Writer::put_players() {

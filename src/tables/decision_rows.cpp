@@ -88,6 +88,23 @@ std::vector<Cell> action_of(const debrief::Decision& d, std::span<const ActionCo
                          : cells_of(d.nodes.front().action, columns);
 }
 
+std::vector<Cell> decision_row(const debrief::Decision& d, const scenario::Roster& roster,
+                               std::span<const ActionColumn> columns) {
+  const debrief::Answer* leader = d.leader < d.nodes.size() ? &d.nodes[d.leader] : nullptr;
+  std::vector<Cell> row{d.time,
+                        static_cast<double>(d.step),
+                        roster.name(d.player),
+                        d.tree,
+                        std::string(ubf::to_text(d.status)),
+                        static_cast<double>(d.vote),
+                        leader ? leader->label : "",
+                        leader ? leader->path : "",
+                        roster.name(target_of(d))};
+  for (Cell& cell : action_of(d, columns))
+    row.push_back(std::move(cell));
+  return row;
+}
+
 PlayerId target_of(const debrief::Decision& d) {
   for (const debrief::Perceived& one : d.perceived)
     if (one.kind == "target")

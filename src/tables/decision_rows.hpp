@@ -21,6 +21,27 @@ struct ActionColumn {
 [[nodiscard]] std::vector<ActionColumn> action_columns(const scenario::Scenario& scenario);
 void add_columns(std::span<const ubf::ActionFieldInfo> fields, std::vector<ActionColumn>& columns);
 
+/// What a table of decisions has before the fields of the action.
+struct DecisionColumn {
+  std::string_view name, unit, help;
+  bool is_words;
+};
+inline constexpr std::array kDecisionColumns = std::to_array<DecisionColumn>({
+    {"time_s", "s", "when it was made", false},
+    {"step", "", "of the simulation, when it was made", false},
+    {"player", "", "whose it is", true},
+    {"tree", "", "that decided", true},
+    {"status", "", "`running`, `success`, `failure`, of the root", true},
+    {"vote", "", "of the root", false},
+    {"leader", "", "label of the node whose recommendation led; empty: nobody's", true},
+    {"leader_path", "", "its path in the tree", true},
+    {"attacks", "", "who its target really is", true},
+});
+/// A cell for each of them, then one for each field of the action.
+[[nodiscard]] std::vector<Cell> decision_row(const debrief::Decision& decision,
+                                             const scenario::Roster& roster,
+                                             std::span<const ActionColumn> columns);
+
 /// What a node answered.
 struct AnswerRow {
   std::string status, why;

@@ -6,6 +6,7 @@
 #include "driver/state.hpp"
 #include "pilot/action.hpp"
 #include "sql/database.hpp"
+#include "tables/track_rows.hpp"
 
 namespace eyrie::tables {
 namespace {
@@ -23,17 +24,22 @@ Columns event_columns() {
   Columns columns{{"event_id", "INTEGER PRIMARY KEY", "", "in the order in which they happened"}};
   for (const record::EventColumn& column : record::event_columns()) {
     const std::string name(column.name);
-    const std::size_t end = name.rfind('_');
-    const std::string last = end == name.npos ? "" : name.substr(end + 1);
-    const bool has_unit = last == "m" || last == "s" || last == "deg" || last == "kg";
     const bool refers = name == "who_id" || name == "whom_id" || name == "missile_id";
     columns.push_back({name,
                        refers                  ? "INTEGER REFERENCES players"
                        : name == "step"        ? "INTEGER"
                        : column.format.empty() ? "TEXT"
                                                : "REAL",
-                       has_unit ? last : "", std::string(column.help)});
+                       std::string(record::unit_of(column)), std::string(column.help)});
   }
+  return columns;
+}
+
+Columns track_columns() {
+  Columns columns{kPlayerId};
+  for (const TrackColumn& column : kTrackColumns)
+    columns.push_back(
+        {std::string(column.name), "REAL", std::string(column.unit), std::string(column.help)});
   return columns;
 }
 
@@ -97,15 +103,11 @@ constexpr const char* kEach = R"(WITH RECURSIVE one(player_id, step, to_step, ev
 )";
 
 Columns decision_columns() {
-  return {{"time_s", "", "s", "when it was made"},
-          {"step", "", "", "of the simulation, when it was made"},
-          {"player", "", "", "whose it is"},
-          {"tree", "", "", "that decided"},
-          {"status", "", "", "`running`, `success`, `failure`, of the root"},
-          {"vote", "", "", "of the root"},
-          {"leader", "", "", "label of the node whose recommendation led; empty: nobody's"},
-          {"leader_path", "", "", "its path in the tree"},
-          {"attacks", "", "", "who its target really is"}};
+  Columns columns;
+  for (const DecisionColumn& column : kDecisionColumns)
+    columns.push_back(
+        {std::string(column.name), "", std::string(column.unit), std::string(column.help)});
+  return columns;
 }
 
 }  // namespace
@@ -163,22 +165,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
   all.push_back({"events", "Everything that happened: docs/events.md.", event_columns(), ")", ""});
   all.push_back({"tracks",
                  "Where everybody was: players every second, missiles five times a second.",
-                 {kPlayerId,
-                  {"time_s", "REAL", "s", "when"},
-                  {"north_m", "REAL", "m", "from the scenario's reference"},
-                  {"east_m", "REAL", "m", "likewise"},
-                  {"altitude_m", "REAL", "m", "above the ellipsoid"},
-                  {"latitude_deg", "REAL", "deg", "WGS 84"},
-                  {"longitude_deg", "REAL", "deg", "WGS 84"},
-                  {"heading_deg", "REAL", "deg", "of the nose, true"},
-                  {"pitch_deg", "REAL", "deg", "nose up"},
-                  {"roll_deg", "REAL", "deg", "right wing down"},
-                  {"speed_m_s", "REAL", "m/s", "through the air"},
-                  {"mach", "REAL", "", "of aircraft"},
-                  {"load_factor", "REAL", "", "g, of aircraft"},
-                  {"fuel_kg", "REAL", "kg", "of aircraft"}},
-                 ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID",
-                 ""});
+                 track_columns(), ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID", ""});
   all.push_back({"decision_spans",
                  "Decisions in a row at one distance, of one tree and with one leader. The view "
                  "decisions has each of them.",

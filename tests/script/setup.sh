@@ -26,7 +26,7 @@ begin() {
   touch "$work"/project/{CMakeLists.txt,CMakePresets.json}
   echo '{}' >"$work/project/viewer/package-lock.json"
   local tool
-  for tool in bash sh dirname readlink find cmp grep touch mkdir chmod cp rm cat mv nproc awk env flock head sed setsid sleep sort timeout; do
+  for tool in bash sh dirname readlink find cmp grep touch mkdir chmod cp rm cat mv nproc awk env flock head sed setsid sleep sort tail timeout; do
     ln -s "$(command -v "$tool")" "$work/tools/$tool"
   done
   tool cmake 'echo "configured: $*"; touch '"$work/build/build.ninja"
@@ -48,7 +48,7 @@ tool() {  # NAME TEXT
   chmod +x "$work/tools/$1"
 }
 run() {  # prints both streams, then the code
-  (cd "$work" && env --default-signal=INT -i HOME="$work" PATH="$work/tools" EYRIE_BUILD_DIR="$work/build" \
+  (cd "$work" && env --default-signal=INT -i HOME="$work" PATH="$work/tools" EYRIE_BUILD_DIR="$work/build" EYRIE_PYTHON="$work/tools/python3" \
     EYRIE_NO_INSTALL="${EYRIE_NO_INSTALL-1}" timeout -k 1 100 setsid --wait bash project/eyrie "$@" 2>&1; echo "code $?")
 }
 await() {  # FILE: until something is in it
@@ -222,5 +222,25 @@ wait
 expect "the first of two builds" "$(cat "$work/first")" "$building"$'\n'"flown: validate first"*
 expect "the second waits and need not" "$(cat "$work/second")" \
   "eyrie: another ./eyrie is building; waiting for it"$'\n'"flown: validate second"$'\n'"code 0"
+
+# Python: makes a virtual environment, and is what stands in it
+begin
+mkdir "$work/project/python" && touch "$work/project/pyproject.toml"
+tool python3 "case \$1\$2 in
+  -mvenv) for to; do :; done; mkdir -p \$to/bin; cp $work/tools/python3 \$to/bin/python ;;
+  -mpip) echo \"\$*\" >>'$work/asked'; [ ! -e '$work/broken' ] || { echo no compiler; exit 1; } ;;
+  -*.toml) echo 'builder>=1' ;;
+  *) echo \"python: \$*\" ;;
+esac"
+expect "python makes its package" "$(run python mine.py --help)" \
+  "eyrie: building the Python package*eyrie: built the Python package in * s"$'\n'"python: mine.py --help"$'\n'"code 0"
+expect "with what builds it" "$(cat "$work/asked")" "*install builder>=1"$'\n'"*--no-build-isolation $work/project"
+expect "once" "$(run python mine.py --help)" "python: mine.py --help"$'\n'"code 0"
+touch "$work/project/python/new.py" "$work/broken"
+expect "again for a new source, and says why not" "$(run python -c 1)" \
+  "*no compiler*the Python package could not be built*code 1"
+rm "$work/broken"
+expect "then once more" "$(run python -c 1)" "eyrie: building*python: -c 1"$'\n'"code 0"
+expect "its help is at hand" "$(run help python)" "*./eyrie python *code 0"
 
 exit $((failures > 0))

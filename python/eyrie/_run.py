@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""Runs: flown, opened, looked at, kept."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Iterable
+from functools import cached_property
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from . import _core
+from ._errors import FaultError
+from ._scenario import Scenario, Sets, checked_seed, load
+from ._tables import Table, table_of
+
+
+class StoryLine(NamedTuple):
+    """Something worth telling."""
+
+    time: float  #: s
+    who: str
+    text: str
+
+
+class Explanation:
+    """Decisions with every node's answer.
+
+    ``str()`` is what ``eyrie explain`` prints; ``data`` the same as lists and dictionaries, whose keys
+    docs/howto/explain-a-decision.md has. Numbers are in SI.
+    """
+
+    def __init__(self, text: str, data: list[dict[str, Any]]) -> None:
+        self.text = text
+        self.data = data
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<eyrie.Explanation of {len(self.data)} decisions; print() shows them>"
+
+
+class Run:
+    """A flight from its first world to its end: made by :func:`fly` or :func:`open`.
+
+    It holds what the flight was made from, not what happened: tables and explanations are made by
+    flying it again, exactly, when they are asked for. It never changes, and any number of threads may
+    look at it.
+    """
+
+    def __init__(self, core: _core.Recorded) -> None:
+        self._core = core
+
+    @property
+    def scenario(self) -> Scenario:
+        """What was flown."""
+        return Scenario(self._core.scenario)
+
+    @property
+    def seed(self) -> int:
+        """Of every draw."""
+        return self._core.seed
+
+    @property
+    def steps(self) -> int:
+        """How many it has."""
+        return self._core.steps
+
+    @property
+    def duration(self) -> float:
+        """From its start to its end, s."""
+        return self._core.until
+
+    @property
+    def hash(self) -> str:
+        """Of the world at its end, ``0x`` and 16 hexadecimal digits: what ``eyrie fly`` prints."""
+        return self._core.hash
+
+    @property
+    def outcome(self) -> str:
+        """How it ended, in a line for people."""
+        return self._core.outcome
+
+    @property
+    def build(self) -> str:
+        """What the program called itself that recorded it."""
+        return self._core.build
+
+    @cached_property
+    def events(self) -> Table:
+        """Everything that happened, a row each; docs/events.md describes the columns."""
+        return table_of(self._core.events())
+
+    @cached_property
+    def story(self) -> list[StoryLine]:
+        """The run in the field's words, as ``eyrie fly`` tells it."""
+        return [StoryLine(*line) for line in self._core.story()]
+
+    def tracks(self, player: str | None = None, *, every: float | None = None) -> Table:
+        """Where everybody was.
+
+        Args:
+            player: whose rows; None: everybody's, missiles included.
+            every: s between two rows, of one step at least; None: 1 s, of missiles 0.2 s.
+        """
+        if every is not None and not 0 < every < math.inf:
+            raise ValueError(f"every: {every} s")
+        return table_of(self._core.tracks(player, every))
+
+    def decisions(
+        self, player: str | None = None, *, every: float = 0, changes: bool = False
+    ) -> Table:
+        """What was decided: who led, and each field of the action.
+
+        Args:
+            player: whose; None: everybody's.
+            every: at most one decision of a player in so many s; 0: all.
+            changes: only those in which somebody else leads, another tree decides or an order is
+                another one than before.
+        """
+        if not 0 <= every < math.inf:
+            raise ValueError(f"every: {every} s")
+        return table_of(self._core.decisions(player, every, changes))
+
+    def explain(
+        self,
+        player: str | None = None,
+        *,
+        at: float | None = None,
+        start: float = 0,
+        end: float = 1e9,
+        event: str = "",
+        changes: bool = False,
+    ) -> Explanation:
+        """Why somebody did what it did.
+
+        ``explain()`` has the decisions on which the run turned; ``explain("eagle1")`` where another
+        behavior took the lead; ``explain("eagle1", at=312.4)`` the first decision from then on, with
+        every node's answer; ``start`` and ``end`` all decisions in between; ``event="launch"`` the
+        decisions that such events come of.
+
+        Args:
+            player: whose decisions.
+            at: s, one decision.
+            start, end: s, all decisions in that time.
+            event: a word of the name of an event, or of the story's line.
+            changes: where another behavior took the lead, also with ``start`` and ``end``.
+        """
+        for name, time in (("at", at), ("start", start), ("end", end)):
+            if time is not None and not 0 <= time < math.inf:
+                raise ValueError(f"{name}: {time} s")
+        if player is None:
+            if at is not None or event or changes or start or end != 1e9:
+                raise ValueError("whose decisions? explain() by itself has those on which the run turned")
+            text, data = self._core.key_moments()
+        else:
+            plain = at is None and not event and not start and end == 1e9
+            text, data = self._core.explain(player, at, start, end, changes or plain, event)
+        return Explanation(text, json.loads(data))
+
+    def save(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
+        """Writes the folder that ``eyrie fly --out`` makes: run.eyrie, events.csv, flight.acmi.
+
+        Gives where it is. Every command of the program takes it, and :func:`open`.
+
+        Raises:
+            FileExistsError: something is there; a run only with ``replace``, anything else always.
+        """
+        return Path(self._core.save(os.fspath(folder), replace))
+
+    def __repr__(self) -> str:
+        return f"<eyrie.Run of {self.scenario.name!r}, seed {self.seed}, {self.outcome}, hash {self.hash}>"
+
+
+def fly(
+    scenario: str | os.PathLike[str] | Scenario = "sweep",
+    *,
+    seed: int | None = None,
+    set: Sets = (),
+    until: float | None = None,
+    workers: int = 1,
+    plugins: Iterable[str | os.PathLike[str]] = (),
+    include: Iterable[str | os.PathLike[str]] = (),
+) -> Run:
+    """Flies a scenario to its end.
+
+    Args:
+        scenario: a file, the name of one of Eyrie's own, or one that is loaded.
+        seed: of every draw, in [0, 2**64); None takes the scenario's own.
+        set, plugins, include: as for :func:`load`.
+        until: when it ends at the latest, s; None takes the scenario's own.
+        workers: threads that make a step; they never change what comes of it.
+
+    Raises:
+        MissingError, ConfigError: as for :func:`load`.
+        FaultError: a step could not be made; its ``run`` is what was flown before.
+    """
+    if not isinstance(scenario, Scenario):
+        scenario = load(scenario, set=set, plugins=plugins, include=include)
+    elif set or plugins or include:
+        raise TypeError("a scenario that is loaded takes no set, plugins or include any more")
+    if not 1 <= workers <= 256:
+        raise ValueError(f"workers: {workers} is outside [1, 256]")
+    core, fault = _core.fly(scenario._core, checked_seed(seed), until, workers)
+    run = Run(core)
+    if fault:
+        error = FaultError(fault)
+        error.run = run
+        raise error
+    return run
+
+
+def open(
+    run: str | os.PathLike[str], *, plugins: Iterable[str | os.PathLike[str]] = ()
+) -> Run:
+    """Opens a run folder or its run.eyrie.
+
+    Args:
+        run: the folder or the file.
+        plugins: where the plug-ins of the run are now; their code is run.
+
+    Raises:
+        RunError: it is none, damaged, or of a build with another world.
+    """
+    return Run(_core.open(os.fspath(run), [os.fspath(path) for path in plugins]))

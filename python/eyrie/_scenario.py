@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+"""Scenarios: loaded from files, with overrides."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+
+if TYPE_CHECKING:
+    from ._world import World
+
+#: What an override may be: a text is YAML as ``--set`` takes it, ``"2 nmi"``.
+Value = str | bool | int | float | None | list[Any] | tuple[Any, ...] | dict[str, Any]
+#: Overrides by path, or lines ``path=value``.
+Sets = Mapping[str, Value] | Iterable[str]
+
+
+class Player(NamedTuple):
+    """Somebody who takes part from the start."""
+
+    name: str  #: "eagle1"
+    kind: str  #: "aircraft", "vehicle"
+    type: str  #: "f15c"
+    label: str  #: "F-15C"
+    side: str  #: "blue", "red", "none"
+    flight: str  #: its flight or convoy
+    rank: int  #: 1 leads at the start
+
+
+class Scenario:
+    """A scenario that is ready to fly: made by :func:`load`, it never changes.
+
+    It may be used by any number of worlds and threads, and pickled: it takes the texts of its files
+    along, but not the files of plug-ins.
+    """
+
+    def __init__(self, core: _core.Scenario) -> None:
+        self._core = core
+
+    @property
+    def name(self) -> str:
+        """As its file says."""
+        return self._core.name
+
+    @property
+    def file(self) -> str:
+        """The file it was loaded from; ``eyrie:scenarios/...`` is one of Eyrie's own."""
+        return self._core.file
+
+    @property
+    def files(self) -> dict[str, str]:
+        """The text of every file it was made from."""
+        return self._core.files
+
+    @property
+    def seed(self) -> int:
+        """The seed that is flown if nobody says another one."""
+        return self._core.seed
+
+    @property
+    def until(self) -> float:
+        """When a flight ends at the latest, s."""
+        return self._core.until
+
+    @property
+    def dt(self) -> float:
+        """Length of a step, s."""
+        return self._core.dt
+
+    @property
+    def players(self) -> list[Player]:
+        """Who takes part, in the order of their ids, which count from 1."""
+        return [Player(*one) for one in self._core.players]
+
+    def world(
+        self, seed: int | None = None, *, until: float | None = None, workers: int = 1
+    ) -> World:
+        """The world at step 0.
+
+        Args:
+            seed: of every draw, in [0, 2**64); None takes the scenario's own.
+            until: when the mission ends at the latest, s; None takes the scenario's own.
+            workers: threads that make a step, in [1, 256]; they never change what comes of it and
+                pay from about two thousand players on.
+        """
+        from ._world import World
+
+        return World(_core.world(self._core, checked_seed(seed), until, workers))
+
+    def __repr__(self) -> str:
+        return f"<eyrie.Scenario {self.name!r} of {self.file!r}, {len(self.players)} players>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        core = self._core
+        return (_from_texts, (core.file, core.files, core.sets, core.plugins))
+
+
+def load(
+    scenario: str | os.PathLike[str] = "sweep",
+    *,
+    set: Sets = (),
+    plugins: Iterable[str | os.PathLike[str]] = (),
+    include: Iterable[str | os.PathLike[str]] = (),
+) -> Scenario:
+    """Loads a scenario.
+
+    Args:
+        scenario: a file, or the name of one of Eyrie's own: ``"sweep"``.
+        set: overrides, ``{"blue.flights.eagle.tree": "veteran"}``; a text is YAML as the program's
+            ``--set`` takes it, so ``"2 nmi"`` is a length and ``"[1, 2]"`` a list.
+        plugins: shared libraries with behaviors and models; their code is run. What the scenario
+            names itself is opened only if it stands here, too.
+        include: folders that the scenario may include files of, besides its own.
+
+    Raises:
+        MissingError: there is no such scenario.
+        ConfigError: it has mistakes; ``problems`` has all of them with file, line and column.
+    """
+    return Scenario(
+        _core.load(
+            os.fspath(scenario),
+            override_lines(set),
+            [os.fspath(path) for path in plugins],
+            [os.fspath(path) for path in include],
+            home(),
+        )
+    )
+
+
+def home() -> str:
+    """The folder with ``data`` and ``scenarios``: EYRIE_HOME, or the one inside the package."""
+    return os.environ.get("EYRIE_HOME") or str(Path(__file__).parent / "home")
+
+
+def scenarios() -> list[str]:
+    """The names of Eyrie's own scenarios."""
+    return sorted(path.stem for path in (Path(home()) / "scenarios").glob("*.yaml"))
+
+
+def override_lines(sets: Sets) -> list[str]:
+    """``path=value`` for each override."""
+    if isinstance(sets, Mapping):
+        return [f"{path}={_yaml(value, path)}" for path, value in sets.items()]
+    if isinstance(sets, str):
+        raise TypeError("set: a mapping of paths to values, or a list of lines 'path=value'")
+    return list(sets)
+
+
+def checked_seed(seed: int | None) -> int | None:
+    """A seed that fits 64 bits."""
+    if seed is not None and not 0 <= seed < 2**64:
+        raise ValueError(f"seed: {seed} is outside [0, 2**64)")
+    return seed
+
+
+def _yaml(value: Any, path: str) -> str:
+    if isinstance(value, np.generic):
+        value = value.item()
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float) and not math.isfinite(value):
+        raise ValueError(f"{path}: {value} is no value of a parameter")
+    if isinstance(value, int | float):
+        return repr(value)
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{key}: {_yaml(one, path)}" for key, one in value.items()) + "}"
+    if isinstance(value, Iterable):
+        return "[" + ", ".join(_yaml(one, path) for one in value) + "]"
+    raise TypeError(f"{path}: a {type(value).__name__} is no value of a parameter")
+
+
+def _from_texts(file: str, files: dict[str, str], sets: list[str], plugins: list[str]) -> Scenario:
+    return Scenario(_core.load_texts(file, files, sets, plugins))

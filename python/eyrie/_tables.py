@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""Tables: structured arrays of NumPy that know the units of their columns."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple, cast, overload
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import pandas
+    import pyarrow
+
+
+class Column(NamedTuple):
+    """What a column holds."""
+
+    unit: str  #: of its numbers, "" for none
+    help: str
+
+
+class Table(np.ndarray[Any, np.dtype[np.void]]):
+    """A structured array of one dimension, a row for each element.
+
+    ``table["time_s"]`` is a column, ``table[3]`` a row, ``table[table["event"] == "launch"]`` a table
+    of some rows. A number that is not there is NaN, a whole number 0, words are "". ``columns`` says
+    what each column holds; it goes with slices.
+    """
+
+    columns: dict[str, Column]
+
+    def __array_finalize__(self, made_from: Any) -> None:
+        self.columns = getattr(made_from, "columns", {})
+
+    if TYPE_CHECKING:
+
+        @overload  # type: ignore[override]
+        def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
+        @overload
+        def __getitem__(self, key: int) -> np.void: ...
+        @overload
+        def __getitem__(self, key: slice | list[int] | list[str] | npt.NDArray[Any]) -> Table: ...
+        def __getitem__(self, key: Any) -> Any: ...
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A data frame whose numbers are those of this table, not copied."""
+        import pandas
+
+        names = self.dtype.names or ()
+        return pandas.DataFrame({name: np.asarray(self[name]) for name in names}, copy=False)
+
+    def to_arrow(self) -> pyarrow.Table:
+        """An Arrow table, units and meanings in the metadata of its fields.
+
+        Rows lie one behind the other here and columns there: each column is copied once.
+        """
+        import pyarrow
+
+        arrays, fields = [], []
+        for name in self.dtype.names or ():
+            values = np.ascontiguousarray(self[name])
+            arrays.append(pyarrow.array(values.tolist() if values.dtype.kind == "U" else values))
+            about = self.columns.get(name, Column("", ""))
+            fields.append(pyarrow.field(name, arrays[-1].type, metadata=about._asdict()))
+        return pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields))
+
+
+#: (name, unit, help, kind, values or codes, words), as the engine hands columns over
+Columns = list[tuple[str, str, str, str, object, list[str]]]
+
+
+def table_of(columns: Columns) -> Table:
+    """Puts columns together."""
+    formats = {"number": lambda _: "f8", "integer": lambda _: "i8", "words": _width}
+    dtype = np.dtype([(name, formats[kind](words)) for name, _, _, kind, _, words in columns])
+    arrays = [cast("npt.NDArray[Any]", values) for _, _, _, _, values, _ in columns]
+    rows = len(arrays[0]) if arrays else 0
+    table = cast(Table, np.empty(rows, dtype).view(Table))
+    for (name, _, _, kind, _, words), values in zip(columns, arrays, strict=True):
+        if kind != "words":
+            table[name] = values
+        elif rows:
+            table[name] = np.array(words)[values]
+    table.columns = {name: Column(unit, text) for name, unit, text, _, _, _ in columns}
+    table.flags.writeable = False
+    return table
+
+
+def _width(words: list[str]) -> str:
+    return f"U{max((len(word) for word in words), default=1) or 1}"

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  What every part of the extension module needs: scenarios and runs as Python holds them,
+/// tables on their way to NumPy, work without the GIL that Ctrl-C ends.
+#include <nanobind/nanobind.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include <functional>
+
+#include "core/text.hpp"
+#include "debrief/recorded.hpp"
+#include "record/event_table.hpp"
+#include "scenario/scenario.hpp"
+
+namespace eyrie::python {
+namespace nb = nanobind;
+
+/// eyrie._core.Scenario: shared by any number of worlds and threads.
+struct Scenario {
+  std::shared_ptr<const scenario::Scenario> loaded;
+};
+
+/// eyrie._core.Recorded. Never changes, so any number of threads may look at it.
+struct Recorded {
+  debrief::Recorded recorded;
+};
+
+/// What this build calls itself in recordings.
+[[nodiscard]] std::string version_text();
+
+/// The player of that name. Throws ValueError with the nearest name.
+[[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
+
+/// Throws eyrie.RunError or another exception of eyrie._errors with these words.
+[[noreturn]] void raise(const char* type, const std::string& words);
+
+/// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is to be asked in every
+/// step, tells now and then whether a signal handler wants the work to end, as Ctrl-C does; then
+/// what the handler raised is thrown at the end.
+template <class Use>
+auto without_gil(Use use) {
+  bool signaled = false;
+  auto result = [&] {
+    const nb::gil_scoped_release released;
+    unsigned asked = 0;
+    return use([&] {
+      constexpr unsigned kSteps = 1024;
+      if (!signaled && ++asked % kSteps == 0) {
+        const nb::gil_scoped_acquire held;
+        signaled = PyErr_CheckSignals() != 0;
+      }
+      return signaled;
+    });
+  }();
+  if (signaled)
+    throw nb::python_error();
+  return result;
+}
+
+// --- Tables
+
+/// What a column holds: float64 (NaN: nothing), int64 (0: nothing), or words.
+enum class ColumnKind { number, integer, words };
+
+/// (name, unit, help, kind, values or codes, words) of each column.
+using Columns = std::vector<std::tuple<std::string, std::string, std::string, std::string,
+                                       nb::object, std::vector<std::string>>>;
+
+/// A table that grows row by row, column by column in memory.
+class TableBuilder {
+ public:
+  void column(std::string_view name, std::string_view unit, std::string_view help, ColumnKind kind);
+  /// A cell for each column.
+  void row(std::span<const record::Cell> cells);
+
+  /// Hands over the memory.
+  [[nodiscard]] Columns take();
+
+ private:
+  struct Column {
+    std::string name, unit, help;
+    ColumnKind kind;
+    std::vector<double> numbers{};
+    std::vector<std::int64_t> integers{};
+    std::vector<std::int32_t> codes{};  ///< into words
+    std::vector<std::string> words{};
+    std::map<std::string, std::int32_t, std::less<>> code_of{};
+  };
+  std::vector<Column> columns_;
+};
+
+/// The columns of events: docs/events.md.
+void add_event_columns(TableBuilder& table);
+
+// --- The parts of the module
+
+void add_errors(nb::module_& m);
+void add_scenario(nb::module_& m);
+void add_world(nb::module_& m);
+void add_run(nb::module_& m);
+
+}  // namespace eyrie::python

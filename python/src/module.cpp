@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "common.hpp"
+#include "core/version.hpp"
+
+namespace eyrie::python {
+
+std::string version_text() {
+  return fmt::format("eyrie {} for Python ({}, {})", kVersion, EYRIE_COMPILER, EYRIE_BUILD_TYPE);
+}
+
+PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
+  if (const auto who = roster.find(name))
+    return *who;
+  std::vector<std::string> names;
+  for (const auto& player : roster.players)
+    names.push_back(player.name);
+  throw nb::value_error(
+      fmt::format("there is no player {}{}", quote(name), did_you_mean(name, names)).c_str());
+}
+
+}  // namespace eyrie::python
+
+NB_MODULE(_core, m) {
+  m.doc() = "The engine of Eyrie; use it through the package eyrie.";
+  m.attr("version") = eyrie::kVersion;
+  m.def("version_text", &eyrie::python::version_text,
+        "What this build calls itself in recordings.");
+  eyrie::python::add_errors(m);
+  eyrie::python::add_scenario(m);
+  eyrie::python::add_world(m);
+  eyrie::python::add_run(m);
+}

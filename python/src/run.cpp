@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+/// \file  Runs: flown, opened, looked at, kept.
+#include "common.hpp"
+#include "core/hash.hpp"
+#include "debrief/look.hpp"
+#include "debrief/what_if.hpp"
+#include "disk/output.hpp"
+#include "record/acmi.hpp"
+#include "record/csv.hpp"
+#include "record/story.hpp"
+#include "tables/decision_rows.hpp"
+#include "tables/track_rows.hpp"
+
+namespace eyrie::python {
+namespace {
+
+/// The run, and why it could not be flown on; "" if it could.
+std::tuple<Recorded, std::string> fly(const Scenario& scenario, std::optional<std::uint64_t> seed,
+                                      std::optional<double> until, unsigned workers) {
+  const auto& loaded = scenario.loaded;
+  if (const auto problem = until ? scenario::until_problem(loaded->spec, *until) : std::nullopt)
+    throw nb::value_error(("until: " + *problem).c_str());
+  const std::uint64_t its_seed = seed.value_or(loaded->spec.seed);
+  std::string fault;
+  record::RunFile run = without_gil([&](const auto& stop) {
+    record::RunFile file = record::run_file_of(*loaded, its_seed, version_text());
+    record::Tally tally(*loaded);
+    sim::TrailRecorder trail;
+    scenario::Mission mission(loaded, its_seed, until, {.workers = workers});
+    mission.run().attach(tally);
+    mission.run().attach(trail);
+    while (!stop() && mission.step()) {
+    }
+    mission.run().finish();
+    file.trail = trail.trail();
+    file.orders.assign(mission.run().orders().begin(), mission.run().orders().end());
+    file.outcome = debrief::outcome_text(mission, tally);
+    if (const sim::Fault* why = mission.run().fault())
+      fault = printable_lines(
+          scenario::fault_text(*why, loaded->roster, mission.run().simulation().dt()));
+    return file;
+  });
+  std::vector<std::string> plugins;
+  for (const scenario::PluginFile& plugin : loaded->plugins)
+    plugins.push_back(plugin.path);
+  return {Recorded{{.file = printable(loaded->spec.name),
+                    .run = std::move(run),
+                    .plugins = std::move(plugins),
+                    .scenario = loaded}},
+          fault};
+}
+
+Recorded open(const std::string& path, std::vector<std::string> plugins) {
+  const nb::gil_scoped_release released;
+  debrief::Opened opened = debrief::open(path, std::move(plugins), version_text());
+  if (!opened.recorded)
+    raise("RunError", fmt::format("{}", fmt::join(opened.problems, "\n")));
+  return {std::move(*opened.recorded)};
+}
+
+/// Flies the run again for an observer, to its end.
+template <class Stop>
+void watch(const debrief::Recorded& recorded, std::span<sim::Observer* const> observers,
+           const Stop& stop) {
+  debrief::Reflight flight(recorded);
+  for (sim::Observer* const observer : observers)
+    flight.attach(*observer);
+  while (!stop() && flight.step()) {
+  }
+  for (sim::Observer* const observer : observers)
+    observer->finish(flight.after());
+}
+
+void watch(const Recorded& r, sim::Observer& observer) {
+  without_gil([&](const auto& stop) {
+    watch(r.recorded, std::array{&observer}, stop);
+    return true;
+  });
+}
+
+class EventRows final : public sim::Observer {
+ public:
+  explicit EventRows(const scenario::Scenario& scenario) : names_(scenario) {
+    add_event_columns(table);
+  }
+  void observe(const sim::World&, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    for (const sim::Event& event : events)
+      table.row(names_.row(event, info));
+  }
+  TableBuilder table;
+
+ private:
+  record::EventTable names_;
+};
+
+Columns events(const Recorded& r) {
+  EventRows rows(*r.recorded.scenario);
+  watch(r, rows);
+  return rows.table.take();
+}
+
+class TrackRows final : public sim::Observer {
+ public:
+  TrackRows(const scenario::Scenario& scenario, const tables::TrackRates& rates,
+            std::optional<PlayerId> who)
+      : scenario_(scenario), rates_(rates), who_(who), missiles_(scenario) {
+    table.column("player", "", "whose: a player, or a missile as in events", ColumnKind::words);
+    table.column("player_id", "", "its number", ColumnKind::integer);
+    for (const tables::TrackColumn& column : tables::kTrackColumns)
+      table.column(column.name, column.unit, column.help, ColumnKind::number);
+  }
+  void begin(const sim::World& world, double) override { look(world); }
+  void observe(const sim::World& world, const sim::StepInfo&,
+               std::span<const sim::Event> events) override {
+    for (const sim::Event& event : events)
+      missiles_.note(event);
+    look(world);
+  }
+  TableBuilder table;
+
+ private:
+  void look(const sim::World& world) {
+    tables::each_track(scenario_, world, rates_, [&](PlayerId id, const tables::TrackRow& row) {
+      if (who_ && *who_ != id)
+        return;
+      std::vector<record::Cell> cells{missiles_.name(id), static_cast<double>(id.value)};
+      cells.insert(cells.end(), row.begin(), row.end());
+      table.row(cells);
+    });
+  }
+  const scenario::Scenario& scenario_;
+  tables::TrackRates rates_;
+  std::optional<PlayerId> who_;
+  record::Missiles missiles_;
+};
+
+Columns tracks(const Recorded& r, const std::optional<std::string>& player,
+               std::optional<double> every) {
+  const scenario::Scenario& scenario = *r.recorded.scenario;
+  tables::TrackRates rates;
+  if (every)
+    rates = {*every, *every};
+  TrackRows rows(scenario, rates,
+                 player ? std::optional(player_named(scenario.roster, *player)) : std::nullopt);
+  watch(r, rows);
+  return rows.table.take();
+}
+
+Columns decisions(const Recorded& r, const std::optional<std::string>& player, double every,
+                  bool changes) {
+  const scenario::Scenario& scenario = *r.recorded.scenario;
+  const auto actions = tables::action_columns(scenario);
+  TableBuilder table;
+  for (const tables::DecisionColumn& column : tables::kDecisionColumns)
+    table.column(column.name, column.unit, column.help,
+                 column.is_words         ? ColumnKind::words
+                 : column.name == "step" ? ColumnKind::integer
+                                         : ColumnKind::number);
+  for (const tables::ActionColumn& column : actions)
+    table.column(column.column, column.unit, "what it asks for; NaN or empty: nothing",
+                 column.is_words ? ColumnKind::words : ColumnKind::number);
+  tables::Selection selection{.every = every, .changes_only = changes};
+  if (player)
+    selection.who = player_named(scenario.roster, *player);
+  without_gil([&](const auto& stop) {
+    debrief::Reflight flight(r.recorded);
+    tables::Chooser chooser(selection, actions);
+    return tables::each_decision(flight, scenario, chooser, stop, [&](const auto& decision) {
+      table.row(tables::decision_row(decision, scenario.roster, actions));
+    });
+  });
+  return table.take();
+}
+
+/// (text for people, JSON)
+std::tuple<std::string, std::string> explain(const Recorded& r, const std::string& player,
+                                             std::optional<double> at, double from, double to,
+                                             bool changes, const std::string& event) {
+  const scenario::Roster& roster = r.recorded.scenario->roster;
+  const PlayerId who = player_named(roster, player);
+  const debrief::Wanted wanted{.from = at.value_or(from),
+                               .to = to,
+                               .once = at.has_value(),
+                               .changes = changes,
+                               .event = event};
+  if (wanted.from > r.recorded.until())
+    throw nb::value_error(
+        fmt::format("{} s: the run ends at {} s", wanted.from, r.recorded.until()).c_str());
+  const debrief::Found found =
+      without_gil([&](const auto& stop) { return debrief::look(r.recorded, who, wanted, stop); });
+  if (found.nothing())
+    throw nb::value_error(debrief::nothing_text(player, wanted, found).c_str());
+  std::string text;
+  for (const debrief::Change& change : found.changes)
+    text += debrief::change_text(change);
+  const bool whole = wanted.once || !wanted.event.empty();
+  for (const debrief::Decision& decision : found.decisions)
+    text += whole ? (text.empty() ? "" : "\n") + debrief::decision_text(decision, roster)
+                  : debrief::decision_line(decision);
+  return {printable_lines(text), wanted.changes ? debrief::changes_json(found.changes, roster)
+                                                : debrief::decisions_json(found.decisions, roster)};
+}
+
+std::tuple<std::string, std::string> key_moments(const Recorded& r) {
+  const scenario::Roster& roster = r.recorded.scenario->roster;
+  const auto moments =
+      without_gil([&](const auto& stop) { return debrief::key_moments(r.recorded, stop); });
+  std::string text;
+  for (const debrief::Moment& moment : moments) {
+    text += fmt::format("{}  {:<8}  {}\n", record::clock_text(moment.line.time), moment.line.who,
+                        moment.line.text);
+    if (moment.decision)
+      text += fmt::format("    {}:{}", roster.name(moment.line.decider),
+                          debrief::decision_line(*moment.decision));
+  }
+  return {printable_lines(text), debrief::moments_json(moments, roster)};
+}
+
+/// (s, who, what), as `eyrie fly` tells it.
+std::vector<std::tuple<double, std::string, std::string>> story(const Recorded& r) {
+  std::vector<std::tuple<double, std::string, std::string>> lines;
+  record::Story story(*r.recorded.scenario, [&](const record::StoryLine& line) {
+    lines.emplace_back(line.time, printable(line.who), printable(line.text));
+  });
+  watch(r, story);
+  return lines;
+}
+
+/// The folder that `eyrie fly --out` makes, without its page. Gives where it is.
+std::string save(const Recorded& r, const std::string& folder, bool replace) {
+  return without_gil([&](const auto& stop) {
+    disk::OutputFolder out({.path = folder,
+                            .names = record::kRunFolderNames,
+                            .sign = record::kRunFileName,
+                            .replace = replace});
+    disk::Sink run = out.file(record::kRunFileName), events = out.file(record::kEventsName),
+               acmi = out.file(record::kFlightName);
+    run.write(record::encode(r.recorded.run));
+    record::EventsCsv csv(*r.recorded.scenario, events);
+    record::AcmiWriter writer(*r.recorded.scenario,
+                              [&](std::string_view lines) { acmi.write(lines); });
+    watch(r.recorded, std::array<sim::Observer*, 2>{&csv, &writer}, stop);
+    if (stop())
+      return std::string();
+    for (disk::Sink* sink : {&run, &events, &acmi})
+      if (!sink->close())
+        throw disk::Failed(sink->error());
+    static_cast<void>(out.commit());
+    return out.path();
+  });
+}
+
+}  // namespace
+
+void add_run(nb::module_& m) {
+  using nb::arg;
+  m.def(
+      "fly", &fly, arg("scenario"), arg("seed").none(), arg("until").none(), arg("workers"),
+      "Flies a scenario to its end; gives the run, and the fault that ended it or an empty text.");
+  m.def("open", &open, arg("path"), arg("plugins"), "Opens a run folder or a run file.");
+  nb::class_<Recorded>(m, "Recorded", "A run: all that it was made from, to be flown again.")
+      .def_prop_ro(
+          "scenario", [](const Recorded& r) { return Scenario{r.recorded.scenario}; },
+          "What was flown.")
+      .def_prop_ro(
+          "seed", [](const Recorded& r) { return r.recorded.run.seed; }, "Of its draws.")
+      .def_prop_ro(
+          "steps", [](const Recorded& r) { return r.recorded.last_step(); }, "How many it has.")
+      .def_prop_ro(
+          "until", [](const Recorded& r) { return r.recorded.until(); }, "s, when it ends.")
+      .def_prop_ro(
+          "hash", [](const Recorded& r) { return hash_text(r.recorded.run.trail.last_hash); },
+          "0x and 16 hexadecimal digits: of the world at its end.")
+      .def_prop_ro(
+          "outcome", [](const Recorded& r) { return printable(r.recorded.run.outcome); },
+          "One line for people.")
+      .def_prop_ro(
+          "build", [](const Recorded& r) { return printable(r.recorded.run.build); },
+          "Who recorded it.")
+      .def("events", &events, "Everything that happened, as columns.")
+      .def("tracks", &tracks, arg("player").none(), arg("every").none(),
+           "Where one or everybody was, as columns.")
+      .def("decisions", &decisions, arg("player").none(), arg("every"), arg("changes"),
+           "What one or everybody decided, as columns.")
+      .def("explain", &explain, arg("player"), arg("at").none(), arg("start"), arg("end"),
+           arg("changes"), arg("event"), "Decisions with every answer: (text, JSON).")
+      .def("key_moments", &key_moments, "On which decisions the run turned: (text, JSON).")
+      .def("story", &story, "(s, who, what) of everything worth telling.")
+      .def("save", &save, arg("folder"), arg("replace"), "Writes a run folder; gives where.");
+}
+
+}  // namespace eyrie::python

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "debrief/look.hpp"
+
+#include <fmt/ranges.h>
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "record/json_text.hpp"
+#include "record/names.hpp"
+
+namespace eyrie::debrief {
+namespace {
+
+std::string small_letters(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The events with the word in them that the player has to do with, and the decisions they come of.
+class EventTimes final : public sim::Observer {
+ public:
+  EventTimes(const scenario::Scenario& scenario, PlayerId who, std::string word)
+      : scenario_(scenario),
+        who_(who),
+        word_(small_letters(std::move(word))),
+        story_(scenario, [this](const record::StoryLine& line) {
+          if (line.who == scenario_.roster.name(who_) && has_word(line.text))
+            found_ = line.decided;
+        }) {}
+
+  void observe(const sim::World& world, const sim::StepInfo& info,
+               std::span<const sim::Event> events) override {
+    found_.reset();
+    released_ = false;
+    for (const sim::Event& e : events)
+      if (e.who == who_ || e.whom == who_) {
+        const model::EventKind kind = record::kind_of(e);
+        const std::string name(model::event_name(kind));
+        names_.insert(name);
+        released_ |= kind == model::EventKind::release && e.who == who_;
+        if (has_word(name))
+          found_ = info.time();
+      }
+    story_.observe(world, info, events);
+  }
+  /// When what was found in the last step was decided (s); nothing if nothing was.
+  [[nodiscard]] std::optional<double> found() const { return found_; }
+  /// Whether the player released a store in the last step.
+  [[nodiscard]] bool released() const { return released_; }
+  /// Of every event so far that the player had to do with.
+  [[nodiscard]] const std::set<std::string>& names() const { return names_; }
+
+ private:
+  [[nodiscard]] bool has_word(const std::string& text) const {
+    return small_letters(text).find(word_) != std::string::npos;
+  }
+  const scenario::Scenario& scenario_;
+  PlayerId who_;
+  std::string word_;
+  record::Story story_;
+  std::set<std::string> names_;
+  std::optional<double> found_;
+  bool released_ = false;
+};
+
+/// explain, with where each node stands in the document.
+class Explainer {
+ public:
+  explicit Explainer(const Recorded& recorded)
+      : scenario_(*recorded.scenario), paths_(tree_paths(recorded)) {}
+
+  std::optional<Decision> operator()(const Reflight& flight, PlayerId who) const {
+    auto decision = explain(scenario_, flight.before(), flight.after(), who, flight.orders());
+    if (decision)
+      for (Answer& node : decision->nodes)
+        if (const auto at = paths_.find(node.where.text()); at != paths_.end())
+          node.document = at->second;
+    return decision;
+  }
+
+ private:
+  const scenario::Scenario& scenario_;
+  std::map<std::string, std::string> paths_;
+};
+
+}  // namespace
+
+Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
+           const std::function<bool()>& stop) {
+  Found found;
+  Reflight flight(recorded);
+  EventTimes events(*recorded.scenario, who, wanted.event);
+  flight.attach(events);
+  const Explainer explainer(recorded);
+  const auto explain = [&] { return explainer(flight, who); };
+
+  std::optional<Decision> last;         // for events between two decisions
+  std::map<double, Decision> released;  // s
+  std::optional<ubf::NodeIndex> leader;
+  std::string label = "nobody";
+  while (!stop() && flight.time() < wanted.to && flight.step()) {
+    if (recorded.scenario->find(flight.after(), who))
+      found.until = flight.time();
+    if (!wanted.event.empty()) {
+      if (auto decision = explain())
+        last = std::move(decision);
+      if (events.released() && last)
+        released.insert_or_assign(flight.time(), *last);
+      if (!events.found() || !last)
+        continue;
+      const auto cause = released.find(*events.found());
+      const Decision& decided = cause == released.end() ? *last : cause->second;
+      if (found.decisions.empty() || found.decisions.back().step != decided.step)
+        found.decisions.push_back(decided);
+      continue;
+    }
+    if (wanted.changes) {
+      const ubf::NodeIndex now = recorded.scenario->leader(flight.after(), who);
+      if (leader == now)
+        continue;
+      auto decision = explain();
+      if (!decision)
+        continue;
+      Change change{.now = std::move(*decision), .why = "the first decision"};
+      change.to = label_of(change.now, now);
+      if (leader) {
+        change.why = why_not(change.now, *leader);
+        if (change.from = label; change.from == change.to) {  // of another branch
+          change.from = branch_of(change.now, *leader);
+          change.to = branch_of(change.now, now);
+        }
+      }
+      leader = now;
+      label = label_of(change.now, now);
+      if (flight.time() >= wanted.from - 1e-9)
+        found.changes.push_back(std::move(change));
+      continue;
+    }
+    if (flight.time() < wanted.from - 1e-9)
+      continue;
+    if (auto decision = explain()) {
+      found.decisions.push_back(std::move(*decision));
+      if (wanted.once)
+        break;
+    }
+  }
+  found.events = events.names();
+  return found;
+}
+
+std::string nothing_text(const std::string& player, const Wanted& wanted, const Found& found) {
+  if (!wanted.event.empty())
+    return fmt::format(
+        "{} had no such event in this run; it had {}", player,
+        found.events.empty() ? "none" : fmt::format("{}", fmt::join(found.events, ", ")));
+  if (wanted.from > found.until)
+    return fmt::format("{} made no decision from {} on: it was there until {}", player,
+                       record::clock_text(wanted.from), record::clock_text(found.until));
+  return fmt::format("{} made no decision in that time", player);
+}
+
+std::vector<Moment> key_moments(const Recorded& recorded, const std::function<bool()>& stop) {
+  using model::EventKind;
+  const scenario::Scenario& scenario = *recorded.scenario;
+  std::vector<Moment> moments;
+  record::Story story(scenario, [&](const record::StoryLine& line) {
+    constexpr std::array kKeys{EventKind::launch, EventKind::kill,        EventKind::crash,
+                               EventKind::loss,   EventKind::lead_change, EventKind::phase};
+    if (std::find(kKeys.begin(), kKeys.end(), line.kind) != kKeys.end())
+      moments.push_back({line});
+  });
+  {
+    Reflight flight(recorded);
+    flight.attach(story);
+    while (!stop() && flight.step()) {
+    }
+  }
+  constexpr double kLongest = 2;  // s, between two decisions
+  const Explainer explain(recorded);
+  Reflight flight(recorded);
+  while (!stop() && flight.step())
+    for (Moment& moment : moments)
+      if (flight.time() <= moment.line.decided && flight.time() > moment.line.decided - kLongest)
+        if (auto decision = explain(flight, moment.line.decider))
+          moment.decision = std::move(decision);
+  return moments;
+}
+
+std::string moments_json(std::span<const Moment> moments, const scenario::Roster& roster) {
+  auto all = nlohmann::ordered_json::array();
+  for (const Moment& m : moments)
+    all.push_back(
+        {{"time", m.line.time},
+         {"who", m.line.who},
+         {"text", m.line.text},
+         {"decision", m.decision ? decision_json(*m.decision, roster) : nlohmann::ordered_json()}});
+  return record::json_text(all);
+}
+
+}  // namespace eyrie::debrief

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Decisions of a recorded run that somebody asks for: at a time, around an event, where
+/// somebody else took the lead, or those on which the run turned.
+#include <set>
+
+#include "debrief/decision.hpp"
+#include "debrief/recorded.hpp"
+#include "record/story.hpp"
+
+namespace eyrie::debrief {
+
+/// Which decisions of one player are wanted.
+struct Wanted {
+  double from = 0, to = 1e9;  ///< s
+  bool once = false;          ///< only the first decision in that time
+  bool changes = false;       ///< where somebody else leads than before
+  std::string event = {};     ///< a word: those that events with it come of; "": any decision
+};
+
+struct Found {
+  std::vector<Decision> decisions;
+  std::vector<Change> changes;
+  std::set<std::string> events;  ///< the names of those that the player had
+  double until = 0;              ///< s, when the player was last there
+
+  [[nodiscard]] bool nothing() const { return decisions.empty() && changes.empty(); }
+};
+
+/// Flies the run again and looks for them; each node says where it stands in the document. `stop`
+/// is asked in every step and ends the work.
+[[nodiscard]] Found look(
+    const Recorded& recorded, PlayerId who, const Wanted& wanted,
+    const std::function<bool()>& stop = [] { return false; });
+
+/// Why nothing was found: "eagle1 made no decision in that time".
+[[nodiscard]] std::string nothing_text(const std::string& player, const Wanted& wanted,
+                                       const Found& found);
+
+/// What a run turned on: shots, losses, new leads and phases, and the decisions they come of.
+struct Moment {
+  record::StoryLine line;
+  std::optional<Decision> decision = {};
+};
+[[nodiscard]] std::vector<Moment> key_moments(
+    const Recorded& recorded, const std::function<bool()>& stop = [] { return false; });
+[[nodiscard]] std::string moments_json(std::span<const Moment> moments,
+                                       const scenario::Roster& roster);
+
+}  // namespace eyrie::debrief
