@@ -67,7 +67,7 @@ std::vector<std::string> find_plugins(const record::RunFile& run, std::vector<st
 }  // namespace
 
 Opened open(const std::string& path, std::vector<std::string> plugins, std::string_view build,
-            const scenario::PluginPermission& may_open) {
+            const scenario::PluginPermission& may_open, const scenario::AddNodes& add) {
   std::error_code ignored;
   const std::string file =
       fs::is_directory(path, ignored) ? (fs::path(path) / "run.eyrie").string() : path;
@@ -77,7 +77,7 @@ Opened open(const std::string& path, std::vector<std::string> plugins, std::stri
   } else {
     plugins = find_plugins(decoded.run, std::move(plugins), may_open, result.problems);
     if (result.problems.empty())
-      result = open(std::move(decoded.run), file, std::move(plugins), build);
+      result = open(std::move(decoded.run), file, std::move(plugins), build, add);
   }
   constexpr std::size_t kWhole = 300;  // a longer path is shortened
   for (std::string& problem : result.problems)

@@ -40,8 +40,8 @@ std::vector<std::string> false_claims(const record::RunFile& run,
 }  // namespace
 
 Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
-            std::string_view build) {
-  Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr};
+            std::string_view build, const scenario::AddNodes& add) {
+  Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr, add};
   try {
     recorded.scenario = with_overrides(recorded, {});
   } catch (const ConfigError& e) {
@@ -65,9 +65,12 @@ std::shared_ptr<const scenario::Scenario> with_overrides(
     std::vector<scenario::TreeChange> changes) {
   std::vector<std::string> all = recorded.run.sets;
   all.insert(all.end(), sets.begin(), sets.end());
-  return scenario::load(
-      {recorded.run.scenario, std::move(all), recorded.plugins, std::move(changes)},
-      scenario::Source::bundle(recorded.run.files));
+  return scenario::load({.file = recorded.run.scenario,
+                         .sets = std::move(all),
+                         .plugins = recorded.plugins,
+                         .changes = std::move(changes),
+                         .add = recorded.add},
+                        scenario::Source::bundle(recorded.run.files));
 }
 
 std::map<std::string, std::string> tree_paths(const Recorded& recorded) {

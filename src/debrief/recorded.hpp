@@ -13,6 +13,7 @@ struct Recorded {
   record::RunFile run;
   std::vector<std::string> plugins;  ///< where they are now, in the order of the run
   std::shared_ptr<const scenario::Scenario> scenario;
+  scenario::AddNodes add = {};  ///< as it was loaded with
 
   /// World::step() at the end of the recording.
   [[nodiscard]] std::uint64_t last_step() const { return run.trail.last_step; }
@@ -30,16 +31,17 @@ struct Opened {
 
 /// Opens a run folder or its run file. `plugins` are where plug-ins of the run are now: these are
 /// opened. What the run file names besides is opened if `may_open` permits that, at an absolute
-/// path. `build` is what this program calls itself. A file is refused that is cut, foreign, of a
-/// build with another world, or claims what no run of its scenario can have: other orders, more
-/// time.
+/// path. `add` as of scenario::LoadRequest. `build` is what this program calls itself. A file is
+/// refused that is cut, foreign, of a build with another world, or claims what no run of its
+/// scenario can have: other orders, more time.
 [[nodiscard]] Opened open(const std::string& path, std::vector<std::string> plugins,
-                          std::string_view build, const scenario::PluginPermission& may_open = {});
+                          std::string_view build, const scenario::PluginPermission& may_open = {},
+                          const scenario::AddNodes& add = {});
 
 /// The same of a run that was read already and whose plug-ins are at hand; `file` is its name in
 /// what is said of it, and stands before no problem.
 [[nodiscard]] Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
-                          std::string_view build);
+                          std::string_view build, const scenario::AddNodes& add = {});
 
 /// The scenario of a run with more overrides (`path=value`) and changes of trees. Throws
 /// ConfigError.

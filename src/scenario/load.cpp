@@ -31,7 +31,7 @@ class Loader {
  public:
   Loader(const LoadRequest& request, Source& source)
       : source_(source), changes_(request.changes), may_open_(request.may_open) {
-    load_plugins(request.plugins, plugins_, source_, diagnostics_);
+    load_plugins(request, plugins_, source_, diagnostics_);
     out_->file = request.file;
     out_->sets = request.sets;
     library_ = std::make_shared<model::Library>();
@@ -367,7 +367,7 @@ class Loader {
       stop_if_wrong();
     }
     out_->files = source_.files();
-    out_->plugins.assign(plugins_.files().begin(), plugins_.files().end());
+    plugins_.tell(*out_);
   }
 
   Source& source_;

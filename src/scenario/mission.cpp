@@ -12,9 +12,9 @@
 namespace eyrie::scenario {
 namespace {
 
-/// Code of plug-ins may do otherwise the second time.
+/// Code of others may do otherwise the second time.
 sim::RunOptions with_copies(sim::RunOptions options, const Scenario& scenario) {
-  if (!scenario.plugins.empty())
+  if (scenario.has_foreign_nodes)
     options.steps_per_copy = 1;
   return options;
 }

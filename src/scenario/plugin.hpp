@@ -42,12 +42,15 @@ class Registrar {
   /// A behavior, condition, arbiter, control node or decorator, as Registry::add takes it.
   template <std::derived_from<pilot::Behavior> Node>
   void add() {
-    add_to<Node>(registries_.pilots);
+    add_to(registries_.pilots, ubf::kNodeType<Node>);
   }
   template <std::derived_from<driver::Behavior> Node>
   void add() {
-    add_to<Node>(registries_.drivers);
+    add_to(registries_.drivers, ubf::kNodeType<Node>);
   }
+  /// A type of node that is made at run time, of pilots or of drivers (Registry::add_type).
+  void add_pilot_node(const ubf::NodeType& type) { add_to(registries_.pilots, type); }
+  void add_driver_node(const ubf::NodeType& type) { add_to(registries_.drivers, type); }
   /// A kind of player besides aircraft and vehicles.
   void add_kind(MakeKind make) { registries_.kinds.push_back(std::move(make)); }
   /// A model that scenarios may then name as if data/<kind>/<name>.yaml held `yaml`.
@@ -59,16 +62,16 @@ class Registrar {
   [[nodiscard]] const std::vector<std::string>& problems() const { return problems_; }
 
  private:
-  template <class Node, class Registry>
-  void add_to(Registry& registry) {
-    const std::string name(Node::type_name);
+  template <class Registry>
+  void add_to(Registry& registry, const ubf::NodeType& type) {
+    const std::string name(type.name);
     if (const ubf::NodeInfo* there = registry.find(name))
       problems_.push_back(
           fmt::format("there is already a node {} (of {})", quote(name), there->origin));
     else if (name == ubf::kTreeReference)
       problems_.push_back(fmt::format("{} is no name for a node", quote(name)));
     else
-      registry.template add<Node>(origin_);
+      registry.add_type(type, origin_);
   }
 
   Registries& registries_;

@@ -14,6 +14,29 @@ Plugins::Plugins() {
   registries_ = own;
 }
 
+std::vector<std::string> Plugins::add(const AddNodes& nodes) {
+  Registries registries = *registries_;
+  Registrar registrar(registries, "this program");
+  nodes(registrar);
+  if (registrar.problems().empty())
+    registries_ = std::make_shared<const Registries>(std::move(registries));
+  added_ = true;
+  return registrar.problems();
+}
+
+void Plugins::tell(Scenario& scenario) const {
+  scenario.plugins.assign(files_.begin(), files_.end());
+  scenario.has_foreign_nodes = added_ || !files_.empty();
+}
+
+void load_plugins(const LoadRequest& request, Plugins& plugins, Source& source,
+                  Diagnostics& diagnostics) {
+  load_plugins(request.plugins, plugins, source, diagnostics);
+  if (request.add)
+    for (std::string& problem : plugins.add(request.add))
+      diagnostics.error({}, std::move(problem));
+}
+
 void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics) {
   for (const std::string& path : paths)

@@ -5,6 +5,7 @@
 #include "core/value.hpp"
 #include "scenario/plugin.hpp"
 #include "scenario/plugin_file.hpp"
+#include "scenario/scenario.hpp"
 #include "scenario/source.hpp"
 #include "scenario/trust.hpp"
 
@@ -23,17 +24,26 @@ class Plugins {
   [[nodiscard]] std::vector<std::string> load(const std::string& path, Source& source,
                                               const PluginPermission* permission = nullptr);
 
+  /// Takes the nodes of a program. Gives every reason why they are refused.
+  [[nodiscard]] std::vector<std::string> add(const AddNodes& nodes);
+
   [[nodiscard]] const Registries& registries() const { return *registries_; }
+  /// Says in a scenario whose nodes its trees may hold.
+  void tell(Scenario& scenario) const;
   /// In the order in which they were loaded.
   [[nodiscard]] std::span<const PluginFile> files() const { return files_; }
 
  private:
   std::shared_ptr<const Registries> registries_;  ///< shared until a plug-in is loaded
   std::vector<PluginFile> files_;
+  bool added_ = false;  ///< nodes of a program
 };
 
 /// Loads what the command line names.
 void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
+                  Diagnostics& diagnostics);
+/// Loads and adds what a request names.
+void load_plugins(const LoadRequest& request, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics);
 /// Loads what `plugins:` of a document names: one file or a list, relative to the file that says
 /// so, as far as that is permitted. Out of a bundle nothing is loaded: whoever replays has done

@@ -46,6 +46,7 @@ struct Scenario {
   std::map<std::string, std::string> files;  ///< every text it was made from
   std::vector<std::string> sets;             ///< overrides, as given
   std::vector<PluginFile> plugins;           ///< whose nodes its trees may hold
+  bool has_foreign_nodes = false;            ///< of plug-ins, or of the program that loaded it
 
   /// Of a player of the roster.
   [[nodiscard]] const Fleet& fleet_of(PlayerId who) const {
@@ -89,6 +90,10 @@ struct TreeChange {
   ubf::NodeChange change;
 };
 
+class Registrar;  // scenario/plugin.hpp
+/// Adds nodes of the program that loads a scenario, as a plug-in would.
+using AddNodes = std::function<void(Registrar&)>;
+
 /// What to load: a file, `path=value` overrides, and plug-ins that are opened whatever they are.
 struct LoadRequest {
   std::string file;
@@ -97,6 +102,7 @@ struct LoadRequest {
   std::vector<TreeChange> changes = {};  ///< of trees; a run file does not keep them
   /// Of the plug-ins that the file names besides: opening one runs its code. None without it.
   PluginPermission may_open = {};
+  AddNodes add = {};
 };
 
 /// Reads, checks and builds. Throws ConfigError with every mistake that was found.

@@ -222,7 +222,7 @@ template <class B>
   type.parameters = &description_of<B>();
   type.object = [](AnyNode& node) -> void* { return &static_cast<B&>(node); };
   if constexpr (std::default_initializable<B>)
-    type.make = []() -> std::unique_ptr<AnyNode> { return std::make_unique<B>(); };
+    type.make = [](const NodeType&) -> std::unique_ptr<AnyNode> { return std::make_unique<B>(); };
   if constexpr (requires(B & node, const NodeSpec& spec, NodeReader& reader) {
                   node.read(spec, reader);
                 })

@@ -39,8 +39,9 @@ struct NodeType {
   /// The parameter whose value may stand alone, as in `holds: range < 10 nmi`; empty for none.
   std::string_view text_key;
   const Description* parameters = nullptr;
-  void* (*object)(AnyNode&) = nullptr;           ///< what `parameters` describes
-  std::unique_ptr<AnyNode> (*make)() = nullptr;  ///< null if code alone can make one
+  void* (*object)(AnyNode&) = nullptr;  ///< what `parameters` describes
+  /// Of this type; null if code alone can make one.
+  std::unique_ptr<AnyNode> (*make)(const NodeType& type) = nullptr;
   /// Reads what only this type understands; null if there is nothing.
   void (*read)(AnyNode&, const NodeSpec&, NodeReader&) = nullptr;
 };

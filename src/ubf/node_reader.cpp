@@ -220,7 +220,7 @@ NodeReader::Child NodeReader::make(const NodeType& type, const NodeSpec& spec) {
     if (const Value* vote = spec.body->find("vote"); vote && vote->is_map())
       return make_voting(type, spec, *vote);
   const std::size_t before = diagnostics_.count();
-  Child node = type.make();
+  Child node = type.make(type);
   node->set_type(type);
   node->where_ = spec.where;
   node->set_label(read_label(*spec.body, diagnostics_));

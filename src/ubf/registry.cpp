@@ -30,13 +30,16 @@ const NodeInfo* AnyRegistry::find(std::string_view name) const {
 void AnyRegistry::add(const NodeType& type, std::string origin) {
   EYRIE_THROW_UNLESS(type.name != kTreeReference && !find(type.name),
                      "two types of node have the same name");
-  const std::shared_ptr<void> defaults = type.parameters->fresh();
+  // of a type that is made at run time only its nodes know the defaults
+  const std::shared_ptr<void> fresh = type.parameters->fresh ? type.parameters->fresh() : nullptr;
+  const std::unique_ptr<AnyNode> node = fresh ? nullptr : type.make(type);
+  const void* const defaults = fresh ? fresh.get() : type.object(*node);
   by_name_.emplace(type.name, infos_.size());
   types_.push_back(&type);
   infos_.push_back({.name = std::string(type.name),
                     .kind = type.kind,
                     .help = std::string(type.help),
-                    .parameters = eyrie::detail::parameters(*type.parameters, defaults.get()),
+                    .parameters = eyrie::detail::parameters(*type.parameters, defaults),
                     .child_keys = child_keys(type),
                     .text_key = std::string(type.text_key),
                     .origin = std::move(origin)});

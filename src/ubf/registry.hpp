@@ -58,6 +58,12 @@ class Registry : public AnyRegistry {
     (AnyRegistry::add(kNodeType<B>, origin), ...);
   }
 
+  /// A type that is made at run time: its nodes are of this state and action, and it outlives this
+  /// registry. Refuses (std::logic_error) a name that is taken.
+  void add_type(const NodeType& type, std::string origin) {
+    AnyRegistry::add(type, std::move(origin));
+  }
+
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
   /// `changes` are made on the way. Reports every mistake, then gives nothing.
   [[nodiscard]] std::optional<TreeType> build_tree(const std::string& name, const Value& value,

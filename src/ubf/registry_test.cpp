@@ -56,6 +56,46 @@ TEST(Registry, ReadsANodeWithoutParametersInEveryWayAFileMayWriteIt) {
     EXPECT_EQ(outline(build(text, {}, registry).root()), "rest");
 }
 
+/// A type that knows more than its nodes' class, as one has that a script made.
+struct NamedRest : NodeType {
+  std::string its_name;
+};
+class Resting final : public Node {
+ public:
+  static constexpr std::string_view type_name = "resting";
+  explicit Resting(const NodeType& type) : named(static_cast<const NamedRest&>(type).its_name) {}
+  Status tick(const RobotTick&, RobotProposal&) const override { return Status::running; }
+  std::string named;
+  double depth = 3;
+};
+
+TEST(Registry, TakesTypesThatAreMadeAtRunTime) {
+  static const std::array kLines{
+      Parameter{param("depth", &Resting::depth, at_least(0), "how deep"),
+                &eyrie::detail::TypeOf<double>::value,
+                [](void* node) -> void* { return &static_cast<Resting*>(node)->depth; }}};
+  static const Description kParameters{.type_name = "of a script", .parameters = kLines};
+  NamedRest sleep, nap;
+  for (NamedRest* type : {&sleep, &nap}) {
+    type->its_name = type == &sleep ? "sleep" : "nap";
+    type->name = type->its_name;
+    type->parameters = &kParameters;
+    type->object = [](AnyNode& node) -> void* { return &static_cast<Resting&>(node); };
+    type->make = [](const NodeType& self) -> std::unique_ptr<AnyNode> {
+      return std::make_unique<Resting>(self);
+    };
+  }
+  RobotRegistry registry = standard_registry();
+  registry.add_type(sleep, "a script");
+  registry.add_type(nap, "a script");
+  EXPECT_EQ(root_as<Resting>(build("sleep", {}, registry)).named, "sleep");
+  EXPECT_EQ(root_as<Resting>(build("{nap: {depth: 2}}", {}, registry)).named, "nap");
+  EXPECT_EQ(root_as<Resting>(build("{nap: {depth: 2}}", {}, registry)).depth, 2);
+  EXPECT_EQ(registry.find("nap")->parameters.at(0).default_text, "3");
+  EXPECT_EQ(registry.find("nap")->origin, "a script");
+  EXPECT_THROW(registry.add_type(nap, "another"), std::logic_error);
+}
+
 TEST(Registry, ReadsChildrenAsAListOrUnderTheirKey) {
   EXPECT_EQ(built("{winner_takes_all: [{probe: {cue: 0}}, {check: {cue: 1}}]}"),
             "winner_takes_all(probe check)");
