@@ -10,13 +10,16 @@ docs/python.md tells the rest.
 """
 
 from ._core import version as __version__
+from ._behavior import Behavior, Proposal, State, behavior, param, propose
 from ._errors import ConfigError, Error, FaultError, MissingError, Problem, RunError
+from ._layout import Field
 from ._run import Explanation, Run, StoryLine, fly, open
 from ._scenario import Player, Scenario, load, scenarios
 from ._tables import Column, Table
-from ._world import Field, World
+from ._world import World
 
 __all__ = [
+    "Behavior",
     "Column",
     "ConfigError",
     "Error",
@@ -26,15 +29,20 @@ __all__ = [
     "MissingError",
     "Player",
     "Problem",
+    "Proposal",
     "Run",
     "RunError",
     "Scenario",
+    "State",
     "StoryLine",
     "Table",
     "World",
     "__version__",
+    "behavior",
     "fly",
     "load",
     "open",
+    "param",
+    "propose",
     "scenarios",
 ]

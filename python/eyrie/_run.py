@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _core
+from ._behavior import Behavior
 from ._errors import FaultError
-from ._scenario import Scenario, Sets, checked_seed, load
+from ._scenario import Scenario, Sets, checked_seed, cores_of, load
 from ._tables import Table, table_of
 
 
@@ -51,13 +52,14 @@ class Run:
     look at it.
     """
 
-    def __init__(self, core: _core.Recorded) -> None:
+    def __init__(self, core: _core.Recorded, scenario: Scenario) -> None:
         self._core = core
+        self._scenario = scenario
 
     @property
     def scenario(self) -> Scenario:
         """What was flown."""
-        return Scenario(self._core.scenario)
+        return self._scenario
 
     @property
     def seed(self) -> int:
@@ -179,18 +181,20 @@ def fly(
     scenario: str | os.PathLike[str] | Scenario = "sweep",
     *,
     seed: int | None = None,
+    text: str | None = None,
     set: Sets = (),
     until: float | None = None,
     workers: int = 1,
     plugins: Iterable[str | os.PathLike[str]] = (),
     include: Iterable[str | os.PathLike[str]] = (),
+    behaviors: Iterable[Behavior] = (),
 ) -> Run:
     """Flies a scenario to its end.
 
     Args:
         scenario: a file, the name of one of Eyrie's own, or one that is loaded.
         seed: of every draw, in [0, 2**64); None takes the scenario's own.
-        set, plugins, include: as for :func:`load`.
+        text, set, plugins, include, behaviors: as for :func:`load`.
         until: when it ends at the latest, s; None takes the scenario's own.
         workers: threads that make a step; they never change what comes of it.
 
@@ -199,13 +203,15 @@ def fly(
         FaultError: a step could not be made; its ``run`` is what was flown before.
     """
     if not isinstance(scenario, Scenario):
-        scenario = load(scenario, set=set, plugins=plugins, include=include)
-    elif set or plugins or include:
-        raise TypeError("a scenario that is loaded takes no set, plugins or include any more")
+        scenario = load(
+            scenario, text=text, set=set, plugins=plugins, include=include, behaviors=behaviors
+        )
+    elif text is not None or set or plugins or include or behaviors:
+        raise TypeError("a scenario that is loaded takes no text, set, plugins ... any more")
     if not 1 <= workers <= 256:
         raise ValueError(f"workers: {workers} is outside [1, 256]")
     core, fault = _core.fly(scenario._core, checked_seed(seed), until, workers)
-    run = Run(core)
+    run = Run(core, scenario)
     if fault:
         error = FaultError(fault)
         error.run = run
@@ -214,15 +220,21 @@ def fly(
 
 
 def open(
-    run: str | os.PathLike[str], *, plugins: Iterable[str | os.PathLike[str]] = ()
+    run: str | os.PathLike[str],
+    *,
+    plugins: Iterable[str | os.PathLike[str]] = (),
+    behaviors: Iterable[Behavior] = (),
 ) -> Run:
     """Opens a run folder or its run.eyrie.
 
     Args:
         run: the folder or the file.
         plugins: where the plug-ins of the run are now; their code is run.
+        behaviors: those of Python that its trees name.
 
     Raises:
         RunError: it is none, damaged, or of a build with another world.
     """
-    return Run(_core.open(os.fspath(run), [os.fspath(path) for path in plugins]))
+    behaviors = list(behaviors)
+    core = _core.open(os.fspath(run), [os.fspath(path) for path in plugins], cores_of(behaviors))
+    return Run(core, Scenario(core.scenario, behaviors))

@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
+from ._behavior import Behavior
+from ._layout import Layouts
 
 if TYPE_CHECKING:
     from ._world import World
@@ -38,11 +40,13 @@ class Scenario:
     """A scenario that is ready to fly: made by :func:`load`, it never changes.
 
     It may be used by any number of worlds and threads, and pickled: it takes the texts of its files
-    along, but not the files of plug-ins.
+    along, but not the files of plug-ins; behaviors of Python must be known there by their names.
     """
 
-    def __init__(self, core: _core.Scenario) -> None:
+    def __init__(self, core: _core.Scenario, behaviors: Iterable[Behavior] = ()) -> None:
         self._core = core
+        self._behaviors = list(behaviors)
+        self._layouts = Layouts(core)
 
     @property
     def name(self) -> str:
@@ -92,46 +96,52 @@ class Scenario:
         """
         from ._world import World
 
-        return World(_core.world(self._core, checked_seed(seed), until, workers))
+        return World(_core.world(self._core, checked_seed(seed), until, workers), self)
 
     def __repr__(self) -> str:
         return f"<eyrie.Scenario {self.name!r} of {self.file!r}, {len(self.players)} players>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         core = self._core
-        return (_from_texts, (core.file, core.files, core.sets, core.plugins))
+        return (_from_texts, (core.file, core.files, core.sets, core.plugins, self._behaviors))
 
 
 def load(
     scenario: str | os.PathLike[str] = "sweep",
     *,
+    text: str | None = None,
     set: Sets = (),
     plugins: Iterable[str | os.PathLike[str]] = (),
     include: Iterable[str | os.PathLike[str]] = (),
+    behaviors: Iterable[Behavior] = (),
 ) -> Scenario:
     """Loads a scenario.
 
     Args:
         scenario: a file, or the name of one of Eyrie's own: ``"sweep"``.
+        text: what would stand in the file; ``scenario`` is then only what it is called in mistakes.
         set: overrides, ``{"blue.flights.eagle.tree": "veteran"}``; a text is YAML as the program's
             ``--set`` takes it, so ``"2 nmi"`` is a length and ``"[1, 2]"`` a list.
         plugins: shared libraries with behaviors and models; their code is run. What the scenario
             names itself is opened only if it stands here, too.
         include: folders that the scenario may include files of, besides its own.
+        behaviors: made by :func:`behavior`; its trees may name them.
 
     Raises:
         MissingError: there is no such scenario.
         ConfigError: it has mistakes; ``problems`` has all of them with file, line and column.
     """
-    return Scenario(
-        _core.load(
-            os.fspath(scenario),
-            override_lines(set),
-            [os.fspath(path) for path in plugins],
-            [os.fspath(path) for path in include],
-            home(),
-        )
+    behaviors = list(behaviors)
+    core = _core.load(
+        os.fspath(scenario),
+        text,
+        override_lines(set),
+        [os.fspath(path) for path in plugins],
+        [os.fspath(path) for path in include],
+        cores_of(behaviors),
+        home(),
     )
+    return Scenario(core, behaviors)
 
 
 def home() -> str:
@@ -180,5 +190,22 @@ def _yaml(value: Any, path: str) -> str:
     raise TypeError(f"{path}: a {type(value).__name__} is no value of a parameter")
 
 
-def _from_texts(file: str, files: dict[str, str], sets: list[str], plugins: list[str]) -> Scenario:
-    return Scenario(_core.load_texts(file, files, sets, plugins))
+def _from_texts(
+    file: str,
+    files: dict[str, str],
+    sets: list[str],
+    plugins: list[str],
+    behaviors: list[Behavior],
+) -> Scenario:
+    core = _core.load_texts(file, files, sets, plugins, cores_of(behaviors))
+    return Scenario(core, behaviors)
+
+
+def cores_of(behaviors: Iterable[Behavior]) -> list[_core.Behavior]:
+    """What the engine knows of them."""
+    cores = []
+    for one in behaviors:
+        if not isinstance(one, Behavior):
+            raise TypeError(f"behaviors: {one!r} is none; @eyrie.behavior makes one")
+        cores.append(one._core)
+    return cores

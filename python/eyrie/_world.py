@@ -4,22 +4,16 @@
 from __future__ import annotations
 
 import json
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
 from ._errors import Error, FaultError
+from ._layout import Field
 from ._scenario import Scenario
 from ._tables import Table, table_of
-
-
-class Field(NamedTuple):
-    """What stands in a field of a row."""
-
-    unit: str  #: SI, "" for none
-    choices: dict[int, str]  #: what the values of an enumeration are called
 
 
 class World:
@@ -32,14 +26,14 @@ class World:
     A world can be pickled: it is flown again on the other side, from its scenario, seed and orders.
     """
 
-    def __init__(self, core: _core.World, layouts: _Layouts | None = None) -> None:
+    def __init__(self, core: _core.World, scenario: Scenario) -> None:
         self._core = core
-        self._layouts = layouts or _Layouts(core.scenario)
+        self._scenario = scenario
 
     @property
     def scenario(self) -> Scenario:
         """What it is a world of."""
-        return Scenario(self._core.scenario)
+        return self._scenario
 
     @property
     def seed(self) -> int:
@@ -91,7 +85,7 @@ class World:
 
     def copy(self) -> World:
         """A branch: another world that goes on from here, with the orders that wait."""
-        return World(self._core.copy(), self._layouts)
+        return World(self._core.copy(), self._scenario)
 
     __copy__ = copy
 
@@ -118,12 +112,12 @@ class World:
     @property
     def tables(self) -> dict[str, list[str]]:
         """The columns of each table."""
-        return self._layouts.tables()
+        return self._scenario._layouts.tables()
 
     def fields(self, table: str, column: str) -> dict[str, Field]:
         """What stands in each field of a column."""
         self._core.rows(table, column)  # which knows what is wrong with the names
-        return dict(self._layouts.of(table, column)[1])
+        return dict(self._scenario._layouts.of(table, column)[1])
 
     def rows(self, table: str, column: str) -> npt.NDArray[np.void]:
         """The live rows of a column: a structured array of shape (players,), in spawn order.
@@ -135,7 +129,7 @@ class World:
         keep what was. The units are in :meth:`fields`.
         """
         values = self._core.rows(table, column)  # which knows what is wrong with the names
-        return values.view(self._layouts.of(table, column)[0])
+        return values.view(self._scenario._layouts.of(table, column)[0])
 
     def row(self, player: str, column: str) -> np.void | None:
         """The row of one player, as in :meth:`rows`; None if it is gone.
@@ -146,7 +140,7 @@ class World:
         return None if found is None else cast(np.void, self.rows(found[0], column)[found[1]])
 
     def __repr__(self) -> str:
-        return f"<eyrie.World of {self._core.scenario.name!r}, {self.time:.2f} s, hash {self.hash}>"
+        return f"<eyrie.World of {self._scenario.name!r}, {self.time:.2f} s, hash {self.hash}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
         if self._core.fault:
@@ -180,45 +174,4 @@ def _flown_again(
     if core.steps != steps or core.hash != hash:
         raise Error("this world is not as it was when it was pickled: something that takes part in "
                     "it, such as a plug-in, does otherwise the second time")
-    return World(core)
-
-
-_SCALARS = {"f64": "f8", "f32": "f4", "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "i8": "i1",
-            "i16": "i2", "i32": "i4", "i64": "i8"}
-
-
-class _Layouts:
-    """The types of the rows of a scenario's worlds, made when they are first asked for."""
-
-    def __init__(self, scenario: _core.Scenario) -> None:
-        self._scenario = scenario
-        self._made: dict[tuple[str, str], tuple[np.dtype[np.void], dict[str, Field]]] = {}
-
-    def tables(self) -> dict[str, list[str]]:
-        return {
-            table: [column for column, _, _ in columns]
-            for table, _, columns in self._scenario.schema
-        }
-
-    def of(self, table: str, column: str) -> tuple[np.dtype[np.void], dict[str, Field]]:
-        if not self._made:
-            for table_name, _, columns in self._scenario.schema:
-                for name, stride, fields in columns:
-                    about = {one[0]: Field(one[4], one[5]) for one in fields}
-                    self._made[table_name, name] = (_dtype(stride, fields), about)
-        return self._made[table, column]
-
-
-def _dtype(stride: int, fields: list[Any]) -> np.dtype[np.void]:
-    formats: list[Any] = []
-    for _, _, scalar, count, _, _ in fields:
-        of = _SCALARS.get(scalar)
-        formats.append(f"V{count}" if of is None else of if count == 1 else (of, (count,)))
-    return np.dtype(
-        {
-            "names": [field[0] for field in fields],
-            "formats": formats,
-            "offsets": [field[1] for field in fields],
-            "itemsize": stride,
-        }
-    )
+    return World(core, scenario)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  What every part of the extension module needs: scenarios and runs as Python holds them,
-/// tables on their way to NumPy, work without the GIL that Ctrl-C ends.
+/// \file  What every part of the extension module needs: scenarios and runs as
+/// Python holds them, tables on their way to NumPy, work without the GIL that
+/// Ctrl-C ends.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
@@ -26,10 +28,16 @@ struct Scenario {
   std::shared_ptr<const scenario::Scenario> loaded;
 };
 
-/// eyrie._core.Recorded. Never changes, so any number of threads may look at it.
+/// eyrie._core.Recorded. Never changes, so any number of threads may look at
+/// it.
 struct Recorded {
   debrief::Recorded recorded;
 };
+
+/// A text of a file, which may be any bytes.
+[[nodiscard]] inline nb::object text(std::string_view bytes) {
+  return nb::cast(printable(bytes));
+}
 
 /// What this build calls itself in recordings.
 [[nodiscard]] std::string version_text();
@@ -37,12 +45,14 @@ struct Recorded {
 /// The player of that name. Throws ValueError with the nearest name.
 [[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
 
-/// Throws eyrie.RunError or another exception of eyrie._errors with these words.
+/// Throws eyrie.RunError or another exception of eyrie._errors with these
+/// words.
 [[noreturn]] void raise(const char* type, const std::string& words);
 
-/// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is to be asked in every
-/// step, tells now and then whether a signal handler wants the work to end, as Ctrl-C does; then
-/// what the handler raised is thrown at the end.
+/// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is
+/// to be asked in every step, tells now and then whether a signal handler wants
+/// the work to end, as Ctrl-C does; then what the handler raised is thrown at
+/// the end.
 template <class Use>
 auto without_gil(Use use) {
   bool signaled = false;
@@ -58,7 +68,8 @@ auto without_gil(Use use) {
       return signaled;
     });
   }();
-  if (signaled)
+  // what a behavior of Python has passed on is seen here at last
+  if (signaled || PyErr_CheckSignals() != 0)
     throw nb::python_error();
   return result;
 }
@@ -101,6 +112,7 @@ void add_event_columns(TableBuilder& table);
 // --- The parts of the module
 
 void add_errors(nb::module_& m);
+void add_behavior(nb::module_& m);
 void add_scenario(nb::module_& m);
 void add_world(nb::module_& m);
 void add_run(nb::module_& m);

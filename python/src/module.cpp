@@ -25,7 +25,10 @@ NB_MODULE(_core, m) {
   m.attr("version") = eyrie::kVersion;
   m.def("version_text", &eyrie::python::version_text,
         "What this build calls itself in recordings.");
+  // a behavior and the module that it is written in hold each other
+  nanobind::set_leak_warnings(false);
   eyrie::python::add_errors(m);
+  eyrie::python::add_behavior(m);
   eyrie::python::add_scenario(m);
   eyrie::python::add_world(m);
   eyrie::python::add_run(m);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  Runs: flown, opened, looked at, kept.
+#include "behavior.hpp"
 #include "common.hpp"
 #include "core/hash.hpp"
 #include "debrief/look.hpp"
@@ -50,9 +51,11 @@ std::tuple<Recorded, std::string> fly(const Scenario& scenario, std::optional<st
           fault};
 }
 
-Recorded open(const std::string& path, std::vector<std::string> plugins) {
+Recorded open(const std::string& path, std::vector<std::string> plugins,
+              const std::vector<Behavior>& behaviors) {
   const nb::gil_scoped_release released;
-  debrief::Opened opened = debrief::open(path, std::move(plugins), version_text());
+  debrief::Opened opened =
+      debrief::open(path, std::move(plugins), version_text(), {}, adds(behaviors));
   if (!opened.recorded)
     raise("RunError", fmt::format("{}", fmt::join(opened.problems, "\n")));
   return {std::move(*opened.recorded)};
@@ -227,7 +230,8 @@ std::vector<std::tuple<double, std::string, std::string>> story(const Recorded& 
   return lines;
 }
 
-/// The folder that `eyrie fly --out` makes, without its page. Gives where it is.
+/// The folder that `eyrie fly --out` makes, without its page. Gives where it
+/// is.
 std::string save(const Recorded& r, const std::string& folder, bool replace) {
   return without_gil([&](const auto& stop) {
     disk::OutputFolder out({.path = folder,
@@ -255,10 +259,11 @@ std::string save(const Recorded& r, const std::string& folder, bool replace) {
 
 void add_run(nb::module_& m) {
   using nb::arg;
-  m.def(
-      "fly", &fly, arg("scenario"), arg("seed").none(), arg("until").none(), arg("workers"),
-      "Flies a scenario to its end; gives the run, and the fault that ended it or an empty text.");
-  m.def("open", &open, arg("path"), arg("plugins"), "Opens a run folder or a run file.");
+  m.def("fly", &fly, arg("scenario"), arg("seed").none(), arg("until").none(), arg("workers"),
+        "Flies a scenario to its end; gives the run, and the fault that ended "
+        "it or an empty text.");
+  m.def("open", &open, arg("path"), arg("plugins"), arg("behaviors"),
+        "Opens a run folder or a run file.");
   nb::class_<Recorded>(m, "Recorded", "A run: all that it was made from, to be flown again.")
       .def_prop_ro(
           "scenario", [](const Recorded& r) { return Scenario{r.recorded.scenario}; },

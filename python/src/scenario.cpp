@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-/// \file  Scenarios: loaded from files, and what they say of their players and of their worlds.
+/// \file  Scenarios: loaded from files, and what they say of their players and
+/// of their worlds.
 #include <filesystem>
 
+#include "behavior.hpp"
 #include "common.hpp"
 #include "core/field.hpp"
 #include "scenario/mission.hpp"
@@ -27,19 +29,23 @@ std::string file_named(const std::string& name, const scenario::Source& source) 
         fmt::format("there is no scenario {}{}", quote(name), did_you_mean(name, names)));
 }
 
-Scenario load(const std::string& name, const Sets& sets, const Sets& plugins, const Sets& includes,
+Scenario load(const std::string& name, const std::optional<std::string>& text, const Sets& sets,
+              const Sets& plugins, const Sets& includes, const std::vector<Behavior>& behaviors,
               const std::string& home) {
   const nb::gil_scoped_release released;
   scenario::Source source = scenario::Source::disk(home, includes);
-  std::string file = file_named(name, source);
-  return {scenario::load({.file = std::move(file), .sets = sets, .plugins = plugins},
-                         std::move(source))};
+  if (text)
+    source.add(name, *text);
+  std::string file = text ? name : file_named(name, source);
+  return {scenario::load(
+      {.file = std::move(file), .sets = sets, .plugins = plugins, .add = adds(behaviors)},
+      std::move(source))};
 }
 
 Scenario load_texts(const std::string& file, const Files& files, const Sets& sets,
-                    const Sets& plugins) {
+                    const Sets& plugins, const std::vector<Behavior>& behaviors) {
   const nb::gil_scoped_release released;
-  return {scenario::load({.file = file, .sets = sets, .plugins = plugins},
+  return {scenario::load({.file = file, .sets = sets, .plugins = plugins, .add = adds(behaviors)},
                          scenario::Source::bundle(files))};
 }
 
@@ -104,10 +110,12 @@ std::vector<Table> schema_of(const Scenario& s) {
 }  // namespace
 
 void add_scenario(nb::module_& m) {
-  m.def("load", &load, nb::arg("name"), nb::arg("sets"), nb::arg("plugins"), nb::arg("includes"),
-        nb::arg("home"), "Loads a scenario from a file, or one of Eyrie's own below home.");
+  m.def("load", &load, nb::arg("name"), nb::arg("text").none(), nb::arg("sets"), nb::arg("plugins"),
+        nb::arg("includes"), nb::arg("behaviors"), nb::arg("home"),
+        "Loads a scenario from a file, one of Eyrie's own below home, or a "
+        "text of that name.");
   m.def("load_texts", &load_texts, nb::arg("file"), nb::arg("files"), nb::arg("sets"),
-        nb::arg("plugins"), "Loads a scenario from the texts of its files.");
+        nb::arg("plugins"), nb::arg("behaviors"), "Loads a scenario from the texts of its files.");
   nb::class_<Scenario>(m, "Scenario", "A scenario that is ready to fly.")
       .def_prop_ro(
           "name", [](const Scenario& s) { return printable(s.loaded->spec.name); }, "Its name.")
@@ -130,7 +138,8 @@ void add_scenario(nb::module_& m) {
           "s, length of a step.")
       .def_prop_ro("players", &players_of, "(name, kind, type, label, side, flight, rank)")
       .def_prop_ro("schema", &schema_of,
-                   "(table, room, [(column, bytes per row, [(field, offset, type, count, unit, "
+                   "(table, room, [(column, bytes per row, [(field, offset, "
+                   "type, count, unit, "
                    "choices)])])");
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// \file  Worlds as values: stepped, copied, given orders, and looked at row by row.
+/// \file  Worlds as values: stepped, copied, given orders, and looked at row by
+/// row.
 #include <unistd.h>
 
 #include "common.hpp"
@@ -12,7 +13,8 @@ namespace {
 
 using Bytes = nb::ndarray<nb::numpy, const std::uint8_t, nb::ndim<1>>;
 
-/// One world with what ends it. Not for two threads at once: who finds it in use is told so.
+/// One world with what ends it. Not for two threads at once: who finds it in
+/// use is told so.
 class World {
  public:
   World(Scenario scenario, std::uint64_t seed, std::optional<double> until, unsigned workers)
@@ -26,7 +28,8 @@ class World {
     mission_.reset(new scenario::Mission(scenario_, seed, until, {.workers = workers}));
     orders_.assign(run().orders().begin(), run().orders().end());
   }
-  /// Threads do not live on in a child of fork(): nobody may wait for them there.
+  /// Threads do not live on in a child of fork(): nobody may wait for them
+  /// there.
   ~World() {
     if (is_forked())
       static_cast<void>(mission_.release());
@@ -93,7 +96,8 @@ class World {
     }
   }
 
-  /// The live rows of a column as bytes that are read where they are; `self` lives on with them.
+  /// The live rows of a column as bytes that are read where they are; `self`
+  /// lives on with them.
   [[nodiscard]] Bytes rows(nb::handle self, const std::string& table,
                            const std::string& column) const {
     const Use use(*this);
@@ -133,7 +137,6 @@ class World {
     return table.take();
   }
 
-  [[nodiscard]] Scenario scenario() const { return {scenario_}; }
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] double until() const { return until_.value_or(scenario_->spec.until); }
   [[nodiscard]] unsigned workers() const { return workers_; }
@@ -168,17 +171,21 @@ class World {
         static_cast<void>(mission_->run().submit(order));  // it was accepted before
   }
 
-  /// While it lives nobody else may use the world; it begins and ends with the GIL.
+  /// While it lives nobody else may use the world; it begins and ends with the
+  /// GIL.
   class Use {
    public:
     explicit Use(const World& world) : world_(world) {
       if (world.is_forked())
         raise("Error",
-              "a world with several workers does not live on in a forked process: its "
-              "threads are not there; make it anew, or copy() one with a single worker");
+              "a world with several workers does not live on in a "
+              "forked process: its "
+              "threads are not there; make it anew, or copy() one "
+              "with a single worker");
       if (world.in_use_)
         raise("Error",
-              "this world is being stepped, by another thread or by who asks now; a "
+              "this world is being stepped, by another thread or by "
+              "who asks now; a "
               "copy() may be used meanwhile");
       world.in_use_ = true;
     }
@@ -253,7 +260,6 @@ void add_world(nb::module_& m) {
           nb::arg("table"), nb::arg("column"), "The live rows of a column as bytes, not copied.")
       .def("find", &World::find, nb::arg("player"), "(table, row) of a player, None if it is gone.")
       .def("events", &World::events, "What happened in the last step(), as columns.")
-      .def_prop_ro("scenario", &World::scenario, "What it is a world of.")
       .def_prop_ro("seed", &World::seed, "Of its draws.")
       .def_prop_ro("until", &World::until, "s, when it ends at the latest.")
       .def_prop_ro("workers", &World::workers, "How many threads make a step.")

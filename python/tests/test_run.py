@@ -110,5 +110,5 @@ def test_wrong_arguments_are_named(scenario: eyrie.Scenario) -> None:
         eyrie.fly(scenario, workers=0)
     with pytest.raises(TypeError):
         eyrie.fly(scenario, seed="one")  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="takes no set"):
+    with pytest.raises(TypeError, match="is loaded takes no"):
         eyrie.fly(scenario, set={"until": "10 s"})

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: MIT
+"""Behaviors that are written in Python, for trying an idea: each costs microseconds when it is asked."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from typing import Any, NamedTuple, overload
+
+from . import _core
+
+#: What a behavior sees; good while it is asked.
+State = _core.State
+
+
+class Parameter(NamedTuple):
+    """What a tree may say of a behavior."""
+
+    default: Any
+    unit: str
+    limits: tuple[float | None, float | None]
+    help: str
+
+
+class Proposal(NamedTuple):
+    """An action that is recommended, and how strongly."""
+
+    vote: float
+    fields: dict[str, Any]
+    status: str = "running"
+
+
+def param(
+    default: float | bool | str,
+    unit: str = "",
+    limits: tuple[float | None, float | None] = (None, None),
+    *,
+    help: str,
+) -> Any:
+    """The default of a parameter: ``within: float = eyrie.param(5, "nmi", (0, 27), help="...")``.
+
+    Args:
+        default: a number in ``unit``, a switch or a text.
+        unit: in which ``default`` and ``limits`` are, "" for none. Trees write any unit of that
+            dimension; the behavior gets SI.
+        limits: the least and the most that trees may say, None for no limit.
+        help: a sentence for who writes trees.
+    """
+    return Parameter(default, unit, limits, help)
+
+
+def propose(vote: float, *, status: str = "running", **fields: Any) -> Proposal:
+    """What a behavior answers: recommends an action with a vote.
+
+    Args:
+        vote: how strongly, finite and from 0 up; 0 abstains.
+        status: ``"running"``, or ``"success"`` when its task is done.
+        fields: what it wants, in SI: ``heading=1.57, altitude=6000, speed=250``; choices by name
+            (``mode="hold"``), tracks by number. A field that is left out is "no opinion".
+    """
+    if status not in _STATUS:
+        raise ValueError(f"status: {status!r} is none of {', '.join(_STATUS)}")
+    return Proposal(vote, fields, status)
+
+
+class Behavior:
+    """A behavior or condition that trees may name, made by :func:`behavior`.
+
+    It can still be called as the function that it is, with any object as its state.
+    """
+
+    def __init__(self, function: Callable[..., Any], core: _core.Behavior) -> None:
+        self._core = core
+        self.function = function
+        self.__doc__ = function.__doc__
+        self.__module__ = function.__module__
+
+    @property
+    def name(self) -> str:
+        """What trees call it."""
+        return self._core.name
+
+    def __call__(self, state: Any, **parameters: Any) -> Any:
+        defaults = {
+            name: one.default.default
+            for name, one in inspect.signature(self.function).parameters.items()
+            if isinstance(one.default, Parameter)
+        }
+        return self.function(state, **{**defaults, **parameters})
+
+    def __reduce__(self) -> str:
+        return self.function.__qualname__  # found there by its name
+
+    def __repr__(self) -> str:
+        return f"<eyrie.Behavior {self.name!r}>"
+
+
+@overload
+def behavior(function: Callable[..., Any], /) -> Behavior: ...
+@overload
+def behavior(
+    *, name: str | None = None, platform: str = "pilot"
+) -> Callable[[Callable[..., Any]], Behavior]: ...
+def behavior(
+    function: Callable[..., Any] | None = None,
+    /,
+    *,
+    name: str | None = None,
+    platform: str = "pilot",
+) -> Any:
+    """Makes a function a behavior that trees may name.
+
+    The function gets the state and its parameters. It answers :func:`propose` (...); None, which is a
+    failure; or True or False, as a condition. Its docstring is the help. What it raises ends the run
+    before that step, with the traceback in :class:`FaultError`. It must not remember anything between
+    two calls, or a run is not the same when it is flown again, which is noticed then.
+
+    Args:
+        name: what trees call it; None: the name of the function.
+        platform: whose trees: ``"pilot"`` or ``"driver"``.
+    """
+    if function is None:
+        return lambda it: _made(it, name, platform)
+    return _made(function, name, platform)
+
+
+_STATUS = {"failure": 0, "running": 1, "success": 2}
+
+
+def _made(function: Callable[..., Any], name: str | None, platform: str) -> Behavior:
+    if platform not in ("pilot", "driver"):
+        raise ValueError(f"platform: {platform!r} is neither 'pilot' nor 'driver'")
+    lines = []
+    names = []
+    for one in list(inspect.signature(function).parameters.values())[1:]:
+        if not isinstance(one.default, Parameter):
+            raise TypeError(f"{one.name}: its default is to be an eyrie.param(...)")
+        value, unit, (least, most), help = one.default
+        kind = "switch" if isinstance(value, bool) else "text" if isinstance(value, str) else "number"
+        lines.append((one.name, kind, unit, value, least, most, help))
+        names.append(one.name)
+
+    def ask(state: Any, *values: Any) -> tuple[int, float, dict[str, Any]]:
+        return _answer(function(state, **dict(zip(names, values, strict=True))))
+
+    its_name = name or function.__name__
+    help = inspect.cleandoc(function.__doc__ or "").split("\n")[0]
+    return Behavior(function, _core.behavior(its_name, help, platform, ask, lines))
+
+
+def _answer(said: Any) -> tuple[int, float, dict[str, Any]]:
+    if isinstance(said, Proposal):
+        return _STATUS[said.status], said.vote, said.fields
+    if said is None or said is False:
+        return _STATUS["failure"], 0.0, {}
+    if said is True:
+        return _STATUS["success"], 0.0, {}
+    raise TypeError(f"a behavior answers eyrie.propose(...), None, True or False, not {said!r}")

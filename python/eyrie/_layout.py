@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""The types of the rows of worlds, as the engine describes them."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+
+
+class Field(NamedTuple):
+    """What stands in a field of a row."""
+
+    unit: str  #: SI, "" for none
+    choices: dict[int, str]  #: what the values of an enumeration are called
+
+
+_SCALARS = {"f64": "f8", "f32": "f4", "u8": "u1", "u16": "u2", "u32": "u4", "u64": "u8", "i8": "i1",
+            "i16": "i2", "i32": "i4", "i64": "i8"}
+
+
+class Layouts:
+    """The types of the rows of a scenario's worlds, made when they are first asked for."""
+
+    def __init__(self, scenario: _core.Scenario) -> None:
+        self._scenario = scenario
+        self._made: dict[tuple[str, str], tuple[np.dtype[np.void], dict[str, Field]]] = {}
+
+    def tables(self) -> dict[str, list[str]]:
+        return {
+            table: [column for column, _, _ in columns]
+            for table, _, columns in self._scenario.schema
+        }
+
+    def of(self, table: str, column: str) -> tuple[np.dtype[np.void], dict[str, Field]]:
+        if not self._made:
+            for table_name, _, columns in self._scenario.schema:
+                for name, stride, fields in columns:
+                    about = {one[0]: Field(one[4], one[5]) for one in fields}
+                    self._made[table_name, name] = (_dtype(stride, fields), about)
+        return self._made[table, column]
+
+
+def _dtype(stride: int, fields: list[Any]) -> np.dtype[np.void]:
+    formats: list[Any] = []
+    for _, _, scalar, count, _, _ in fields:
+        of = _SCALARS.get(scalar)
+        formats.append(f"V{count}" if of is None else of if count == 1 else (of, (count,)))
+    return np.dtype(
+        {
+            "names": [field[0] for field in fields],
+            "formats": formats,
+            "offsets": [field[1] for field in fields],
+            "itemsize": stride,
+        }
+    )

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Fields of actions from values of Python.
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/string.h>
+
+#include "core/diagnostics.hpp"
+#include "pilot/action.hpp"
+
+namespace eyrie::python {
+namespace nb = nanobind;
+
+/// Of a dictionary that stands for a value of several parts.
+template <class T>
+[[nodiscard]] T part_of(const nb::dict& whole, const char* field, const char* part) {
+  if (!whole.contains(part))
+    throw nb::value_error(fmt::format("{}: there is no {} in it", field, quote(part)).c_str());
+  return nb::cast<T>(whole[part]);
+}
+[[nodiscard]] inline Vec3 vector_of(const nb::dict& whole, const char* part) {
+  const auto [x, y, z] = part_of<std::array<double, 3>>(whole, "follow", part);
+  return {x, y, z};
+}
+
+/// A value of a field as Python gives it: numbers in SI, the names of choices,
+/// the numbers of tracks, dictionaries of what has parts.
+template <class T>
+[[nodiscard]] T action_value(std::string_view field, const nb::handle& value) {
+  if constexpr (NamedEnum<T>) {
+    const auto name = nb::cast<std::string>(value);
+    std::vector<std::string_view> names;
+    for (const auto& [known, meant] : EnumNames<T>::names) {
+      if (known == name)
+        return meant;
+      names.push_back(known);
+    }
+    throw nb::value_error(
+        fmt::format("{}: there is no {}{}", field, quote(name), did_you_mean(name, names)).c_str());
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return nb::cast<T>(value);
+  } else if constexpr (std::is_same_v<T, pilot::Follow>) {
+    const auto parts = nb::cast<nb::dict>(value);
+    return {.position = vector_of(parts, "position"),
+            .velocity = vector_of(parts, "velocity"),
+            .time = part_of<double>(parts, "follow", "time"),
+            .offset = vector_of(parts, "offset")};
+  } else if constexpr (std::is_same_v<T, pilot::Release>) {
+    const auto parts = nb::cast<nb::dict>(value);
+    return {.track = TrackId{part_of<std::uint32_t>(parts, "release", "track")},
+            .store = part_of<std::uint32_t>(parts, "release", "store")};
+  } else {
+    return T{nb::cast<std::uint32_t>(value)};
+  }
+}
+
+/// Sets one field of an action. Throws ValueError or TypeError.
+template <class Action>
+void set_action_field(Action& action, const std::string& name, const nb::handle& value) {
+  bool found = false;
+  std::vector<std::string_view> names;
+  ubf::for_each_field<Action>([&](const auto& field, auto) {
+    names.push_back(field.name);
+    if (field.name != name)
+      return;
+    found = true;
+    using T = typename std::remove_cvref_t<decltype(field)>::Value;
+    try {
+      action.*field.member = action_value<T>(field.name, value);
+    } catch (const nb::cast_error&) {
+      throw nb::type_error(
+          fmt::format("{}: {} is no value of it", name, nb::cast<std::string>(nb::repr(value)))
+              .c_str());
+    }
+  });
+  if (!found)
+    throw nb::value_error(
+        fmt::format("an action has no field {}{}", quote(name), did_you_mean(name, names)).c_str());
+}
+
+}  // namespace eyrie::python
