@@ -39,6 +39,12 @@ void add_units(CLI::App* app) {
       ->check(one_of({kSystems.begin(), kSystems.end()}));
 }
 
+/// What of a scenario is flown.
+void add_variation(CLI::App* command, FlyOptions& o) {
+  command->add_option("--seed", o.seed, "seed (default: the scenario's)")->check(whole_number());
+  command->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+}
+
 /// Of who takes part in a flight, or watches it.
 void add_others(CLI::App* command, FlyOptions& o) {
   const auto live = [command](const char* name, std::string& at, const char* port, auto check,
@@ -82,8 +88,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
   FlyOptions& o = options_of(fly, app::fly, chosen);
   fly->add_option("scenario", o.scenario, "a file, or the name of one in scenarios/")
       ->default_str("sweep");
-  fly->add_option("--seed", o.seed, "seed (default: the scenario's)")->check(whole_number());
-  fly->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
+  add_variation(fly, o);
   auto* seeds = fly->add_option("--seeds", o.seeds,
                                 "fly each of them, 1..500, on all cores, and say how they ended");
   add_plugins(fly, o.plugins, kPluginHelp);
@@ -209,10 +214,7 @@ void add_serve(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   add_run_plugins(served, o.plugins);
   FlyOptions& flight = o.flight;
-  served->add_option("--seed", flight.seed, "seed (default: the scenario's)")
-      ->check(whole_number());
-  served->add_option("--set", flight.sets, "override: path.in.the.file=value")
-      ->allow_extra_args(false);
+  add_variation(served, flight);
   served
       ->add_option("--rate", flight.real_time,
                    "seconds of the mission in one of the clock: 0.1 to 100, or max (default: 1)")

@@ -147,6 +147,29 @@ TEST(DisExercise, IsServedToViewersWhoFlyItAndReplayedAlike) {
       << again.err;
 }
 
+TEST(DisExercise, IsFrozenForViewersWhileAnotherProgramSaysSo) {
+  const std::string at = "239.30.12.85:30185";
+  Served blue({"sweep", "--ours", "blue", "--dis", at, "--dis-obey"});
+  LiveViewer viewer(blue.port);
+  net::DatagramSender controller({.to = *net::endpoint_of(at, {})});
+  const auto ask = [&](dis::Pdu what) {
+    controller.send(dis::encode({.exercise = 1, .pdu = std::move(what)}));
+  };
+  const auto until_paused = [&](bool paused) {
+    return viewer.follow([&](const json& j) { return j.value("paused", !paused) == paused; });
+  };
+  const dis::EntityId from{7, 7, 1};
+  ask(dis::StopFreeze{.from = from, .to = dis::kEverybody, .request = 1});
+  const json frozen = until_paused(true);
+  EXPECT_TRUE(frozen.contains("hash"));
+  EXPECT_EQ(viewer.world().step(), frozen["step"]);
+  ask(dis::StartResume{.from = from, .to = dis::kEverybody, .request = 2});
+  until_paused(false);
+  viewer.follow_to(frozen["step"].get<std::uint64_t>() + 50);
+  ask(dis::StopFreeze{.from = from, .to = dis::kEverybody, .reason = 2, .request = 3});
+  EXPECT_EQ(viewer.follow_to_the_end()["outcome"], "stopped");
+}
+
 TEST(DisExercise, RefusesWhoIsNobodyAndWhatIsNoThreshold) {
   const TempFolder folder;
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{

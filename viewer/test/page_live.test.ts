@@ -119,25 +119,30 @@ test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kN
   await page.keyboard.press('?');
   assert.equal(await page.$('.card'), null);
   await told('is taken over by a person');
-  const heading = (): Promise<number> => page.evaluate(() => window.eyrie!.run.players[0]!.motion.heading.at(-1)!);
-  const before = await heading();
+  // what is flown and what is asked for, in degrees, as the table has it
+  const headings = (): Promise<number[]> => page.$$eval('.seat tbody tr:first-child td', (all) => all.slice(0, 2).map((cell) => parseInt(cell.textContent!, 10)));
+  const [, before] = await headings();
   await page.keyboard.down('ArrowRight');
   await wait(800);
   await page.keyboard.up('ArrowRight');
   await page.waitForFunction((was: number) => {
-    const turned = window.eyrie!.run.players[0]!.motion.heading.at(-1)! - was;
-    return Math.atan2(Math.sin(turned), Math.cos(turned)) > 0.2;
-  }, before);
+    const [flown, asked] = [...document.querySelectorAll('.seat tbody tr:first-child td')].map((cell) => parseInt(cell.textContent!, 10)) as [number, number];
+    return (asked - was + 360) % 360 > 10 && Math.abs((flown - asked + 540) % 360 - 180) < 5;
+  }, before!);
   // by the stick of a gamepad, pulled
-  const up = (): Promise<number> => page.evaluate(() => window.eyrie!.run.players[0]!.motion.up.at(-1)!);
-  const low = await up();
+  const before_it = await page.evaluate(() => {
+    const { motion, gauges } = window.eyrie!.run.players[0]!;
+    return { low: motion.up.at(-1)!, samples: gauges.load_factor.length };
+  });
   await page.keyboard.press('s');
   await page.evaluate(() => {
     const pad = { axes: [0, 0.7], buttons: Array.from({ length: 10 }, () => ({ pressed: false, value: 0 })) };
     navigator.getGamepads = () => [pad as unknown as Gamepad];
   });
-  await page.waitForFunction((was: number) => window.eyrie!.run.players[0]!.motion.up.at(-1)! > was + 200, low);
-  assert.ok(await page.evaluate(() => window.eyrie!.run.players[0]!.gauges.load_factor.some((g) => g > 2)));
+  await page.waitForFunction(({ low, samples }: { low: number; samples: number }) => {
+    const { motion, gauges } = window.eyrie!.run.players[0]!;
+    return motion.up.at(-1)! > low + 200 && gauges.load_factor.slice(samples).some((g) => g > 2);
+  }, before_it);
   await page.evaluate(() => { navigator.getGamepads = () => []; });
   await page.keyboard.press('s');
   await page.keyboard.press('t');

@@ -51,7 +51,7 @@ export const kKeys: { keys: string[]; shown: string; words: string; act?: Act }[
   { keys: ['r'], shown: 'R', words: 'radar on or silent', act: 'radar' },
   { keys: ['c'], shown: 'C', words: 'chaff and flares', act: 'dispense' },
   { keys: ['m'], shown: 'M', words: 'fly where the pointer is', act: 'pointer' },
-  { keys: ['s'], shown: 'S', words: 'stick and throttle: arrows turn and pull as hard as it can', act: 'stick' },
+  { keys: ['s'], shown: 'S', words: 'stick and throttle', act: 'stick' },
   { keys: ['h'], shown: 'H', words: 'hand it back to its tree', act: 'hand_back' },
   { keys: ['?'], shown: '?', words: 'this card', act: 'help' },
 ];

@@ -36,8 +36,8 @@ function Card({ live }: { live: Live }) {
     <div class="card" role="note" aria-label="How to fly">
       <header><h2>How to fly</h2><button type="button" class="quiet" aria-label="Close the card" onClick={() => live.hands.toggle_help()}>✕</button></header>
       <dl>{kKeys.map(({ shown, words }) => <div key={shown}><dt><kbd>{shown}</kbd></dt><dd>{words}</dd></div>)}</dl>
-      <p class="dim small">You say where to, and the autopilot flies there. The tree goes on proposing, beside what you ask for. A gamepad: left stick, triggers for the speed,
-        A shoots, X gun, Y target, B chaff and flares, left bumper radar, right bumper stick and throttle, start hands back.</p>
+      <p class="dim small">You say where to, and the autopilot flies there. A gamepad: left stick, triggers for the speed, A shoots, X gun, Y target,
+        B chaff and flares, bumpers radar and stick and throttle, start hands back.</p>
     </div>
   );
 }
