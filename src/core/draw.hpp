@@ -25,6 +25,8 @@ enum class Stream : std::uint8_t {
   infrared_noise = 19,  ///< error of such a direction
   design = 20,          ///< of the cells of a campaign
   search = 21,          ///< of the candidates of a search
+  start = 22,           ///< where and how a player begins
+  episode = 23,         ///< which episode comes next in training, and against whom
   test = 255,           ///< for tests and examples
 };
 

@@ -168,23 +168,15 @@ Vec3 beside(const Reference& reference, const Vec3& lead, double heading, const 
 }
 
 sim::World Scenario::world(std::uint64_t seed) const {
-  sim::World world = simulation->world(seed);
-  for (std::size_t t = 0; t < world.schema().tables().size(); ++t) {
-    const TableId table{static_cast<std::uint32_t>(t + 1)};
-    const auto& columns = world.schema().table(table).columns;
-    for (std::uint32_t row = 0; row < start->rows(table); ++row) {
-      const auto born = world.spawn(table);
-      EYRIE_DEMAND(born.has_value(), "the same capacity");
-      // the first two columns are the ids and the leaving marks, which spawn has set
-      for (std::size_t c = 2; c < columns.size(); ++c) {
-        const auto to = world.bytes(sim::ByteColumn{columns[c]}, row);
-        const auto from = std::as_const(*start).bytes(sim::ByteColumn{columns[c]}, row);
-        std::memcpy(to.data(), from.data(), to.size());
-      }
-    }
-  }
-  scatter(spreads, library->reference, library->environment, aircraft, world);
+  sim::World world = *start;
+  begin(world, seed);
   return world;
+}
+
+void Scenario::begin(sim::World& world, std::uint64_t seed) const {
+  world = *start;
+  world.set_seed(seed);
+  scatter(spreads, library->reference, library->environment, aircraft, world);
 }
 
 std::string assemble(Scenario& scenario, std::span<const Start> starts,

@@ -82,6 +82,8 @@ struct Scenario {
   }
   /// The world at step 0 for a seed.
   [[nodiscard]] sim::World world(std::uint64_t seed) const;
+  /// Makes it of any world of this scenario. Allocates nothing.
+  void begin(sim::World& world, std::uint64_t seed) const;
 };
 
 /// A change of one node of the tree of that name, beside what files say.

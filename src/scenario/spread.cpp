@@ -2,6 +2,7 @@
 #include "scenario/spread.hpp"
 
 #include "core/angle.hpp"
+#include "core/draw.hpp"
 #include "model/flight/flight_system.hpp"
 #include "scenario/assemble.hpp"
 
@@ -55,7 +56,7 @@ void scatter(std::span<const Spread> spreads, const Reference& reference,
              const model::Environment& environment, const model::AircraftColumns& columns,
              sim::World& world) {
   for (const Spread& s : spreads) {
-    Draw draw(world.seed(), s.drawn_by, kStartStream, 0);
+    Draw draw(world.seed(), s.drawn_by, Stream::start, 0);
     const auto about = [&](double middle, double most) {
       return middle + draw.uniform(-most, most);
     };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Starts that differ from seed to seed.
-#include "core/draw.hpp"
 #include "model/columns.hpp"
 #include "model/environment.hpp"
 #include "model/frames.hpp"
@@ -10,9 +9,6 @@
 #include "sim/world.hpp"
 
 namespace eyrie::scenario {
-
-/// Beside those of core/draw.hpp: where and how a player begins.
-inline constexpr Stream kStartStream{22};
 
 /// How the start of one aircraft differs from seed to seed.
 struct Spread {
@@ -34,7 +30,7 @@ struct Spread {
                                               const Reference& reference, Diagnostics& diagnostics);
 
 /// Moves the starts of a world at step 0 as its seed says: each amount is even in its range, a draw
-/// of (seed, Spread::drawn_by, kStartStream). Heading and altitude of the first command, too.
+/// of (seed, Spread::drawn_by, Stream::start). Heading and altitude of the first command, too.
 void scatter(std::span<const Spread> spreads, const Reference& reference,
              const model::Environment& environment, const model::AircraftColumns& columns,
              sim::World& world);

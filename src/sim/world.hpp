@@ -47,6 +47,11 @@ class World {
   /// Number of steps made.
   [[nodiscard]] std::uint64_t step() const { return header().step; }
   [[nodiscard]] std::uint64_t seed() const { return header().seed; }
+  /// The same world in a run of another seed, before its first step.
+  void set_seed(std::uint64_t seed) {
+    EYRIE_ASSERT(step() == 0);
+    header().seed = seed;
+  }
   /// The id that the next player will get.
   [[nodiscard]] PlayerId next_id() const { return PlayerId{header().next_id}; }
   /// How many players could not be born because their table was full.

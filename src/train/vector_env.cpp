@@ -13,9 +13,6 @@
 namespace eyrie::train {
 namespace {
 
-/// Beside those of core/draw.hpp: which episode comes next in training, and against whom.
-constexpr Stream kEpisodeStream{23};
-
 template <class T>
 void check_size(std::string_view name, std::span<T> array, std::size_t size) {
   if (array.size() != size)
@@ -55,13 +52,13 @@ void VectorEnv::check_actions(std::span<const float> actions) const {
 }
 
 std::uint64_t VectorEnv::next_seed(std::size_t env) const {
-  Draw draw(options_.seed, PlayerId{static_cast<std::uint32_t>(env + 1)}, kEpisodeStream,
+  Draw draw(options_.seed, PlayerId{static_cast<std::uint32_t>(env + 1)}, Stream::episode,
             slots_[env].episodes);
   return draw.bits() >> 11;  // a float64 holds it
 }
 
 void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
-  slot.world = scenario_->world(seed);
+  scenario_->begin(slot.world, seed);
   slot.seed = seed;
   slot.outcome = scenario::Outcome::running;
   slot.any_home = false;
@@ -159,7 +156,7 @@ void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
         lane.orders.push_back(order);
     if (step == 0)
       for (const Choice& choice : choices_) {
-        Draw draw(slot.seed, choice.player, kEpisodeStream, 0, 1);
+        Draw draw(slot.seed, choice.player, Stream::episode, 0, 1);
         const auto pick =
             static_cast<std::size_t>(draw.uniform() * static_cast<double>(choice.trees.size()));
         lane.orders.push_back(

@@ -54,7 +54,7 @@ struct Finished {
 /// next one begins in the same call (same-step auto-reset).
 ///
 /// The same (task, seed, actions) give the same bits whatever the number of workers. A step
-/// allocates nothing but the next world of an episode that is over.
+/// allocates nothing, not even where an episode begins.
 ///
 /// Misuse (arrays of another size, an action that is NaN, one of a dead agent that is not 0) throws
 /// std::invalid_argument with words before anything is changed. A scenario's mistakes throw

@@ -329,13 +329,19 @@ TEST(Tasks, AreWhatThePageSays) {
       << tasks_markdown();
 }
 
-TEST(VectorEnv, AllocatesNothingWithinAnEpisode) {
-  Trainer t(task("merge"), {.envs = 4});
-  for (int i = 0; i < 20; ++i)
-    t.step();
-  NoAllocation guard(NoAllocation::Scope::process);
-  for (int i = 0; i < 100; ++i)
-    t.step();
+TEST(VectorEnv, AllocatesNothingInAStepEvenWhereAnEpisodeBegins) {
+  for (const unsigned workers : {1U, 2U}) {
+    Trainer t(brief("merge", 4), {.envs = 4, .workers = workers, .keep_episodes = 4});
+    for (int i = 0; i < 20; ++i)
+      t.step();
+    int over = 0;
+    NoAllocation guard(NoAllocation::Scope::process);
+    for (int i = 0; i < 150; ++i) {
+      t.step();
+      over += t.over[0];
+    }
+    EXPECT_EQ(over, 4);
+  }
 }
 
 TEST(VectorEnv, KeepsItsMemoryFlatForAHundredThousandSteps) {
