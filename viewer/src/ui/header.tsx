@@ -22,7 +22,7 @@ function About({ page: { run, letter, live } }: { page: Page }) {
   return (
     <details class="menu about">
       <summary title="About the run">
-        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{about.outcome}</span>
+        {letter && <b class="letter">{letter}</b>}<b>{about.scenario}</b><span class="dim">{live ? about.outcome.replace('_', ' ') : about.outcome}</span>
         {run.is_part && <span class="verified" role="status">flying it again …</span>}
         {run.engine && !run.is_part && !live && <span class="verified" title={`Flown again in this page: ${run.verified ?? 'every hash is the one that was recorded'}`}>✓ same bits{run.verified && ' as in the results'}</span>}
       </summary>
