@@ -5,6 +5,7 @@
 #include "pilot/behavior/crank.hpp"
 #include "pilot/behavior/evade.hpp"
 #include "pilot/behavior/maneuvers.hpp"
+#include "pilot/behavior/policy.hpp"
 #include "pilot/behavior/pursue.hpp"
 #include "pilot/behavior/release_weapon.hpp"
 #include "pilot/behavior/shoot_gun.hpp"
@@ -25,6 +26,7 @@ Registry make_registry() {
                Extend, Snapshot, AvoidCollision>();
   registry.add<HostileTrack, HasTarget, InSight, AreaClear, Threatened, ShotInFlight, Bingo,
                Winchester, Losses, IsLead, NearHome, RouteDone>();
+  registry.add<Policy, LearnedVote>();
   registry.add<Crank, Notch, Drag, LastDitch>();
   registry.add<Spiked, MissileInbound, AbortRange, Outnumbered, SupportNeeded, ShotActive>();
   return registry;

@@ -22,7 +22,7 @@ std::optional<std::size_t> check_package(const LoadRequest& request, Source sour
     load_plugins(*v, request.may_open, plugins, source, diagnostics);
   stop_if_wrong();
   const Value* trees = document.find("trees");
-  static_cast<void>(TreeBook::read(trees, {}, {}, plugins.registries(), {}, diagnostics));
+  static_cast<void>(TreeBook::read(trees, {}, {}, plugins.registries(), {}, diagnostics, &source));
   model::Library library;
   static_cast<void>(DataLoader(library, document.find("data"), source, diagnostics));
   stop_if_wrong();

@@ -33,6 +33,9 @@ class Source {
   /// "; did you mean 'x'?" for a file that is not there and that the file `asker` names, or "".
   [[nodiscard]] std::string nearest(const std::string& name, const std::string& asker) const;
 
+  /// The bytes of a file that is no text, or nothing in the same cases; of one that is larger than
+  /// kLargestBytes any part. Among files() it stands in base64, so that all of them are texts.
+  [[nodiscard]] std::optional<std::string> read_bytes(const std::string& name);
   /// The text of a file, or nothing when it is missing, unreadable, outside or no file. Of a file
   /// larger than kLargest only so much that a parser sees that it is too large.
   [[nodiscard]] std::optional<std::string> read(const std::string& name);
@@ -64,6 +67,7 @@ class Source {
   [[nodiscard]] bool is_bundle() const { return !folders_; }
 
   static constexpr std::size_t kLargest = YamlLimits{}.bytes;
+  static constexpr std::size_t kLargestBytes = kLargest / 4 * 3;  ///< that base64 makes kLargest
 
   /// Where files are looked for that were not given as texts.
   class Folders {

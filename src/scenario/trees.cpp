@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/text.hpp"
+#include "scenario/node_files.hpp"
 #include "scenario/player_kind.hpp"
 
 namespace eyrie::scenario {
@@ -72,18 +73,19 @@ struct Shelf {
   std::span<const ubf::NamedSpec> all;
   std::string_view platform, agent;  ///< "an aircraft", "pilot"
   const std::vector<TreeChange>& changes;
+  ubf::NodeFiles* files;
 
   /// Builds and keeps a tree; false after mistakes.
   bool add(const ubf::NamedSpec& spec, Diagnostics& diagnostics) {
-    auto tree =
-        registry.build_tree(spec.name, *spec.value, diagnostics, all, changes_of(spec, changes));
+    auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all,
+                                    changes_of(spec, changes), files);
     if (tree)
       trees.add(std::move(*tree));
     return tree.has_value();
   }
   [[nodiscard]] bool can_read(const ubf::NamedSpec& spec) const {
     Diagnostics ignored;
-    return registry.build_tree(spec.name, *spec.value, ignored, all).has_value();
+    return registry.build_tree(spec.name, *spec.value, ignored, all, {}, files).has_value();
   }
 };
 
@@ -112,7 +114,7 @@ bool add_for(const User& user, const ubf::NamedSpec& spec, Own& own, Other& othe
 
 TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
                         const Registries& registries, const std::vector<TreeChange>& changes,
-                        Diagnostics& diagnostics,
+                        Diagnostics& diagnostics, Source* source,
                         std::span<const std::unique_ptr<PlayerKind>> kinds) {
   TreeBook book;
   if (!map || map->is_null())
@@ -131,11 +133,13 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
                                               map->entries.size(), kMostTrees));
     return book;
   }
+  std::optional<NodeFiles> node_files;
+  ubf::NodeFiles* const files = source ? &node_files.emplace(*source) : nullptr;
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
-  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named,
-                                           "an aircraft", "pilot",           changes};
-  Shelf<driver::Trees, driver::Registry> ground{*book.drivers_, registries.drivers, named,
-                                                "a vehicle",    "driver",           changes};
+  Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named, "an aircraft",
+                                           "pilot",       changes,           files};
+  Shelf<driver::Trees, driver::Registry> ground{
+      *book.drivers_, registries.drivers, named, "a vehicle", "driver", changes, files};
   const bool both = !plans.convoys.empty();
   for (const ubf::NamedSpec& spec : named) {
     book.names_.push_back(spec.name);

@@ -11,15 +11,18 @@
 
 namespace eyrie::scenario {
 
+class Source;
+
 /// A tree is read as a pilot's if a pilot flies by it, as a driver's if a driver drives by it, and
 /// as both if both do: navigate, follow_lead and the standard nodes are there for all. One that
 /// nobody uses is read as whichever it can be. Trees for other kinds of players go to them.
 class TreeBook {
  public:
   /// Reads `trees:` of a document (null: there are none) for the players of `plans` and for orders.
+  /// `source`: of the files that nodes are made of, if they may have any.
   static TreeBook read(const Value* map, const Plans& plans, const std::vector<OrderSpec>& orders,
                        const Registries& registries, const std::vector<TreeChange>& changes,
-                       Diagnostics& diagnostics,
+                       Diagnostics& diagnostics, Source* source = nullptr,
                        std::span<const std::unique_ptr<PlayerKind>> kinds = {});
 
   [[nodiscard]] const std::shared_ptr<pilot::Trees>& pilots() const { return pilots_; }

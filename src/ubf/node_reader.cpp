@@ -100,6 +100,14 @@ std::optional<std::size_t> NodeReader::field(const Value& name) {
   return std::nullopt;
 }
 
+std::optional<std::string> NodeReader::file(const Value& name) {
+  if (files_)
+    return files_->read(name, diagnostics_);
+  error(name.where,
+        fmt::format("there is no file {}: nodes of this tree have no files", quote(name.text)));
+  return std::nullopt;
+}
+
 bool NodeReader::within_limits(const Location& where) {
   if (depth_ >= kMaxDepth) {
     error(where, fmt::format("nodes are nested more than {} deep", kMaxDepth));

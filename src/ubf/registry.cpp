@@ -48,9 +48,10 @@ void AnyRegistry::add(const NodeType& type, std::string origin) {
 std::optional<AnyTree> AnyRegistry::build(const std::string& name, const Value& value,
                                           Diagnostics& diagnostics,
                                           std::span<const NamedSpec> others,
-                                          std::span<const NodeChange> changes) const {
+                                          std::span<const NodeChange> changes,
+                                          NodeFiles* files) const {
   const std::size_t before = diagnostics.count();
-  NodeReader reader(*this, others, diagnostics, changes);
+  NodeReader reader(*this, others, diagnostics, changes, files);
   std::unique_ptr<AnyNode> root = reader.read_tree(name, value);
   if (diagnostics.count() != before)
     return std::nullopt;

@@ -9,6 +9,15 @@
 
 namespace eyrie::ubf {
 
+/// Files that nodes are made of besides the document. Who reads trees says where they come from.
+class NodeFiles {
+ public:
+  virtual ~NodeFiles() = default;
+  /// The bytes of the file that a value names, or nothing after reporting why there are none.
+  [[nodiscard]] virtual std::optional<std::string> read(const Value& name,
+                                                        Diagnostics& diagnostics) = 0;
+};
+
 /// What is registered, whatever states and actions it is for.
 class AnyRegistry {
  public:
@@ -24,7 +33,8 @@ class AnyRegistry {
   [[nodiscard]] std::optional<AnyTree> build(const std::string& name, const Value& value,
                                              Diagnostics& diagnostics,
                                              std::span<const NamedSpec> others,
-                                             std::span<const NodeChange> changes) const;
+                                             std::span<const NodeChange> changes,
+                                             NodeFiles* files) const;
 
  private:
   friend class NodeReader;
@@ -65,12 +75,14 @@ class Registry : public AnyRegistry {
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
-  /// `changes` are made on the way. Reports every mistake, then gives nothing.
+  /// `changes` are made on the way; `files`: where nodes find theirs. Reports every mistake, then
+  /// gives nothing.
   [[nodiscard]] std::optional<TreeType> build_tree(const std::string& name, const Value& value,
                                                    Diagnostics& diagnostics,
                                                    std::span<const NamedSpec> others = {},
-                                                   std::span<const NodeChange> changes = {}) const {
-    std::optional<AnyTree> tree = build(name, value, diagnostics, others, changes);
+                                                   std::span<const NodeChange> changes = {},
+                                                   NodeFiles* files = nullptr) const {
+    std::optional<AnyTree> tree = build(name, value, diagnostics, others, changes, files);
     if (!tree)
       return std::nullopt;
     return TreeType(std::move(*tree));
@@ -84,8 +96,13 @@ class NodeReader {
   using Child = std::unique_ptr<AnyNode>;
 
   NodeReader(const AnyRegistry& registry, std::span<const NamedSpec> trees,
-             Diagnostics& diagnostics, std::span<const NodeChange> changes = {})
-      : registry_(registry), trees_(trees), diagnostics_(diagnostics), changes_(changes) {}
+             Diagnostics& diagnostics, std::span<const NodeChange> changes = {},
+             NodeFiles* files = nullptr)
+      : registry_(registry),
+        trees_(trees),
+        diagnostics_(diagnostics),
+        changes_(changes),
+        files_(files) {}
 
   /// The node and everything below it, or null after reporting at least one mistake.
   [[nodiscard]] Child read(const Value& value);
@@ -101,6 +118,8 @@ class NodeReader {
                                                             std::span<const StateFieldInfo> fields);
   /// The index of the state's field that a value names here, or nothing after reporting.
   [[nodiscard]] std::optional<std::size_t> field(const Value& name);
+  /// The bytes of the file that a value names, or nothing after reporting.
+  [[nodiscard]] std::optional<std::string> file(const Value& name);
   [[nodiscard]] const StateFieldInfo& info(std::size_t field) const {
     return registry_.fields_[field];
   }
@@ -129,6 +148,7 @@ class NodeReader {
   std::span<const NamedSpec> trees_;
   Diagnostics& diagnostics_;
   std::span<const NodeChange> changes_;
+  NodeFiles* files_;
   std::vector<const NodeChange*> pending_;  ///< for the node that is being made
   FieldNames names_;
   std::vector<std::string> open_;  ///< names of the trees being read, outermost first

@@ -14,6 +14,7 @@
 #include "campaign/spec.hpp"
 #include "core/yaml.hpp"
 #include "pilot/catalog.hpp"
+#include "pilot/policy/policy_file.hpp"
 #include "scenario/scenario.hpp"
 #include "support/program.hpp"
 
@@ -184,6 +185,19 @@ TEST(Pages, TheReferenceDescribesEveryNodeOfTheLibrary) {
       continue;
     EXPECT_NE(page.find("`" + info.name), std::string::npos) << info.name;
   }
+}
+
+TEST(Pages, ThePageOfPoliciesNamesAllThatTheirFilesMaySay) {
+  const std::string page = read("docs/howto/fly-a-policy.md");
+  const auto named = [&](std::string_view name) {
+    EXPECT_NE(page.find(fmt::format("`{}`", name)), std::string::npos) << name;
+  };
+  for (const pilot::ControlType& type : pilot::control_types())
+    named(type.name);
+  for (const std::string_view name : enum_names<pilot::Activation>())
+    named(name);
+  for (const std::string_view name : enum_names<pilot::Votes>())
+    named(name);
 }
 
 }  // namespace

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "pilot/behavior/policy.hpp"
+
+#include "core/math.hpp"
+#include "pilot/outside.hpp"
+
+namespace eyrie::pilot {
+namespace {
+
+/// The policy in the file that a node names; null after reporting.
+std::shared_ptr<const PolicyFile> policy_in(const ubf::NodeSpec& spec, ubf::NodeReader& reader) {
+  const Value* name = spec.body->find("file");
+  if (!name || !name->is_scalar())
+    return nullptr;  // reported with the parameters
+  auto bytes = reader.file(*name);
+  if (!bytes)
+    return nullptr;
+  auto policy = PolicyFile::read(std::move(*bytes), name->text, reader.diagnostics());
+  return policy ? std::make_shared<const PolicyFile>(std::move(*policy)) : nullptr;
+}
+
+/// One evaluation in a state: what comes out.
+std::span<const float> evaluate(const PolicyFile& policy, const State& state, std::byte* memory,
+                                NetworkNumbers& out) {
+  NetworkNumbers seen;
+  policy.observation.write(state, seen.data());
+  const std::span<float> answer(out.data(), policy.network.outputs());
+  policy.network.evaluate({seen.data(), policy.observation.size()},
+                          {reinterpret_cast<float*>(memory), policy.network.memory()}, answer);
+  return answer;
+}
+
+/// Votes in [0, 100] in the place of what came out; NaN abstains.
+void make_votes(Votes how, std::span<float> numbers) {
+  double most = -math::kInfinity, sum = 0;
+  for (const float x : numbers)
+    most = static_cast<double>(x) > most ? static_cast<double>(x) : most;
+  for (const float x : numbers)
+    sum += std::isnan(x) ? 0 : math::exp(static_cast<double>(x) - most);
+  for (float& x : numbers) {
+    const double number = static_cast<double>(x);
+    const double share =
+        how == Votes::softmax ? math::exp(number - most) / sum : 1 / (1 + math::exp(-number));
+    x = std::isnan(share) ? 0.0F : static_cast<float>(100 * share);
+  }
+}
+
+}  // namespace
+
+std::size_t Policy::memory_bytes() const noexcept {
+  return policy_ ? policy_->network.memory() * sizeof(float) : 0;
+}
+
+std::string Policy::problem() const {
+  return policy_ ? "" : "a policy needs the file of a network";
+}
+
+void Policy::read(const ubf::NodeSpec& spec, ubf::NodeReader& reader) {
+  policy_ = policy_in(spec, reader);
+  if (policy_ && policy_->votes)
+    reader.error(spec.body->where_of("file"),
+                 fmt::format("the network of {} votes and commands nothing: it is for learned_vote",
+                             quote(file_)));
+}
+
+Status Policy::tick(const Tick& t, Proposal& out) const {
+  NetworkNumbers numbers;
+  const auto units = evaluate(*policy_, t.state, t.memory + memory_begin(), numbers);
+  const model::Manual asked = policy_->controls.apply(t.state, units);
+  fly_by_hand(asked, t.state, out.action);
+  // where it commands nothing it leaves the word to others
+  using model::Manual;
+  if (!asked.has(Manual::kHeading) && !asked.has(Manual::kAltitude) && !asked.has(Manual::kClimb))
+    out.action.mode.reset();
+  if (asked.trigger == 0)
+    out.action.trigger.reset();
+  out.vote = vote_;
+  return Status::running;
+}
+
+std::size_t LearnedVote::memory_bytes() const noexcept {
+  return policy_ ? policy_->network.memory() * sizeof(float) : 0;
+}
+
+std::string LearnedVote::problem() const {
+  return policy_ ? ubf::Arbiter<State, Action>::problem()
+                 : "a learned_vote needs the file of a network";
+}
+
+void LearnedVote::read(const ubf::NodeSpec& spec, ubf::NodeReader& reader) {
+  policy_ = policy_in(spec, reader);
+  const Location& where = spec.body->where_of("file");
+  if (policy_ && !policy_->votes)
+    reader.error(where,
+                 fmt::format("the network of {} commands and does not vote: it is for policy",
+                             quote(file_)));
+  else if (policy_ && policy_->network.outputs() != children_.size())
+    reader.error(where, fmt::format("the network of {} gives {} votes, for {} children",
+                                    quote(file_), policy_->network.outputs(), children_.size()));
+}
+
+Status LearnedVote::tick(const Tick& t, Proposal& out) const {
+  NetworkNumbers numbers;
+  evaluate(*policy_, t.state, t.memory + memory_begin(), numbers);
+  make_votes(*policy_->votes, {numbers.data(), children_.size()});
+  Status status = Status::failure;
+  const ubf::AnyNode* winner = nullptr;
+  ubf::Scratch<Action> other;
+  ubf::BestSoFar<Action> best(out, other);
+  float highest = 0;
+  for (std::size_t i = 0; i < children_.size(); ++i) {
+    const Status answer = ask(*children_[i], t, best.next());
+    if (answer == Status::failure || best.next().vote == 0 || !(numbers[i] > highest))
+      continue;
+    highest = numbers[i];
+    best.next().vote = highest;
+    status = answer;
+    winner = children_[i].get();
+    best.keep();
+  }
+  if (!winner)
+    return Status::failure;
+  best.hand_on();
+  return hand_on(t, *winner, out, status);
+}
+
+}  // namespace eyrie::pilot
