@@ -116,5 +116,6 @@ void add_behavior(nb::module_& m);
 void add_scenario(nb::module_& m);
 void add_world(nb::module_& m);
 void add_run(nb::module_& m);
+void add_env(nb::module_& m);
 
 }  // namespace eyrie::python

@@ -32,4 +32,5 @@ NB_MODULE(_core, m) {
   eyrie::python::add_scenario(m);
   eyrie::python::add_world(m);
   eyrie::python::add_run(m);
+  eyrie::python::add_env(m);
 }

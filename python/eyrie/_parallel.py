@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+"""Several learners in one world, for PettingZoo."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+from pettingzoo import ParallelEnv
+
+if TYPE_CHECKING:
+    from ._run import Run
+    from .envs import _Native
+
+Floats = npt.NDArray[np.float32]
+
+
+class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
+    """Made by :func:`eyrie.envs.parallel`."""
+
+    def __init__(self, task: str, native: _Native) -> None:
+        self.metadata = {"name": f"eyrie_{task.lower()}_v0", "render_modes": []}
+        self.render_mode = None
+        self._native = native
+        self._seeds = np.random.default_rng()
+        self.possible_agents = list(native.learners)
+        self.agents: list[str] = []
+        self.observation_spaces = {who: native.observation_space() for who in native.learners}
+        self.action_spaces = {who: native.action_space() for who in native.learners}
+        self._row = {who: row for row, who in enumerate(native.learners)}
+        self._numbers = np.zeros((1, len(native.learners), len(native.actions)), np.float32)
+
+    def observation_space(self, agent: str) -> Any:
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Any:
+        return self.action_spaces[agent]
+
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
+        if seed is not None:
+            self._seeds = np.random.default_rng(seed)
+        self._native.core.reset(int(self._seeds.integers(2**32)))
+        self.agents = list(self.possible_agents)
+        return self._seen(self._native.observations), self._infos()
+
+    def step(self, actions: dict[str, Floats]) -> tuple[
+        dict[str, Floats],
+        dict[str, float],
+        dict[str, bool],
+        dict[str, bool],
+        dict[str, dict[str, Any]],
+    ]:
+        native = self._native
+        self._numbers[:] = 0
+        for who in self.agents:
+            self._numbers[0, self._row[who]] = actions[who]
+        native.core.step(self._numbers)
+        terminated, truncated = native.terminated[0], native.truncated[0]
+        over = bool(native.over[0])
+        results = (
+            self._seen(native.last_observations if over else native.observations),
+            {who: float(native.rewards[0, self._row[who]]) for who in self.agents},
+            {who: bool(terminated[self._row[who]]) for who in self.agents},
+            {who: bool(truncated[self._row[who]]) for who in self.agents},
+            self._infos(),
+        )
+        self.agents = [
+            who
+            for who in self.agents
+            if not (over or terminated[self._row[who]] or truncated[self._row[who]])
+        ]
+        return results
+
+    def episode(self, *, last: bool = False) -> Run:
+        """The run of this episode so far, or of the one that ended last."""
+        return self._native.episode(0, last)
+
+    def close(self) -> None:
+        self._native.close()
+
+    def _seen(self, values: Floats) -> dict[str, Floats]:
+        return {who: values[0, self._row[who]].copy() for who in self.agents}
+
+    def _infos(self) -> dict[str, dict[str, Any]]:
+        return {who: {"mask": self._native.masks[0, self._row[who]].copy()} for who in self.agents}

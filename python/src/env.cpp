@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+/// \file  Environments for learners: many worlds of one task, stepped at once.
+#include "common.hpp"
+#include "train/vector_env.hpp"
+
+namespace eyrie::python {
+namespace {
+
+template <class T>
+using Array = nb::ndarray<nb::numpy, T>;
+
+/// One native environment with the arrays that it writes into: made once, the same in every step.
+class VectorEnv {
+ public:
+  VectorEnv(train::TaskSpec task, scenario::Source source, const train::Options& options)
+      : env_(std::move(task), std::move(source), options),
+        shape_(env_.shape()),
+        observations_(shape_.envs * shape_.agents * shape_.observation),
+        last_observations_(observations_.size()),
+        rewards_(shape_.envs * shape_.agents),
+        masks_(rewards_.size() * shape_.action),
+        alive_(rewards_.size()),
+        terminated_(rewards_.size()),
+        truncated_(rewards_.size()),
+        over_(shape_.envs) {}
+
+  void reset(std::uint64_t seed) {
+    const Use use(*this);
+    const nb::gil_scoped_release released;
+    env_.reset(seed, arrays());
+  }
+  void step(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& actions) {
+    if (actions.shape(0) != shape_.envs || actions.shape(1) != shape_.agents ||
+        actions.shape(2) != shape_.action)
+      throw nb::value_error(fmt::format("actions: shape ({}, {}, {}) is not ({}, {}, {})",
+                                        actions.shape(0), actions.shape(1), actions.shape(2),
+                                        shape_.envs, shape_.agents, shape_.action)
+                                .c_str());
+    const Use use(*this);
+    const std::span<const float> numbers(actions.data(), actions.size());
+    const nb::gil_scoped_release released;
+    env_.step(numbers, arrays());
+  }
+  /// The run of the episode in a world, so far or that ended last.
+  [[nodiscard]] Recorded episode(std::size_t world, bool last) const {
+    const Use use(*this);
+    const nb::gil_scoped_release released;
+    debrief::Opened opened =
+        debrief::open(env_.episode(world, last), "episode", {}, version_text());
+    if (!opened.recorded)
+      throw std::runtime_error(fmt::format("{}", fmt::join(opened.problems, "\n")));
+    return {std::move(*opened.recorded)};
+  }
+
+  // what reset() and step() write, for who keeps the environment
+  [[nodiscard]] Array<const float> observations(nb::handle self) const {
+    return numbers(observations_, shape_.observation, self);
+  }
+  [[nodiscard]] Array<const float> last_observations(nb::handle self) const {
+    return numbers(last_observations_, shape_.observation, self);
+  }
+  [[nodiscard]] Array<const std::uint8_t> masks(nb::handle self) const {
+    return numbers(masks_, shape_.action, self);
+  }
+  [[nodiscard]] Array<const float> rewards(nb::handle self) const {
+    return of_agents(rewards_, self);
+  }
+  [[nodiscard]] Array<const std::uint8_t> alive(nb::handle self) const {
+    return of_agents(alive_, self);
+  }
+  [[nodiscard]] Array<const std::uint8_t> terminated(nb::handle self) const {
+    return of_agents(terminated_, self);
+  }
+  [[nodiscard]] Array<const std::uint8_t> truncated(nb::handle self) const {
+    return of_agents(truncated_, self);
+  }
+  [[nodiscard]] Array<const std::uint8_t> over(nb::handle self) const {
+    return Array<const std::uint8_t>(over_.data(), {over_.size()}, self);
+  }
+  [[nodiscard]] const train::VectorEnv& env() const { return env_; }
+
+ private:
+  template <class T>
+  [[nodiscard]] Array<const T> numbers(const std::vector<T>& values, std::size_t each,
+                                       nb::handle self) const {
+    return Array<const T>(values.data(), {shape_.envs, shape_.agents, each}, self);
+  }
+  template <class T>
+  [[nodiscard]] Array<const T> of_agents(const std::vector<T>& values, nb::handle self) const {
+    return Array<const T>(values.data(), {shape_.envs, shape_.agents}, self);
+  }
+  [[nodiscard]] train::Arrays arrays() {
+    return {.observations = observations_,
+            .masks = masks_,
+            .alive = alive_,
+            .rewards = rewards_,
+            .terminated = terminated_,
+            .truncated = truncated_,
+            .over = over_,
+            .last_observations = last_observations_};
+  }
+  /// While it lives nobody else may use the environment.
+  class Use {
+   public:
+    explicit Use(const VectorEnv& env) : env_(env) {
+      if (env.in_use_)
+        raise("Error", "this environment is being stepped by another thread");
+      env.in_use_ = true;
+    }
+    ~Use() { env_.in_use_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    const VectorEnv& env_;
+  };
+
+  train::VectorEnv env_;
+  train::Shape shape_;
+  std::vector<float> observations_, last_observations_, rewards_;
+  std::vector<std::uint8_t> masks_, alive_, terminated_, truncated_, over_;
+  mutable bool in_use_ = false;
+};
+
+/// "blue.flights.viper.players.viper1.privileged=true" of every learner.
+std::vector<std::string> privileges(const train::VectorEnv& env) {
+  std::vector<std::string> sets;
+  const scenario::Roster& roster = env.scenario().roster;
+  for (const std::string& name : env.task().learners) {
+    const auto& player = *roster.find(*roster.find(name));
+    sets.push_back(fmt::format("{}.flights.{}.players.{}.privileged=true",
+                               scenario::side_name(player.side), roster.flights[player.flight].name,
+                               name));
+  }
+  return sets;
+}
+
+using Opponents = std::map<std::string, std::vector<std::string>>;
+
+std::unique_ptr<VectorEnv> make(const std::string& name, const std::vector<std::string>& sets,
+                                const Opponents& opponents, std::size_t envs, unsigned workers,
+                                bool privileged, const std::string& home) {
+  const nb::gil_scoped_release released;
+  train::TaskSpec spec = train::task(name);
+  spec.scenario = scenario::Source::kOwn + spec.scenario;  // below home, wherever we are
+  spec.sets.insert(spec.sets.end(), sets.begin(), sets.end());
+  if (!opponents.empty())
+    spec.opponents.clear();
+  for (const auto& [player, trees] : opponents)
+    spec.opponents.push_back({player, trees});
+  if (privileged) {
+    const train::VectorEnv plain(spec, scenario::Source::disk(home), {});
+    for (std::string& set : privileges(plain))
+      spec.sets.push_back(std::move(set));
+  }
+  return std::make_unique<VectorEnv>(std::move(spec), scenario::Source::disk(home),
+                                     train::Options{.envs = envs, .workers = workers});
+}
+
+/// A property of arrays: they keep the environment.
+template <auto member>
+auto of_self(nb::handle_t<VectorEnv> self) {
+  return (nb::cast<const VectorEnv&>(self).*member)(self);
+}
+
+}  // namespace
+
+void add_env(nb::module_& m) {
+  using nb::arg;
+  m.def(
+      "tasks",
+      [] {
+        std::map<std::string, std::string> all;
+        for (const train::TaskSpec& task : train::tasks())
+          all.emplace(task.name, task.help);
+        return all;
+      },
+      "The tasks that come with Eyrie: name -> what it is.");
+  m.def(
+      "task_learners", [](const std::string& name) { return train::task(name).learners; },
+      arg("task"), "Who learns in a task.");
+  m.def("vector_env", &make, arg("task"), arg("sets"), arg("opponents"), arg("envs"),
+        arg("workers"), arg("privileged"), arg("home"), "Many worlds of a task.");
+  nb::class_<VectorEnv>(m, "VectorEnv", "Many worlds of one task, stepped at once.")
+      .def("reset", &VectorEnv::reset, arg("seed"), "Begins an episode in every world.")
+      .def("step", &VectorEnv::step, arg("actions"),
+           "One decision of everybody: (worlds, learners, actions) numbers in [-1, 1].")
+      .def("episode", &VectorEnv::episode, arg("world"), arg("last"),
+           "The run of an episode of one of the worlds that are kept.")
+      .def_prop_ro("observations", &of_self<&VectorEnv::observations>,
+                   "(worlds, learners, numbers), written by reset() and step().")
+      .def_prop_ro("last_observations", &of_self<&VectorEnv::last_observations>,
+                   "As observations, of the episodes that are over; else 0.")
+      .def_prop_ro("rewards", &of_self<&VectorEnv::rewards>, "(worlds, learners)")
+      .def_prop_ro("alive", &of_self<&VectorEnv::alive>, "(worlds, learners), 0 or 1")
+      .def_prop_ro("over", &of_self<&VectorEnv::over>, "(worlds,): 1 if the episode was.")
+      .def_prop_ro("terminated", &of_self<&VectorEnv::terminated>, "(worlds, learners), 0 or 1")
+      .def_prop_ro("truncated", &of_self<&VectorEnv::truncated>, "(worlds, learners), 0 or 1")
+      .def_prop_ro("masks", &of_self<&VectorEnv::masks>,
+                   "(worlds, learners, actions): 1 where the action can do anything now.")
+      .def_prop_ro(
+          "learners", [](const VectorEnv& e) { return e.env().task().learners; }, "Who learns.")
+      .def_prop_ro(
+          "actions",
+          [](const VectorEnv& e) {
+            const auto names = e.env().action_names();
+            return std::vector<std::string>(names.begin(), names.end());
+          },
+          "What the numbers of an action mean.")
+      .def_prop_ro(
+          "seconds", [](const VectorEnv& e) { return e.env().seconds(); },
+          "s, from decision to decision.");
+}
+
+}  // namespace eyrie::python

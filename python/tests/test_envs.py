@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: MIT
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+from gymnasium.vector import AutoresetMode
+from pettingzoo.test import parallel_api_test, parallel_seed_test
+
+import eyrie
+from eyrie import envs
+
+ONE = sorted(name for name in envs.tasks() if name != "sweep")
+
+
+@pytest.mark.parametrize("task", ONE)
+def test_gymnasium_finds_the_tasks(task: str) -> None:
+    env = gymnasium.make(envs.gymnasium_name(task))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of spaces that could be otherwise
+        check_env(env.unwrapped)
+    env.close()
+
+
+def _flown(env: envs.Env, seed: int, steps: int) -> tuple[list[Any], float]:
+    seen, _ = env.reset(seed=seed)
+    rows, reward = [seen], 0.0
+    draw = np.random.default_rng(seed)
+    for _ in range(steps):
+        action = draw.uniform(-1, 1, len(env.actions)).astype(np.float32)
+        seen, gained, terminated, truncated, info = env.step(action)
+        rows.append(seen)
+        reward += gained
+        assert info["mask"].shape == (len(env.actions),)
+        if terminated or truncated:
+            break
+    return rows, reward
+
+
+def test_the_same_seed_and_actions_give_the_same_numbers() -> None:
+    one, other = envs.Env("merge"), envs.Env("merge")
+    first, second = _flown(one, 4, 200), _flown(other, 4, 200)
+    assert (np.array(first[0]) == np.array(second[0])).all() and first[1] == second[1]
+    assert (np.array(_flown(other, 5, 50)[0][:2]) != np.array(first[0][:2])).any()
+    run = one.episode()
+    assert run.duration > 0 and len(run.tracks())
+
+
+def test_many_worlds_are_stepped_by_one_call() -> None:
+    made = gymnasium.make_vec(
+        "Eyrie/Merge-v0", num_envs=6, vectorization_mode="vector_entry_point", threads=2
+    )
+    env = made.unwrapped
+    assert isinstance(env, envs.VectorEnv)
+    assert env.metadata["autoreset_mode"] == AutoresetMode.SAME_STEP
+    seen, infos = env.reset(seed=3)
+    assert seen.shape == (6, env.single_observation_space.shape[0])  # type: ignore[index]
+    assert env.observation_space.contains(seen)
+    assert infos["mask"].shape == (6, len(env.actions))
+    alone = envs.VectorEnv("merge", 6)
+    alone.reset(seed=3)
+    draw = np.random.default_rng(1)
+    ended = 0
+    for _ in range(400):
+        actions = draw.uniform(-1, 1, (6, len(env.actions))).astype(np.float32)
+        again, rewards, terminated, truncated, infos = env.step(actions)
+        other = alone.step(actions)
+        assert np.shares_memory(seen, again)  # not copied
+        assert (other[0] == again).all() and (other[1] == rewards).all()
+        assert ("final_obs" in infos) == bool((terminated | truncated).any())
+        ended += int((terminated | truncated).sum())
+    with pytest.raises(ValueError, match="read-only"):
+        seen[0, 0] = 1
+    kept = envs.VectorEnv("merge", 2, copy=True)
+    before, _ = kept.reset(seed=1)
+    assert not np.shares_memory(before, kept.step(np.zeros((2, len(env.actions)), np.float32))[0])
+
+
+def test_wrong_actions_are_refused() -> None:
+    env = envs.VectorEnv("merge", 2)
+    n = len(env.actions)
+    env.reset(seed=1)
+    for actions in (np.zeros((3, n)), np.zeros((2, n + 1)), np.zeros(n)):
+        with pytest.raises(ValueError, match="shape"):
+            env.step(actions)  # type: ignore[arg-type]
+    with pytest.raises(ValueError):
+        env.step(np.full((2, n), np.nan, np.float32))
+    with pytest.raises(ValueError, match="one for all"):
+        env.reset(seed=[1, 2])
+    env.close()
+    with pytest.raises(eyrie.Error, match="closed"):
+        env.reset(seed=1)
+
+
+def test_wrong_options_are_named() -> None:
+    with pytest.raises(ValueError, match="no task 'merg'; did you mean 'merge'"):
+        envs.Env("merg")
+    with pytest.raises(ValueError, match="several learn"):
+        envs.Env("sweep")
+    with pytest.raises(eyrie.ConfigError):
+        envs.Env("merge", set={"nothing.of.that": 3})
+    with pytest.raises((eyrie.ConfigError, ValueError), match="no_such_tree"):
+        envs.Env("merge", opponents={"bandit1": ["no_such_tree"]})
+    with pytest.raises(ValueError, match="num_envs"):
+        envs.VectorEnv("merge", 0)
+    with pytest.raises(ValueError, match="threads"):
+        envs.VectorEnv("merge", 1, threads=0)
+
+
+def test_who_is_privileged_sees_more() -> None:
+    def seen(privileged: bool) -> Any:
+        env = envs.Env("bvr", privileged=privileged)
+        env.reset(seed=1)
+        return [env.step(np.zeros(len(env.actions), np.float32))[0] for _ in range(10)]
+
+    assert (np.array(seen(True)) != np.array(seen(False))).any()
+
+
+def test_several_learn_by_pettingzoo() -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        parallel_api_test(envs.parallel("sweep"), num_cycles=300)
+        parallel_seed_test(lambda: envs.parallel("sweep"), num_cycles=30)
