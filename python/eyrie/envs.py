@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Environments for Gymnasium and PettingZoo over the native vector environment.
 
-``gymnasium.make("Eyrie/Merge-v0")`` and ``gymnasium.make_vec("Eyrie/Merge-v0", num_envs=64)`` find
-them by themselves; :func:`parallel` is for tasks in which several learn. Needs gymnasium, and
+Who imports this module can say ``gymnasium.make("Eyrie/Merge-v0")`` and ``gymnasium.make_vec(
+"Eyrie/Merge-v0", num_envs=64, vectorization_mode="vector_entry_point")``; :func:`parallel` is for tasks in which several learn. Needs gymnasium, and
 pettingzoo for :func:`parallel`.
 """
 
@@ -43,7 +43,7 @@ def gymnasium_name(task: str) -> str:
 
 
 def register() -> None:
-    """Registers :func:`gymnasium_name` of every task in which one learns; Gymnasium calls it."""
+    """Registers :func:`gymnasium_name` of every task in which one learns."""
     for task in tasks():
         name = gymnasium_name(task)
         if len(_core.task_learners(task)) == 1 and name not in gymnasium.registry:
@@ -302,3 +302,6 @@ def _as_actions(actions: Any, shape: tuple[int, int, int]) -> Floats:
     if numbers.size != shape[0] * shape[1] * shape[2]:
         raise ValueError(f"actions: {numbers.size} numbers, not {shape[0] * shape[1] * shape[2]}")
     return numbers.reshape(shape)
+
+
+register()  # Gymnasium looks for nothing by itself
