@@ -7,7 +7,7 @@ set -uo pipefail
 tools=$(readlink -f -- "$1")/tools
 work=$(mktemp -d "${TMPDIR:-/tmp}/eyrie-guards-XXXXXX")
 trap 'rm -rf "$work"' EXIT
-cd "$work" && git init -q . && mkdir src apps bench examples fuzz tests || exit 2
+cd "$work" && git init -q . && mkdir src apps bench examples fuzz tests python || exit 2
 failures=0
 
 fail() { printf '%s\n' "$*" >&2; failures=$((failures + 1)); }
