@@ -70,7 +70,7 @@ test('opens from disk without a network', { skip: kNoPage }, async (t) => {
   t.diagnostic(`the first picture after ${(await after('eyrie-picture')).toFixed(0)} ms, ready after ${(await after('eyrie-open')).toFixed(0)} ms`);
   assert.match(await page.title(), /Eyrie debrief/);
   const text = readFileSync(kPageFile, 'utf8');
-  assert.ok(text.length < 1.7e6, `the file has ${text.length} bytes`);
+  assert.ok(text.length < 1.8e6, `the file has ${text.length} bytes`);
   for (const name of ['preact', 'three', 'uplot']) assert.match(text, new RegExp(`\\n${name} \\d[^]*Permission (to|is)`), `no licence of ${name}`);
   await shoot(page, 'whole-light-1280');
 });
