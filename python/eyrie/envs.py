@@ -8,7 +8,9 @@ pettingzoo for :func:`parallel`.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -25,9 +27,12 @@ from ._scenario import Scenario, Sets, home, override_lines
 Floats = npt.NDArray[np.float32]
 Infos = dict[str, Any]
 
-#: Trees by player.
-Opponents = Mapping[str, Iterable[str]]
+#: Trees of the scenario by player, and files of policies (``.safetensors``).
+Opponents = Mapping[str, Iterable[str | os.PathLike[str]]]
 NOBODY: Opponents = MappingProxyType({})
+#: Weights by term; or the weight, and the ends of the term's range in m or m/s.
+Rewards = Mapping[str, float | tuple[float, float, float]]
+AS_THE_TASK_SAYS: Rewards = MappingProxyType({})
 
 _SEEDS = 2**32
 
@@ -55,6 +60,33 @@ def register() -> None:
             )
 
 
+class Saved:
+    """Where an environment stood: made by ``save()``, for ``restore()`` of it or one of the same task."""
+
+    def __init__(self, core: _core.SavedEnv) -> None:
+        self.core = core
+
+    def __reduce__(self) -> Any:
+        raise TypeError("what an environment saved is kept in this process only")
+
+
+class _Pool:
+    """Policies that fly for opponents: each is a tree of its own."""
+
+    def __init__(self) -> None:
+        self.trees: dict[str, Any] = {}
+        self.folders: list[str] = []
+
+    def tree(self, name: str | os.PathLike[str]) -> str:
+        if isinstance(name, str) and not name.endswith(".safetensors"):
+            return name
+        file = Path(name).resolve()
+        self.folders.append(str(file.parent))
+        tree = f"policy_{len(self.trees) + 1}"
+        self.trees[f"trees.{tree}"] = {"policy": {"file": str(file)}}
+        return tree
+
+
 class _Native:
     """What the environments have in common: the engine's, open until it is closed."""
 
@@ -65,6 +97,7 @@ class _Native:
         *,
         set: Sets,
         opponents: Opponents,
+        rewards: Rewards,
         threads: int,
         privileged: bool,
     ) -> None:
@@ -72,14 +105,18 @@ class _Native:
             raise ValueError(f"num_envs: {worlds}")
         if not 1 <= threads <= 256:
             raise ValueError(f"threads: {threads} is outside [1, 256]")
+        pool = _Pool()
+        trees = {who: [pool.tree(one) for one in trees] for who, trees in opponents.items()}
         self._core: _core.VectorEnv | None = _core.vector_env(
             task,
-            override_lines(set),
-            {who: list(trees) for who, trees in opponents.items()},
+            override_lines(set) + override_lines(pool.trees),
+            trees,
+            {term: _weight(weight) for term, weight in rewards.items()},
             worlds,
             threads,
             privileged,
             home(),
+            pool.folders,
         )
         core = self._core
         self.learners = core.learners
@@ -101,6 +138,11 @@ class _Native:
     def close(self) -> None:
         self._core = None
 
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            "an environment is not pickled: make one of the same task on the other side, with the same seed and actions"
+        )
+
     def episode(self, world: int, last: bool) -> Run:
         recorded = self.core.episode(world, last)
         return Run(recorded, Scenario(recorded.scenario))
@@ -121,8 +163,12 @@ class Env(gymnasium.Env[Floats, Floats]):
     Args:
         task: one of :func:`tasks`.
         set: overrides of its scenario, as for :func:`eyrie.load`.
-        opponents: ``{"bandit1": ["ace", "novice"]}``: who begins each episode with one of these trees
-            of the scenario, drawn by its seed; others as the scenario says.
+        opponents: ``{"bandit1": ["ace", "novice", "past.safetensors"]}``: who begins each episode with
+            one of these, drawn by its seed: trees of the scenario, or policies (self-play). Others as
+            the scenario says.
+        rewards: other weights of the task's terms, or further terms (docs/train.md): ``{"win": 2,
+            "closeness": (0.01, 500, 5000)}``, with the ends of a range where the term has one; 0 takes
+            a term away.
         privileged: the learner sees the truth instead of what its sensors found.
     """
 
@@ -134,11 +180,18 @@ class Env(gymnasium.Env[Floats, Floats]):
         *,
         set: Sets = (),
         opponents: Opponents = NOBODY,
+        rewards: Rewards = AS_THE_TASK_SAYS,
         privileged: bool = False,
         render_mode: None = None,
     ) -> None:
         self._native = _Native(
-            task, 1, set=set, opponents=opponents, threads=1, privileged=privileged
+            task,
+            1,
+            set=set,
+            opponents=opponents,
+            rewards=rewards,
+            threads=1,
+            privileged=privileged,
         )
         if len(self._native.learners) != 1:
             raise ValueError(f"in {task} several learn: eyrie.envs.parallel({task!r})")
@@ -166,9 +219,24 @@ class Env(gymnasium.Env[Floats, Floats]):
         seen = (native.last_observations if over else native.observations)[0, 0].copy()
         return seen, float(native.rewards[0, 0]), terminated, truncated, self._info()
 
+    @property
+    def policy_words(self) -> dict[str, str]:
+        """What a policy's file says of what it sees and does: its metadata but for ``network``, see
+        docs/howto/fly-a-policy.md."""
+        return self._native.core.policy_words
+
     def episode(self, *, last: bool = False) -> Run:
         """The run of this episode so far, or of the one that ended last."""
         return self._native.episode(0, last)
+
+    def save(self) -> Saved:
+        """Where the episode stands, to go on from there again: for search, and for tests."""
+        return Saved(self._native.core.save())
+
+    def restore(self, saved: Saved) -> tuple[Floats, Infos]:
+        """Goes on from there; what reset() gives."""
+        self._native.core.restore(saved.core)
+        return self._native.observations[0, 0].copy(), self._info()
 
     def close(self) -> None:
         self._native.close()
@@ -191,7 +259,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
     Args:
         num_envs: how many worlds.
         threads: that step them; they never change what comes of it.
-        task, set, opponents, privileged: as for :class:`Env`.
+        task, set, opponents, rewards, privileged: as for :class:`Env`.
     """
 
     metadata = {"render_modes": [], "autoreset_mode": AutoresetMode.SAME_STEP}
@@ -203,13 +271,20 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
         *,
         set: Sets = (),
         opponents: Opponents = NOBODY,
+        rewards: Rewards = AS_THE_TASK_SAYS,
         threads: int = 1,
         privileged: bool = False,
         copy: bool = False,
         render_mode: None = None,
     ) -> None:
         self._native = _Native(
-            task, num_envs, set=set, opponents=opponents, threads=threads, privileged=privileged
+            task,
+            num_envs,
+            set=set,
+            opponents=opponents,
+            rewards=rewards,
+            threads=threads,
+            privileged=privileged,
         )
         if len(self._native.learners) != 1:
             raise ValueError(f"in {task} several learn: eyrie.envs.parallel({task!r})")
@@ -258,9 +333,23 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
             self._infos(),
         )
 
+    @property
+    def policy_words(self) -> dict[str, str]:
+        """As of :class:`Env`."""
+        return self._native.core.policy_words
+
     def episode(self, index: int = 0, *, last: bool = False) -> Run:
         """The run of the episode of a world that is kept (the first), so far or that ended last."""
         return self._native.episode(index, last)
+
+    def save(self) -> Saved:
+        """Where all episodes stand, to go on from there again."""
+        return Saved(self._native.core.save())
+
+    def restore(self, saved: Saved) -> tuple[Floats, Infos]:
+        """Goes on from there; what reset() gives."""
+        self._native.core.restore(saved.core)
+        return self._given(self._native.observations[:, 0]), self._infos()
 
     def close_extras(self, **kwargs: Any) -> None:
         self._native.close()
@@ -283,6 +372,7 @@ def parallel(
     *,
     set: Sets = (),
     opponents: Opponents = NOBODY,
+    rewards: Rewards = AS_THE_TASK_SAYS,
     privileged: bool = False,
 ) -> Any:
     """A task as a ``pettingzoo.ParallelEnv``: an agent for each learner, by its name.
@@ -292,9 +382,16 @@ def parallel(
     """
     from ._parallel import Parallel
 
-    return Parallel(
-        task, _Native(task, 1, set=set, opponents=opponents, threads=1, privileged=privileged)
+    native = _Native(
+        task,
+        1,
+        set=set,
+        opponents=opponents,
+        rewards=rewards,
+        threads=1,
+        privileged=privileged,
     )
+    return Parallel(task, native)
 
 
 def _as_actions(actions: Any, shape: tuple[int, int, int]) -> Floats:
@@ -302,6 +399,13 @@ def _as_actions(actions: Any, shape: tuple[int, int, int]) -> Floats:
     if numbers.size != shape[0] * shape[1] * shape[2]:
         raise ValueError(f"actions: {numbers.size} numbers, not {shape[0] * shape[1] * shape[2]}")
     return numbers.reshape(shape)
+
+
+def _weight(given: float | tuple[float, float, float]) -> tuple[float, tuple[float, float] | None]:
+    if isinstance(given, tuple):
+        weight, low, high = given
+        return float(weight), (float(low), float(high))
+    return float(given), None
 
 
 register()  # Gymnasium looks for nothing by itself

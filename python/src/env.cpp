@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file  Environments for learners: many worlds of one task, stepped at once.
+#include <unistd.h>
+
 #include "common.hpp"
+#include "core/enum_names.hpp"
+#include "core/hash.hpp"
+#include "pilot/policy/policy_file.hpp"
 #include "train/vector_env.hpp"
 
 namespace eyrie::python {
@@ -9,12 +14,17 @@ namespace {
 template <class T>
 using Array = nb::ndarray<nb::numpy, T>;
 
+/// Everything of an environment that changes.
+struct Saved {
+  std::shared_ptr<const train::VectorEnv::Snapshot> snapshot;
+};
+
 /// One native environment with the arrays that it writes into: made once, the same in every step.
 class VectorEnv {
  public:
   VectorEnv(train::TaskSpec task, scenario::Source source, const train::Options& options)
-      : env_(std::move(task), std::move(source), options),
-        shape_(env_.shape()),
+      : env_(new train::VectorEnv(std::move(task), std::move(source), options)),
+        shape_(env_->shape()),
         observations_(shape_.envs * shape_.agents * shape_.observation),
         last_observations_(observations_.size()),
         rewards_(shape_.envs * shape_.agents),
@@ -23,11 +33,18 @@ class VectorEnv {
         terminated_(rewards_.size()),
         truncated_(rewards_.size()),
         over_(shape_.envs) {}
+  /// Threads do not live on in a child of fork(): nobody may wait for them there.
+  ~VectorEnv() {
+    if (is_forked())
+      static_cast<void>(env_.release());
+  }
+  VectorEnv(const VectorEnv&) = delete;
+  VectorEnv& operator=(const VectorEnv&) = delete;
 
   void reset(std::uint64_t seed) {
     const Use use(*this);
     const nb::gil_scoped_release released;
-    env_.reset(seed, arrays());
+    env_->reset(seed, arrays());
   }
   void step(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& actions) {
     if (actions.shape(0) != shape_.envs || actions.shape(1) != shape_.agents ||
@@ -39,14 +56,22 @@ class VectorEnv {
     const Use use(*this);
     const std::span<const float> numbers(actions.data(), actions.size());
     const nb::gil_scoped_release released;
-    env_.step(numbers, arrays());
+    env_->step(numbers, arrays());
+  }
+  [[nodiscard]] Saved save() const {
+    const Use use(*this);
+    return {env_->save()};
+  }
+  void restore(const Saved& saved) {
+    const Use use(*this);
+    env_->restore(*saved.snapshot, arrays());
   }
   /// The run of the episode in a world, so far or that ended last.
   [[nodiscard]] Recorded episode(std::size_t world, bool last) const {
     const Use use(*this);
     const nb::gil_scoped_release released;
     debrief::Opened opened =
-        debrief::open(env_.episode(world, last), "episode", {}, version_text());
+        debrief::open(env_->episode(world, last), "episode", {}, version_text());
     if (!opened.recorded)
       throw std::runtime_error(fmt::format("{}", fmt::join(opened.problems, "\n")));
     return {std::move(*opened.recorded)};
@@ -77,7 +102,7 @@ class VectorEnv {
   [[nodiscard]] Array<const std::uint8_t> over(nb::handle self) const {
     return Array<const std::uint8_t>(over_.data(), {over_.size()}, self);
   }
-  [[nodiscard]] const train::VectorEnv& env() const { return env_; }
+  [[nodiscard]] const train::VectorEnv& env() const { return *env_; }
 
  private:
   template <class T>
@@ -103,6 +128,10 @@ class VectorEnv {
   class Use {
    public:
     explicit Use(const VectorEnv& env) : env_(env) {
+      if (env.is_forked())
+        raise("Error",
+              "an environment of several threads does not live on in a forked process: make it "
+              "there");
       if (env.in_use_)
         raise("Error", "this environment is being stepped by another thread");
       env.in_use_ = true;
@@ -115,7 +144,12 @@ class VectorEnv {
     const VectorEnv& env_;
   };
 
-  train::VectorEnv env_;
+  [[nodiscard]] bool is_forked() const {
+    return env_->options().workers > 1 && process_ != ::getpid();
+  }
+
+  std::unique_ptr<train::VectorEnv> env_;
+  pid_t process_ = ::getpid();  ///< in which its threads are
   train::Shape shape_;
   std::vector<float> observations_, last_observations_, rewards_;
   std::vector<std::uint8_t> masks_, alive_, terminated_, truncated_, over_;
@@ -136,10 +170,49 @@ std::vector<std::string> privileges(const train::VectorEnv& env) {
 }
 
 using Opponents = std::map<std::string, std::vector<std::string>>;
+/// Weight, and the range or nothing.
+using Rewards = std::map<std::string, std::pair<double, std::optional<std::pair<double, double>>>>;
+
+/// Other weights of the task's terms, and terms that it does not have; a weight of 0 takes one
+/// away.
+void change(std::vector<train::Reward>& rewards, const Rewards& changes) {
+  static constexpr auto kNames = enum_names<train::Term>();
+  for (const auto& [name, change] : changes) {
+    const auto term = enum_named<train::Term>(name);
+    if (!term)
+      throw nb::value_error(
+          fmt::format("rewards: there is no term {}{}", quote(name), did_you_mean(name, kNames))
+              .c_str());
+    auto found = std::find_if(rewards.begin(), rewards.end(),
+                              [&](const train::Reward& r) { return r.term == *term; });
+    if (found == rewards.end())
+      found = rewards.insert(found, {.term = *term});
+    found->weight = change.first;
+    if (change.second)
+      std::tie(found->low, found->high) = *change.second;
+  }
+  std::erase_if(rewards, [](const train::Reward& r) { return r.weight == 0; });
+}
+
+/// The words of a policy's file that say what it sees and commands.
+std::map<std::string, std::string> policy_words(const train::VectorEnv& env) {
+  std::map<std::string, std::string> words{
+      {"eyrie_policy", std::string(pilot::PolicyFile::kVersion)},
+      {"observation", env.observation().text()},
+      {"observation_hash", hash_text(env.observation().hash())}};
+  if (!env.task().votes) {
+    words["controls"] = env.controls().text();
+    words["controls_hash"] = hash_text(env.controls().hash());
+  } else {
+    words["votes"] = enum_name(pilot::Votes::linear);
+  }
+  return words;
+}
 
 std::unique_ptr<VectorEnv> make(const std::string& name, const std::vector<std::string>& sets,
-                                const Opponents& opponents, std::size_t envs, unsigned workers,
-                                bool privileged, const std::string& home) {
+                                const Opponents& opponents, const Rewards& rewards,
+                                std::size_t envs, unsigned workers, bool privileged,
+                                const std::string& home, const std::vector<std::string>& allowed) {
   const nb::gil_scoped_release released;
   train::TaskSpec spec = train::task(name);
   spec.scenario = scenario::Source::kOwn + spec.scenario;  // below home, wherever we are
@@ -148,12 +221,13 @@ std::unique_ptr<VectorEnv> make(const std::string& name, const std::vector<std::
     spec.opponents.clear();
   for (const auto& [player, trees] : opponents)
     spec.opponents.push_back({player, trees});
+  change(spec.rewards, rewards);
   if (privileged) {
-    const train::VectorEnv plain(spec, scenario::Source::disk(home), {});
+    const train::VectorEnv plain(spec, scenario::Source::disk(home, allowed), {});
     for (std::string& set : privileges(plain))
       spec.sets.push_back(std::move(set));
   }
-  return std::make_unique<VectorEnv>(std::move(spec), scenario::Source::disk(home),
+  return std::make_unique<VectorEnv>(std::move(spec), scenario::Source::disk(home, allowed),
                                      train::Options{.envs = envs, .workers = workers});
 }
 
@@ -179,12 +253,16 @@ void add_env(nb::module_& m) {
   m.def(
       "task_learners", [](const std::string& name) { return train::task(name).learners; },
       arg("task"), "Who learns in a task.");
-  m.def("vector_env", &make, arg("task"), arg("sets"), arg("opponents"), arg("envs"),
-        arg("workers"), arg("privileged"), arg("home"), "Many worlds of a task.");
+  m.def("vector_env", &make, arg("task"), arg("sets"), arg("opponents"), arg("rewards"),
+        arg("envs"), arg("workers"), arg("privileged"), arg("home"), arg("allowed"),
+        "Many worlds of a task.");
+  nb::class_<Saved>(m, "SavedEnv", "Everything of an environment that changes.");
   nb::class_<VectorEnv>(m, "VectorEnv", "Many worlds of one task, stepped at once.")
       .def("reset", &VectorEnv::reset, arg("seed"), "Begins an episode in every world.")
       .def("step", &VectorEnv::step, arg("actions"),
            "One decision of everybody: (worlds, learners, actions) numbers in [-1, 1].")
+      .def("save", &VectorEnv::save, "Everything that changes.")
+      .def("restore", &VectorEnv::restore, arg("saved"), "Goes on from there.")
       .def("episode", &VectorEnv::episode, arg("world"), arg("last"),
            "The run of an episode of one of the worlds that are kept.")
       .def_prop_ro("observations", &of_self<&VectorEnv::observations>,
@@ -207,6 +285,9 @@ void add_env(nb::module_& m) {
             return std::vector<std::string>(names.begin(), names.end());
           },
           "What the numbers of an action mean.")
+      .def_prop_ro(
+          "policy_words", [](const VectorEnv& e) { return policy_words(e.env()); },
+          "What a policy's file says of what it sees and does.")
       .def_prop_ro(
           "seconds", [](const VectorEnv& e) { return e.env().seconds(); },
           "s, from decision to decision.");

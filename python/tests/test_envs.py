@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import json
+import os
+import pickle
+import struct
 import warnings
+from pathlib import Path
 from typing import Any
 
 import gymnasium
@@ -125,3 +130,120 @@ def test_several_learn_by_pettingzoo() -> None:
         warnings.simplefilter("ignore")
         parallel_api_test(envs.parallel("sweep"), num_cycles=300)
         parallel_seed_test(lambda: envs.parallel("sweep"), num_cycles=30)
+
+
+def test_rewards_are_weighed_otherwise() -> None:
+    def gained(**rewards: Any) -> float:
+        env = envs.Env("merge", rewards=rewards)
+        env.reset(seed=1)
+        return sum(env.step(np.zeros(len(env.actions), np.float32))[1] for _ in range(50))
+
+    assert gained(alive=0.1) == pytest.approx(gained() + 0.5, abs=1e-4)
+    assert gained(alive=0, nose_on=(2, 1e5, 2e5)) > 9  # nose to nose for five seconds
+    with pytest.raises(ValueError, match="no term 'nose_onn'; did you mean 'nose_on'"):
+        envs.Env("merge", rewards={"nose_onn": 1})
+    with pytest.raises(ValueError, match="closing"):
+        envs.Env("merge", rewards={"closing": 1})  # over what?
+
+
+def test_what_was_saved_goes_on_alike() -> None:
+    env = envs.VectorEnv("merge", 3, threads=2, copy=True)
+    env.reset(seed=2)
+    draw = np.random.default_rng(1)
+    actions = draw.uniform(-1, 1, (600, 3, len(env.actions))).astype(np.float32)
+    for a in actions[:100]:
+        env.step(a)
+    saved = env.save()
+    first = [env.step(a) for a in actions[100:]]
+    other = envs.VectorEnv("merge", 3, copy=True)
+    for one in (env, other):
+        one.restore(saved)
+        for a, was in zip(actions[100:], first, strict=True):
+            now = one.step(a)
+            assert all((x == y).all() for x, y in zip(now[:4], was[:4], strict=True))
+    with pytest.raises(ValueError, match="another task or number"):
+        envs.VectorEnv("merge", 2).restore(saved)
+    for thing in (env, saved):
+        with pytest.raises(TypeError):
+            pickle.dumps(thing)
+
+
+def _forked(env: envs.VectorEnv) -> int:
+    """0 if a child of fork() can step it, 1 if it is refused there."""
+    child = os.fork()
+    if child == 0:
+        try:
+            env.step(np.zeros((2, len(env.actions)), np.float32))
+            os._exit(0)
+        except eyrie.Error:
+            os._exit(1)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+
+
+@pytest.mark.filterwarnings("ignore:This process")
+def test_forked_environments_are_whole_or_refused() -> None:
+    for threads in (1, 2):
+        env = envs.VectorEnv("merge", 2, threads=threads)
+        env.reset(seed=1)
+        assert _forked(env) == threads - 1
+        env.step(np.zeros((2, len(env.actions)), np.float32))
+
+
+def _policy(path: Path, words: dict[str, str], numbers: list[float]) -> Path:
+    """A network whose answer is always the same."""
+    inputs = words["observation"].count("\n")
+    tensors = {
+        "a.weight": np.zeros((len(numbers), inputs), np.float32),
+        "a.bias": np.array(numbers, np.float32),
+    }
+    header: dict[str, Any] = {"__metadata__": {**words, "network": "linear a"}}
+    data = b""
+    for name, values in tensors.items():
+        header[name] = {
+            "dtype": "F32",
+            "shape": values.shape,
+            "data_offsets": [len(data), len(data) + values.nbytes],
+        }
+        data += values.tobytes()
+    text = json.dumps(header).encode()
+    path.write_bytes(struct.pack("<Q", len(text)) + text + data)
+    return path
+
+
+def test_a_policy_that_was_saved_flies_as_in_training(tmp_path: Path) -> None:
+    env = envs.Env("merge")
+    numbers = [0.3, -0.2, 0.5, 0.1, -1.0, -1.0]
+    file = _policy(tmp_path / "steady.safetensors", env.policy_words, numbers)
+    env.reset(seed=1)
+    for _ in range(300):
+        env.step(np.array(numbers, np.float32))
+    trained = env.episode()
+    flown = eyrie.fly(
+        text=f"""
+extends: task_merge
+name: flown
+seed: {trained.seed}
+insert:
+  trees.learned: {{policy: {{file: {file}}}}}
+replace: {{blue.flights.viper.tree: learned}}
+""".replace("task_merge", "tasks/merge"),
+        name=str(tmp_path / "flown.yaml"),
+        until=30,
+    )
+    one, other = (run.tracks("viper1", every=1) for run in (trained, flown))
+    assert len(one) >= 30
+    for column in ("latitude_deg", "longitude_deg", "altitude_m"):
+        assert one[column][:30] == pytest.approx(other[column][:30], abs=1e-6)
+    against = envs.Env("merge", opponents={"bandit1": [file]})
+    against.reset(seed=1)
+    for _ in range(100):
+        against.step(np.zeros(len(numbers), np.float32))
+    who = against.episode().explain("bandit1", at=5).data
+    assert "policy" in json.dumps(who)
+    with pytest.raises(eyrie.ConfigError, match="cannot read"):
+        envs.Env("merge", opponents={"bandit1": ["nobody.safetensors"]})
+
+
+def test_votes_are_saved_as_votes() -> None:
+    words = envs.Env("merge_votes").policy_words
+    assert words["votes"] == "linear" and "controls" not in words

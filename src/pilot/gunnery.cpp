@@ -18,6 +18,16 @@ std::optional<Sight> gun_sight(const State& s, const Seen& target) {
                .time = lead.flight_time};
 }
 
+bool in_gun(const State& s) {
+  const Seen* target = s.target();
+  const std::optional<Sight> sight =
+      target && s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
+  if (!sight)
+    return false;
+  const model::GunType& gun = s.library.guns[*s.type.index.gun];
+  return sight->range <= gun.greatest_range && sight->off_nose <= gun.aim_cone;
+}
+
 const char* why_no_gun(const State& s, const Seen* target, double max_age) {
   if (!target || !target->hostile())
     return "no hostile target";

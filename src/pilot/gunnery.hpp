@@ -17,6 +17,9 @@ struct Sight {
 /// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.
 [[nodiscard]] std::optional<Sight> gun_sight(const State& state, const Seen& target);
 
+/// Whether the target is within reach of the gun and in its cone of aim, and there are rounds.
+[[nodiscard]] bool in_gun(const State& state);
+
 /// Why no gun is fired at the target, null if it may be: it has to be known as hostile and seen
 /// within `max_age` (s), for where it was, another one may be now.
 [[nodiscard]] const char* why_no_gun(const State& state, const Seen* target, double max_age);

@@ -173,16 +173,6 @@ constexpr auto kLeadCourse = [](const State& s, const team::Leader& l) {
 };
 constexpr auto kLeadSpeed = [](const State&, const team::Leader& l) { return norm(l.velocity); };
 
-bool in_gun(const State& s) {
-  const Seen* target = s.target();
-  const std::optional<Sight> sight =
-      target && s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
-  if (!sight)
-    return false;
-  const model::GunType& gun = s.library.guns[*s.type.index.gun];
-  return sight->range <= gun.greatest_range && sight->off_nose <= gun.aim_cone;
-}
-
 template <bool (Seen::*is)() const>
 std::size_t count(const State& s) {
   const auto seen = s.tracks_seen();

@@ -24,6 +24,22 @@ std::vector<Value> values_of(const Action& action) {
   return values;
 }
 
+/// What is to be said of a node's answer: what its vote was made of, which one a network gave it,
+/// why it failed or was refused.
+template <class State, class Action>
+std::string why(const ubf::Tree<State, Action>& tree, const ubf::Trace<Action>& trace,
+                ubf::NodeIndex node) {
+  std::vector<std::string> said;
+  const ubf::VoteCurve* curve = tree.node(node).vote_curve();
+  if (curve && trace.row(node).status != ubf::Status::failure)
+    said.push_back(curve->text(trace.scores(node), ubf::state_field_infos<State>()));
+  if (const float vote = trace.given_vote(node); !std::isnan(vote))
+    said.push_back(fmt::format("learned vote {:.3g}", vote));
+  if (const char* reason = trace.why(node))
+    said.emplace_back(reason);
+  return fmt::format("{}", fmt::join(said, "; "));
+}
+
 template <class State, class Action>
 std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Action>& tree,
                             const ubf::Trace<Action>& trace) {
@@ -36,13 +52,7 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     answer.vote = row.proposal.vote;
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
-    const ubf::VoteCurve* curve = tree.node(index).vote_curve();
-    if (row.ticked && row.status != ubf::Status::failure && curve)
-      answer.why = curve->text(trace.scores(index), ubf::state_field_infos<State>());
-    else if (!row.ticked || row.status != ubf::Status::failure)
-      answer.why.clear();
-    else if (const char* why = trace.why(index))
-      answer.why = why;
+    answer.why = row.ticked ? why(tree, trace, index) : "";
   }
   return all;
 }

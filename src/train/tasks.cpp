@@ -71,10 +71,11 @@ std::string joined(std::initializer_list<std::string_view> parts) {
 
 std::vector<TaskSpec> make() {
   const std::string dogfight =
-      "turn -180 deg 180 deg\n"
-      "pull -60 deg 60 deg\n"
+      "aim_right -180 deg 180 deg cubic\n"
+      "aim_up -90 deg 90 deg cubic\n"
+      "load_factor 1 9\n"
       "speed 120 m/s 400 m/s\n"
-      "trigger\n"
+      "shoot\n"
       "release\n";
   const std::string far =
       "turn -180 deg 180 deg\n"

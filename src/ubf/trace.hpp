@@ -40,6 +40,7 @@ class Trace final : public AnyTrace {
     EYRIE_DEMAND(nodes <= rows_.size(), "a trace smaller than the tree");
     used_ = nodes;
     std::fill(reasons_.begin(), reasons_.end(), nullptr);
+    std::fill(given_votes_.begin(), given_votes_.end(), std::numeric_limits<float>::quiet_NaN());
     asked_.clear();
     for (Row& row : std::span(rows_.data(), used_)) {
       row.ticked = false;

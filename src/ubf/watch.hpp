@@ -52,21 +52,28 @@ struct Mistake {
 /// What a Tick carries of a Trace<Action>; it knows which action it was made for.
 class AnyTrace {
  public:
-  /// Why a node failed, in words that outlive the trace, such as a literal; null if it did not say.
+  /// Why a node failed, or what its parent said of its answer (that it refused it), in words that
+  /// outlive the trace, such as a literal; null if nobody said anything.
   [[nodiscard]] const char* why(NodeIndex node) const { return reasons_[node]; }
   void because(NodeIndex node, const char* why) { reasons_[node] = why; }
   /// What the considerations of a node's vote came to.
   [[nodiscard]] const VoteCurve::Scores& scores(NodeIndex node) const { return scores_[node]; }
   void weighed(NodeIndex node, const VoteCurve::Scores& scores) { scores_[node] = scores; }
+  /// The vote that an arbiter gave a node in the place of its own; NaN if none did.
+  [[nodiscard]] float given_vote(NodeIndex node) const { return given_votes_[node]; }
+  void voted(NodeIndex node, float vote) { given_votes_[node] = vote; }
   /// Told before a node is asked, so that it is known who threw: the one that was asked last and
   /// has not answered.
-  void asking(NodeIndex node) { asked_.push_back(node); }
+  void asking(NodeIndex node) {
+    reasons_[node] = nullptr;
+    asked_.push_back(node);
+  }
   void answered() { asked_.pop_back(); }
   [[nodiscard]] std::span<const NodeIndex> unanswered() const { return asked_; }
 
  protected:
   AnyTrace(const std::type_info& action, std::size_t nodes)
-      : action_(&action), reasons_(nodes, nullptr), scores_(nodes) {
+      : action_(&action), reasons_(nodes, nullptr), scores_(nodes), given_votes_(nodes) {
     asked_.reserve(64);  // no tree is deeper
   }
   ~AnyTrace() = default;
@@ -75,6 +82,7 @@ class AnyTrace {
   const std::type_info* action_;
   std::vector<const char*> reasons_;
   std::vector<VoteCurve::Scores> scores_;
+  std::vector<float> given_votes_;
   std::vector<NodeIndex> asked_;
 };
 

@@ -37,11 +37,20 @@ void make_votes(Votes how, std::span<float> numbers) {
     most = static_cast<double>(x) > most ? static_cast<double>(x) : most;
   for (const float x : numbers)
     sum += std::isnan(x) ? 0 : math::exp(static_cast<double>(x) - most);
+  const auto share = [&](double x) {
+    switch (how) {
+      case Votes::sigmoid:
+        return 1 / (1 + math::exp(-x));
+      case Votes::softmax:
+        return math::exp(x - most) / sum;
+      case Votes::linear:
+        return std::clamp((x + 1) / 2, 0.0, 1.0);
+    }
+    return 0.0;
+  };
   for (float& x : numbers) {
-    const double number = static_cast<double>(x);
-    const double share =
-        how == Votes::softmax ? math::exp(number - most) / sum : 1 / (1 + math::exp(-number));
-    x = std::isnan(share) ? 0.0F : static_cast<float>(100 * share);
+    const double vote = 100 * share(static_cast<double>(x));
+    x = std::isnan(vote) ? 0.0F : static_cast<float>(vote);
   }
 }
 
@@ -110,6 +119,8 @@ Status LearnedVote::tick(const Tick& t, Proposal& out) const {
   float highest = 0;
   for (std::size_t i = 0; i < children_.size(); ++i) {
     const Status answer = ask(*children_[i], t, best.next());
+    if (t.trace) [[unlikely]]
+      t.trace->voted(children_[i]->index(), numbers[i]);
     if (answer == Status::failure || best.next().vote == 0 || !(numbers[i] > highest))
       continue;
     highest = numbers[i];

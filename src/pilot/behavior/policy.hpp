@@ -42,8 +42,8 @@ class Policy final : public Behavior {
 };
 
 /// Winner takes all by learned votes: a network gives a number for each child, in their order, and
-/// votes of 0 to 100 are made of them, by a sigmoid each or by a softmax over all. The highest vote
-/// goes up, of equal ones the earlier child's; a child that fails or abstains stays
+/// votes of 0 to 100 are made of them, by a sigmoid or a line each, or by a softmax over all. The
+/// highest vote goes up, of equal ones the earlier child's; a child that fails or abstains stays
 /// out; how much the others vote themselves does not count.
 ///   learned_vote: {file: policies/votes.safetensors, children: [pursue, break_turn]}
 class LearnedVote final : public ubf::Arbiter<State, Action> {

@@ -156,6 +156,26 @@ TEST(LearnedVote, LetsTheChildWinThatTheNetworkPrefers) {
   Mind sure{tree(text, votes("sigmoid", {1, -1, 2}))};
   EXPECT_EQ(sure.ask({}).leader, 1);
   EXPECT_NEAR(sure.ask({}).vote, 100 / (1 + std::exp(-1.0)), 1e-4);
+  Mind even{tree(text, votes("linear", {-1.5F, 0.5F, 2}))};
+  EXPECT_EQ(even.ask({}).leader, 2);
+  EXPECT_EQ(even.ask({}).vote, 75);
+}
+
+TEST(LearnedVote, TellsWhoeverTracesWhatTheNetworkSaid) {
+  const Tree flown =
+      tree("learned_vote: {file: a, children: [{navigate: {vote: 90}}, {egress: {vote: 1}}]}",
+           votes("linear", {0, 0.5F}));
+  const Desk desk;
+  const State state = desk.state();
+  std::vector<std::uint64_t> slab(flown.memory_bytes() / 8);
+  ubf::Trace<Action> trace(flown.size());
+  Proposal out;
+  flown.tick({.state = state, .memory = reinterpret_cast<std::byte*>(slab.data()), .trace = &trace},
+             out);
+  EXPECT_EQ(trace.given_vote(1), 50);
+  EXPECT_EQ(trace.given_vote(2), 75);
+  EXPECT_TRUE(std::isnan(trace.given_vote(0)));
+  EXPECT_EQ(trace.row(1).proposal.vote, 90) << "its own";
 }
 
 TEST(LearnedVote, LeavesOutWhoAbstainsAndFailsWithNobody) {
@@ -173,7 +193,7 @@ TEST(LearnedVote, SaysWhatDoesNotFit) {
       mistakes("policy: {file: a}", votes("sigmoid", {1})),
       "test.yaml:1:16: the network of 'a' votes and commands nothing: it is for learned_vote");
   EXPECT_EQ(mistakes("policy: {file: a}", votes("sigmod", {1})),
-            "a: votes: expected sigmoid or softmax, got 'sigmod'; did you mean 'sigmoid'?");
+            "a: votes: expected sigmoid, softmax or linear, got 'sigmod'; did you mean 'sigmoid'?");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "pilot/policy/controls.hpp"
 
 #include "core/hash.hpp"
+#include "pilot/gunnery.hpp"
 #include "pilot/policy/layout.hpp"
 #include "pilot/state.hpp"
 
@@ -25,6 +26,25 @@ bool dispenses(const State& s) {
 std::optional<std::uint16_t> store_to_release(const State& s) {
   const Seen* target = s.target();
   return target && target->hostile() ? s.own_reach(*target).store : std::nullopt;
+}
+/// Unit vector, north-east-down: to the target, and inside the gun's reach to where its rounds
+/// would meet him; between one and two reaches from the one to the other. Without a target as one
+/// flies.
+Vec3 aim_of(const State& s) {
+  const Seen* target = s.target();
+  if (!target)
+    return normalized(s.velocity_ned, {1, 0, 0});
+  const Vec3 sight = normalized(target->ned, {1, 0, 0});
+  const auto gun = gun_sight(s, *target);
+  if (!gun)
+    return sight;
+  const double reach = s.library.guns[*s.type.index.gun].greatest_range;
+  const double near = std::clamp(2 - gun->range / reach, 0.0, 1.0);
+  return normalized(sight + near * (gun->aim - sight), sight);
+}
+bool gun_bears(const State& s) {
+  const Seen* target = s.target();
+  return target && target->hostile() && in_gun(s);
 }
 template <Dispense what>
 void dispense(const State&, double on, Manual& m) {
@@ -59,6 +79,21 @@ constexpr std::array kTypes = std::to_array<ControlType>({
        say(m, Manual::kClimb, &Manual::climb, std::clamp(s.own.pitch + x, -kSteepest, kSteepest));
      },
      always},
+    {"aim_right",
+     "heading to fly, from that of the line to the target (inside the gun's reach: to where its "
+     "rounds would meet him), positive right; without a target from the own one",
+     "rad", -kPi, kPi, Manual::kHeading,
+     [](const State& s, double x, Manual& m) {
+       say(m, Manual::kHeading, &Manual::heading, wrap_pi(bearing_of(aim_of(s)) + x));
+     },
+     always},
+    {"aim_up", "direction to fly to above the horizon, from that line, positive up", "rad",
+     -kSteepest, kSteepest, kVertical,
+     [](const State& s, double x, Manual& m) {
+       const double up = elevation_of(aim_of(s)) + x;
+       say(m, Manual::kClimb, &Manual::climb, std::clamp(up, -kSteepest, kSteepest));
+     },
+     always},
     {"altitude", "to fly", "m", 0, 25e3, kVertical,
      [](const State&, double x, Manual& m) { say(m, Manual::kAltitude, &Manual::altitude, x); },
      always},
@@ -87,6 +122,14 @@ constexpr std::array kTypes = std::to_array<ControlType>({
      kTrigger,
      [](const State&, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; },
      [](const State& s) { return s.gun.rounds > 0 && s.type.index.gun.has_value(); }},
+    {"shoot",
+     "presses the trigger if the target is hostile, within the gun's reach and in its cone of aim",
+     {},
+     0,
+     0,
+     kTrigger,
+     [](const State& s, double on, Manual& m) { m.trigger = on > 0 && gun_bears(s) ? 1 : 0; },
+     gun_bears},
     {"release",
      "releases a missile at the target, if it is hostile and in the zone of one that may leave "
      "now: "
@@ -165,7 +208,14 @@ std::optional<Control> read_control(LayoutLine& line) {
                           exact_quantity(type.most, type.unit.dimension)));
     return std::nullopt;
   }
-  return control;
+  if (const std::string_view shape = line.word(); !shape.empty()) {
+    if (shape != "cubic") {
+      line.fail(fmt::format("expected 'cubic' or the end of the line, got {}", quote(shape)));
+      return std::nullopt;
+    }
+    control.cubic = true;
+  }
+  return line.end() ? std::optional(control) : std::nullopt;
 }
 
 }  // namespace
@@ -175,7 +225,8 @@ std::span<const ControlType> control_types() {
 }
 
 double Control::value(float unit) const {
-  const double x = static_cast<double>(unit);
+  const double given = static_cast<double>(unit);
+  const double x = cubic ? given * given * given : given;
   return info().is_flag() ? (x > 0 ? 1 : 0) : from_unit(x, low, high);
 }
 
@@ -230,6 +281,8 @@ std::string Controls::text() const {
     if (!type.is_flag())
       text += fmt::format(" {} {}", exact_quantity(control.low, type.unit.dimension),
                           exact_quantity(control.high, type.unit.dimension));
+    if (control.cubic)
+      text += " cubic";
     text += '\n';
   }
   return text;

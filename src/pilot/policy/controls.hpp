@@ -29,6 +29,7 @@ struct ControlType {
 struct Control {
   std::uint32_t type = 0;    ///< index into control_types()
   double low = 0, high = 1;  ///< in SI; of a number
+  bool cubic = false;        ///< x^3 counts instead of x: fine in the middle, coarse at the ends
 
   [[nodiscard]] const ControlType& info() const { return control_types()[type]; }
   /// The number in SI, or of a flag 1 or 0, for one in [-1, 1].
@@ -36,9 +37,9 @@ struct Control {
 };
 
 /// An ordered list of controls: the layout of what comes out of a policy. As text it has a line for
-/// each: the name of a control and, unless it is a flag, a range.
+/// each: the name of a control and, unless it is a flag, a range, and perhaps `cubic`.
 ///
-///   turn -90 deg 90 deg
+///   turn -90 deg 90 deg cubic
 ///   climb -30 deg 30 deg
 ///   release
 class Controls {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/math.hpp"
+#include "pilot/gunnery.hpp"
 #include "pilot/outside.hpp"
 #include "support/no_allocation.hpp"
 #include "support/pilot/testing.hpp"
@@ -43,6 +44,37 @@ TEST(Controls, FlyFromTheOwnCourseHeightAndSpeed) {
   EXPECT_EQ(a.trigger, false);
 }
 
+TEST(Controls, AimAtTheTargetAndInsideTheGunsReachAheadOfHim) {
+  Desk desk;
+  constexpr std::string_view kAim = "aim_right -180 deg 180 deg\naim_up -90 deg 90 deg";
+  EXPECT_NEAR(*flown(kAim, {0.5F, 0}, desk).heading, kPi / 2, 1e-6)
+      << "nobody: from the own course";
+  desk.track({20e3, 20e3, -10e3});
+  const Action far = flown(kAim, {0, 0}, desk);
+  EXPECT_EQ(far.mode, model::AutopilotMode::aim);
+  EXPECT_NEAR(*far.heading, kPi / 4, 1e-3);
+  EXPECT_NEAR(*far.climb, std::atan(10 / std::hypot(20, 20)), 3e-3);
+  EXPECT_NEAR(*flown(kAim, {-0.25F, 0.5F}, desk).heading, 0, 1e-3);
+  EXPECT_NEAR(*flown(kAim, {-0.25F, 0.5F}, desk).climb, *far.climb + kPi / 4, 1e-6);
+  // who crosses to the right within reach is led
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{500, 0, 0};
+  desk.tracks.tracks[0].velocity = {0, 200, 0};
+  const State state = desk.state();
+  const auto sight = gun_sight(state, *state.target());
+  EXPECT_NEAR(*flown(kAim, {0, 0}, desk).heading, bearing_of(sight->aim), 1e-6);
+  EXPECT_GT(*flown(kAim, {0, 0}, desk).heading, 3 * kDegree);
+}
+
+TEST(Controls, AreFineInTheMiddleWhereTheyAreCubic) {
+  const auto heading = [](float x) {
+    return *flown("heading -180 deg 180 deg cubic", {x}, {}).heading;
+  };
+  EXPECT_EQ(heading(0), 0);
+  EXPECT_NEAR(heading(0.5F), kPi / 8, 1e-6);
+  EXPECT_NEAR(heading(-1), -kPi, 1e-6);
+  EXPECT_EQ(Controls("speed 200 kt 600 kt cubic").text(), "speed 200 kt 600 kt cubic\n");
+}
+
 TEST(Controls, FlyToNumbersAndNoFartherThanTheirRanges) {
   const Action a =
       flown("heading -180 deg 180 deg\naltitude 1 km 9 km\nspeed 100 m/s 300 m/s\nload_factor 1 9",
@@ -78,6 +110,19 @@ TEST(Controls, ReleaseTheMissileOfTheShortestReachThatReaches) {
   desk.tracks.tracks[0].position = desk.own.position + Vec3{3e3, 0, 0};
   desk.stores.ready_time = desk.time + 1;
   EXPECT_EQ(mask("release", desk), std::vector<std::uint8_t>{0}) << "not yet";
+}
+
+TEST(Controls, ShootWhereTheGunBears) {
+  Desk desk;
+  EXPECT_EQ(mask("shoot", desk), std::vector<std::uint8_t>{0}) << "nobody";
+  desk.track({500, 0, 0}, 0);
+  EXPECT_EQ(mask("shoot", desk), std::vector<std::uint8_t>{1});
+  EXPECT_EQ(flown("shoot", {0.1F}, desk).trigger, true);
+  EXPECT_EQ(flown("shoot", {-0.1F}, desk).trigger, false);
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{500, 300, 0};
+  EXPECT_EQ(flown("shoot", {1}, desk).trigger, false) << "beside the cone";
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{9e3, 0, 0};
+  EXPECT_EQ(flown("shoot", {1}, desk).trigger, false) << "out of reach";
 }
 
 TEST(Controls, PressWhatThereIs) {
@@ -119,7 +164,9 @@ TEST(Controls, SayWhereAndWhatIsWrong) {
             "asked.txt:4:20: heading commands what turn commands\n"
             "asked.txt:6:8: release commands what release commands");
   EXPECT_EQ(mistakes("speed 0 m/s 300 m/s"),
-            "asked.txt:3:20: speed: the range must be within 50 m/s to 1000 m/s");
+            "asked.txt:3:13: speed: the range must be within 50 m/s to 1000 m/s");
+  EXPECT_EQ(mistakes("speed 60 m/s 300 m/s square"),
+            "asked.txt:3:22: expected 'cubic' or the end of the line, got 'square'");
   EXPECT_EQ(mistakes("trigger 0 1"), "asked.txt:3:9: expected the end of the line, got '0'");
 }
 

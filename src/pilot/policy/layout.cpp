@@ -70,7 +70,7 @@ std::optional<std::pair<double, double>> LayoutLine::range(Dimension dimension) 
     fail("the range must go from less to more");
     return std::nullopt;
   }
-  return end() ? std::optional(std::pair(*low, *high)) : std::nullopt;
+  return std::pair(*low, *high);
 }
 
 }  // namespace eyrie::pilot

@@ -20,7 +20,7 @@ class LayoutLine {
 
   /// The next word; empty at the end.
   std::string_view word();
-  /// Two quantities, the lower one first, up to the end of the line.
+  /// Two quantities, the lower one first.
   std::optional<std::pair<double, double>> range(Dimension dimension);
   /// Whether the line ends here, as it should.
   bool end();

@@ -36,7 +36,7 @@ std::optional<Feature> read_feature(LayoutLine& line) {
     if (!range)
       return std::nullopt;
     std::tie(feature.low, feature.high) = *range;
-    return feature;
+    return line.end() ? std::optional(feature) : std::nullopt;
   }
   if (*found != Transform::present && dimension != Dimension::angle) {
     line.fail(fmt::format("{} is no angle: {} is for angles", quote(name), transform));

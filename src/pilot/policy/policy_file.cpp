@@ -69,7 +69,7 @@ std::optional<PolicyFile> PolicyFile::read(std::string bytes, FileName file,
     static constexpr auto kNames = enum_names<Votes>();
     policy.votes = enum_named<Votes>(*votes);
     if (!policy.votes)
-      words.error(fmt::format("votes: expected sigmoid or softmax, got {}{}", quote(*votes),
+      words.error(fmt::format("votes: expected sigmoid, softmax or linear, got {}{}", quote(*votes),
                               did_you_mean(*votes, kNames)));
     if (words.find("controls"))
       words.error("its metadata has 'controls' and 'votes': give one of them");

@@ -7,10 +7,11 @@
 
 namespace eyrie::pilot {
 
-/// What makes votes of a network's numbers, times 100.
-enum class Votes : std::uint8_t { sigmoid, softmax };
+/// What makes votes of a network's numbers, times 100; linear: -1 makes 0, and 1 makes 1, as the
+/// actions of training do.
+enum class Votes : std::uint8_t { sigmoid, softmax, linear };
 constexpr auto names_of(Votes) {
-  return names_from_zero<Votes>("sigmoid", "softmax");
+  return names_from_zero<Votes>("sigmoid", "softmax", "linear");
 }
 
 /// A file of tensors (pilot/policy/tensors.hpp) with these words in its metadata:
@@ -19,9 +20,9 @@ constexpr auto names_of(Votes) {
 ///   observation       the text of an Observation
 ///   network           the text of a Network, whose layers are tensors of the file
 ///   controls          the text of Controls, a line for each number that comes out; or
-///   votes             sigmoid or softmax: each number that comes out is the vote of a child
-///   observation_hash, controls_hash    of both, as 0x0123456789abcdef, if somebody wants to be
-///   sure
+///   votes             sigmoid, softmax or linear: each number that comes out is the vote of a
+///   child observation_hash, controls_hash    of both, as 0x0123456789abcdef, if somebody wants to
+///   be sure
 ///
 /// Other words and tensors are nobody's business: a state_dict may be saved as it is.
 struct PolicyFile {

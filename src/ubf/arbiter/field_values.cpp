@@ -138,26 +138,26 @@ std::string AnyBounds::set(std::string_view name, std::optional<double> min,
   if (!problem.empty())
     return problem;
   std::erase_if(limits_, [&](const Limits& l) { return l.field == field; });
-  limits_.push_back({field, min, max});
+  limits_.push_back({field, min, max, fmt::format("refused: {} is out of bounds", name)});
   std::sort(limits_.begin(), limits_.end(),
             [](const Limits& a, const Limits& b) { return a.field < b.field; });
   return {};
 }
 
-bool AnyBounds::hold_for(const void* action) const {
+const char* AnyBounds::why_not(const void* action) const {
   for (const Limits& limits : limits_) {
     const ActionFieldInfo& field = fields_[limits.field];
     const std::optional<double> x = field.get(action);
     if (!x)
       continue;
-    const auto& [_, min, max] = limits;
+    const auto& [_, min, max, refusal] = limits;
     const bool circle = field.is_direction && *max - *min >= kTau - 1e-9;  // as from 0 to 360 deg
     const bool inside = field.is_direction ? circle || wrap_tau(*x - *min) <= wrap_tau(*max - *min)
                                            : (!min || *x >= *min) && (!max || *x <= *max);
     if (!inside || *x != *x)
-      return false;
+      return refusal.c_str();
   }
-  return true;
+  return nullptr;
 }
 
 std::size_t AnyGrid::size() const {

@@ -24,13 +24,15 @@ class AnyBounds {
   std::string set(std::string_view name, std::optional<double> min, std::optional<double> max);
 
  protected:
-  /// Whether every field that is set is within its limits. NaN is not.
-  [[nodiscard]] bool hold_for(const void* action) const;
+  /// Which field that is set is not within its limits, as NaN is not: "refused: altitude ..."; null
+  /// if there is none.
+  [[nodiscard]] const char* why_not(const void* action) const;
 
  private:
   struct Limits {
     std::size_t field;
     std::optional<double> min, max;
+    std::string refusal;
   };
   friend void bind_value(AnyBounds&, const Value&, Diagnostics&, const ParamInfo&);
   friend void list_parts(const AnyBounds&, const std::string& name, std::vector<ParamValue>&);
@@ -42,7 +44,9 @@ template <class Action>
 class Bounds : public AnyBounds {
  public:
   Bounds() : AnyBounds(action_fields<Action>()) {}
-  [[nodiscard]] bool hold(const Action& action) const { return hold_for(&action); }
+  [[nodiscard]] bool hold(const Action& action) const { return !broken_by(action); }
+  /// Why an action does not keep to them; null if it does.
+  [[nodiscard]] const char* broken_by(const Action& action) const { return why_not(&action); }
 };
 
 /// A grid over one to three fields of an action that are numbers; its points are the candidates.

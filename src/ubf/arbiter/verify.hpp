@@ -55,9 +55,13 @@ class Verify final : public Arbiter<State, Action> {
       if (answer == Status::failure || best.next().vote == 0)
         continue;
       const bool is_fallback = fallback && i + 1 == this->children_.size();
-      if (is_fallback ? winner != nullptr
-                      : !(best.next().vote > highest) || !passes(t.state, best.next().action))
+      if (is_fallback ? winner != nullptr : !(best.next().vote > highest))
         continue;
+      if (const char* why = is_fallback ? nullptr : refused(t.state, best.next().action)) {
+        if (t.trace) [[unlikely]]
+          t.trace->because(child.index(), why);
+        continue;
+      }
       highest = best.next().vote;
       status = answer;
       winner = &child;
@@ -76,21 +80,25 @@ class Verify final : public Arbiter<State, Action> {
     if (!list)
       return;
     const std::span<const Value> texts = list->is_list() ? list->items : std::span(list, 1);
-    for (const Value& text : texts)
+    for (const Value& text : texts) {
       refusals_.push_back(Refusal(reader.expression(text, Refusal::fields())));
+      reasons_.push_back("refused: " + text.text);
+    }
   }
 
  private:
-  [[nodiscard]] bool passes(const State& state, const Action& action) const {
-    if (!bounds.hold(action))
-      return false;
-    for (const auto& refusal : refusals_)
-      if (refusal.holds(state, action))
-        return false;
-    return true;
+  /// Why a proposal does not pass; null if it does.
+  [[nodiscard]] const char* refused(const State& state, const Action& action) const {
+    if (const char* why = bounds.broken_by(action))
+      return why;
+    for (std::size_t i = 0; i < refusals_.size(); ++i)
+      if (refusals_[i].holds(state, action))
+        return reasons_[i].c_str();
+    return nullptr;
   }
 
   std::vector<ActionExpression<State, Action>> refusals_;
+  std::vector<std::string> reasons_;  ///< of each
 };
 
 }  // namespace eyrie::ubf

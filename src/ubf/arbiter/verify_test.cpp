@@ -32,6 +32,26 @@ TEST(Verify, TakesTheNextBestWhenTheBestIsOutOfBounds) {
   EXPECT_EQ(robot.supplier(1), "root/probe[2]");
 }
 
+TEST(Verify, TellsWhoeverTracesWhyItRefused) {
+  auto tree = build(
+      "{verify: {bounds: {altitude: {min: 100 m}}, refuse: [action.release == 7], fallback: true, "
+      "children: [{probe: {cue: 0}}, {probe: {cue: 1}}, {probe: {cue: 2}}, {probe: {cue: 3}}]}}");
+  Robot robot(std::move(tree));
+  robot.cue(0) = {kRunning, 9, {.altitude = 99}};
+  robot.cue(1) = {kRunning, 8, {.release = 7}};
+  robot.cue(2) = {kRunning, 7, {.altitude = 200}};
+  robot.cue(3) = {kRunning, 99, {.altitude = 1}};
+  robot.tick();
+  const auto why = [&](NodeIndex child) {
+    const char* words = robot.trace.why(child);
+    return std::string(words ? words : "");
+  };
+  EXPECT_EQ(why(1), "refused: altitude is out of bounds");
+  EXPECT_EQ(why(2), "refused: action.release == 7");
+  EXPECT_EQ(why(3), "");
+  EXPECT_EQ(why(4), "");
+}
+
 TEST(Verify, FallsBackUncheckedWhenNobodyPassesOrSpeaks) {
   Robot robot(verify(2));
   robot.cue(0) = {kRunning, 9, {.altitude = 99}};
