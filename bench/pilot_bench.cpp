@@ -7,8 +7,11 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "pilot/policy/policy_file.hpp"
 #include "support/no_allocation.hpp"
+#include "support/pilot/networks.hpp"
 #include "support/pilot/testing.hpp"
+#include "train/task.hpp"
 
 namespace {
 
@@ -59,6 +62,50 @@ void decide(benchmark::State& state, const char* tree) {
 }
 BENCHMARK_CAPTURE(decide, abreast, kAbreast)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(16);
 BENCHMARK_CAPTURE(decide, attack, kAttack)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(8)->Arg(16);
+
+/// The policy of the task merge with two layers of 64 behind each other: what one decision by it
+/// costs, looking and evaluating. The second of the layers may remember.
+PolicyFile policy_of(const char* second, std::size_t gates) {
+  const train::TaskSpec& task = train::task("merge");
+  const std::size_t in = Observation(task.observation).size();
+  const std::size_t out = Controls(task.controls).size();
+  testing::Safetensors file;
+  file.word("eyrie_policy", PolicyFile::kVersion)
+      .word("observation", task.observation)
+      .word("controls", task.controls)
+      .word("network", fmt::format("linear a tanh\n{}\nlinear c\n", second))
+      .linear("a", in, 64, 1)
+      .linear("c", 64, out, 3);
+  if (gates == 1)
+    file.linear("b", 64, 64, 2);
+  else
+    file.recurrent("b", gates, 64, 64, 2);
+  Diagnostics diagnostics;
+  auto policy = PolicyFile::read(file.bytes(), "bench", diagnostics);
+  if (!policy)
+    throw ConfigError(diagnostics);
+  return std::move(*policy);
+}
+
+void learned(benchmark::State& state, const char* second, std::size_t gates) {
+  const PolicyFile policy = policy_of(second, gates);
+  const pilot::testing::Desk d = desk(2);
+  const State s = d.state();
+  std::vector<float> seen(policy.observation.size()), memory(policy.network.memory());
+  std::vector<float> answer(policy.network.outputs());
+  NoAllocation guard;
+  guard.dismiss();
+  for (auto _ : state) {
+    policy.observation.write(s, seen.data());
+    policy.network.evaluate(seen, memory, answer);
+    benchmark::DoNotOptimize(answer.data());
+    benchmark::ClobberMemory();
+  }
+  state.counters["allocs"] = static_cast<double>(guard.count());
+}
+BENCHMARK_CAPTURE(learned, mlp_64_64, "linear b tanh", 1);
+BENCHMARK_CAPTURE(learned, gru_64, "gru b", 3);
+BENCHMARK_CAPTURE(learned, lstm_64, "lstm b", 4);
 
 }  // namespace
 

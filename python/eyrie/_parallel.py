@@ -11,7 +11,7 @@ from pettingzoo import ParallelEnv
 
 if TYPE_CHECKING:
     from ._run import Run
-    from .envs import _Native
+    from ._native_env import Native
 
 Floats = npt.NDArray[np.float32]
 
@@ -19,7 +19,7 @@ Floats = npt.NDArray[np.float32]
 class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
     """Made by :func:`eyrie.envs.parallel`."""
 
-    def __init__(self, task: str, native: _Native) -> None:
+    def __init__(self, task: str, native: Native) -> None:
         self.metadata = {"name": f"eyrie_{task.lower()}_v0", "render_modes": []}
         self.render_mode = None
         self._native = native

@@ -220,13 +220,13 @@ def test_a_policy_that_was_saved_flies_as_in_training(tmp_path: Path) -> None:
     trained = env.episode()
     flown = eyrie.fly(
         text=f"""
-extends: task_merge
+extends: tasks/merge.yaml
 name: flown
 seed: {trained.seed}
 insert:
   trees.learned: {{policy: {{file: {file}}}}}
 replace: {{blue.flights.viper.tree: learned}}
-""".replace("task_merge", "tasks/merge"),
+""",
         name=str(tmp_path / "flown.yaml"),
         until=30,
     )

@@ -97,8 +97,14 @@ std::vector<TaskSpec> make() {
                  .learners = {"viper1"},
                  .observation = joined({kOwn, kTarget, kNear, kShots}),
                  .controls = dogfight,
-                 .rewards = fought};
-  merge.rewards.push_back({.term = Term::advantage, .weight = 0.01, .low = 2e3, .high = 8e3});
+                 // time has its price, and winning is worth a risk: else PPO learns to survive
+                 .rewards = {{.term = Term::win, .weight = 2},
+                             {.term = Term::loss, .weight = -1},
+                             {.term = Term::hit, .weight = 0.2},
+                             {.term = Term::hit_by, .weight = -0.1},
+                             {.term = Term::alive, .weight = -0.02},
+                             {.term = Term::advantage, .weight = 0.05, .low = 1500, .high = 6e3},
+                             {.term = Term::low, .weight = -0.05, .low = 300, .high = 1500}}};
   all.push_back(merge);
 
   merge.name = "merge_votes";

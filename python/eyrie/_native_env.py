@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""The native environment behind those of :mod:`eyrie.envs`: who is fought, what is rewarded, its arrays."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import gymnasium
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._errors import Error
+from ._run import Run
+from ._scenario import Scenario, Sets, home, override_lines
+
+Floats = npt.NDArray[np.float32]
+Infos = dict[str, Any]
+
+#: Trees of the scenario by player, and files of policies (``.safetensors``).
+Opponents = Mapping[str, Iterable[str | os.PathLike[str]]]
+NOBODY: Opponents = MappingProxyType({})
+#: Weights by term; or the weight, and the ends of the term's range in m or m/s.
+Rewards = Mapping[str, float | tuple[float, float, float]]
+AS_THE_TASK_SAYS: Rewards = MappingProxyType({})
+
+
+class Saved:
+    """Where an environment stood: made by ``save()``, for ``restore()`` of it or one of the same task."""
+
+    def __init__(self, core: _core.SavedEnv) -> None:
+        self.core = core
+
+    def __reduce__(self) -> Any:
+        raise TypeError("what an environment saved is kept in this process only")
+
+
+class _Pool:
+    """Policies that fly for opponents: each is a tree of its own."""
+
+    def __init__(self) -> None:
+        self.trees: dict[str, Any] = {}
+        self.folders: list[str] = []
+
+    def tree(self, name: str | os.PathLike[str]) -> str:
+        if isinstance(name, str) and not name.endswith(".safetensors"):
+            return name
+        file = Path(name).resolve()
+        self.folders.append(str(file.parent))
+        tree = f"policy_{len(self.trees) + 1}"
+        self.trees[f"trees.{tree}"] = {"policy": {"file": str(file)}}
+        return tree
+
+
+class Native:
+    """What the environments have in common: the engine's, open until it is closed."""
+
+    def __init__(
+        self,
+        task: str,
+        worlds: int,
+        *,
+        set: Sets,
+        opponents: Opponents,
+        rewards: Rewards,
+        threads: int,
+        privileged: bool,
+    ) -> None:
+        if worlds < 1:
+            raise ValueError(f"num_envs: {worlds}")
+        if not 1 <= threads <= 256:
+            raise ValueError(f"threads: {threads} is outside [1, 256]")
+        pool = _Pool()
+        trees = {who: [pool.tree(one) for one in trees] for who, trees in opponents.items()}
+        self._core: _core.VectorEnv | None = _core.vector_env(
+            task,
+            override_lines(set) + override_lines(pool.trees),
+            trees,
+            {term: _weight(weight) for term, weight in rewards.items()},
+            worlds,
+            threads,
+            privileged,
+            home(),
+            pool.folders,
+        )
+        core = self._core
+        self.learners = core.learners
+        self.actions = core.actions
+        self.observations = core.observations
+        self.last_observations = core.last_observations
+        self.rewards = core.rewards
+        self.terminated = core.terminated.view(np.bool_)
+        self.truncated = core.truncated.view(np.bool_)
+        self.over = core.over.view(np.bool_)
+        self.masks = core.masks.view(np.bool_)
+
+    @property
+    def core(self) -> _core.VectorEnv:
+        if self._core is None:
+            raise Error("this environment is closed")
+        return self._core
+
+    def close(self) -> None:
+        self._core = None
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            "an environment is not pickled: make one of the same task on the other side, with the same seed and actions"
+        )
+
+    def episode(self, world: int, last: bool) -> Run:
+        recorded = self.core.episode(world, last)
+        return Run(recorded, Scenario(recorded.scenario))
+
+    def observation_space(self) -> gymnasium.Space[Any]:
+        return gymnasium.spaces.Box(-1, 1, (self.observations.shape[2],), np.float32)
+
+    def action_space(self) -> gymnasium.Space[Any]:
+        return gymnasium.spaces.Box(-1, 1, (len(self.actions),), np.float32)
+
+
+def as_actions(actions: Any, shape: tuple[int, int, int]) -> Floats:
+    numbers = np.ascontiguousarray(actions, np.float32)
+    if numbers.size != shape[0] * shape[1] * shape[2]:
+        raise ValueError(f"actions: {numbers.size} numbers, not {shape[0] * shape[1] * shape[2]}")
+    return numbers.reshape(shape)
+
+
+def _weight(given: float | tuple[float, float, float]) -> tuple[float, tuple[float, float] | None]:
+    if isinstance(given, tuple):
+        weight, low, high = given
+        return float(weight), (float(low), float(high))
+    return float(given), None
