@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "disk/file_system.hpp"
 #include "disk/output.hpp"
 #include "disk/sink.hpp"
@@ -33,10 +34,12 @@ constexpr std::string_view kAbout =
 /// Every text below a folder of the installation. Throws disk::Failed.
 void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json& texts) {
   constexpr std::size_t kLargest = std::size_t{1} << 20;
+  constexpr const char* kNetwork = ".safetensors";  // no text: in base64, as scenario::Source has it
   std::vector<fs::path> files;
   std::error_code failed;
   for (const auto& entry : fs::recursive_directory_iterator(home / folder, failed))
-    if (entry.is_regular_file() && entry.path().extension() == ".yaml")
+    if (const fs::path kind = entry.path().extension();
+        entry.is_regular_file() && (kind == ".yaml" || kind == kNetwork))
       files.push_back(entry.path());
   if (failed)
     throw disk::Failed(
@@ -46,7 +49,8 @@ void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json&
     disk::FileRead read = disk::read_file(file, kLargest);
     if (!read.problem.empty())
       throw disk::Failed(fmt::format("{} {}", file.string(), read.problem));
-    texts[file.lexically_relative(home).generic_string()] = std::move(read.bytes);
+    texts[file.lexically_relative(home).generic_string()] =
+        file.extension() == kNetwork ? base64(read.bytes) : std::move(read.bytes);
   }
 }
 

@@ -10,9 +10,8 @@ The behaviors stay as they are; a network says which of them is heard. So what t
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from common import FRESH, finish, merge_with, outcomes, told, tree_of
+from common import FRESH, OUT, finish, merge_with, outcomes, told, tree_of
 from ppo import train
 
 if __name__ == "__main__":
@@ -20,7 +19,7 @@ if __name__ == "__main__":
     p.add_argument("--minutes", type=float, default=10)
     p.add_argument("--seed", type=int, default=1)
     given = p.parse_args()
-    policy = Path(__file__).parent / "policies" / "merge_votes.safetensors"
+    policy = OUT / "merge_votes.safetensors"
     train("merge_votes", given.minutes, given.seed, 512, 2, ["dogfight"], policy)
     by_hand = outcomes(merge_with("tree: arbitrated"), range(FRESH, FRESH + 500))
     print(f"the votes written by hand, 500 fresh seeds: {told(by_hand)}")

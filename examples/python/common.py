@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from torch import nn
 
 ROOT = Path(__file__).parents[2]
+OUT = Path(os.environ.get("EYRIE_EXAMPLES_OUT", ROOT / "runs"))  #: where everything goes
+OUT.mkdir(parents=True, exist_ok=True)
 FRESH = 1_000_001  #: the first of the seeds on which a policy is judged; none of them is trained on
 
 #: Whose votes the task merge_votes learns; they stand in scenarios/tasks/merge.yaml, too.
@@ -142,7 +144,7 @@ def told(count: Counter[str]) -> str:
         p = count[what] / n
         middle, half = p + z * z / (2 * n), z * math.sqrt(p * (1 - p) / n + z * z / (4 * n * n))
         low, high = ((middle + s * half) / (1 + z * z / n) for s in (-1, 1))
-        words.append(f"{what} {p:.1%} ({low:.1%} to {high:.1%})")
+        words.append(f"{what} {p:.1%} ({max(low, 0):.1%} to {min(high, 1):.1%})")
     return ", ".join(words)
 
 
@@ -167,6 +169,7 @@ replace:
       - navigate: {{vote: 1}}
 """
     run = eyrie.fly(load(sweep))
-    folder = run.save(ROOT / "runs" / f"learned-{name}", replace=True)
-    print(f"the sweep with it: {run.outcome}, hash {run.hash}")
-    subprocess.run([ROOT / "eyrie", "debrief", folder], check=False)
+    folder = run.save(OUT / f"learned-{name}", replace=True)
+    print(f"the sweep with it: {run.outcome}, hash {run.hash}", flush=True)
+    program = os.environ.get("EYRIE_PROGRAM", ROOT / "eyrie")
+    subprocess.run([program, "debrief", folder], check=False)

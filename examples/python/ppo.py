@@ -20,11 +20,10 @@ os.environ.setdefault("OMP_WAIT_POLICY", "PASSIVE")  # beside other work threads
 
 import numpy as np
 import torch
-from common import Curve, finish, save_policy, tree_of
+from common import OUT, Curve, finish, save_policy, tree_of
 from eyrie import envs
 from torch import nn
 
-HERE = Path(__file__).parent
 #: What it is told before it begins, the rest is near 0: pull as hard as you can, shoot where the gun bears.
 BEGIN = {"load_factor": 1.0, "shoot": 1.0}
 
@@ -34,11 +33,11 @@ def arguments() -> argparse.Namespace:
     p.add_argument("--task", default="merge", help="merge, or merge_votes: see arbitrate.py")
     p.add_argument("--minutes", type=float, default=30)
     p.add_argument("--seed", type=int, default=1)
-    p.add_argument("--worlds", type=int, default=512)
+    p.add_argument("--worlds", type=int, default=256)
     p.add_argument("--threads", type=int, default=2)
     p.add_argument("--opponents", nargs="+", default=["dogfight"], metavar="TREE|FILE.safetensors",
                    help="who is fought, drawn for each episode: trees, and policies of earlier")
-    p.add_argument("--out", type=Path, help="default: policies/TASK.safetensors beside this file")
+    p.add_argument("--out", type=Path, help="default: runs/TASK.safetensors")
     return p.parse_args()
 
 
@@ -59,7 +58,7 @@ class Learner:
 
     gamma, lam = 0.998, 0.97  # of decisions of 0.1 s: it looks 50 s ahead
     clip, epochs, batch = 0.2, 4, 4096
-    rate = 5e-4  # of Adam, falls to a twentieth
+    rate = 3e-4  # of Adam, falls to a twentieth
 
     def __init__(self, observation: int, actions: list[str]) -> None:
         self.actor = network(observation, 64, len(actions), 0.01)
@@ -171,7 +170,7 @@ def train(task: str, minutes: float, seed: int, worlds: int, threads: int,
 
 if __name__ == "__main__":
     given = arguments()
-    policy = given.out or HERE / "policies" / f"{given.task}.safetensors"
+    policy = given.out or OUT / f"{given.task}.safetensors"
     train(given.task, given.minutes, given.seed, given.worlds, given.threads, given.opponents,
           policy)
     finish(given.task, tree_of(given.task, policy))

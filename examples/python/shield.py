@@ -20,7 +20,7 @@ from pathlib import Path
 
 import eyrie
 import numpy as np
-from common import FRESH, load, merge_with, told, tree_of
+from common import FRESH, ROOT, load, merge_with, told, tree_of
 
 FLOOR = 5000 * 0.3048
 NOSE_TO_NOSE = 135.0
@@ -68,7 +68,7 @@ def main() -> None:
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     p.add_argument("--seeds", type=int, default=1000)
     p.add_argument("--policy", type=Path,
-                   default=Path(__file__).parent / "policies" / "merge.safetensors")
+                   default=ROOT / "scenarios/policies/merge.safetensors")
     given = p.parse_args()
     seeds = range(FRESH, FRESH + given.seeds)
     print("| above the learned pilot | outcome | crashed | flights below the floor | s below, all "

@@ -12,10 +12,9 @@ generation fly the same seeds, so that luck is common to them. What wins is a tr
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 import numpy as np
-from common import FRESH, MANEUVERS, finish, maneuvers, merge_with, outcomes, told
+from common import FRESH, MANEUVERS, OUT, finish, maneuvers, merge_with, outcomes, told
 
 #: name -> the least, the most, what was written by hand
 PARAMETERS = {
@@ -37,6 +36,7 @@ def main() -> None:
     p.add_argument("--generations", type=int, default=12)
     p.add_argument("--candidates", type=int, default=40)
     p.add_argument("--seeds", type=int, default=24, help="that each candidate flies")
+    p.add_argument("--judged", type=int, default=500, help="fresh seeds at the end")
     p.add_argument("--seed", type=int, default=1)
     given = p.parse_args()
     draw = np.random.default_rng(given.seed)
@@ -54,12 +54,12 @@ def main() -> None:
         mean = 0.3 * mean + 0.7 * elite.mean(0)
         spread = 0.3 * spread + 0.7 * elite.std(0) + 0.01 * (HIGH - LOW)
         print(f"{generation + 1:10} {scores.max():5.2f} {scores.mean():12.2f}", flush=True)
-    by_hand = outcomes(merge_with(tree(BY_HAND)), range(FRESH, FRESH + 500))
-    print(f"written by hand, 500 fresh seeds: {told(by_hand)}")
-    out = Path(__file__).parent / "policies" / "tuned_fight.yaml"
+    by_hand = outcomes(merge_with(tree(BY_HAND)), range(FRESH, FRESH + given.judged))
+    print(f"written by hand, {given.judged} fresh seeds: {told(by_hand)}")
+    out = OUT / "tuned_fight.yaml"
     out.write_text(f"# Found by tune_tree.py: a package for 'include:'.\ntrees:\n  tuned_fight: {tree(mean)}\n")
     print(f"written: {out}")
-    finish("tuned", tree(mean))
+    finish("tuned", tree(mean), given.judged)
 
 
 if __name__ == "__main__":

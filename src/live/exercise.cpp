@@ -262,6 +262,8 @@ void Exercise::tell(Clock::time_point now) {
                {"paused", paused_ || frozen_},
                {"viewers", viewers_},
                {"outcome", enum_name(mission_.outcome())}};
+  if (outside_)
+    news["shared"] = true;
   const auto flown = fresh_.end() - static_cast<std::ptrdiff_t>(not_flown());
   for (auto one = fresh_.begin(); one != flown; ++one)
     news["orders"].push_back(base64_of(*one));

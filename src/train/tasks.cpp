@@ -100,6 +100,7 @@ std::vector<TaskSpec> make() {
                  // time has its price, and winning is worth a risk: else PPO learns to survive
                  .rewards = {{.term = Term::win, .weight = 2},
                              {.term = Term::loss, .weight = -1},
+                             {.term = Term::draw, .weight = -1},
                              {.term = Term::hit, .weight = 0.2},
                              {.term = Term::hit_by, .weight = -0.1},
                              {.term = Term::alive, .weight = -0.02},

@@ -25,6 +25,7 @@ const read = (folder) => {
     const file = `${folder}/${entry.name}`;
     if (entry.isDirectory()) read(file);
     else if (file.endsWith('.yaml')) files[file] = readFileSync(join(home, file), 'utf8');
+    else if (file.endsWith('.safetensors')) files[file] = readFileSync(join(home, file), 'base64');
   }
 };
 read('data');

@@ -179,3 +179,21 @@ test('ends as the program says, and the run that is left is flown again', { skip
   assert.ok(stdout.includes(hash), stdout);
   assert.deepEqual(complaints.filter((one) => !/favicon|^network: http:\/\/127|WebSocket|ws:/.test(one)), []);
 });
+
+test('offers nothing that other programs would have to wait for', { skip: kNoProgram }, async () => {
+  const shared = await serve(['merge', '--ours', 'blue', '--dis', '239.1.2.3:32123', '--paused'], folder);
+  const { page: other } = await open_url(browser, shared.address, { width: 1280, height: 800 });
+  try {
+    await other.waitForSelector('body[data-ready=true]');
+    const play = '.tool.play:not([disabled])', rate_list = '[aria-label="Rate of the mission"]';
+    await other.waitForSelector(`${rate_list}[disabled]`);
+    await other.waitForSelector(play);  // it has not begun
+    await other.keyboard.press(' ');
+    await other.waitForSelector('.tool.play[disabled]');
+    assert.match(await other.$eval(rate_list, (list) => list.getAttribute('title') ?? ''), /do not wait/);
+    assert.ok(await other.$eval('.tool.words', (step) => (step as HTMLButtonElement).disabled));
+  } finally {
+    await other.close();
+    shared.program.kill('SIGKILL');
+  }
+});

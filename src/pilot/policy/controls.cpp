@@ -42,9 +42,13 @@ Vec3 aim_of(const State& s) {
   const double near = std::clamp(2 - gun->range / reach, 0.0, 1.0);
   return normalized(sight + near * (gun->aim - sight), sight);
 }
+/// As shoot_gun with its defaults would fire.
 bool gun_bears(const State& s) {
   const Seen* target = s.target();
-  return target && target->hostile() && in_gun(s);
+  return target && target->hostile() && in_gun(s) &&
+         !friend_in_line(s, {.direction = gun_sight(s, *target)->aim,
+                             .to = target->range + 1000,
+                             .half_angle = radians(3)});
 }
 template <Dispense what>
 void dispense(const State&, double on, Manual& m) {
@@ -123,7 +127,8 @@ constexpr std::array kTypes = std::to_array<ControlType>({
      [](const State&, double on, Manual& m) { m.trigger = on > 0 ? 1 : 0; },
      [](const State& s) { return s.gun.rounds > 0 && s.type.index.gun.has_value(); }},
     {"shoot",
-     "presses the trigger if the target is hostile, within the gun's reach and in its cone of aim",
+     "presses the trigger if the target is hostile, within the gun's reach and in its cone of aim, "
+     "and no friend is in the line of fire",
      {},
      0,
      0,

@@ -119,6 +119,12 @@ TEST(Controls, ShootWhereTheGunBears) {
   EXPECT_EQ(mask("shoot", desk), std::vector<std::uint8_t>{1});
   EXPECT_EQ(flown("shoot", {0.1F}, desk).trigger, true);
   EXPECT_EQ(flown("shoot", {-0.1F}, desk).trigger, false);
+  {
+    Desk pair = desk;
+    pair.in_flight(2, 1);
+    pair.datalink.members[1].position = pair.own.position + Vec3{450, 5, 0};
+    EXPECT_EQ(flown("shoot", {1}, pair).trigger, false) << "a friend is in the line of fire";
+  }
   desk.tracks.tracks[0].position = desk.own.position + Vec3{500, 300, 0};
   EXPECT_EQ(flown("shoot", {1}, desk).trigger, false) << "beside the cone";
   desk.tracks.tracks[0].position = desk.own.position + Vec3{9e3, 0, 0};

@@ -33,14 +33,16 @@ export function LiveControls({ live }: { live: Live }) {
   const following = use_cell(live.present!.following);
   const behind = use_paced(store, ({ time }) => (following ? 0 : Math.round(live.flown - time)));
   const over = live.is_over();
+  const waits = !status.shared && !over;
+  const why = status.shared ? 'Other programs take part, by the clock: they do not wait' : undefined;
   return (
     <>
-      <button type="button" class="tool play" aria-label={status.paused ? 'Play the mission' : 'Pause the mission'} title="Play or pause the mission, for everybody who looks on (space)"
-        disabled={over} onClick={() => live.ask({ do: status.paused ? 'play' : 'pause' })}>
+      <button type="button" class="tool play" aria-label={status.paused ? 'Play the mission' : 'Pause the mission'} title={why ?? 'Play or pause the mission, for everybody who looks on (space)'}
+        disabled={!waits && !(status.paused && !over)} onClick={() => live.ask({ do: status.paused ? 'play' : 'pause' })}>
         <Icon name={status.paused || over ? 'play' : 'pause'} />
       </button>
-      <button type="button" class="tool words" title="Fly a second, and pause" disabled={over} onClick={() => live.ask({ do: 'step', steps: Math.round(1 / live.page!.run.about.dt) })}>+1 s</button>
-      <select aria-label="Rate of the mission" title="Times real time (− +)" value={String(status.rate)} disabled={over}
+      <button type="button" class="tool words" title={why ?? 'Fly a second, and pause'} disabled={!waits} onClick={() => live.ask({ do: 'step', steps: Math.round(1 / live.page!.run.about.dt) })}>+1 s</button>
+      <select aria-label="Rate of the mission" title={why ?? 'Times real time (− +)'} value={String(status.rate)} disabled={!waits}
         onChange={(event) => live.set_rate(Number(event.currentTarget.value))}>
         {(kRates.includes(status.rate) ? kRates : [...kRates, status.rate].sort((a, b) => a - b))
           .map((rate) => <option key={rate} value={String(rate)}>{rate === Infinity ? 'max' : `${rate}×`}</option>)}

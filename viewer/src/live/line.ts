@@ -6,6 +6,7 @@ export interface News extends Grant {
   rate: number | 'max';
   paused: boolean;
   viewers: number;
+  shared?: boolean;  // Other programs take part, which do not wait.
 }
 /** How well the program keeps to the clock; times in s. */
 export interface Pacing {

@@ -13,6 +13,7 @@ export interface Status {
   rate: number;  // Infinity: as fast as it goes.
   paused: boolean;
   viewers: number;
+  shared: boolean;  // Other programs take part: it goes by the clock.
   outcome: string;  // running, or why it is over.
   broken: string;  // Why there is no line to the program now; "" if there is.
 }
@@ -28,7 +29,7 @@ export const kRates = [0.1, 0.25, 0.5, 1, 2, 4, 8, 20, 50, 100, Infinity];
 const kSaid = 6000;
 
 export class Live {
-  readonly status = new Cell<Status>({ rate: 1, paused: true, viewers: 0, outcome: 'running', broken: '' });
+  readonly status = new Cell<Status>({ rate: 1, paused: true, viewers: 0, shared: false, outcome: 'running', broken: '' });
   readonly pacing = new Cell<Pacing | null>(null);
   readonly disagreement = new Cell<Disagreement | null>(null);
   readonly checked = new Cell(-1);  // The last step whose hash was compared.
@@ -58,8 +59,8 @@ export class Live {
     };
   }
 
-  news({ rate, paused, viewers, outcome }: News): void {
-    const now = { rate: rate === 'max' ? Infinity : rate, paused, viewers, outcome, broken: '' };
+  news({ rate, paused, viewers, outcome, shared = false }: News): void {
+    const now = { rate: rate === 'max' ? Infinity : rate, paused, viewers, shared, outcome, broken: '' };
     const before = this.status.get();
     if ((Object.keys(now) as (keyof Status)[]).some((key) => now[key] !== before[key])) this.status.set(now);
     this.tell();
