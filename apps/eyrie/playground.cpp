@@ -12,6 +12,7 @@
 #include "disk/sink.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
+#include "pilot/policy/policy_file.hpp"
 #include "record/json_schema.hpp"
 #include "say.hpp"
 #include "scenario/catalog.hpp"
@@ -34,7 +35,8 @@ constexpr std::string_view kAbout =
 /// Every text below a folder of the installation. Throws disk::Failed.
 void add_texts(const fs::path& home, const char* folder, nlohmann::ordered_json& texts) {
   constexpr std::size_t kLargest = std::size_t{1} << 20;
-  constexpr const char* kNetwork = ".safetensors";  // no text: in base64, as scenario::Source has it
+  constexpr auto kNetwork =
+      pilot::PolicyFile::kEnding;  // no text: in base64, as scenario::Source has it
   std::vector<fs::path> files;
   std::error_code failed;
   for (const auto& entry : fs::recursive_directory_iterator(home / folder, failed))

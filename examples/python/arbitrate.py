@@ -20,7 +20,7 @@ if __name__ == "__main__":
     p.add_argument("--seed", type=int, default=1)
     given = p.parse_args()
     policy = OUT / "merge_votes.safetensors"
-    train("merge_votes", given.minutes, given.seed, 512, 2, ["dogfight"], policy)
+    train("merge_votes", given.minutes, given.seed, 256, 1, ["dogfight"], policy)
     by_hand = outcomes(merge_with("tree: arbitrated"), range(FRESH, FRESH + 500))
     print(f"the votes written by hand, 500 fresh seeds: {told(by_hand)}")
     finish("merge_votes", tree_of("merge_votes", policy))

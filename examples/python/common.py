@@ -64,21 +64,22 @@ class Curve:
         self.rows: list[tuple[float, int, int, float, float, float]] = []
         print(f"{'minute':>7} {'decisions':>12} {'episodes':>9}   won  lost drawn")
 
-    def add(self, minutes: float, decisions: int, won: list[int], last: bool = False) -> None:
-        """`won`: of every episode so far 1, 0 or -1."""
-        if time.monotonic() - self.told < 30 and not last:
-            return
+    def add(self, minutes: float, decisions: int, won: list[int]) -> bool:
+        """`won`: of every episode so far 1, 0 or -1. True where it has never been better: most won less lost."""
+        if time.monotonic() - self.told < 30:
+            return False
         self.told = time.monotonic()
         new = won[self.seen :]
         self.seen = len(won)
         if not new:
-            return
+            return False
         of = [new.count(x) / len(new) for x in (1, -1, 0)]
         self.rows.append((round(minutes, 2), decisions, len(won), *(round(x, 3) for x in of)))
         print(f"{minutes:7.1f} {decisions:12,} {len(won):9,}  " + " ".join(f"{x:5.0%}" for x in of), flush=True)
         with open(self.file, "w", newline="") as out:
             csv.writer(out).writerows(
                 [("minutes", "decisions", "episodes", "won", "lost", "drawn"), *self.rows])
+        return of[0] - of[1] >= max(r[3] - r[4] for r in self.rows)
 
     def draw(self, title: str) -> None:
         import matplotlib

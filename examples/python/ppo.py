@@ -12,6 +12,7 @@ other as hard as it can, at any speed, and releases its missile at random.
 from __future__ import annotations
 
 import argparse
+import copy
 import os
 import time
 from pathlib import Path
@@ -154,17 +155,17 @@ def train(task: str, minutes: float, seed: int, worlds: int, threads: int,
     env = envs.VectorEnv(task, worlds, threads=threads, opponents={"bandit1": opponents})
     learner = Learner(env.single_observation_space.shape[0], env.actions)
     flights, curve = Flights(env, seed), Curve(out.with_suffix(".csv"))
-    begun, decisions = time.monotonic(), 0
+    begun, decisions, best = time.monotonic(), 0, learner.actor
     while (spent := (time.monotonic() - begun) / 60) < minutes:
         for group in learner.optimizer.param_groups:
             group["lr"] = learner.rate * max(1 - spent / minutes, 0.05)
         flown = flights.fly(learner)
         decisions += len(flown[0])
+        if curve.add(spent, decisions, flights.won):
+            best = copy.deepcopy(learner.actor)
         learner.learn(*flown)
-        curve.add(spent, decisions, flights.won)
-    curve.add(minutes, decisions, flights.won, last=True)
     curve.draw(f"PPO on {task}, seed {seed}")
-    save_policy(out, learner.actor, [(0, "tanh"), (2, "tanh"), (4, "none")], env.policy_words)
+    save_policy(out, best, [(0, "tanh"), (2, "tanh"), (4, "none")], env.policy_words)
     env.close()
 
 

@@ -219,15 +219,15 @@ def test_a_policy_that_was_saved_flies_as_in_training(tmp_path: Path) -> None:
         env.step(np.array(numbers, np.float32))
     trained = env.episode()
     flown = eyrie.fly(
+        str(tmp_path / "flown.yaml"),
         text=f"""
-extends: tasks/merge.yaml
+extends: eyrie:scenarios/tasks/merge.yaml
 name: flown
 seed: {trained.seed}
 insert:
   trees.learned: {{policy: {{file: {file}}}}}
 replace: {{blue.flights.viper.tree: learned}}
 """,
-        name=str(tmp_path / "flown.yaml"),
         until=30,
     )
     one, other = (run.tracks("viper1", every=1) for run in (trained, flown))

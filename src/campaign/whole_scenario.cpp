@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "campaign/factor.hpp"
+#include "pilot/policy/policy_file.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -29,14 +30,23 @@ void write(const Value& value, std::size_t indent, std::string& out) {
   }
 }
 
-/// One path, or a list of them.
-void make_absolute(Value& plugins) {
-  for (Value& item : plugins.items)
-    make_absolute(item);
-  if (plugins.is_scalar())
-    plugins.text =
-        std::filesystem::absolute(scenario::relative_to(plugins.where.file.text(), plugins.text))
-            .string();
+/// Of every file that is named, as far as `is_file` says so, its whole path.
+void make_absolute(Value& value, bool (*is_file)(const std::string&)) {
+  for (Value& item : value.items)
+    make_absolute(item, is_file);
+  for (Value::Entry& e : value.entries)
+    make_absolute(e.value, is_file);
+  if (!value.is_scalar() || !is_file(value.text))
+    return;
+  const std::string file = scenario::relative_to(value.where.file.text(), value.text);
+  value.text =
+      file.starts_with(scenario::Source::kOwn) ? file : std::filesystem::absolute(file).string();
+}
+bool is_any(const std::string&) {
+  return true;
+}
+bool is_network(const std::string& name) {
+  return name.ends_with(pilot::PolicyFile::kEnding);
 }
 
 }  // namespace
@@ -53,7 +63,9 @@ std::string whole_scenario(const std::string& file, const std::vector<std::strin
   std::string text;
   for (Value::Entry& e : document.entries) {
     if (e.key == "plugins")
-      make_absolute(e.value);
+      make_absolute(e.value, is_any);
+    else if (e.key == "trees")
+      make_absolute(e.value, is_network);
     text += yaml_text(Value::scalar(e.key)) + ":";
     write(e.value, 2, text);
   }

@@ -6,7 +6,7 @@
 namespace eyrie::campaign {
 
 /// The text of a scenario that flies as `file` does with these overrides: what that includes stands
-/// in it, and plug-ins by their whole path. Throws ConfigError.
+/// in it, and plug-ins and networks by their whole path. Throws ConfigError.
 [[nodiscard]] std::string whole_scenario(const std::string& file,
                                          const std::vector<std::string>& sets,
                                          scenario::Source source);

@@ -149,7 +149,7 @@ std::vector<std::string> Source::data_names(std::string_view kind) const {
 }
 
 std::string relative_to(std::string_view file, std::string_view name) {
-  if (name.starts_with('/'))
+  if (name.starts_with('/') || name.starts_with(Source::kOwn))
     return std::string(name);
   return (fs::path(file).parent_path() / fs::path(name)).lexically_normal().generic_string();
 }

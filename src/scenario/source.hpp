@@ -101,7 +101,8 @@ class Source {
 /// other: for model::weapon::KeptZones::take().
 [[nodiscard]] std::string launch_zones(const std::string& home);
 
-/// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays.
+/// "folder/of/file.yaml" + "other.yaml" -> "folder/of/other.yaml"; an absolute name stays, and one
+/// of Eyrie's own ("eyrie:scenarios/sweep.yaml").
 [[nodiscard]] std::string relative_to(std::string_view file, std::string_view name);
 
 /// Whether a file is none to fly but one to include: it holds trees, data and plugins alone.

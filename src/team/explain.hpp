@@ -52,7 +52,10 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     answer.vote = row.proposal.vote;
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
-    answer.why = row.ticked ? why(tree, trace, index) : "";
+    std::string said = row.ticked ? why(tree, trace, index) : "";
+    // who fails without a word has failed for what its kind says of all
+    if (!said.empty() || !row.ticked || row.status != ubf::Status::failure)
+      answer.why = std::move(said);
   }
   return all;
 }

@@ -180,7 +180,7 @@ TEST(VectorEnv, TellsAnEndByDeathFromAnEndByTime) {
   std::vector<float> sum{0};
   while (!t.over[0]) {
     t.act();
-    t.actions = {0, -1, 1, -1, -1};
+    t.actions = {0, -1, 1, 1, -1, -1};
     t.env.step(t.actions, t.arrays());
     sum[0] += t.rewards[0];
     ASSERT_LT(t.decisions, 2000U);

@@ -88,7 +88,7 @@ TEST(Completion, KnowsCommandsOptionsScenariosRunsAndPlayers) {
   const TempFolder folder;
   ASSERT_EQ(run_program(folder, {"fly", "merge", "--until", "5 s", "--no-debrief"}).code, 0);
   EXPECT_EQ(offered(folder, {"ex"}), "explain\nexport\n");
-  EXPECT_EQ(offered(folder, {"fly", "me"}), "merge\n");
+  EXPECT_EQ(offered(folder, {"fly", "dr"}), "drill\n");
   EXPECT_EQ(offered(folder, {"fly", "--see"}), "--seed\n--seeds\n");
   EXPECT_EQ(offered(folder, {"explain", "runs/"}), "runs/latest\nruns/merge-8\n");
   EXPECT_EQ(offered(folder, {"explain", "runs/latest", "--player", "v"}), "viper1\n");
@@ -105,9 +105,9 @@ TEST(Completion, WorksInBash) {
   const Ran ran =
       run_line(folder, "eyrie completion bash >c && PATH=\"" +
                            std::filesystem::path(program_path()).parent_path().string() +
-                           ":$PATH\" bash -c '. ./c; COMP_WORDS=(eyrie fly me); COMP_CWORD=2; "
-                           "_eyrie eyrie me fly; echo \"${COMPREPLY[@]}\"'");
-  EXPECT_EQ(ran.out, "merge\n") << ran.err;
+                           ":$PATH\" bash -c '. ./c; COMP_WORDS=(eyrie fly dr); COMP_CWORD=2; "
+                           "_eyrie eyrie dr fly; echo \"${COMPREPLY[@]}\"'");
+  EXPECT_EQ(ran.out, "drill\n") << ran.err;
 }
 
 TEST(Manual, HasEveryCommand) {

@@ -32,6 +32,7 @@ struct PolicyFile {
   std::optional<Votes> votes;
 
   static constexpr std::string_view kVersion = "1";
+  static constexpr std::string_view kEnding = ".safetensors";  ///< of its name
 
   /// Nothing after reporting every mistake, as far as it can be seen.
   [[nodiscard]] static std::optional<PolicyFile> read(std::string bytes, FileName file,
