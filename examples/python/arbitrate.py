@@ -21,6 +21,6 @@ if __name__ == "__main__":
     given = p.parse_args()
     policy = OUT / "merge_votes.safetensors"
     train("merge_votes", given.minutes, given.seed, 256, 1, ["dogfight"], policy)
-    by_hand = outcomes(merge_with("tree: arbitrated"), range(FRESH, FRESH + 500))
+    by_hand = outcomes(merge_with("{tree: arbitrated}"), range(FRESH, FRESH + 500))
     print(f"the votes written by hand, 500 fresh seeds: {told(by_hand)}")
     finish("merge_votes", tree_of("merge_votes", policy))
