@@ -154,20 +154,13 @@ def finish(name: str, tree: str, seeds: int = 500) -> None:
     count = outcomes(merge_with(tree), range(FRESH, FRESH + seeds))
     print(f"against the veteran, {seeds} fresh seeds: {told(count)}")
 
-    # in the sweep it fights within visual range, under what keeps it off the ground and out of missiles
+    # in the sweep it fights within visual range, under what keeps it off the ground
     sweep = f"""
 extends: sweep.yaml
 name: learned_sweep
-insert: {{trees.learned: {tree}}}
-replace:
-  trees.fight:
-    winner_takes_all:
-      - tree: evade
-      - avoid_collision: {{vote: 95, miss: 80 m, warning: 1.2 s}}
-      - avoid_ground: {{vote: 100}}
-      - guard: {{when: has_target, child: {{tree: learned}}}}
-      - reacquire: {{vote: 20}}
-      - navigate: {{vote: 1}}
+insert:
+  trees.learned: {{winner_takes_all: [{{avoid_ground: {{vote: 100}}}}, {tree}]}}
+replace: {{trees.veteran.sequencer.trees.wvr: {{tree: learned}}}}
 """
     run = eyrie.fly(load(sweep))
     folder = run.save(OUT / f"learned-{name}", replace=True)
