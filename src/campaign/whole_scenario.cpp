@@ -5,6 +5,7 @@
 
 #include "campaign/factor.hpp"
 #include "pilot/policy/policy_file.hpp"
+#include "scenario/node_files.hpp"
 
 namespace eyrie::campaign {
 namespace {
@@ -38,7 +39,7 @@ void make_absolute(Value& value, bool (*is_file)(const std::string&)) {
     make_absolute(e.value, is_file);
   if (!value.is_scalar() || !is_file(value.text))
     return;
-  const std::string file = scenario::relative_to(value.where.file.text(), value.text);
+  const std::string file = scenario::file_named(value);
   value.text =
       file.starts_with(scenario::Source::kOwn) ? file : std::filesystem::absolute(file).string();
 }

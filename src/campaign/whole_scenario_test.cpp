@@ -24,6 +24,15 @@ TEST(WholeScenario, FliesAsTheOneItWasMadeOf) {
       fly(scenario::load({.file = "scenarios/sweep.yaml", .sets = {"until=6 min"}}, disk), 1).hash);
 }
 
+TEST(WholeScenario, FindsANetworkThatAnOptionNamed) {
+  scenario::Source disk = scenario::Source::disk(".");
+  const std::string text = whole_scenario(
+      "scenarios/merge.yaml",
+      {"trees.dogfight={policy: {file: scenarios/policies/merge.safetensors}}"}, disk);
+  disk.add("elsewhere/whole.yaml", text);
+  EXPECT_NO_THROW(static_cast<void>(scenario::load({.file = "elsewhere/whole.yaml"}, disk)));
+}
+
 TEST(WholeScenario, KeepsEveryScenario) {
   for (const auto& entry : std::filesystem::directory_iterator("scenarios")) {
     if (entry.path().extension() != ".yaml")

@@ -5,10 +5,13 @@
 
 namespace eyrie::scenario {
 
+std::string file_named(const Value& name) {
+  const std::string_view asker = name.where.file.text();
+  return asker.starts_with("--") ? name.text : relative_to(asker, name.text);
+}
+
 std::optional<std::string> NodeFiles::read(const Value& name, Diagnostics& diagnostics) {
-  const std::string asker(name.where.file.text());
-  const bool typed = asker.starts_with("--");
-  const std::string path = typed ? name.text : relative_to(asker, name.text);
+  const std::string asker(name.where.file.text()), path = file_named(name);
   auto bytes = source_.read_bytes(path);
   if (bytes && bytes->size() <= Source::kLargestBytes)
     return bytes;

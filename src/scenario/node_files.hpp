@@ -5,6 +5,10 @@
 
 namespace eyrie::scenario {
 
+/// The file that a value names: from the folder of the file that it stands in, or, typed as part of
+/// an option, as it was typed.
+[[nodiscard]] std::string file_named(const Value& name);
+
 /// The files that nodes of a scenario are made of, such as networks: beside the file that names
 /// them, or, named by an option, as it was typed. They go into run files as the others do.
 class NodeFiles final : public ubf::NodeFiles {
