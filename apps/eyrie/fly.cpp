@@ -27,6 +27,9 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
   const bool live = !options.tacview.empty() || !options.dis.empty();
   if (const double rate = options.real_time.value_or(live ? 1 : 0); rate > 0)
     pacing.emplace(mission.run().simulation().dt() / rate, begun);
+  net::Precedence precedence;
+  precedence.ask(pacing.has_value());
+  flight.timing().came_first = precedence.permitted();
   for (;;) {
     if (pacing) {
       net::sleep_until(pacing->due(), interrupted);

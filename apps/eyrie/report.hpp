@@ -15,6 +15,7 @@ namespace eyrie::app {
 struct Timing {
   double wall = 0;                      ///< s
   std::optional<net::Pacing> pacing{};  ///< if that was asked for
+  bool came_first = false;              ///< before all others of the machine: net::Precedence
   std::optional<net::TelemetryHost::Counts> tacview{};
   std::optional<Broadcast::Counts> dis{};
 };

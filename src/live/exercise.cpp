@@ -71,6 +71,7 @@ void Exercise::fly(const Enough& enough) {
     if (enough())
       mission_.stop();
     const bool runs = !paused_ && single_ == 0, paced = runs && rate_ > 0;
+    precedence_.ask(paced);
     if (mission_.outcome() == scenario::Outcome::running) {
       tell_when_due();
       if (!runs && single_ == 0) {
@@ -96,6 +97,7 @@ void Exercise::fly(const Enough& enough) {
     if (single_ && --single_ == 0)
       changed_ = true;
   }
+  precedence_.ask(false);
   over_ = changed_ = true;
   tell(Clock::now());
 }

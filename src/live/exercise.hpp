@@ -43,6 +43,7 @@ class Exercise {
 
   [[nodiscard]] const net::WebHost& host() const { return host_; }
   [[nodiscard]] const net::Pacing& pacing() const { return pacing_; }
+  [[nodiscard]] bool came_first() const { return precedence_.permitted(); }
 
  private:
   [[nodiscard]] net::WebOptions with_channel(net::WebOptions web);
@@ -72,6 +73,7 @@ class Exercise {
   record::RunFile run_;
   sim::TrailRecorder trail_{false};
   net::Pacing pacing_;
+  net::Precedence precedence_;  ///< of the thread that flies
   double rate_;
   Outside outside_;
   bool paused_, over_ = false, frozen_ = false;

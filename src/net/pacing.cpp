@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "net/pacing.hpp"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -58,6 +60,18 @@ void Pacing::made(Clock::time_point begun, Clock::time_point done) {
   paced_ += frame_;
   if (done > due())  // which is that of the next frame now
     ++missed_;
+}
+
+void Precedence::ask(bool wanted) {
+  if (wanted == asked_)
+    return;
+  asked_ = wanted;
+  // a low one of the 99: threads of the kernel and of sound come first
+  const sched_param priority{.sched_priority = wanted ? 10 : 0};
+  const int policy = (wanted ? SCHED_FIFO : SCHED_OTHER) | SCHED_RESET_ON_FORK;
+  const bool done = sched_setscheduler(0, policy, &priority) == 0;
+  if (wanted)
+    permitted_ = done;
 }
 
 void sleep_until(Clock::time_point due, const std::function<bool()>& enough) {
