@@ -179,13 +179,17 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
   if (std::find(names_.begin(), names_.end(), wish.scenario) == names_.end())
     return "there is no scenario " + quote(wish.scenario);
   try {
-    chosen = {load_scenario(wish.scenario, wish.sets, {}, {}), wish.seed};
+    std::vector<std::string> sets = wish.sets;
+    sets.insert(sets.end(), ours_.begin(), ours_.end());
+    chosen = {load_scenario(wish.scenario, sets, {}, {}), wish.seed};
   } catch (const std::exception& error) {
     return words_for(error);
   }
-  return !chosen.scenario->plugins.empty() ? "it uses plug-ins, which browsers cannot"
-         : chosen.scenario->remote         ? "some of its players are another program's"
-                                           : "";
+  if (!chosen.scenario->plugins.empty())
+    return "it uses plug-ins, which browsers cannot";
+  if (chosen.scenario->remote && !linked_)
+    return "some of its players are another program's, of whom 'eyrie serve --dis' hears";
+  return "";
 }
 
 std::optional<Choice> Home::ask(net::WebHost& host) {

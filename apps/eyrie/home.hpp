@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -22,6 +23,8 @@ struct Choice {
 /// Makes a site the home page, with the debrief pages of the runs in runs/.
 class Home {
  public:
+  /// `linked`: others are heard by DIS; `ours`: an override that holds for each scenario, or none.
+  Home(bool linked, std::vector<std::string> ours) : linked_(linked), ours_(std::move(ours)) {}
   /// The thread of the network uses it as long as there is a host of that site.
   void furnish(net::WebOptions& site);
   /// Until somebody has chosen a scenario that can be flown; nothing if it was interrupted.
@@ -37,6 +40,8 @@ class Home {
   std::string hear(net::ViewerId who, std::string_view text);
   [[nodiscard]] std::string problem(const Wish& wish, Choice& chosen) const;
 
+  bool linked_;
+  std::vector<std::string> ours_;
   std::vector<std::string> names_;  ///< of the scenarios
   std::string scenarios_;           ///< what the page is told of them
   live::Mailbox<Wish> wishes_{16};

@@ -159,11 +159,11 @@ int serve_scenario(const ServeOptions& options) {
 
 /// The home page, and what is chosen there, one after the other.
 int serve_home(const ServeOptions& options) {
-  if (options.flight.seed || !overrides(options.flight).empty())
-    refuse("eyrie: --seed, --set and --ours are for a scenario; the home page asks for them");
+  if (options.flight.seed || !options.flight.sets.empty())
+    refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
   listen_for_interrupts();
   Place place(options);
-  Home home;
+  Home home(!options.flight.dis.empty(), overrides(options.flight));
   for (int code = 0;;) {
     net::WebOptions web = site(place, "");
     home.furnish(web);

@@ -37,6 +37,8 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   read_opponents();
   const double dt = scenario_->simulation->dt();
   period_ = sim::period_steps(scenario_->spec.rates.decisions, dt).steps;
+  while (!sim::due(lead_, learners_.front().id, period_))
+    ++lead_;
   seconds_ = period_ * dt;
   shape_ = {options_.envs, learners_.size(), observation_.size(), action_names_.size()};
 

@@ -147,7 +147,9 @@ void VectorEnv::command(Slot& slot, std::size_t agent, const float* action,
 void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
   for (Slot::Agent& agent : slot.agents)
     agent.merit = {};
-  for (std::uint32_t i = 0; i < period_ && slot.outcome == scenario::Outcome::running; ++i) {
+  // the first one waits for the learner's decision: those behind it then begin where they end
+  const std::uint32_t wait = slot.world.step() == 0 ? lead_ : 0;
+  for (std::uint32_t i = 0; i < wait + period_ && slot.outcome == scenario::Outcome::running; ++i) {
     // the orders of this step: the scenario's own, then those of the decision
     const std::uint64_t step = slot.world.step();
     lane.orders.clear();
@@ -162,9 +164,10 @@ void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
         lane.orders.push_back(
             pilot::PilotSystem::swap_tree_order(0, choice.player, choice.trees[pick]));
       }
-    if (i == 0)
+    if (i == wait)
       for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-        if (slot.agents[agent].alive)
+        if (slot.agents[agent].alive &&
+            slot.world.row(scenario_->aircraft.table, learners_[agent].id))
           command(slot, agent, actions + agent * shape_.action, lane.orders);
     if (slot.kept)
       slot.orders.insert(slot.orders.end(), lane.orders.begin(), lane.orders.end());

@@ -48,9 +48,9 @@ struct Finished {
 /// N worlds of one task. A decision of every learner, at the scenario's rate, is one step.
 ///
 /// An action is a number in [-1, 1] for each control or vote, see pilot::Controls; what is beyond
-/// is taken as the bound. It becomes an order (manual, or vote) at the next step of the world, so
-/// that the orders of an episode are its recording. The observation is what the agent perceives
-/// between two steps. An episode ends when the scenario does, or when no learner is left; then the
+/// is taken as the bound. It becomes an order (manual, or vote) of the step in which the first
+/// learner decides, so that the orders of an episode are its recording. The observation is what the
+/// agent perceives between two steps. An episode ends when the scenario does, or when no learner is left; then the
 /// next one begins in the same call (same-step auto-reset).
 ///
 /// The same (task, seed, actions) give the same bits whatever the number of workers. A step
@@ -144,6 +144,7 @@ class VectorEnv {
   std::vector<Choice> choices_;
   Shape shape_;
   std::uint32_t period_ = 5;  ///< steps of the world
+  std::uint32_t lead_ = 0;    ///< of its steps, until the first learner decides
   double seconds_ = 0.1;
   std::size_t room_ = 0;  ///< for the orders of the longest episode
   std::vector<Slot> slots_;

@@ -229,6 +229,23 @@ TEST(VectorEnv, WritesEpisodesThatFlyAgainToTheSameWorld) {
   }
 }
 
+TEST(VectorEnv, FliesAnActionInTheStepThatFollowsItsObservation) {
+  Trainer t(brief("merge", 14), {.envs = 1, .seed = 3});
+  for (int i = 0; i < 40; ++i)
+    t.step();
+  const auto& scenario = t.env.scenario();
+  const auto id = *scenario.roster.find("viper1");
+  const auto period = static_cast<std::uint32_t>(t.env.seconds() / scenario.simulation->dt() + 0.5);
+  const record::RunFile run = t.env.episode(0);
+  const auto commands =
+      std::count_if(run.orders.begin(), run.orders.end(), [&](const sim::Order& order) {
+        return order.player == id && sim::due(order.step, id, period);
+      });
+  EXPECT_GE(commands, 40);
+  EXPECT_EQ(commands, static_cast<long>(run.orders.size()));
+  EXPECT_TRUE(sim::due(t.env.world(0).step(), id, period)) << "what it observes now";
+}
+
 TEST(VectorEnv, DrawsAnOpponentForEachEpisode) {
   TaskSpec spec = brief("merge", 2);
   spec.opponents = {{"bandit1", {"dogfight", "bug_out"}}};

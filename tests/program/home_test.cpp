@@ -76,5 +76,27 @@ TEST(Home, ThrowsOutWhoWantsSomethingElse) {
   }
 }
 
+TEST(Home, TakesPartInAnExercise) {
+  const std::string at = "239.30.12.86:30186";
+  Served home({"--ours", "blue", "--dis", at, "--dis-station", "1.1.1"});
+  Running red(home.folder, {"fly", "merge", "--ours", "red", "--dis", at, "--dis-station", "1.1.2",
+                            "--until", "5 min", "--out", "red", "--no-debrief"});
+  const Json fly{{"do", "fly"}, {"scenario", "merge"}, {"sets", {"until=5 s"}}};
+  LiveChannel channel(home.port);
+  channel.say(fly);
+  EXPECT_EQ(Json::parse(channel.next().data)["flies"], "merge");
+  ASSERT_TRUE(soon([&] { return home.ask("/api/scenarios").starts_with("HTTP/1.1 404 "); }));
+  LiveViewer viewer(home.port);
+  EXPECT_EQ(viewer.follow_to_the_end()["shared"], true);
+  EXPECT_TRUE(viewer.scenario().remote);
+  EXPECT_GE(viewer.orders(), 2u) << "what was heard of red";
+
+  Served alone({});
+  LiveChannel other(alone.port);
+  other.say({{"do", "fly"}, {"scenario", "merge"}, {"sets", {"ours=[blue]"}}});
+  EXPECT_EQ(Json::parse(other.next().data)["refused"],
+            "some of its players are another program's, of whom 'eyrie serve --dis' hears");
+}
+
 }  // namespace
 }  // namespace eyrie::test

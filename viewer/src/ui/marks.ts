@@ -55,7 +55,7 @@ export interface Cluster {
 
 /** rem: half of a glyph, a digit of a number, what is between the two, and between one glyph and the next. */
 export const kHalfGlyph = 0.5;
-const kDigit = 0.52;
+const kDigit = 0.57;
 export const kBeside = 0.08;
 const kGap = 0.2;
 
