@@ -137,6 +137,10 @@ TEST(TensorFile, RefusesWhatIsCutOrLies) {
   const std::string good = Safetensors().linear("a", 3, 5, 1).bytes();
   EXPECT_EQ(mistakes(good.substr(0, good.size() - 1)),
             "t: tensor 'a.bias' is at 60 to 80 of 79 bytes");
+  EXPECT_EQ(mistakes(good + "1234"), "t: 4 bytes behind the last tensor");
+  EXPECT_EQ(headed(R"({"a":{"dtype":"F32","shape":[2],"data_offsets":[0,8]},)"
+                   R"("b":{"dtype":"F32","shape":[3],"data_offsets":[4,16]}})"),
+            "t: tensor 'b' does not begin where the one before it ends");
   EXPECT_EQ(headed("[1]"), "t: the header is no JSON object");
   EXPECT_EQ(headed(R"({"a":{"dtype":"F32","shape":[2]}})"),
             "t: tensor 'a' needs dtype, shape and data_offsets");

@@ -72,6 +72,27 @@ std::string read_tensor(const Value::Entry& entry, std::string_view data, Tensor
   return {};
 }
 
+/// By the format's rule the tensors fill the data, without a hole and none over another; or "".
+std::string problem_of_places(const std::vector<Tensor>& tensors, std::string_view data) {
+  std::vector<const Tensor*> in_order;
+  for (const Tensor& tensor : tensors)
+    in_order.push_back(&tensor);
+  std::sort(in_order.begin(), in_order.end(), [](const Tensor* a, const Tensor* b) {
+    return std::pair(a->bytes.data(), a->bytes.size()) <
+           std::pair(b->bytes.data(), b->bytes.size());
+  });
+  const char* at = data.data();
+  for (const Tensor* tensor : in_order) {
+    if (tensor->bytes.data() != at)
+      return fmt::format("tensor {} does not begin where the one before it ends",
+                         quote(tensor->name));
+    at += tensor->bytes.size();
+  }
+  const auto left = data.data() + data.size() - at;
+  return left ? fmt::format("{} {} behind the last tensor", left, left == 1 ? "byte" : "bytes")
+              : "";
+}
+
 }  // namespace
 
 std::string Tensor::shape_text() const {
@@ -109,6 +130,9 @@ std::optional<TensorFile> TensorFile::read(std::string bytes, FileName file,
       diagnostics.error({file}, problem);
     out.tensors_.push_back(std::move(tensor));
   }
+  if (diagnostics.count() == before)
+    if (const std::string problem = problem_of_places(out.tensors_, data); !problem.empty())
+      diagnostics.error({file}, problem);
   return diagnostics.count() == before ? std::optional(std::move(out)) : std::nullopt;
 }
 
