@@ -28,12 +28,11 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
   if (const double rate = options.real_time.value_or(live ? 1 : 0); rate > 0)
     pacing.emplace(mission.run().simulation().dt() / rate, begun);
   net::Precedence precedence;
-  precedence.ask(pacing.has_value());
-  flight.timing().came_first = precedence.permitted();
   for (;;) {
     if (pacing) {
       net::sleep_until(pacing->due(), interrupted);
       begun = Clock::now();
+      precedence.ask(pacing->is_kept(begun));
     }
     for (listen(flight); flight.frozen() && !interrupted(); listen(flight))
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -44,6 +43,7 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
     if (interrupted() || flight.broken())
       mission.stop();
   }
+  flight.timing().came_first = precedence.permitted();
 }
 
 }  // namespace

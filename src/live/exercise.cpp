@@ -71,7 +71,7 @@ void Exercise::fly(const Enough& enough) {
     if (enough())
       mission_.stop();
     const bool runs = !paused_ && single_ == 0, paced = runs && rate_ > 0;
-    precedence_.ask(paced);
+    precedence_.ask(paced && pacing_.is_kept(Clock::now()));
     if (mission_.outcome() == scenario::Outcome::running) {
       tell_when_due();
       if (!runs && single_ == 0) {

@@ -50,6 +50,8 @@ class Pacing {
 
   /// When the next frame may begin.
   [[nodiscard]] Clock::time_point due() const { return due(frames()); }
+  /// Whether what is to be caught up is less than half of `behind`.
+  [[nodiscard]] bool is_kept(Clock::time_point now) const { return now < due() + behind_ / 2; }
   /// The next frame began and was done then.
   void made(Clock::time_point begun, Clock::time_point done);
 
@@ -81,8 +83,8 @@ class Pacing {
 };
 
 /// Lets the thread that made it run before all others of the machine (SCHED_FIFO) while it waits
-/// for the clock, where the system permits that: root does, and RLIMIT_RTPRIO (`ulimit -r`).
-/// Threads that it starts do not inherit it.
+/// for the clock, where the system permits that: root does, and RLIMIT_RTPRIO (`ulimit -r`). Threads
+/// that it starts do not inherit it. Who falls behind should not ask for it: he never waits.
 class Precedence {
  public:
   Precedence() = default;

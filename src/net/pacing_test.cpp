@@ -78,6 +78,7 @@ TEST(Pacing, CountsALateFrameAndCatchesUp) {
   Machine machine;
   machine.frames(10, milliseconds(1));
   machine.frame(milliseconds(50));  // begins at 0.2 s, done at 0.25 s: the next two begin late
+  EXPECT_TRUE(machine.pacing.is_kept(machine.now)) << "0.03 s of at most 0.1";
   machine.frames(10, milliseconds(1));
   EXPECT_EQ(machine.pacing.missed(), 2u) << "the frame itself, and the one due while it ran";
   EXPECT_NEAR(machine.pacing.late().max(), 0.03, 1e-9);
@@ -109,6 +110,7 @@ TEST(Pacing, SaysOfAMachineThatIsTooSlowThatItIs) {
   Machine machine;
   machine.frames(1000, milliseconds(30));
   EXPECT_EQ(machine.pacing.missed(), 1000u);
+  EXPECT_FALSE(machine.pacing.is_kept(machine.now));
   EXPECT_NEAR(machine.pacing.given_up(), 1000 * 0.01 - 0.2, 0.05) << "30 s instead of 20";
   EXPECT_NEAR(machine.pacing.work().mean() / machine.pacing.frame(), 1.5, 1e-9);
 }
