@@ -83,8 +83,9 @@ class Pacing {
 };
 
 /// Lets the thread that made it run before all others of the machine (SCHED_FIFO) while it waits
-/// for the clock, where the system permits that: root does, and RLIMIT_RTPRIO (`ulimit -r`). Threads
-/// that it starts do not inherit it. Who falls behind should not ask for it: he never waits.
+/// for the clock, where the system permits that: root does, and RLIMIT_RTPRIO (`ulimit -r`).
+/// Threads that it starts do not inherit it. Who falls behind should not ask for it: he never
+/// waits.
 class Precedence {
  public:
   Precedence() = default;

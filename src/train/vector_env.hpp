@@ -50,8 +50,8 @@ struct Finished {
 /// An action is a number in [-1, 1] for each control or vote, see pilot::Controls; what is beyond
 /// is taken as the bound. It becomes an order (manual, or vote) of the step in which the first
 /// learner decides, so that the orders of an episode are its recording. The observation is what the
-/// agent perceives between two steps. An episode ends when the scenario does, or when no learner is left; then the
-/// next one begins in the same call (same-step auto-reset).
+/// agent perceives between two steps. An episode ends when the scenario does, or when no learner is
+/// left; then the next one begins in the same call (same-step auto-reset).
 ///
 /// The same (task, seed, actions) give the same bits whatever the number of workers. A step
 /// allocates nothing, not even where an episode begins.
