@@ -6,11 +6,12 @@ import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)));
-const [program, ...asked] = process.argv.slice(2);
+const [named, ...asked] = process.argv.slice(2);
+const program = resolve(named);  // it is started in another folder
 const { default: puppeteer } = await import(createRequire(join(root, 'viewer/package.json')).resolve('puppeteer-core'));
 const seconds = Number(process.env['EYRIE_BENCH_SECONDS'] ?? 60);
 const rows = asked.length ? asked : ['6,alone,0', '100,alone,0', '100,dis,0', '100,dis,1', '100,dis,3', '1000,dis,3'];
@@ -62,7 +63,7 @@ async function row(words, folder) {
   const mission = spawn(program, ['serve', file, ...options], { cwd: folder, stdio: ['ignore', 'pipe', 'pipe'] });
   let said = '';
   for (const stream of [mission.stdout, mission.stderr]) stream.on('data', (more) => { said += more; });
-  const ended = new Promise((done) => mission.on('exit', done));
+  const ended = new Promise((done) => mission.on('close', done));
   const stop = () => mission.kill('SIGKILL');
   process.on('exit', stop);
   while (!/http:\/\/[^ ]*/.test(said)) await rest(50);
@@ -93,8 +94,8 @@ async function row(words, folder) {
   process.off('exit', stop);
   const line = (what) => said.split('\n').find((one) => one.includes(what))?.replace(/^eyrie: /, '') ?? '';
   console.log(`${words.padEnd(12)} ${line('by the clock')}${dis === 'dis' ? `\n${' '.repeat(13)}${line('DIS: ')}` : ''}
-${' '.repeat(13)}${line('pages sent')}${lookers.length ? `\n${' '.repeat(13)}${differ ? `THE PAGES DIFFER ${differ} times` : 'every page had the same world'}, ${behind.toFixed(1)} s behind at most` : ''}`);
-  if (code || differ) process.exitCode = 1;
+${' '.repeat(13)}${line(' to them, ')}${lookers.length ? `\n${' '.repeat(13)}${differ ? `THE PAGES DIFFER ${differ} times` : 'every page had the same world'}, ${behind.toFixed(1)} s behind at most` : ''}`);
+  if (code !== 130 || differ) process.exitCode = 1;  // 128 + SIGINT
 }
 
 const folder = mkdtempSync(join(tmpdir(), 'eyrie-bench-'));
