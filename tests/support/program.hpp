@@ -126,8 +126,16 @@ class Running {
       p.push_back(nullptr);
       return p;
     };
-    const int failed = ::posix_spawn(&child_, words[0].c_str(), &actions, nullptr,
+    posix_spawnattr_t attributes;  // a shell has what it starts behind it ignore interrupts
+    posix_spawnattr_init(&attributes);
+    sigset_t heard;
+    sigemptyset(&heard);
+    sigaddset(&heard, SIGINT);
+    posix_spawnattr_setsigdefault(&attributes, &heard);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    const int failed = ::posix_spawn(&child_, words[0].c_str(), &actions, &attributes,
                                      pointers(words).data(), pointers(settings).data());
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (failed)
       throw std::runtime_error("cannot run " + words[0]);
