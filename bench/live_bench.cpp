@@ -11,7 +11,7 @@
 
 #include "line_abreast.hpp"
 #include "live/exercise.hpp"
-#include "net/pacing.hpp"
+#include "net/precedence.hpp"
 #include "net/telemetry_host.hpp"
 #include "record/acmi.hpp"
 #include "record/csv.hpp"
@@ -69,8 +69,9 @@ void live(benchmark::State& state) {
     for (sim::Observer* o : std::initializer_list<sim::Observer*>{&csv, &acmi, &recorder})
       mission.run().attach(*o);
     net::Pacing pacing(mission.run().simulation().dt(), net::Clock::now());
+    net::Precedence clock;
     for (bool more = true; more;) {
-      net::sleep_until(pacing.due(), [] { return false; });
+      clock.sleep_until(pacing.due(), [] { return false; });
       const auto begun = net::Clock::now();
       more = mission.step();
       if (more)

@@ -7,7 +7,7 @@
 #include "core/units.hpp"
 #include "flight.hpp"
 #include "locate.hpp"
-#include "net/pacing.hpp"
+#include "net/precedence.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
@@ -30,7 +30,7 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
   net::Precedence precedence;
   for (;;) {
     if (pacing) {
-      net::sleep_until(pacing->due(), interrupted);
+      precedence.sleep_until(pacing->due(), interrupted);
       begun = Clock::now();
       precedence.ask(pacing->is_kept(begun));
     }
@@ -43,7 +43,7 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
     if (interrupted() || flight.broken())
       mission.stop();
   }
-  flight.timing().came_first = precedence.permitted();
+  flight.timing().note(precedence);
 }
 
 }  // namespace

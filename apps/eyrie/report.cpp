@@ -94,14 +94,18 @@ void Report::table(const record::Tally& tally, const Ends& ends) const {
 
 namespace {
 
-std::string pacing_text(const net::Pacing& p, bool came_first) {
+std::string pacing_text(const Timing& timing) {
+  const net::Pacing& p = *timing.pacing;
   const net::Histogram &late = p.late(), &work = p.work();
   std::string text = fmt::format(
       "by the clock: {} of {} frames of {:.4g} ms missed; begun late by {:.2f} ms (p50), {:.2f} "
-      "(p99), {:.2f} (p99.9), {:.2f} at most; load {:.1f} %, {:.0f} % at most; {} others\n",
+      "(p99), {:.2f} (p99.9), {:.2f} at most; load {:.1f} %, {:.0f} % at most; {} others{}\n",
       p.missed(), p.frames(), p.frame() * 1e3, late.percentile(0.5) * 1e3,
       late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3, 100 * p.load(),
-      100 * work.max() / p.frame(), came_first ? "before all" : "no sooner than");
+      100 * work.max() / p.frame(), timing.came_first ? "before all" : "no sooner than",
+      timing.moves == 0 ? ""
+                        : fmt::format(", {} {} on another processor", timing.moves,
+                                      timing.moves == 1 ? "time" : "times"));
   if (p.stalls())
     text += fmt::format("fell behind {} {} and gave up {:.1f} s\n", p.stalls(),
                         p.stalls() == 1 ? "time" : "times", p.given_up());
@@ -156,7 +160,8 @@ nlohmann::ordered_json heard_json(const Broadcast::Counts& counts) {
   return j;
 }
 
-nlohmann::ordered_json pacing_json(const net::Pacing& p, bool came_first) {
+nlohmann::ordered_json pacing_json(const Timing& timing) {
+  const net::Pacing& p = *timing.pacing;
   const auto spread = [](const net::Histogram& h) {
     return nlohmann::ordered_json{{"mean", h.mean()},
                                   {"p50", h.percentile(0.5)},
@@ -164,10 +169,16 @@ nlohmann::ordered_json pacing_json(const net::Pacing& p, bool came_first) {
                                   {"p999", h.percentile(0.999)},
                                   {"max", h.max()}};
   };
-  return {
-      {"frame_s", p.frame()},       {"frames", p.frames()},       {"missed", p.missed()},
-      {"late_s", spread(p.late())}, {"work_s", spread(p.work())}, {"load", p.load()},
-      {"stalls", p.stalls()},       {"given_up_s", p.given_up()}, {"before_others", came_first}};
+  return {{"frame_s", p.frame()},
+          {"frames", p.frames()},
+          {"missed", p.missed()},
+          {"late_s", spread(p.late())},
+          {"work_s", spread(p.work())},
+          {"load", p.load()},
+          {"stalls", p.stalls()},
+          {"given_up_s", p.given_up()},
+          {"before_others", timing.came_first},
+          {"moves", timing.moves}};
 }
 
 }  // namespace
@@ -186,7 +197,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
       timing.wall > 0 ? time / timing.wall : 0);
   if (timing.pacing)
-    say("{}", Composed{pacing_text(*timing.pacing, timing.came_first)});
+    say("{}", Composed{pacing_text(timing)});
   if (const auto& t = timing.tacview)
     say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,
         t->joined == 1 ? "client" : "clients", t->refused, t->dropped,
@@ -234,7 +245,7 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
     j["fault"] =
         scenario::fault_text(*fault, mission.scenario().roster, mission.run().simulation().dt());
   if (timing.pacing)
-    j["real_time"] = pacing_json(*timing.pacing, timing.came_first);
+    j["real_time"] = pacing_json(timing);
   if (const auto& t = timing.tacview)
     j["tacview"] = {{"clients", t->joined},
                     {"refused", t->refused},

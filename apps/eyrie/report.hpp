@@ -2,7 +2,7 @@
 #pragma once
 /// \file  What the user reads: header, story, closing table; or one JSON object.
 #include "live.hpp"
-#include "net/pacing.hpp"
+#include "net/precedence.hpp"
 #include "net/telemetry_host.hpp"
 #include "record/names.hpp"
 #include "record/story.hpp"
@@ -15,9 +15,15 @@ namespace eyrie::app {
 struct Timing {
   double wall = 0;                      ///< s
   std::optional<net::Pacing> pacing{};  ///< if that was asked for
-  bool came_first = false;              ///< before all others of the machine: net::Precedence
+  bool came_first = false;              ///< before all others of the machine
+  std::uint64_t moves = 0;              ///< woken on another processor so often
   std::optional<net::TelemetryHost::Counts> tacview{};
   std::optional<Broadcast::Counts> dis{};
+
+  void note(const net::Precedence& precedence) {
+    came_first = precedence.permitted();
+    moves = precedence.moves();
+  }
 };
 
 /// How each player ended: who lost it, and its fuel at most a second before.

@@ -136,7 +136,7 @@ int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& a
   const int code = flight.fly([&] {
     exercise->fly([&] { return interrupted() || flight.broken(); });
     flight.timing().pacing = exercise->pacing();
-    flight.timing().came_first = exercise->came_first();
+    flight.timing().note(exercise->precedence());
   });
   over = true;
   exercise->stay([&] { return interrupted() || leave; });

@@ -110,8 +110,8 @@ void Exercise::stay(const Enough& enough) {
   }
 }
 
-void Exercise::wait(Clock::time_point until, const Enough& enough) const {
-  net::sleep_until(until, [&] { return mail_.waiting() || enough(); });
+void Exercise::wait(Clock::time_point until, const Enough& enough) {
+  precedence_.sleep_until(until, [&] { return mail_.waiting() || enough(); });
 }
 
 void Exercise::attend() {

@@ -5,7 +5,7 @@
 /// with the orders for them, and hashes to compare with (docs/live.md has the messages).
 #include "live/mailbox.hpp"
 #include "live/request.hpp"
-#include "net/pacing.hpp"
+#include "net/precedence.hpp"
 #include "net/web_host.hpp"
 #include "record/run_file.hpp"
 #include "scenario/mission.hpp"
@@ -43,7 +43,7 @@ class Exercise {
 
   [[nodiscard]] const net::WebHost& host() const { return host_; }
   [[nodiscard]] const net::Pacing& pacing() const { return pacing_; }
-  [[nodiscard]] bool came_first() const { return precedence_.permitted(); }
+  [[nodiscard]] const net::Precedence& precedence() const { return precedence_; }
 
  private:
   [[nodiscard]] net::WebOptions with_channel(net::WebOptions web);
@@ -61,7 +61,7 @@ class Exercise {
   void refuse(net::ViewerId who, const std::string& words);
   [[nodiscard]] std::string problem(const Request& request) const;
 
-  void wait(net::Clock::time_point until, const Enough& enough) const;
+  void wait(net::Clock::time_point until, const Enough& enough);
   void tell_when_due();
   void tell(net::Clock::time_point now);
   void tell_pacing();

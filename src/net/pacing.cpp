@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "net/pacing.hpp"
 
-#include <sched.h>
-
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace eyrie::net {
 
@@ -60,24 +57,6 @@ void Pacing::made(Clock::time_point begun, Clock::time_point done) {
   paced_ += frame_;
   if (done > due())  // which is that of the next frame now
     ++missed_;
-}
-
-void Precedence::ask(bool wanted) {
-  if (wanted == asked_)
-    return;
-  asked_ = wanted;
-  // a low one of the 99: threads of the kernel and of sound come first
-  const sched_param priority{.sched_priority = wanted ? 10 : 0};
-  const int policy = (wanted ? SCHED_FIFO : SCHED_OTHER) | SCHED_RESET_ON_FORK;
-  const bool done = sched_setscheduler(0, policy, &priority) == 0;
-  if (wanted)
-    permitted_ = done;
-}
-
-void sleep_until(Clock::time_point due, const std::function<bool()>& enough) {
-  constexpr std::chrono::milliseconds kPiece(50);
-  for (auto now = Clock::now(); now < due && !enough(); now = Clock::now())
-    std::this_thread::sleep_until(std::min(due, now + kPiece));
 }
 
 }  // namespace eyrie::net

@@ -5,7 +5,6 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 
 namespace eyrie::net {
 
@@ -81,27 +80,5 @@ class Pacing {
   std::uint64_t missed_ = 0, stalls_ = 0;
   double given_up_ = 0, paced_ = 0;  // s
 };
-
-/// Lets the thread that made it run before all others of the machine (SCHED_FIFO) while it waits
-/// for the clock, where the system permits that: root does, and RLIMIT_RTPRIO (`ulimit -r`).
-/// Threads that it starts do not inherit it. Who falls behind should not ask for it: he never
-/// waits.
-class Precedence {
- public:
-  Precedence() = default;
-  Precedence(const Precedence&) = delete;
-  Precedence& operator=(const Precedence&) = delete;
-  ~Precedence() { ask(false); }
-  /// Asks the system only when it is another answer than before.
-  void ask(bool wanted);
-  /// Whether it was permitted when it was wanted last.
-  [[nodiscard]] bool permitted() const { return permitted_; }
-
- private:
-  bool asked_ = false, permitted_ = false;
-};
-
-/// Sleeps until `due`, or soon after `enough` says so.
-void sleep_until(Clock::time_point due, const std::function<bool()>& enough);
 
 }  // namespace eyrie::net

@@ -2,11 +2,9 @@
 #include "net/pacing.hpp"
 
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include <cmath>
 #include <rapidcheck/gtest.h>
-#include <thread>
 
 #include "support/no_allocation.hpp"
 
@@ -134,28 +132,6 @@ TEST(Pacing, AllocatesNothing) {
   Machine machine;
   NoAllocation guard;
   machine.frames(100, microseconds(30'000));
-}
-
-TEST(SleepUntil, EndsAtItsTimeOrWhenItIsEnough) {
-  const Clock::time_point begun = Clock::now();
-  sleep_until(begun + milliseconds(20), [] { return false; });
-  EXPECT_GE(Clock::now() - begun, milliseconds(20));
-  sleep_until(Clock::time_point::max(), [] { return true; });
-}
-
-TEST(Precedence, IsOfOneThreadAndAsLongAsItIsWanted) {
-  const auto policy = [] { return sched_getscheduler(0) & ~SCHED_RESET_ON_FORK; };
-  ASSERT_EQ(policy(), SCHED_OTHER);
-  {
-    Precedence precedence;
-    precedence.ask(true);
-    EXPECT_EQ(policy(), precedence.permitted() ? SCHED_FIFO : SCHED_OTHER);
-    std::thread([&] { EXPECT_EQ(policy(), SCHED_OTHER) << "of a thread that it starts"; }).join();
-    precedence.ask(false);
-    EXPECT_EQ(policy(), SCHED_OTHER);
-    precedence.ask(true);
-  }
-  EXPECT_EQ(policy(), SCHED_OTHER) << "when nobody holds it any more";
 }
 
 }  // namespace

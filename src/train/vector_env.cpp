@@ -19,6 +19,18 @@ void check_size(std::string_view name, std::span<T> array, std::size_t size) {
     refuse(fmt::format("{}: {} numbers, expected {}", name, array.size(), size));
 }
 
+/// Has the processor fetch a world into its caches while another one is stepped: of a thousand
+/// worlds each has left them since it was stepped last.
+void prefetch(const sim::World& world) {
+  constexpr std::size_t kLine = sim::Schema::kAlignment;
+  const auto columns = static_cast<std::uint32_t>(world.schema().columns().size());
+  for (std::uint32_t i = 0; i < columns; ++i) {
+    const std::span<const std::byte> bytes = world.column_bytes(i);
+    for (std::size_t at = 0; at < bytes.size(); at += kLine)
+      __builtin_prefetch(bytes.data() + at, 1, 2);  // to write, and not into the smallest cache
+  }
+}
+
 }  // namespace
 
 void VectorEnv::check(const Arrays& out) const {
@@ -35,20 +47,27 @@ void VectorEnv::check(const Arrays& out) const {
 
 void VectorEnv::check_actions(std::span<const float> actions) const {
   check_size("actions", actions, shape_.envs * shape_.agents * shape_.action);
-  const float* action = actions.data();
+  const std::size_t each = shape_.agents * shape_.action;
   for (std::size_t env = 0; env < shape_.envs; ++env) {
-    if (slots_[env].fault)
-      refuse(fmt::format("environment {} cannot go on: reset it", env));
-    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-      for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
-        if (std::isnan(*action))
-          refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
-                             task_.learners[agent], env));
-        if (*action != 0 && !slots_[env].agents[agent].alive)
-          refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
-                             task_.learners[agent], env));
-      }
+    const auto its = actions.subspan(env * each, each);
+    if (!intact_[env] || std::any_of(its.begin(), its.end(), [](float x) { return std::isnan(x); }))
+        [[unlikely]]
+      check_actions(env, its.data());
   }
+}
+
+void VectorEnv::check_actions(std::size_t env, const float* action) const {
+  if (slots_[env].fault)
+    refuse(fmt::format("environment {} cannot go on: reset it", env));
+  for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+    for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
+      if (std::isnan(*action))
+        refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
+                           task_.learners[agent], env));
+      if (*action != 0 && !slots_[env].agents[agent].alive)
+        refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
+                           task_.learners[agent], env));
+    }
 }
 
 std::uint64_t VectorEnv::next_seed(std::size_t env) const {
@@ -81,8 +100,11 @@ template <class Use>
 void VectorEnv::for_all(Use use) {
   const std::size_t lanes = lanes_.size(), envs = shape_.envs;
   executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
-    for (std::size_t env = i * envs / lanes; env < (i + 1) * envs / lanes; ++env)
+    for (std::size_t env = i * envs / lanes, end = (i + 1) * envs / lanes; env < end; ++env) {
+      if (env + 1 < end)
+        prefetch(slots_[env + 1].world);
       use(env, *lanes_[i]);
+    }
   });
 }
 
@@ -114,7 +136,7 @@ void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
     judge(slots_[env], env, out);
   });
   for (std::size_t env = 0; env < shape_.envs; ++env)
-    if (slots_[env].fault)
+    if (!intact_[env] && slots_[env].fault)
       throw std::runtime_error(
           fmt::format("environment {}, episode {}: {}", env, slots_[env].seed,
                       scenario::fault_text(*slots_[env].fault, scenario_->roster,
@@ -186,7 +208,8 @@ void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
   }
 }
 
-void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
+void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) {
+  intact_[env] = 0;
   // who is still there
   bool any = false;
   const std::size_t first = env * shape_.agents;
@@ -227,8 +250,10 @@ void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
   show_now(env, out);
 }
 
-void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
+void VectorEnv::show_now(std::size_t env, const Arrays& out) {
   const Slot& slot = slots_[env];
+  intact_[env] = !slot.fault && std::all_of(slot.agents.begin(), slot.agents.end(),
+                                            [](const Slot::Agent& agent) { return agent.alive; });
   for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
     const std::size_t at = env * shape_.agents + agent;
     out.alive[at] = slot.agents[agent].alive ? 1 : 0;
@@ -237,7 +262,7 @@ void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
   }
 }
 
-void VectorEnv::show(std::size_t env, const Arrays& out) const {
+void VectorEnv::show(std::size_t env, const Arrays& out) {
   const std::size_t first = env * shape_.agents;
   std::fill_n(out.rewards.data() + first, shape_.agents, 0.0F);
   std::fill_n(out.terminated.data() + first, shape_.agents, std::uint8_t{0});
