@@ -19,18 +19,6 @@ void check_size(std::string_view name, std::span<T> array, std::size_t size) {
     refuse(fmt::format("{}: {} numbers, expected {}", name, array.size(), size));
 }
 
-/// Has the processor fetch a world into its caches while another one is stepped: of a thousand
-/// worlds each has left them since it was stepped last.
-void prefetch(const sim::World& world) {
-  constexpr std::size_t kLine = sim::Schema::kAlignment;
-  const auto columns = static_cast<std::uint32_t>(world.schema().columns().size());
-  for (std::uint32_t i = 0; i < columns; ++i) {
-    const std::span<const std::byte> bytes = world.column_bytes(i);
-    for (std::size_t at = 0; at < bytes.size(); at += kLine)
-      __builtin_prefetch(bytes.data() + at, 1, 2);  // to write, and not into the smallest cache
-  }
-}
-
 }  // namespace
 
 void VectorEnv::check(const Arrays& out) const {
@@ -100,11 +88,8 @@ template <class Use>
 void VectorEnv::for_all(Use use) {
   const std::size_t lanes = lanes_.size(), envs = shape_.envs;
   executor_->for_chunks(lanes * kChunk, [&](std::size_t i, std::size_t, std::size_t) {
-    for (std::size_t env = i * envs / lanes, end = (i + 1) * envs / lanes; env < end; ++env) {
-      if (env + 1 < end)
-        prefetch(slots_[env + 1].world);
+    for (std::size_t env = i * envs / lanes; env < (i + 1) * envs / lanes; ++env)
       use(env, *lanes_[i]);
-    }
   });
 }
 
