@@ -69,10 +69,11 @@ void live(benchmark::State& state) {
     for (sim::Observer* o : std::initializer_list<sim::Observer*>{&csv, &acmi, &recorder})
       mission.run().attach(*o);
     net::Pacing pacing(mission.run().simulation().dt(), net::Clock::now());
-    net::Precedence clock;
+    net::Precedence precedence;
     for (bool more = true; more;) {
-      clock.sleep_until(pacing.due(), [] { return false; });
+      precedence.sleep_until(pacing.due(), [] { return false; });
       const auto begun = net::Clock::now();
+      precedence.ask(pacing.is_kept(begun));
       more = mission.step();
       if (more)
         pacing.made(begun, net::Clock::now());

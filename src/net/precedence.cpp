@@ -5,11 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
-#include <utility>
 
 namespace eyrie::net {
 namespace {
@@ -32,96 +30,83 @@ class Precedence::Lookout {
   Lookout(Clock::duration grace, const cpu_set_t& all)
       : grace_(grace), whom_(::gettid()), all_(all), thread_([this] { look(); }) {}
   ~Lookout() {
-    ended_ = true;
+    {
+      const std::lock_guard lock(mutex_);
+      ended_ = true;
+    }
+    news_.notify_one();
     thread_.join();
-    let_go();
   }
 
   /// By the thread that is looked after.
   void sleep_until(Clock::time_point until) {
-    {
-      std::unique_lock lock(mutex_);
-      where_ = sched_getcpu();
-      expected_ = until;
-      wake_.wait_until(lock, until, [&] { return expected_ != until; });
-      expected_ = kNever;
+    std::unique_lock lock(mutex_);
+    where_ = sched_getcpu();
+    expected_ = until;
+    news_.notify_one();
+    if (wake_.wait_until(lock, until, [&] { return expected_ != until; })) {
+      ++moves_;
+      sched_setaffinity(whom_, sizeof all_, &all_);  // anywhere again
     }
-    let_go();
+    expected_ = kNever;
   }
-  /// It may run on any processor again.
-  void let_go() {
-    const std::lock_guard lock(mutex_);
-    if (std::exchange(moved_, false))
-      sched_setaffinity(whom_, sizeof all_, &all_);
-  }
-  [[nodiscard]] std::uint64_t moves() const {
-    const std::lock_guard lock(mutex_);
-    return moves_;
-  }
+  [[nodiscard]] std::uint64_t moves() const { return moves_; }
 
  private:
   static constexpr Clock::time_point kNever{};
-  static constexpr milliseconds kNap{5};
 
   void look() {
     if (!run_before_others(true))
       return;
+    std::unique_lock lock(mutex_);
     for (int avoided = -1; !ended_;) {
-      Clock::time_point expected;
-      int where;
-      {
-        const std::lock_guard lock(mutex_);
-        expected = expected_;
-        where = where_;
-      }
-      // where the other one sleeps nobody may be able to wake
-      if (where != avoided && where >= 0) {
-        cpu_set_t others = all_;
-        CPU_CLR(static_cast<unsigned>(where), &others);
-        sched_setaffinity(0, sizeof others, &others);
+      const Clock::time_point expected = expected_;
+      if (expected == kNever) {
+        news_.wait(lock);
+      } else if (const int where = where_; where != avoided) {
+        lock.unlock();
+        stay_away_from(where);
         avoided = where;
+        lock.lock();
+      } else if (!news_.wait_until(lock, expected + grace_,
+                                   [&] { return ended_ || expected_ != expected; })) {
+        move_here();
       }
-      const auto nap = Clock::now() + kNap;
-      std::this_thread::sleep_until(expected == kNever ? nap : std::min(expected + grace_, nap));
-      if (expected != kNever && Clock::now() >= expected + grace_)
-        move(expected);
     }
   }
 
-  void move(Clock::time_point expected) {
-    {
-      const std::lock_guard lock(mutex_);
-      if (expected_ != expected)
-        return;  // it woke
-      cpu_set_t here;
-      CPU_ZERO(&here);
-      CPU_SET(static_cast<unsigned>(sched_getcpu()), &here);
-      // also one that is awake and waits for its processor goes over at once
-      sched_setaffinity(whom_, sizeof here, &here);
-      moved_ = true;
-      expected_ = kNever;
-      ++moves_;
-    }
+  /// Where the other one sleeps nobody may be able to wake.
+  void stay_away_from(int where) const {
+    cpu_set_t others = all_;
+    CPU_CLR(static_cast<unsigned>(where), &others);
+    sched_setaffinity(0, sizeof others, &others);
+  }
+
+  /// Also one that is awake and waits for its processor goes over at once.
+  void move_here() {
+    cpu_set_t here;
+    CPU_ZERO(&here);
+    CPU_SET(static_cast<unsigned>(sched_getcpu()), &here);
+    sched_setaffinity(whom_, sizeof here, &here);
+    expected_ = kNever;
     wake_.notify_one();
   }
 
   const Clock::duration grace_;
   const pid_t whom_;
   const cpu_set_t all_;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
+  std::mutex mutex_;
+  std::condition_variable wake_, news_;  ///< of the one that is looked after, and of this one
   Clock::time_point expected_ = kNever;  ///< to wake
   int where_ = -1;                       ///< the processor it sleeps at
-  bool moved_ = false;
-  std::uint64_t moves_ = 0;
-  std::atomic<bool> ended_{false};
+  bool ended_ = false;
+  std::uint64_t moves_ = 0;  ///< by the thread that is looked after
   std::thread thread_;
 };
 
 Precedence::Precedence(Clock::duration grace) : grace_(grace) {}
 
 Precedence::~Precedence() {
-  lookout_.reset();
   ask(false);
 }
 
@@ -130,11 +115,8 @@ void Precedence::ask(bool wanted) {
     return;
   asked_ = wanted;
   const bool done = run_before_others(wanted);
-  if (!wanted) {
-    if (lookout_)
-      lookout_->let_go();
+  if (!wanted)
     return;
-  }
   permitted_ = done;
   cpu_set_t all;
   if (permitted_ && !lookout_ && sched_getaffinity(0, sizeof all, &all) == 0 && CPU_COUNT(&all) > 1)

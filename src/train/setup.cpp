@@ -9,7 +9,7 @@ namespace eyrie::train {
 namespace {
 
 /// Environments are cut into so many runs per worker, so that none waits long for another.
-constexpr std::size_t kLanesPerWorker = 16;
+constexpr std::size_t kLanesPerWorker = 4;
 
 }  // namespace
 
@@ -55,7 +55,6 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
                               learners_.size() * std::max<std::size_t>(1, action_names_.size());
   for (std::size_t i = 0; i < lanes; ++i)
     lanes_.push_back(std::make_unique<Lane>(*scenario_, at_once));
-  intact_.resize(options_.envs, 1);
   executor_ = std::make_unique<Executor>(options_.workers);
   for (std::size_t env = 0; env < options_.envs; ++env)
     begin(slots_[env], next_seed(env));

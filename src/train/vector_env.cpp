@@ -35,27 +35,20 @@ void VectorEnv::check(const Arrays& out) const {
 
 void VectorEnv::check_actions(std::span<const float> actions) const {
   check_size("actions", actions, shape_.envs * shape_.agents * shape_.action);
-  const std::size_t each = shape_.agents * shape_.action;
+  const float* action = actions.data();
   for (std::size_t env = 0; env < shape_.envs; ++env) {
-    const auto its = actions.subspan(env * each, each);
-    if (!intact_[env] || std::any_of(its.begin(), its.end(), [](float x) { return std::isnan(x); }))
-        [[unlikely]]
-      check_actions(env, its.data());
+    if (slots_[env].fault)
+      refuse(fmt::format("environment {} cannot go on: reset it", env));
+    for (std::size_t agent = 0; agent < shape_.agents; ++agent)
+      for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
+        if (std::isnan(*action))
+          refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
+                             task_.learners[agent], env));
+        if (*action != 0 && !slots_[env].agents[agent].alive)
+          refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
+                             task_.learners[agent], env));
+      }
   }
-}
-
-void VectorEnv::check_actions(std::size_t env, const float* action) const {
-  if (slots_[env].fault)
-    refuse(fmt::format("environment {} cannot go on: reset it", env));
-  for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-    for (std::size_t i = 0; i < shape_.action; ++i, ++action) {
-      if (std::isnan(*action))
-        refuse(fmt::format("action {} of {} in environment {} is not a number", action_names_[i],
-                           task_.learners[agent], env));
-      if (*action != 0 && !slots_[env].agents[agent].alive)
-        refuse(fmt::format("{} in environment {} is dead: its actions must be 0",
-                           task_.learners[agent], env));
-    }
 }
 
 std::uint64_t VectorEnv::next_seed(std::size_t env) const {
@@ -121,7 +114,7 @@ void VectorEnv::step(std::span<const float> actions, const Arrays& out) {
     judge(slots_[env], env, out);
   });
   for (std::size_t env = 0; env < shape_.envs; ++env)
-    if (!intact_[env] && slots_[env].fault)
+    if (slots_[env].fault)
       throw std::runtime_error(
           fmt::format("environment {}, episode {}: {}", env, slots_[env].seed,
                       scenario::fault_text(*slots_[env].fault, scenario_->roster,
@@ -193,8 +186,7 @@ void VectorEnv::advance(Slot& slot, Lane& lane, const float* actions) const {
   }
 }
 
-void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) {
-  intact_[env] = 0;
+void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
   // who is still there
   bool any = false;
   const std::size_t first = env * shape_.agents;
@@ -235,10 +227,8 @@ void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) {
   show_now(env, out);
 }
 
-void VectorEnv::show_now(std::size_t env, const Arrays& out) {
+void VectorEnv::show_now(std::size_t env, const Arrays& out) const {
   const Slot& slot = slots_[env];
-  intact_[env] = !slot.fault && std::all_of(slot.agents.begin(), slot.agents.end(),
-                                            [](const Slot::Agent& agent) { return agent.alive; });
   for (std::size_t agent = 0; agent < shape_.agents; ++agent) {
     const std::size_t at = env * shape_.agents + agent;
     out.alive[at] = slot.agents[agent].alive ? 1 : 0;
@@ -247,7 +237,7 @@ void VectorEnv::show_now(std::size_t env, const Arrays& out) {
   }
 }
 
-void VectorEnv::show(std::size_t env, const Arrays& out) {
+void VectorEnv::show(std::size_t env, const Arrays& out) const {
   const std::size_t first = env * shape_.agents;
   std::fill_n(out.rewards.data() + first, shape_.agents, 0.0F);
   std::fill_n(out.terminated.data() + first, shape_.agents, std::uint8_t{0});

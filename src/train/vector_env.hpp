@@ -121,16 +121,15 @@ class VectorEnv {
   void read_opponents();
   void check(const Arrays& out) const;
   void check_actions(std::span<const float> actions) const;
-  void check_actions(std::size_t env, const float* action) const;
   void begin(Slot& slot, std::uint64_t seed) const;
   void end(Slot& slot) const;
   [[nodiscard]] std::uint64_t next_seed(std::size_t env) const;
   void command(Slot& slot, std::size_t agent, const float* action,
                std::vector<sim::Order>& orders) const;
   void advance(Slot& slot, Lane& lane, const float* actions) const;
-  void judge(Slot& slot, std::size_t env, const Arrays& out);
-  void show(std::size_t env, const Arrays& out);
-  void show_now(std::size_t env, const Arrays& out);
+  void judge(Slot& slot, std::size_t env, const Arrays& out) const;
+  void show(std::size_t env, const Arrays& out) const;
+  void show_now(std::size_t env, const Arrays& out) const;
   void observe(const Slot& slot, std::size_t agent, float* observation, std::uint8_t* mask) const;
   template <class Use>
   void for_all(Use use);
@@ -149,7 +148,6 @@ class VectorEnv {
   double seconds_ = 0.1;
   std::size_t room_ = 0;  ///< for the orders of the longest episode
   std::vector<Slot> slots_;
-  std::vector<std::uint8_t> intact_;  ///< envs: all of them live, and it goes on; read in a row
   std::vector<std::unique_ptr<Lane>>
       lanes_;  ///< each a run of environments, for one thread at a time
   std::unique_ptr<Executor> executor_;
