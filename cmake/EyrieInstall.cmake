@@ -2,6 +2,8 @@
 # cmake --install: the program with its data and scenarios, and each layer as a component of the
 # package: find_package(Eyrie COMPONENTS ubf) gives Eyrie::ubf and what that needs, which is core.
 include(CMakePackageConfigHelpers)
+# whatever umask it is installed with
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(package lib/cmake/Eyrie)
 
 install(TARGETS eyrie_options EXPORT EyrieTargets-core)
