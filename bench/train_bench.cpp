@@ -38,9 +38,10 @@ void merge(benchmark::State& state) {
   const train::Shape& s = env.shape();
   const std::size_t agents = s.envs * s.agents;
   std::vector<float> observations(agents * s.observation), last(observations), rewards(agents);
-  std::vector<std::uint8_t> masks(agents * s.action), alive(agents), terminated(agents),
-      truncated(agents), over(s.envs);
-  const train::Arrays out{observations, masks, alive, rewards, terminated, truncated, over, last};
+  std::vector<std::uint8_t> masks(agents * s.action), last_masks(masks), alive(agents),
+      terminated(agents), truncated(agents), over(s.envs);
+  const train::Arrays out{observations, masks, alive, rewards,   terminated,
+                          truncated,    over,  last,  last_masks};
   // another action every second, so that they fly somewhere
   std::vector<std::vector<float>> actions(16, std::vector<float>(agents * s.action));
   Draw draw(1, PlayerId{1}, Stream::test, 0);

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 import os
 import re
@@ -51,9 +52,10 @@ def maneuvers(arbiter: str, votes: dict[str, float], zone: float = 1, off_boresi
 
 def tree_of(task: str, file: Path) -> str:
     """The learner's tree with a policy in it, as YAML."""
+    path = json.dumps(str(file.resolve()), ensure_ascii=False)  # as YAML has it, whatever is in it
     if task == "merge_votes":
-        return maneuvers(f"learned_vote: {{file: {file.resolve()}, ", MANEUVERS)
-    return f"{{policy: {{file: {file.resolve()}, vote: 50}}}}"
+        return maneuvers(f"learned_vote: {{file: {path}, ", MANEUVERS)
+    return f"{{policy: {{file: {path}, vote: 50}}}}"
 
 
 class Curve:

@@ -60,7 +60,7 @@ def propose(vote: float, *, status: str = "running", **fields: Any) -> Proposal:
     """
     if status not in _STATUS:
         raise ValueError(f"status: {status!r} is none of {', '.join(_STATUS)}")
-    return Proposal(vote, fields, status)
+    return Proposal(float(vote), fields, status)
 
 
 class Behavior:
@@ -136,6 +136,8 @@ def _made(function: Callable[..., Any], name: str | None, platform: str) -> Beha
         if not isinstance(one.default, Parameter):
             raise TypeError(f"{one.name}: its default is to be an eyrie.param(...)")
         value, unit, (least, most), help = one.default
+        if not isinstance(value, (bool, int, float, str)):
+            raise TypeError(f"{one.name}: {value!r} is no number, switch or text")
         kind = "switch" if isinstance(value, bool) else "text" if isinstance(value, str) else "number"
         lines.append((one.name, kind, unit, value, least, most, help))
         names.append(one.name)

@@ -57,3 +57,6 @@ class FaultError(Error):
     """
 
     run: Run | None = None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (FaultError, self.args)  # without the run, which is not pickled

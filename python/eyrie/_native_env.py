@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -32,8 +33,9 @@ AS_THE_TASK_SAYS: Rewards = MappingProxyType({})
 class Saved:
     """Where an environment stood: made by ``save()``, for ``restore()`` of it or one of the same task."""
 
-    def __init__(self, core: _core.SavedEnv) -> None:
+    def __init__(self, core: _core.SavedEnv, draws: Any) -> None:
         self.core = core
+        self.draws = draws  # of the seeds of episodes to come
 
     def __reduce__(self) -> Any:
         raise TypeError("what an environment saved is kept in this process only")
@@ -52,7 +54,7 @@ class _Pool:
         file = Path(name).resolve()
         self.folders.append(str(file.parent))
         tree = f"policy_{len(self.trees) + 1}"
-        self.trees[f"trees.{tree}"] = {"policy": {"file": str(file)}}
+        self.trees[f"trees.{tree}"] = {"policy": {"file": json.dumps(str(file), ensure_ascii=False)}}
         return tree
 
 
@@ -93,10 +95,12 @@ class Native:
         self.observations = core.observations
         self.last_observations = core.last_observations
         self.rewards = core.rewards
+        self.alive = core.alive.view(np.bool_)
         self.terminated = core.terminated.view(np.bool_)
         self.truncated = core.truncated.view(np.bool_)
         self.over = core.over.view(np.bool_)
         self.masks = core.masks.view(np.bool_)
+        self.last_masks = core.last_masks.view(np.bool_)
 
     @property
     def core(self) -> _core.VectorEnv:
@@ -105,12 +109,21 @@ class Native:
         return self._core
 
     def close(self) -> None:
+        if self._core is not None:
+            self._core.close()
         self._core = None
 
     def __reduce__(self) -> Any:
         raise TypeError(
             "an environment is not pickled: make one of the same task on the other side, with the same seed and actions"
         )
+
+    def save(self, draws: np.random.Generator) -> Saved:
+        return Saved(self.core.save(), draws.bit_generator.state)
+
+    def restore(self, saved: Saved, draws: np.random.Generator) -> None:
+        self.core.restore(saved.core)
+        draws.bit_generator.state = saved.draws
 
     def episode(self, world: int, last: bool) -> Run:
         recorded = self.core.episode(world, last)
@@ -123,11 +136,28 @@ class Native:
         return gymnasium.spaces.Box(-1, 1, (len(self.actions),), np.float32)
 
 
-def as_actions(actions: Any, shape: tuple[int, int, int]) -> Floats:
+class Played:
+    """What every environment tells of the engine's."""
+
+    _native: Native
+
+    @property
+    def actions(self) -> list[str]:
+        """What the numbers of an action mean."""
+        return self._native.actions
+
+    @property
+    def policy_words(self) -> dict[str, str]:
+        """What a policy's file says of what it sees and does: its metadata but for ``network``, see
+        docs/howto/fly-a-policy.md."""
+        return self._native.core.policy_words
+
+
+def as_actions(actions: Any, shape: tuple[int, ...]) -> Floats:
     numbers = np.ascontiguousarray(actions, np.float32)
-    if numbers.size != shape[0] * shape[1] * shape[2]:
-        raise ValueError(f"actions: {numbers.size} numbers, not {shape[0] * shape[1] * shape[2]}")
-    return numbers.reshape(shape)
+    if numbers.shape != shape:
+        raise ValueError(f"actions: shape {numbers.shape} is not {shape}")
+    return numbers
 
 
 def _weight(given: float | tuple[float, float, float]) -> tuple[float, tuple[float, float] | None]:

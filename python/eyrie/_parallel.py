@@ -9,14 +9,15 @@ import numpy as np
 import numpy.typing as npt
 from pettingzoo import ParallelEnv
 
+from ._native_env import Native, Played, Saved, as_actions
+
 if TYPE_CHECKING:
     from ._run import Run
-    from ._native_env import Native
 
 Floats = npt.NDArray[np.float32]
 
 
-class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
+class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
     """Made by :func:`eyrie.envs.parallel`."""
 
     def __init__(self, task: str, native: Native) -> None:
@@ -56,7 +57,7 @@ class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         native = self._native
         self._numbers[:] = 0
         for who in self.agents:
-            self._numbers[0, self._row[who]] = actions[who]
+            self._numbers[0, self._row[who]] = as_actions(actions[who], self._numbers.shape[2:])
         native.core.step(self._numbers)
         terminated, truncated = native.terminated[0], native.truncated[0]
         over = bool(native.over[0])
@@ -65,7 +66,7 @@ class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
             {who: float(native.rewards[0, self._row[who]]) for who in self.agents},
             {who: bool(terminated[self._row[who]]) for who in self.agents},
             {who: bool(truncated[self._row[who]]) for who in self.agents},
-            self._infos(),
+            self._infos(over),
         )
         self.agents = [
             who
@@ -78,11 +79,23 @@ class Parallel(ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         """The run of this episode so far, or of the one that ended last."""
         return self._native.episode(0, last)
 
+    def save(self) -> Saved:
+        """Where the episode stands, to go on from there again."""
+        return self._native.save(self._seeds)
+
+    def restore(self, saved: Saved) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
+        """Goes on from there; what reset() gives."""
+        native = self._native
+        native.restore(saved, self._seeds)
+        self.agents = [who for who in self.possible_agents if native.alive[0, self._row[who]]]
+        return self._seen(native.observations), self._infos()
+
     def close(self) -> None:
         self._native.close()
 
     def _seen(self, values: Floats) -> dict[str, Floats]:
         return {who: values[0, self._row[who]].copy() for who in self.agents}
 
-    def _infos(self) -> dict[str, dict[str, Any]]:
-        return {who: {"mask": self._native.masks[0, self._row[who]].copy()} for who in self.agents}
+    def _infos(self, over: bool = False) -> dict[str, dict[str, Any]]:
+        masks = self._native.last_masks if over else self._native.masks
+        return {who: {"mask": masks[0, self._row[who]].copy()} for who in self.agents}

@@ -33,6 +33,15 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
     def __array_finalize__(self, made_from: Any) -> None:
         self.columns = getattr(made_from, "columns", {})
 
+    def __reduce__(self) -> Any:
+        made, arguments, state = super().__reduce__()  # type: ignore[misc]
+        return made, arguments, (state, self.columns, self.flags.writeable)
+
+    def __setstate__(self, state: Any) -> None:
+        values, self.columns, writeable = state
+        super().__setstate__(values)
+        self.flags.writeable = writeable
+
     if TYPE_CHECKING:
 
         @overload  # type: ignore[override]

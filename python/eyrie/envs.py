@@ -23,6 +23,7 @@ from ._native_env import (
     Infos,
     Native,
     Opponents,
+    Played,
     Rewards,
     Saved,
     as_actions,
@@ -56,7 +57,7 @@ def register() -> None:
             )
 
 
-class Env(gymnasium.Env[Floats, Floats]):
+class Env(Played, gymnasium.Env[Floats, Floats]):
     """One world in which one learns: ``gymnasium.make("Eyrie/Merge-v0")``.
 
     Observations are numbers in [-1, 1], shape (numbers,), float32; actions likewise, shape (actions,),
@@ -101,11 +102,6 @@ class Env(gymnasium.Env[Floats, Floats]):
         self.observation_space = self._native.observation_space()
         self.action_space = self._native.action_space()
 
-    @property
-    def actions(self) -> list[str]:
-        """What the numbers of an action mean."""
-        return self._native.actions
-
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Floats, Infos]:
@@ -115,17 +111,11 @@ class Env(gymnasium.Env[Floats, Floats]):
 
     def step(self, action: Floats) -> tuple[Floats, float, bool, bool, Infos]:
         native = self._native
-        native.core.step(as_actions(action, (1, 1, len(native.actions))))
+        native.core.step(as_actions(action, (len(native.actions),))[None, None])
         terminated, truncated = bool(native.terminated[0, 0]), bool(native.truncated[0, 0])
         over = terminated or truncated
         seen = (native.last_observations if over else native.observations)[0, 0].copy()
-        return seen, float(native.rewards[0, 0]), terminated, truncated, self._info()
-
-    @property
-    def policy_words(self) -> dict[str, str]:
-        """What a policy's file says of what it sees and does: its metadata but for ``network``, see
-        docs/howto/fly-a-policy.md."""
-        return self._native.core.policy_words
+        return seen, float(native.rewards[0, 0]), terminated, truncated, self._info(over)
 
     def episode(self, *, last: bool = False) -> Run:
         """The run of this episode so far, or of the one that ended last."""
@@ -133,26 +123,27 @@ class Env(gymnasium.Env[Floats, Floats]):
 
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again: for search, and for tests."""
-        return Saved(self._native.core.save())
+        return self._native.save(self.np_random)
 
     def restore(self, saved: Saved) -> tuple[Floats, Infos]:
         """Goes on from there; what reset() gives."""
-        self._native.core.restore(saved.core)
+        self._native.restore(saved, self.np_random)
         return self._native.observations[0, 0].copy(), self._info()
 
     def close(self) -> None:
         self._native.close()
 
-    def _info(self) -> Infos:
-        return {"mask": self._native.masks[0, 0].copy()}
+    def _info(self, over: bool = False) -> Infos:
+        native = self._native
+        return {"mask": (native.last_masks if over else native.masks)[0, 0].copy()}
 
 
-class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
+class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
     """Many worlds in which one learns, one call for a step of all.
 
     ``gymnasium.make_vec("Eyrie/Merge-v0", num_envs=64, vectorization_mode="vector_entry_point")``.
     A world begins anew in the step in which its episode ends; ``infos["final_obs"]`` then has the last
-    observation in its row, and ``infos["_final_obs"]`` says where. ``infos["mask"]`` is as in
+    observation in its row, ``infos["final_info"]`` its mask, and ``infos["_final_obs"]`` says where. ``infos["mask"]`` is as in
     :class:`Env`, one row for each world.
 
     The arrays that step() gives are those that the engine writes into, not copied: read-only, and the
@@ -200,11 +191,6 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
         )
         self.action_space = gymnasium.vector.utils.batch_space(self.single_action_space, num_envs)
 
-    @property
-    def actions(self) -> list[str]:
-        """What the numbers of an action mean."""
-        return self._native.actions
-
     def reset(
         self,
         *,
@@ -221,12 +207,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
         self, actions: Floats
     ) -> tuple[Floats, npt.NDArray[Any], npt.NDArray[Any], npt.NDArray[Any], Infos]:
         native = self._native
-        numbers = np.asarray(actions)
-        if numbers.shape != (self.num_envs, len(native.actions)):
-            raise ValueError(
-                f"actions: shape {numbers.shape} is not {(self.num_envs, len(native.actions))}"
-            )
-        native.core.step(as_actions(numbers, (self.num_envs, 1, len(native.actions))))
+        native.core.step(as_actions(actions, (self.num_envs, len(native.actions)))[:, None])
         return (
             self._given(native.observations[:, 0]),
             self._given(native.rewards[:, 0]),
@@ -235,22 +216,17 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
             self._infos(),
         )
 
-    @property
-    def policy_words(self) -> dict[str, str]:
-        """As of :class:`Env`."""
-        return self._native.core.policy_words
-
     def episode(self, index: int = 0, *, last: bool = False) -> Run:
         """The run of the episode of a world that is kept (the first), so far or that ended last."""
         return self._native.episode(index, last)
 
     def save(self) -> Saved:
         """Where all episodes stand, to go on from there again."""
-        return Saved(self._native.core.save())
+        return self._native.save(self.np_random)
 
     def restore(self, saved: Saved) -> tuple[Floats, Infos]:
         """Goes on from there; what reset() gives."""
-        self._native.core.restore(saved.core)
+        self._native.restore(saved, self.np_random)
         return self._given(self._native.observations[:, 0]), self._infos()
 
     def close_extras(self, **kwargs: Any) -> None:
@@ -265,7 +241,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[Any]]):
         infos: Infos = {"mask": self._given(native.masks[:, 0])}
         if over.any():
             infos["final_obs"] = self._given(native.last_observations[:, 0])
-            infos["_final_obs"] = over
+            infos["final_info"] = {"mask": self._given(native.last_masks[:, 0]), "_mask": over}
+            infos["_final_obs"] = infos["_final_info"] = over
         return infos
 
 

@@ -29,6 +29,7 @@ class VectorEnv {
         last_observations_(observations_.size()),
         rewards_(shape_.envs * shape_.agents),
         masks_(rewards_.size() * shape_.action),
+        last_masks_(masks_.size()),
         alive_(rewards_.size()),
         terminated_(rewards_.size()),
         truncated_(rewards_.size()),
@@ -57,6 +58,15 @@ class VectorEnv {
     const std::span<const float> numbers(actions.data(), actions.size());
     const nb::gil_scoped_release released;
     env_->step(numbers, arrays());
+  }
+  /// Ends its threads and frees its worlds; the arrays stay.
+  void close() {
+    if (is_forked()) {
+      static_cast<void>(env_.release());
+    } else if (env_) {
+      const Use use(*this);
+      env_.reset();
+    }
   }
   [[nodiscard]] Saved save() const {
     const Use use(*this);
@@ -87,6 +97,9 @@ class VectorEnv {
   [[nodiscard]] Array<const std::uint8_t> masks(nb::handle self) const {
     return numbers(masks_, shape_.action, self);
   }
+  [[nodiscard]] Array<const std::uint8_t> last_masks(nb::handle self) const {
+    return numbers(last_masks_, shape_.action, self);
+  }
   [[nodiscard]] Array<const float> rewards(nb::handle self) const {
     return of_agents(rewards_, self);
   }
@@ -102,7 +115,10 @@ class VectorEnv {
   [[nodiscard]] Array<const std::uint8_t> over(nb::handle self) const {
     return Array<const std::uint8_t>(over_.data(), {over_.size()}, self);
   }
-  [[nodiscard]] const train::VectorEnv& env() const { return *env_; }
+  [[nodiscard]] const train::VectorEnv& env() const {
+    demand_open();
+    return *env_;
+  }
 
  private:
   template <class T>
@@ -122,12 +138,14 @@ class VectorEnv {
             .terminated = terminated_,
             .truncated = truncated_,
             .over = over_,
-            .last_observations = last_observations_};
+            .last_observations = last_observations_,
+            .last_masks = last_masks_};
   }
   /// While it lives nobody else may use the environment.
   class Use {
    public:
     explicit Use(const VectorEnv& env) : env_(env) {
+      env.demand_open();
       if (env.is_forked())
         raise("Error",
               "an environment of several threads does not live on in a forked process: make it "
@@ -144,15 +162,19 @@ class VectorEnv {
     const VectorEnv& env_;
   };
 
+  void demand_open() const {
+    if (!env_)
+      raise("Error", "this environment is closed");
+  }
   [[nodiscard]] bool is_forked() const {
-    return env_->options().workers > 1 && process_ != ::getpid();
+    return env_ && env_->options().workers > 1 && process_ != ::getpid();
   }
 
   std::unique_ptr<train::VectorEnv> env_;
   pid_t process_ = ::getpid();  ///< in which its threads are
   train::Shape shape_;
   std::vector<float> observations_, last_observations_, rewards_;
-  std::vector<std::uint8_t> masks_, alive_, terminated_, truncated_, over_;
+  std::vector<std::uint8_t> masks_, last_masks_, alive_, terminated_, truncated_, over_;
   mutable bool in_use_ = false;
 };
 
@@ -261,6 +283,7 @@ void add_env(nb::module_& m) {
       .def("reset", &VectorEnv::reset, arg("seed"), "Begins an episode in every world.")
       .def("step", &VectorEnv::step, arg("actions"),
            "One decision of everybody: (worlds, learners, actions) numbers in [-1, 1].")
+      .def("close", &VectorEnv::close, "Ends its threads and frees its worlds.")
       .def("save", &VectorEnv::save, "Everything that changes.")
       .def("restore", &VectorEnv::restore, arg("saved"), "Goes on from there.")
       .def("episode", &VectorEnv::episode, arg("world"), arg("last"),
@@ -276,6 +299,8 @@ void add_env(nb::module_& m) {
       .def_prop_ro("truncated", &of_self<&VectorEnv::truncated>, "(worlds, learners), 0 or 1")
       .def_prop_ro("masks", &of_self<&VectorEnv::masks>,
                    "(worlds, learners, actions): 1 where the action can do anything now.")
+      .def_prop_ro("last_masks", &of_self<&VectorEnv::last_masks>,
+                   "As masks, of the episodes that are over; else 0.")
       .def_prop_ro(
           "learners", [](const VectorEnv& e) { return e.env().task().learners; }, "Who learns.")
       .def_prop_ro(
@@ -287,10 +312,7 @@ void add_env(nb::module_& m) {
           "What the numbers of an action mean.")
       .def_prop_ro(
           "policy_words", [](const VectorEnv& e) { return policy_words(e.env()); },
-          "What a policy's file says of what it sees and does.")
-      .def_prop_ro(
-          "seconds", [](const VectorEnv& e) { return e.env().seconds(); },
-          "s, from decision to decision.");
+          "What a policy's file says of what it sees and does.");
 }
 
 }  // namespace eyrie::python

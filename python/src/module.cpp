@@ -11,11 +11,7 @@ std::string version_text() {
 PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
   if (const auto who = roster.find(name))
     return *who;
-  std::vector<std::string> names;
-  for (const auto& player : roster.players)
-    names.push_back(player.name);
-  throw nb::value_error(
-      fmt::format("there is no player {}{}", quote(name), did_you_mean(name, names)).c_str());
+  throw nb::value_error(roster.unknown(name).c_str());
 }
 
 }  // namespace eyrie::python

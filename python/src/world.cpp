@@ -55,10 +55,11 @@ class World {
       return made;
     });
   }
-  /// Steps until a World::step(), without a word at the end of the mission.
+  /// Steps until a World::step(), without a word of the end of the mission or of what happened.
   void step_to(std::uint64_t step) {
     if (step > world().step())
       static_cast<void>(this->step(step - world().step()));
+    happened_.clear();
   }
 
   void order(const std::string& json, std::optional<std::uint64_t> at) {

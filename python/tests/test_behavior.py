@@ -111,6 +111,7 @@ def test_what_a_behavior_raises_is_the_fault_of_the_run() -> None:
     words = str(caught.value)
     assert "viper1" in words and "clumsy" in words
     assert "test_behavior.py" in words and "raise KeyError" in words  # the traceback
+    assert str(pickle.loads(pickle.dumps(caught.value))) == words  # to another process
     assert caught.value.run is not None and 1 <= caught.value.run.duration < 1.3
 
 
@@ -214,6 +215,23 @@ def test_wrong_definitions_are_named() -> None:
         eyrie.load("merge", behaviors=[len])  # type: ignore[list-item]
     with pytest.raises(ValueError, match="status"):
         eyrie.propose(1, status="done")
+    with pytest.raises(ValueError, match="north"):
+        eyrie.propose("north")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="to: None is no number"):
+        nothing = eyrie.param(None, help="x")  # type: ignore[arg-type]
+        eyrie.behavior(name="none")(lambda state, to=nothing: None)
+
+
+def test_a_release_of_what_there_is_not_is_none() -> None:
+    @eyrie.behavior
+    def shooter(state: eyrie.State) -> Any:
+        """asks for missiles that nobody has"""
+        n = int(state.time * 10)
+        release = {"track": 1 + n // 4 % 8, "store": 256 + n % 4}
+        return eyrie.propose(900, release=release, mode="route", route=256)
+
+    run = _with("shooter", shooter)
+    assert not (run.events["event"] == "launch").any()
 
 
 def test_a_scenario_with_behaviors_is_pickled() -> None:

@@ -112,6 +112,17 @@ def test_wrong_options_are_named() -> None:
         envs.Env("merge", opponents={"bandit1": ["no_such_tree"]})
     with pytest.raises(ValueError, match="num_envs"):
         envs.VectorEnv("merge", 0)
+    for number in (0, 10**9):
+        with pytest.raises(ValueError, match="environments|num_envs"):
+            envs.VectorEnv("merge", number)
+    with pytest.raises(ValueError, match="viper1 learns"):
+        envs.Env("merge_votes", opponents={"viper1": ["dogfight"]})
+    with pytest.raises(ValueError, match="environment 1 of 1"):
+        envs.VectorEnv("merge", 1).episode(1)
+    one = envs.Env("merge")
+    one.reset(seed=1)
+    with pytest.raises(ValueError, match="shape"):
+        one.step(np.zeros((len(one.actions), 1), np.float32))
     with pytest.raises(ValueError, match="threads"):
         envs.VectorEnv("merge", 1, threads=0)
 
@@ -142,6 +153,10 @@ def test_rewards_are_weighed_otherwise() -> None:
     assert gained(alive=0, nose_on=(2, 1e5, 2e5)) > 9  # nose to nose for five seconds
     with pytest.raises(ValueError, match="no term 'nose_onn'; did you mean 'nose_on'"):
         envs.Env("merge", rewards={"nose_onn": 1})
+    assert gained(closeness=(1, 500, 500)) != pytest.approx(gained(closeness=(1, 1e5, 1e5)))
+    for ranged in ("closeness", "low", "formation"):
+        with pytest.raises(ValueError, match=f"{ranged} needs a range"):
+            envs.Env("merge", rewards={ranged: 1})
     with pytest.raises(ValueError, match="closing"):
         envs.Env("merge", rewards={"closing": 1})  # over what?
 
@@ -161,11 +176,73 @@ def test_what_was_saved_goes_on_alike() -> None:
         for a, was in zip(actions[100:], first, strict=True):
             now = one.step(a)
             assert all((x == y).all() for x, y in zip(now[:4], was[:4], strict=True))
-    with pytest.raises(ValueError, match="another task or number"):
+    with pytest.raises(ValueError, match="another task, scenario or number"):
         envs.VectorEnv("merge", 2).restore(saved)
+    other_tree = envs.VectorEnv("merge", 3, set={"trees.zz": {"navigate": {"vote": 1}}})
+    for stranger in (other_tree, envs.VectorEnv("merge_votes", 3)):
+        with pytest.raises(ValueError, match="another task"):
+            stranger.restore(saved)
     for thing in (env, saved):
         with pytest.raises(TypeError):
             pickle.dumps(thing)
+
+
+def test_the_seeds_to_come_are_saved_too() -> None:
+    env = envs.Env("merge")
+    env.reset(seed=2)
+    saved = env.save()
+    first = env.reset()[0]
+    env.restore(saved)
+    assert (env.reset()[0] == first).all()
+    several = envs.parallel("sweep").unwrapped
+    several.reset(seed=2)
+    before = several.save()
+    act = {who: np.zeros(len(several.actions), np.float32) for who in several.agents}
+    seen = several.step(act)[0]
+    several.restore(before)
+    again = several.step(act)[0]
+    assert all((seen[who] == again[who]).all() for who in seen)
+    assert "observation" in several.policy_words
+
+
+def _crashed(env: envs.Env) -> Any:
+    """The last step of a flight into the ground."""
+    env.reset(seed=1)
+    action = np.zeros(len(env.actions), np.float32)
+    action[1] = -1
+    while True:
+        step = env.step(action)
+        if step[2] or step[3]:
+            return step
+
+
+def test_the_dead_can_do_nothing_and_their_episode_is_kept() -> None:
+    env = envs.Env("merge")
+    seen, _, terminated, _, info = _crashed(env)
+    assert terminated and not seen.any() and not info["mask"].any()
+    env.reset()
+    assert env.episode(last=True).outcome == "blue_lost"
+    many = envs.VectorEnv("merge", 1)
+    many.reset(seed=1)
+    action = np.zeros((1, len(many.actions)), np.float32)
+    action[0, 1] = -1
+    infos: dict[str, Any] = {}
+    while "final_info" not in infos:
+        infos = many.step(action)[4]
+    assert not infos["final_info"]["mask"][0].any() and infos["mask"][0].any()
+
+
+def test_what_is_closed_is_freed() -> None:
+    before = len(os.listdir("/proc/self/task"))
+    env = envs.VectorEnv("merge", 16, threads=4)
+    assert len(os.listdir("/proc/self/task")) == before + 3
+    seen = env.reset(seed=1)[0]
+    env.close()
+    assert len(os.listdir("/proc/self/task")) == before
+    assert np.isfinite(seen).all()
+    env.close()
+    with pytest.raises(eyrie.Error, match="closed"):
+        env.policy_words
 
 
 def _forked(env: envs.VectorEnv) -> int:
@@ -177,6 +254,8 @@ def _forked(env: envs.VectorEnv) -> int:
             os._exit(0)
         except eyrie.Error:
             os._exit(1)
+        finally:
+            os._exit(2)  # not back into the tests
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,12 @@ def test_arrow_keeps_the_units(run: eyrie.Run) -> None:
     assert table.num_rows == len(run.tracks())
     assert table.schema.field("north_m").metadata[b"unit"] == b"m"
     assert table["player"][0].as_py() == run.tracks()["player"][0]
+
+
+def test_a_table_is_pickled_with_its_units(run: eyrie.Run) -> None:
+    events = pickle.loads(pickle.dumps(run.events))
+    assert events.columns == run.events.columns and (events == run.events).all()
+    assert not events.flags.writeable
 
 
 def test_a_table_without_rows_has_its_columns() -> None:

@@ -134,10 +134,17 @@ def test_a_world_is_pickled(scenario: eyrie.Scenario) -> None:
     world.step(40)
     world.order("lose", player=scenario.players[0].name, at_step=45)
     again = pickle.loads(pickle.dumps(world))
-    assert again.hash == world.hash
+    assert again.hash == world.hash and not len(again.events)
     world.step(100)
     again.step(100)
     assert again.hash == world.hash
+
+
+def test_a_copy_of_what_is_over_is_over() -> None:
+    world = eyrie.load("merge", set={"until": "1 s"}).world(seed=3)
+    world.step(10**9)
+    for one in (world, world.copy(), pickle.loads(pickle.dumps(world))):
+        assert one.over and one.outcome == "time"
 
 
 def _hash_after(world: eyrie.World, steps: int) -> str:

@@ -27,7 +27,7 @@ void fly(const Action& action, model::Command& command) {
 
   // what the modes need
   if (command.mode == AutopilotMode::route && action.route)
-    command.route = static_cast<std::uint8_t>(*action.route);
+    command.route = static_cast<std::uint8_t>(std::min(*action.route, 255U));  // 255: there is none
   if (command.mode != AutopilotMode::follow && command.mode != AutopilotMode::loiter)
     return;
   if (action.follow) {
@@ -85,7 +85,9 @@ void execute(const Action& action, const State& state, model::Command& command,
              .trigger = static_cast<std::uint8_t>(action.trigger.value_or(false)),
              .radar_off = static_cast<std::uint8_t>(silent),
              .dispense = action.dispense.value_or(model::Dispense::none)};
-  if (action.release && is_hostile(state, action.release->track)) {
+  // of a plug-in or a person, whose numbers may mean nothing
+  if (action.release && is_hostile(state, action.release->track) &&
+      action.release->store < state.library.missiles.size()) {
     request.shoot_at = agent.asked_track = action.release->track;
     request.store = static_cast<std::uint8_t>(action.release->store + 1);
     agent.asked_store = action.release->store;

@@ -2,26 +2,11 @@
 #include "pilot/gunnery.hpp"
 
 namespace eyrie::pilot {
-std::optional<Sight> gun_sight(const State& s, const Seen& target) {
-  if (!s.type.index.gun)
-    return std::nullopt;
-  const model::GunType& gun = s.library.guns[*s.type.index.gun];
-  model::Kinematics believed;
-  believed.position = position_at(*target.track, s.time);
-  believed.velocity = target.track->velocity;
-  const double density = s.library.environment.atmosphere.at(s.own.altitude).density;
-  const model::weapon::Lead lead =
-      model::weapon::lead_on(gun, density, s.own, from_ned(s.own, nose_of(s.own)), believed);
-  return Sight{.aim = to_ned(s.own, lead.direction),
-               .off_nose = lead.off_bore,
-               .range = lead.range,
-               .time = lead.flight_time};
-}
 
 bool in_gun(const State& s) {
   const Seen* target = s.target();
   const std::optional<Sight> sight =
-      target && s.gun.rounds > 0 ? gun_sight(s, *target) : std::nullopt;
+      target && s.gun.rounds > 0 ? s.gun_sight(*target) : std::nullopt;
   if (!sight)
     return false;
   const model::GunType& gun = s.library.guns[*s.type.index.gun];

@@ -6,17 +6,6 @@
 
 namespace eyrie::pilot {
 
-/// Where to point the nose so that the rounds meet the target.
-struct Sight {
-  Vec3 aim;             ///< unit vector, north-east-down at the ownship
-  double off_nose = 0;  ///< rad, between `aim` and the nose
-  double range = 0;     ///< m
-  double time = 0;      ///< s, that a round flies
-};
-
-/// The lead on a target that keeps its velocity (model/weapon/gun.hpp). Nothing without a gun.
-[[nodiscard]] std::optional<Sight> gun_sight(const State& state, const Seen& target);
-
 /// Whether the target is within reach of the gun and in its cone of aim, and there are rounds.
 [[nodiscard]] bool in_gun(const State& state);
 

@@ -14,7 +14,7 @@ TEST(GunSight, PointsAheadOfACrossingTarget) {
   Desk desk;
   desk.track({800, 0, 0}, kPi / 2, 200);  // to the right
   const State s = desk.state();
-  const auto sight = gun_sight(s, s.seen[0]);
+  const auto sight = s.gun_sight(s.seen[0]);
   ASSERT_TRUE(sight);
   const double bearing = bearing_of(sight->aim);
   // 200 m/s across over 0.7 s or so of flight, from 800 m, while the shooter closes at 250 m/s
@@ -28,7 +28,7 @@ TEST(GunSight, PointsAtATargetThatFliesAheadButForTheDropOfTheRounds) {
   Desk desk;
   desk.track({600, 0, 0}, 0, 250);
   const State s = desk.state();
-  const auto sight = gun_sight(s, s.seen[0]);
+  const auto sight = s.gun_sight(s.seen[0]);
   ASSERT_TRUE(sight);
   EXPECT_NEAR(bearing_of(sight->aim), 0, 1e-9);
   EXPECT_GT(elevation_of(sight->aim), 1e-3);

@@ -128,7 +128,7 @@ constexpr auto kInZone = [](const State& s, const Seen& t) -> double {
 template <auto of>
 double of_sight(const State& s) {
   const Seen* target = s.target();
-  const std::optional<Sight> sight = target ? gun_sight(s, *target) : std::nullopt;
+  const std::optional<Sight> sight = target ? s.gun_sight(*target) : std::nullopt;
   return sight ? of(s, *sight) : kNoValue;
 }
 constexpr auto kGunAzimuth = [](const State& s, const Sight& g) {

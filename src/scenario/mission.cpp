@@ -40,7 +40,8 @@ Mission::Mission(std::shared_ptr<const Scenario> scenario, sim::World start, dou
       run_(scenario_->simulation, std::move(start), with_copies(options, *scenario_)),
       until_(until),
       judge_(*scenario_, until_),
-      any_home_(any_home) {}
+      any_home_(any_home),
+      outcome_(judge_(run_.world(), any_home_)) {}
 
 Mission::Mission(const std::shared_ptr<const Scenario>& scenario, std::uint64_t seed,
                  std::optional<double> until, const sim::RunOptions& options)
@@ -88,15 +89,13 @@ Outcome Judge::operator()(const sim::World& world, bool any_home) {
 bool Mission::step() {
   if (outcome_ != Outcome::running)
     return false;
-  outcome_ = judge_(run_.world(), any_home_);
-  if (outcome_ != Outcome::running)
-    return false;
   const auto events = run_.step();
   if (run_.fault()) {
     outcome_ = Outcome::fault;
     return false;
   }
   any_home_ |= judge_.comes_home(events);
+  outcome_ = judge_(run_.world(), any_home_);
   return true;
 }
 

@@ -69,8 +69,11 @@ class Mission {
     run_.fail(std::move(fault));
     outcome_ = Outcome::fault;
   }
-  /// Ends it now.
-  void stop() { outcome_ = Outcome::stopped; }
+  /// Ends it now, if it is not over.
+  void stop() {
+    if (outcome_ == Outcome::running)
+      outcome_ = Outcome::stopped;
+  }
   /// Steps to the end, then tells the observers.
   void fly();
 
@@ -84,7 +87,7 @@ class Mission {
   double until_;
   Judge judge_;
   bool any_home_ = false;
-  Outcome outcome_ = Outcome::running;
+  Outcome outcome_;
 };
 
 /// "eagle1 at 12.3 s (step 615): root/pursue of tree 'pilot', from libmine.so, threw: no fuel"

@@ -78,7 +78,8 @@ Duel duel(const Kinematics& own, const Kinematics& other) {
 }
 
 double of_duel(const Reward& r, const Duel& d) {
-  const double within = r.high > r.low ? near_one(d.range, r.low, r.high) : 1;
+  const bool anywhere = r.high <= r.low && r.term != Term::closeness;
+  const double within = anywhere ? 1 : near_one(d.range, r.low, r.high);
   switch (r.term) {
     case Term::nose_on:
       return within * (1 - d.off_nose / kPi);

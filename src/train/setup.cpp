@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// \file  From a task to environments: who learns, what an action is, against whom.
 #include <algorithm>
+#include <bit>
 
+#include "core/hash.hpp"
 #include "train/slot.hpp"
 #include "train/vector_env.hpp"
 
@@ -18,19 +20,26 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
       options_(options),
       scenario_(scenario::load({task_.scenario, task_.sets}, std::move(source))),
       observation_(task_.observation, {"observation", 1, 1}) {
-  if (options_.envs == 0)
-    refuse("there must be an environment");
+  constexpr std::size_t kMostEnvs = 1'000'000;  // of some 50 kB each
+  if (options_.envs == 0 || options_.envs > kMostEnvs)
+    refuse(fmt::format("{} environments: there can be 1 to {}", options_.envs, kMostEnvs));
   if (options_.workers == 0 || options_.workers > 256)
     refuse(fmt::format("{} workers: there can be 1 to 256", options_.workers));
   if (task_.controls.empty() == !task_.votes)
     refuse("a task has controls or votes, one of them");
   if (!task_.votes)
     controls_ = pilot::Controls(task_.controls, {"controls", 1, 1});
-  for (const Reward& r : task_.rewards)
+  for (const Reward& r : task_.rewards) {
     if (!std::isfinite(r.weight) || !(r.low <= r.high) || !std::isfinite(r.high - r.low) ||
         (r.term == Term::closing && !(r.high > 0)))
       refuse(fmt::format("reward {}: weight {}, from {} to {}", enum_name(r.term), r.weight, r.low,
                          r.high));
+    if (r.high == 0 &&
+        (r.term == Term::closeness || r.term == Term::low || r.term == Term::formation))
+      refuse(
+          fmt::format("reward {} needs a range: it is 1 up to its low end, 0 from its high end on",
+                      enum_name(r.term)));
+  }
   for (const pilot::Control& control : controls_.controls())
     action_names_.emplace_back(control.info().name);
   read_learners();
@@ -58,23 +67,47 @@ VectorEnv::VectorEnv(TaskSpec task, scenario::Source source, const Options& opti
   executor_ = std::make_unique<Executor>(options_.workers);
   for (std::size_t env = 0; env < options_.envs; ++env)
     begin(slots_[env], next_seed(env));
+  hash_ = hash_of_task();
 }
 
 VectorEnv::~VectorEnv() = default;
 VectorEnv::VectorEnv(VectorEnv&&) noexcept = default;
 VectorEnv& VectorEnv::operator=(VectorEnv&&) noexcept = default;
 
+std::uint64_t VectorEnv::hash_of_task() const {
+  Hasher hash;
+  const auto add = [&](std::string_view text) {
+    hash.word(text.size());
+    hash.bytes(text.data(), text.size());
+  };
+  const auto add_all = [&](const auto& texts) {
+    hash.word(texts.size());
+    for (const auto& text : texts)
+      add(text);
+  };
+  for (const auto& [name, text] : scenario_->files) {
+    add(name);
+    add(text);
+  }
+  add_all(task_.sets);
+  add_all(task_.learners);
+  add_all(action_names_);
+  for (const Opponent& opponent : task_.opponents) {
+    add(opponent.player);
+    add_all(opponent.trees);
+  }
+  hash.word(controls_.hash());
+  hash.word(task_.votes ? std::bit_cast<std::uint64_t>(task_.votes->most) : 0);
+  return hash.value();
+}
+
 void VectorEnv::read_learners() {
-  std::vector<std::string> names;
-  for (const auto& player : scenario_->roster.players)
-    names.push_back(player.name);
   if (task_.learners.empty())
     refuse("nobody learns: name a learner");
   for (const std::string& name : task_.learners) {
     const auto id = scenario_->roster.find(name);
     if (!id)
-      refuse(
-          fmt::format("learner: there is no player {}{}", quote(name), did_you_mean(name, names)));
+      refuse("learner: " + scenario_->roster.unknown(name));
     const auto row = scenario_->start->row(scenario_->aircraft.table, *id);
     if (!row || scenario_->roster.find(*id)->remote)
       refuse(fmt::format("learner {} is no aircraft of this program", quote(name)));
@@ -125,6 +158,9 @@ void VectorEnv::read_opponents() {
     const auto id = scenario_->roster.find(opponent.player);
     if (!id || scenario_->roster.find(*id)->fleet != 0)
       refuse(fmt::format("opponent: there is no aircraft {}", quote(opponent.player)));
+    for (const Learner& learner : learners_)
+      if (learner.id == *id)
+        refuse(fmt::format("opponent: {} learns", quote(opponent.player)));
     if (opponent.trees.empty())
       refuse(fmt::format("opponent {}: name a tree", quote(opponent.player)));
     Choice choice{.player = *id, .trees = {}};

@@ -26,6 +26,7 @@ void VectorEnv::check(const Arrays& out) const {
   check_size("observations", out.observations, agents * shape_.observation);
   check_size("last_observations", out.last_observations, agents * shape_.observation);
   check_size("masks", out.masks, agents * shape_.action);
+  check_size("last_masks", out.last_masks, agents * shape_.action);
   check_size("alive", out.alive, agents);
   check_size("rewards", out.rewards, agents);
   check_size("terminated", out.terminated, agents);
@@ -91,7 +92,6 @@ void VectorEnv::reset(std::uint64_t seed, const Arrays& out) {
   options_.seed = seed;
   for (std::size_t env = 0; env < shape_.envs; ++env) {
     slots_[env].episodes = 0;
-    slots_[env].last = {};
     begin(slots_[env], next_seed(env));
     show(env, out);
   }
@@ -217,10 +217,12 @@ void VectorEnv::judge(Slot& slot, std::size_t env, const Arrays& out) const {
 
   // what they see: of an episode that is over, and of the one that begins
   float* last = out.last_observations.data() + first * shape_.observation;
+  std::uint8_t* last_mask = out.last_masks.data() + first * shape_.action;
   std::fill_n(last, shape_.agents * shape_.observation, 0.0F);
+  std::fill_n(last_mask, shape_.agents * shape_.action, std::uint8_t{0});
   if (over) {
     for (std::size_t agent = 0; agent < shape_.agents; ++agent)
-      observe(slot, agent, last + agent * shape_.observation, nullptr);
+      observe(slot, agent, last + agent * shape_.observation, last_mask + agent * shape_.action);
     end(slot);
     begin(slot, next_seed(env));
   }
@@ -244,6 +246,8 @@ void VectorEnv::show(std::size_t env, const Arrays& out) const {
   std::fill_n(out.truncated.data() + first, shape_.agents, std::uint8_t{0});
   std::fill_n(out.last_observations.data() + first * shape_.observation,
               shape_.agents * shape_.observation, 0.0F);
+  std::fill_n(out.last_masks.data() + first * shape_.action, shape_.agents * shape_.action,
+              std::uint8_t{0});
   out.over[env] = 0;
   show_now(env, out);
 }
@@ -254,41 +258,42 @@ void VectorEnv::observe(const Slot& slot, std::size_t agent, float* observation,
       slot.agents[agent].alive &&
       perceive(*scenario_, slot.world, learners_[agent].id, [&](const pilot::State& state) {
         observation_.write(state, observation);
-        if (mask && !task_.votes)
+        if (!task_.votes)
           controls_.mask(state, mask);
       });
   if (!there)
     std::fill_n(observation, shape_.observation, 0.0F);
-  if (mask && (!there || task_.votes))
+  if (!there || task_.votes)
     std::fill_n(mask, shape_.action, static_cast<std::uint8_t>(there ? 1 : 0));
 }
 
+const VectorEnv::Slot& VectorEnv::slot(std::size_t env) const {
+  if (env >= slots_.size())
+    refuse(fmt::format("environment {} of {}", env, slots_.size()));
+  return slots_[env];
+}
 std::uint64_t VectorEnv::seed(std::size_t env) const {
-  return slots_.at(env).seed;
+  return slot(env).seed;
 }
 const Finished& VectorEnv::finished(std::size_t env) const {
-  return slots_.at(env).last;
+  return slot(env).last;
 }
 const sim::World& VectorEnv::world(std::size_t env) const {
-  return slots_.at(env).world;
+  return slot(env).world;
 }
 
 std::shared_ptr<const VectorEnv::Snapshot> VectorEnv::save() const {
-  return std::make_shared<const Snapshot>(Snapshot{options_.seed, slots_});
+  return std::make_shared<const Snapshot>(Snapshot{hash_, options_.seed, slots_});
 }
 
 void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
   check(out);
-  if (snapshot.slots.size() != slots_.size() ||
-      snapshot.slots.front().agents.size() != shape_.agents ||
-      snapshot.slots.front().world.schema().layout_hash() !=
-          scenario_->simulation->schema().layout_hash())
-    refuse("this was saved by environments of another task or number");
+  if (snapshot.slots.size() != slots_.size() || snapshot.task != hash_)
+    refuse("this was saved by environments of another task, scenario or number");
   options_.seed = snapshot.seed;
   for (std::size_t env = 0; env < shape_.envs; ++env) {
     auto world = snapshot.slots[env].world.moved_to(scenario_->simulation->shared_schema());
-    if (!world)
-      refuse("this was saved by environments of another task");
+    EYRIE_DEMAND(world.has_value(), "worlds of one task have one schema");
     slots_[env] = snapshot.slots[env];
     slots_[env].keep(env < options_.keep_episodes ? room_ : 0);
     slots_[env].world = std::move(*world);
@@ -297,7 +302,7 @@ void VectorEnv::restore(const Snapshot& snapshot, const Arrays& out) {
 }
 
 record::RunFile VectorEnv::episode(std::size_t env, bool last_one) const {
-  const Slot& slot = slots_.at(env);
+  const Slot& slot = this->slot(env);
   if (!slot.kept)
     refuse(fmt::format("episodes of environment {} are not kept: those of the first {} are", env,
                        options_.keep_episodes));

@@ -29,6 +29,7 @@ struct Arrays {
   std::span<std::uint8_t> truncated;   ///< envs x agents: alive when the time was up
   std::span<std::uint8_t> over;        ///< envs: the episode was, and the next one has begun
   std::span<float> last_observations;  ///< as observations, of the episodes that are over; else 0
+  std::span<std::uint8_t> last_masks;  ///< as masks, likewise
 };
 
 struct Options {
@@ -96,7 +97,7 @@ class VectorEnv {
   /// same task and number of environments.
   struct Slot;
   struct Snapshot {
-    std::uint64_t seed = 0;
+    std::uint64_t task = 0, seed = 0;  ///< task: hash of all that decides how an episode goes
     std::vector<Slot> slots;
   };
   [[nodiscard]] std::shared_ptr<const Snapshot> save() const;
@@ -117,6 +118,8 @@ class VectorEnv {
     std::vector<std::uint16_t> trees;
   };
 
+  [[nodiscard]] std::uint64_t hash_of_task() const;
+  [[nodiscard]] const Slot& slot(std::size_t env) const;
   void read_learners();
   void read_opponents();
   void check(const Arrays& out) const;
@@ -146,7 +149,8 @@ class VectorEnv {
   std::uint32_t period_ = 5;  ///< steps of the world
   std::uint32_t lead_ = 0;    ///< of its steps, until the first learner decides
   double seconds_ = 0.1;
-  std::size_t room_ = 0;  ///< for the orders of the longest episode
+  std::uint64_t hash_ = 0;  ///< of the task
+  std::size_t room_ = 0;    ///< for the orders of the longest episode
   std::vector<Slot> slots_;
   std::vector<std::unique_ptr<Lane>>
       lanes_;  ///< each a run of environments, for one thread at a time

@@ -19,7 +19,7 @@ namespace {
 struct Trainer {
   VectorEnv env;
   std::vector<float> observations, last_observations, rewards;
-  std::vector<std::uint8_t> masks, alive, terminated, truncated, over;
+  std::vector<std::uint8_t> masks, last_masks, alive, terminated, truncated, over;
   std::vector<float> actions;
   std::uint64_t decisions = 0;
 
@@ -30,6 +30,7 @@ struct Trainer {
     observations.resize(agents * s.observation);
     last_observations.resize(agents * s.observation);
     masks.resize(agents * s.action);
+    last_masks.resize(agents * s.action);
     for (auto* one : {&alive, &terminated, &truncated})
       one->resize(agents);
     rewards.resize(agents);
@@ -38,7 +39,8 @@ struct Trainer {
     env.reset(options.seed, arrays());
   }
   Arrays arrays() {
-    return {observations, masks, alive, rewards, terminated, truncated, over, last_observations};
+    return {observations,      masks,     alive, rewards, terminated, truncated, over,
+            last_observations, last_masks};
   }
   /// Each is a function of the number of the decision and its place.
   void act() {

@@ -11,7 +11,7 @@ Status LeadPursuit::tick(const Tick& t, Proposal& out) const {
   if (!target)
     return fails(t, "no target");
   if (target->range <= gun_range_)
-    if (const auto sight = gun_sight(s, *target)) {
+    if (const auto& sight = s.gun_sight(*target)) {
       const Status status = fly(s, target, sight->aim, out);
       if (sight->off_nose < cash_in_)
         out.action.load_factor = load_factor_;
@@ -28,7 +28,7 @@ Status Snapshot::tick(const Tick& t, Proposal& out) const {
   const Seen* target = s.target();
   if (const char* why = why_no_gun(s, target, max_age_))
     return fails(t, why);
-  const auto sight = gun_sight(s, *target);
+  const auto& sight = s.gun_sight(*target);
   if (target->range > within_)
     return fails(t, "the target is too far");
   // the aim point, and its way across the nose

@@ -48,7 +48,7 @@ TEST(LeadPursuit, AimsTheGunWhenNearAndPaysForTheLastDegrees) {
   Desk desk;
   desk.track({800, 0, 0}, 20 * kDegree, 240);
   const State s = desk.state();
-  const auto sight = gun_sight(s, s.seen[0]);
+  const auto sight = s.gun_sight(s.seen[0]);
   ASSERT_TRUE(sight.has_value());
   desk.own.speed = 150;  // slow: the energy would not allow it
   const Decided d = decide("{lead_pursuit: {gun_range: 1 km, cash_in: 40 deg}}", desk);
@@ -65,7 +65,8 @@ TEST(Snapshot, WaitsForWhomTheNoseCannotFollowAndFiresAsHePasses) {
   double first = -1, last = -1, passed = -1;
   for (int i = 0; i < 60; ++i) {
     const double time = desk.time;
-    const double off = gun_sight(desk.state(), desk.state().seen[0])->off_nose;
+    const State now = desk.state();
+    const double off = now.gun_sight(now.seen[0])->off_nose;
     const Decided d = pilot.decide(desk);
     if (d.status == kRunning && d.action().trigger.value_or(false)) {
       first = first < 0 ? time : first;

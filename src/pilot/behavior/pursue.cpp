@@ -118,7 +118,7 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   }
   action.heading = steadied(s, *target, bearing_of(collision_course(s, *target)));
   if (mode_ == Pursuit::lead && target->range <= gun_range_)
-    if (const auto sight = gun_sight(s, *target))
+    if (const auto& sight = s.gun_sight(*target))
       aim(s, sight->aim, action.load_factor.value(), speed_, floor_, action);
   return Status::running;
 }

@@ -92,7 +92,7 @@ TEST(Pursue, AimsTheGunWhenItIsNear) {
   Desk desk;
   desk.track({800, 0, -100}, kPi / 2, 200);
   const State s = desk.state();
-  const auto sight = gun_sight(s, s.seen[0]);
+  const auto sight = s.gun_sight(s.seen[0]);
   ASSERT_TRUE(sight.has_value());
   const Decided d = decide("{pursue: {mode: lead, gun_range: 1 km}}", desk);
   EXPECT_NEAR(*d.action().heading, bearing_of(sight->aim), 1e-12);

@@ -31,7 +31,7 @@ Status ShootGun::tick(const Tick& t, Proposal& out) const {
   const double reach = range_.value_or(gun.greatest_range);
   if (target->range > reach)
     return holds_fire("the target is out of reach");
-  const auto sight = gun_sight(s, *target);
+  const auto& sight = s.gun_sight(*target);
   if (sight->off_nose > tolerance_.value_or(gun.aim_cone))
     return holds_fire("the nose is not on the aim point");
   if (friend_in_line(s, {.direction = sight->aim,

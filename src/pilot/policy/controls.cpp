@@ -35,7 +35,7 @@ Vec3 aim_of(const State& s) {
   if (!target)
     return normalized(s.velocity_ned, {1, 0, 0});
   const Vec3 sight = normalized(target->ned, {1, 0, 0});
-  const auto gun = gun_sight(s, *target);
+  const auto& gun = s.gun_sight(*target);
   if (!gun)
     return sight;
   const double reach = s.library.guns[*s.type.index.gun].greatest_range;
@@ -46,7 +46,7 @@ Vec3 aim_of(const State& s) {
 bool gun_bears(const State& s) {
   const Seen* target = s.target();
   return target && target->hostile() && in_gun(s) &&
-         !friend_in_line(s, {.direction = gun_sight(s, *target)->aim,
+         !friend_in_line(s, {.direction = s.gun_sight(*target)->aim,
                              .to = target->range + 1000,
                              .half_angle = radians(3)});
 }

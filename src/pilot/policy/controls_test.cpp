@@ -60,7 +60,7 @@ TEST(Controls, AimAtTheTargetAndInsideTheGunsReachAheadOfHim) {
   desk.tracks.tracks[0].position = desk.own.position + Vec3{500, 0, 0};
   desk.tracks.tracks[0].velocity = {0, 200, 0};
   const State state = desk.state();
-  const auto sight = gun_sight(state, *state.target());
+  const auto sight = state.gun_sight(*state.target());
   EXPECT_NEAR(*flown(kAim, {0, 0}, desk).heading, bearing_of(sight->aim), 1e-6);
   EXPECT_GT(*flown(kAim, {0, 0}, desk).heading, 3 * kDegree);
 }
@@ -189,7 +189,7 @@ TEST(Controls, HaveDistinctNamesAndHelpAndAreSaneAtTheirEnds) {
       const Manual manual = asked(text, {end}, {});
       model::Tasking tasking;
       const auto order = sim::order_for(1, PlayerId{1}, OrderKind::manual, manual);
-      EXPECT_EQ(Outside::obey(order, tasking, 1), team::Obeyed::told) << text;
+      EXPECT_EQ(Outside::obey(order, tasking, {.nodes = 1}), team::Obeyed::told) << text;
     }
   }
 }

@@ -211,7 +211,11 @@ std::optional<Network> Network::read(std::string_view text, const Location& wher
     diagnostics.error(where, fmt::format("a network takes 1 to {} numbers", kMostUnits));
   read_layout(text, where, diagnostics, [&](LayoutLine& line) {
     if (diagnostics.count() != before)
-      return;  // the next layer depends on this one
+      return;                                     // the next layer depends on this one
+    if (network.layers_.size() == kMostLayers) {  // before memory is taken for one more
+      line.fail(fmt::format("more than {} layers", kMostLayers));
+      return;
+    }
     const std::size_t fed = network.layers_.empty() ? inputs : network.outputs();
     auto layer = read_layer(line, fed, tensors, diagnostics);
     if (!layer)
@@ -222,8 +226,6 @@ std::optional<Network> Network::read(std::string_view text, const Location& wher
                                                         : 2 * layer->out;
     network.layers_.push_back(std::move(*layer));
   });
-  if (network.layers_.size() > kMostLayers)
-    diagnostics.error(where, fmt::format("more than {} layers", kMostLayers));
   return diagnostics.count() == before ? std::optional(std::move(network)) : std::nullopt;
 }
 
