@@ -136,6 +136,12 @@ void Announcer::finish(const sim::World&) {
                   .reason = kTermination});
 }
 
+void Announcer::hold() {
+  for (auto& [who, entity] : entities_)
+    if (entity.here && !entity.theirs)
+      tell_state(entity, kFrozen);
+}
+
 void Announcer::look(const sim::World& world) {
   for (auto& [who, entity] : entities_)
     entity.here = false;
@@ -309,6 +315,8 @@ void Announcer::tell_state(Entity& entity, std::uint32_t appearance) {
   state.orientation = narrow(euler_of(entity.now.attitude));
   state.spin = narrow(entity.now.spin);
   state.appearance = appearance;
+  if ((appearance & kFrozen) != 0)
+    state.velocity = state.acceleration = state.spin = {};
   entity.reckoned = motion_of(state);
   entity.told = time_;
   send(state);

@@ -39,6 +39,8 @@ class Announcer final : public sim::Observer {
   void observe(const sim::World& world, const sim::StepInfo& info,
                std::span<const sim::Event> events) override;
   void finish(const sim::World& world) override;
+  /// The mission stands still: everybody is where he was last. To be said every heartbeat.
+  void hold();
 
   /// Players and missiles that have no number of 16 bits and so are not told of.
   [[nodiscard]] std::size_t nameless() const { return nameless_; }

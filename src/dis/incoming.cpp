@@ -165,19 +165,21 @@ std::optional<Unused> Incoming::once(Application& application, std::uint8_t type
 }
 
 double Incoming::valid_at(Application& application, std::uint32_t stamp, double came) {
-  const double ago = behind(seconds_of(stamp), std::fmod(came, kHour));
-  if ((stamp & 1) != 0 && ago > -kSameClock && ago < kLongestWay) {
+  const bool absolute = (stamp & 1) != 0;
+  const double rate = absolute ? 1 : rate_;
+  const double ago = behind(seconds_of(stamp), std::fmod(rate * came, kHour));
+  if (absolute && ago > -kSameClock && ago < kLongestWay) {
     counts.latency.add(std::max(ago, 0.0));
     return came - std::max(ago, 0.0);
   }
   // its own clock: that packet was the quickest which is the least behind
   const double later = behind(application.nearest, ago);
-  if (!application.known || later < 0 || later > kLongestWay) {
+  if (!application.known || later < 0 || later > rate * kLongestWay) {
     application.known = true;
     application.nearest = ago;
     return came;
   }
-  return came - later;
+  return came - later / rate;
 }
 
 }  // namespace eyrie::dis

@@ -67,7 +67,8 @@ class Incoming {
  public:
   static constexpr std::size_t kMost = 4096;
 
-  explicit Incoming(const Station& station) : station_(station) {}
+  /// `rate`: seconds of the mission in one of the clock; stamps of it are those of the mission.
+  explicit Incoming(const Station& station, double rate = 1) : station_(station), rate_(rate) {}
 
   /// A datagram that came at `came` (s since 1970).
   void hear(std::span<const std::byte> datagram, double came);
@@ -82,7 +83,7 @@ class Incoming {
     std::map<std::uint8_t, std::uint32_t> last;  ///< by type of PDU
   };
   struct Application {
-    double nearest = 0;  ///< s, the least that its stamps are behind our clock
+    double nearest = 0;  ///< s of its clock, the least that its stamps are behind ours
     bool known = false;
     std::set<std::pair<std::uint8_t, std::uint32_t>>
         told;  ///< type and number of what is told once
@@ -98,6 +99,7 @@ class Incoming {
   [[nodiscard]] double valid_at(Application& application, std::uint32_t stamp, double came);
 
   Station station_;
+  double rate_;
   std::map<EntityId, Stamps> entities_;
   std::map<std::pair<std::uint16_t, std::uint16_t>, Application> applications_;
   std::vector<Received> received_;

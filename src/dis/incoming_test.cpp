@@ -86,6 +86,15 @@ TEST(Incoming, KnowsWhenItWasSoByTheClockOfTheWorldOrByTheQuickestPacket) {
   EXPECT_EQ(in.counts.latency.count, 1u);
 }
 
+TEST(Incoming, KnowsWhenItWasSoOfAMissionThatIsFlownMoreSlowly) {
+  Incoming in({}, 0.5);
+  for (int i = 0; i < 60; ++i) {
+    const double late = i % 3 == 0 ? 0 : 0.03;
+    in.hear(state(i * 0.5), kNoon + 4000 + i + late);
+    EXPECT_NEAR(in.take().at(0).valid, kNoon + 4000 + i, 1e-4) << i;
+  }
+}
+
 TEST(Incoming, KeepsNoMoreThanItsRoomWhateverComes) {
   Incoming in({});
   for (unsigned i = 0; i < 3 * Incoming::kMost; ++i)

@@ -51,6 +51,11 @@ std::vector<sim::Order> Others::orders(const sim::World& world, double clock) {
               side, 0);
       follow(now, entity, state, entity.valid);
     }
+  // of many of one entity the newest: what is kept of the exercise grows with its steps alone
+  for (auto& [id, entity] : entities_)
+    if (const auto said = std::exchange(entity.said, std::nullopt);
+        said && entity.who && !entity.gone)
+      follow(now, entity, *said, entity.said_valid);
   for (auto& [id, entity] : entities_)
     if (entity.here && rate_ * (clock - entity.heard) > station_.thresholds.timeout()) {
       leave(now, entity, model::RemoteEnd::vanished);
@@ -156,7 +161,8 @@ void Others::take(const Now& now, double valid, const EntityState& state) {
     entity.gone = true;
     return;
   }
-  follow(now, entity, state, valid);
+  entity.said = state;
+  entity.said_valid = valid;
 }
 
 /// Finds out which remote player it is.

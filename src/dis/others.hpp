@@ -15,12 +15,18 @@ class Others {
  public:
   /// `rate`: seconds of the mission in one of the clock. The scenario must outlive it.
   Others(const scenario::Scenario& scenario, const Station& station, double rate = 1)
-      : scenario_(scenario), station_(station), rate_(rate), incoming_(station) {}
+      : scenario_(scenario), station_(station), rate_(rate), incoming_(station, rate) {}
 
   /// A datagram that came at `came` (s since 1970).
   void hear(std::span<const std::byte> datagram, double came) { incoming_.hear(datagram, came); }
   /// Orders for the step that begins with `world` at `now` (s since 1970), of all that was heard.
   [[nodiscard]] std::vector<sim::Order> orders(const sim::World& world, double now);
+
+  /// The mission stands still at `now`: nobody is missed for not being heard of.
+  void hold(double now) {
+    for (auto& [id, entity] : entities_)
+      entity.heard = now;
+  }
 
   /// What others call a remote player; kNobody if it has not been heard of.
   [[nodiscard]] EntityId entity_of(PlayerId who) const;
@@ -42,8 +48,10 @@ class Others {
     bool here = false, gone = false, namesake = false;
     double heard = 0;                  ///< s since 1970
     std::optional<EntityState> early;  ///< of a missile whose Fire has not come
+    std::optional<EntityState> said;   ///< the newest of those that came since the last step
     Motion last;
-    double valid = 0;  ///< s since 1970, of `last`
+    double valid = 0;       ///< s since 1970, of `last`
+    double said_valid = 0;  ///< and of `said`
     Reckoning reckoning = Reckoning::fixed;
     model::RemoteBeam beam;
   };

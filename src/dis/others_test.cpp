@@ -153,5 +153,47 @@ TEST(Others, TellTheSameStoryOverABadNetwork) {
   EXPECT_EQ(counts[Unused::malformed] + counts[Unused::own] + counts[Unused::exercise], 0u);
 }
 
+TEST(Others, MissNobodyWhileTheMissionStandsStill) {
+  Both both("merge");
+  both.fly(10);
+  Others& others = both.blue.others;
+  const double noon = kStart + both.blue.flight.mission.run().time();
+  for (int second = 1; second < 60; ++second) {
+    others.hold(noon + second);
+    EXPECT_TRUE(others.orders(both.blue.flight.world(), noon + second).empty());
+  }
+  EXPECT_EQ(others.counts().vanished, 0u);
+  EXPECT_FALSE(others.orders(both.blue.flight.world(), noon + 80).empty());
+  EXPECT_EQ(others.counts().vanished, 1u);
+}
+
+TEST(Others, KeepOneStateOfEachInAStepHoweverManyCome) {
+  Both both("merge");
+  both.fly(5);
+  Others& others = both.blue.others;
+  static_cast<void>(others.orders(both.blue.flight.world(), kStart + 5));
+  const auto who = both.blue.flight.scenario->roster.find("bandit1");
+  EntityState state;
+  state.id = others.entity_of(*who);
+  state.location = both.blue.flight.scenario->library->reference.to_ecef({0, 0, 3000});
+  for (int i = 0; i < 5000; ++i) {
+    others.hear(encode({.timestamp = timestamp_at(6 + i * 1e-4), .pdu = state}),
+                kStart + 6 + i * 1e-4);
+  }
+  EXPECT_EQ(others.orders(both.blue.flight.world(), kStart + 7).size(), 3u);
+}
+
+TEST(Announcer, TellsThatEverybodyStandsStill) {
+  Both both("merge");
+  both.fly(2);
+  both.blue.sent.clear();
+  both.blue.announcer.hold();
+  ASSERT_EQ(both.blue.sent.size(), 1u);
+  const Decoded read = decode(both.blue.sent.front());
+  const auto& state = std::get<EntityState>(read.packet.pdu);
+  EXPECT_EQ(state.appearance, kFrozen);
+  EXPECT_EQ(norm(wide(state.velocity)), 0);
+}
+
 }  // namespace
 }  // namespace eyrie::dis

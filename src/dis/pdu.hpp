@@ -69,7 +69,11 @@ struct EntityState {
   }
 };
 /// Bits of EntityState::appearance that all platforms and munitions share.
-enum Appearance : std::uint32_t { kDestroyed = 3u << 3, kDeactivated = 1u << 23 };
+enum Appearance : std::uint32_t {
+  kDestroyed = 3u << 3,
+  kFrozen = 1u << 21,
+  kDeactivated = 1u << 23
+};
 
 /// 6.2.19.2: what was fired.
 struct Munition {

@@ -6,6 +6,7 @@
 
 #include "core/assert.hpp"
 #include "core/text.hpp"
+#include "model/tasking.hpp"
 
 namespace eyrie::live {
 namespace {
@@ -116,11 +117,11 @@ void Exercise::wait(Clock::time_point until, const Enough& enough) {
 
 void Exercise::attend() {
   if (mail_.waiting())
-    for (const Request& request : mail_.take())
+    for (Request& request : mail_.take())
       carry_out(request);
 }
 
-void Exercise::carry_out(const Request& request) {
+void Exercise::carry_out(Request& request) {
   switch (request.what) {
     case What::joined:
       ++viewers_;
@@ -174,27 +175,44 @@ bool Exercise::listen() {
   return !frozen_ || mission_.outcome() != scenario::Outcome::running;
 }
 
-std::string Exercise::problem(const Request& request) const {
-  const auto& [kind, orders, words] = request.order;
+/// Leaves those out who are no longer there.
+std::string Exercise::problem(Request& request) const {
+  auto& [kind, orders, words] = request.order;
   if (over_)
     return "the mission is over";
   if (!words.empty())
     return words;
+  const std::string first =
+      orders.empty() ? "" : mission_.scenario().roster.name(orders.front().player);
+  std::erase_if(orders, [&](const sim::Order& one) {
+    return !mission_.scenario().find(mission_.run().world(), one.player);
+  });
+  if (orders.empty())
+    return first + " is no longer there";
+  if (kind == "vote") {
+    const auto flies_by_it = [&](const sim::Order& one) {
+      const scenario::Scenario& scenario = mission_.scenario();
+      const sim::World& world = mission_.run().world();
+      const auto row = world.row(scenario.aircraft.table, one.player);
+      return row &&
+             world.rows(scenario.pilots.agent)[*row].tree + 1 == one.as<model::VoteChange>().tree;
+    };
+    std::erase_if(orders, [&](const sim::Order& one) { return !flies_by_it(one); });
+    if (orders.empty())
+      return first + " flies by another tree";
+  }
   if (waiting_ + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
     return "there are too many orders";
   for (const sim::Order& one : orders) {
-    const std::string name = mission_.scenario().roster.name(one.player);
-    if (!mission_.scenario().find(mission_.run().world(), one.player))
-      return name + " is no longer there";
     const auto held = held_.find(one.player);
     const bool by_another = held != held_.end() && held->second != request.who;
     if (by_another && (kind == "manual" || kind == "hand_back"))
-      return name + " is flown by somebody else";
+      return mission_.scenario().roster.name(one.player) + " is flown by somebody else";
   }
   return {};
 }
 
-void Exercise::order(const Request& request) {
+void Exercise::order(Request& request) {
   std::string words = problem(request);
   if (words.empty())
     words = give(request.order.orders);

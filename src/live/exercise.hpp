@@ -52,14 +52,14 @@ class Exercise {
   void attend();
   void keep_time();
   bool listen();
-  void carry_out(const Request& request);
+  void carry_out(Request& request);
   void steer(const Request& request);
-  void order(const Request& request);
+  void order(Request& request);
   void hand_back(net::ViewerId who);
   /// Gives why it cannot be; "" if it is given.
   [[nodiscard]] std::string give(std::span<const sim::Order> orders);
   void refuse(net::ViewerId who, const std::string& words);
-  [[nodiscard]] std::string problem(const Request& request) const;
+  [[nodiscard]] std::string problem(Request& request) const;
 
   void wait(net::Clock::time_point until, const Enough& enough);
   void tell_when_due();

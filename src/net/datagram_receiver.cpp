@@ -102,7 +102,9 @@ std::uint16_t DatagramReceiver::port() const {
 void DatagramReceiver::drain(const Use& use) {
   Line& line = *line_;
   std::uint64_t taken = line.taken.load(std::memory_order_relaxed);
-  while (taken != line.put.load(std::memory_order_acquire)) {
+  // what comes meanwhile waits: who sends without end holds nobody up
+  const std::uint64_t put = line.put.load(std::memory_order_acquire);
+  while (taken != put) {
     const Line::Slot& slot = line.slots[taken % line.slots.size()];
     use(std::span(slot.bytes).first(slot.size), slot.came);
     line.taken.store(++taken, std::memory_order_release);

@@ -38,7 +38,7 @@ class DatagramReceiver {
   DatagramReceiver& operator=(const DatagramReceiver&) = delete;
 
   [[nodiscard]] std::uint16_t port() const;
-  /// By one thread: calls `use` with each that has come since.
+  /// By one thread: calls `use` with each that has come since, until now.
   void drain(const Use& use);
   /// Takes no more.
   void close();

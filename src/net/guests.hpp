@@ -17,6 +17,7 @@ struct Guest {
   bool gone = false;
   std::deque<Text> out;
   std::size_t pending = 0;  ///< bytes of `out`
+  std::size_t room = 0;     ///< bytes more than others that may wait for him
 };
 
 /// One host's; all of it but the counters belongs to the listener's thread. `Kind` is a Guest with
@@ -67,7 +68,7 @@ class Guests {
     if (guest->gone || text->empty())
       return;
     guest->pending += text->size();
-    if (guest->pending > waiting_) {
+    if (guest->pending > waiting_ + guest->room) {
       ++dropped;
       return end(guest);
     }

@@ -139,6 +139,10 @@ struct WebHost::Network {
     const std::string_view origin = view(request[http::field::origin]);
     if (!origin.empty() && origin != "http://" + std::string(host))
       return say(visitor, http::status::forbidden, "this is for no other site");
+    // a picture or a link of another site sends no origin; newer browsers say this of it
+    const std::string_view from = view(request["Sec-Fetch-Site"]);
+    if (path != "/" && !from.empty() && from != "same-origin" && from != "none")
+      return say(visitor, http::status::forbidden, "this is for no other site");
     if (path == "/live" && websocket::is_upgrade(request))
       return join(visitor);
     if (request.method() != http::verb::get && request.method() != http::verb::head)
@@ -156,6 +160,9 @@ struct WebHost::Network {
   /// A page of another site may give its own name this machine's address: it asks by that name.
   [[nodiscard]] bool is_own_name(std::string_view host) const {
     if (!options.token.empty())
+      return true;
+    if (options.at.port == 80 && (host == options.at.address || host == "localhost" ||
+                                  host == "127.0.0.1" || host == "[::1]"))
       return true;
     const std::string port = ":" + std::to_string(options.at.port);
     return host == options.at.text() || host == "localhost" + port || host == "127.0.0.1" + port ||
@@ -297,6 +304,7 @@ void WebHost::greet(ViewerId who, std::shared_ptr<const std::string> bytes) {
     if (!visitor)
       return;
     visitor->greeting = bytes;
+    visitor->room = bytes->size();  // that it is long says nothing of how fast he is
     network->guests.send(visitor, bytes);
   });
 }

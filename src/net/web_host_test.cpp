@@ -105,6 +105,13 @@ TEST(WebHost, IsForNoOtherSite) {
     TcpClient client = site.join("Origin: " + origin + "\r\n");
     EXPECT_EQ(first_line(client.read_all()), "HTTP/1.1 403 Forbidden") << origin;
   }
+  // a picture or a link there, which sends no origin
+  for (const char* from : {"cross-site", "same-site"})
+    EXPECT_EQ(first_line(site.ask("GET /long", fmt::format("Sec-Fetch-Site: {}\r\n", from))),
+              "HTTP/1.1 403 Forbidden");
+  EXPECT_EQ(first_line(site.ask("GET /", "Sec-Fetch-Site: cross-site\r\n")), "HTTP/1.1 200 OK");
+  EXPECT_EQ(first_line(site.ask("GET /long", "Sec-Fetch-Site: same-origin\r\n")),
+            "HTTP/1.1 200 OK");
   TcpClient own = site.join("Origin: http://" + site.name() + "\r\n");
   EXPECT_EQ(first_line(own.read_to("\r\n\r\n")), "HTTP/1.1 101 Switching Protocols");
   EXPECT_TRUE(soon([&] { return site.host.counts().viewers == 1; }));
@@ -273,6 +280,17 @@ TEST(WebHost, EndsWithWhoeverTalksOrLiesAboutIt) {
     EXPECT_TRUE(soon([&] { return site.host.counts().refused == refused; })) << refused;
   }
   EXPECT_TRUE(site.ask("GET /").ends_with("<p>hello"));
+}
+
+TEST(WebHost, GreetsWithMoreThanMayWait) {
+  Site site({.waiting = 1 << 20});
+  TcpClient viewer = site.join();
+  static_cast<void>(viewer.read_to("\r\n\r\n"));
+  ASSERT_TRUE(soon([&] { return site.host.counts().viewers == 1; }));
+  site.host.greet(1, std::make_shared<std::string>(std::string(8 << 20, 'x') + "here"));
+  site.host.send("and more");
+  EXPECT_NE(viewer.read_to("and more").find("xhere"), std::string::npos);
+  EXPECT_EQ(site.host.counts().dropped, 0u);
 }
 
 TEST(WebHost, DropsAViewerWhoIsTooSlow) {
