@@ -3,6 +3,7 @@
 
 #include <charconv>
 
+#include "core/hash.hpp"
 #include "core/version.hpp"
 #include "debrief/what_if.hpp"
 #include "model/weapon/kept_zones.hpp"
@@ -46,10 +47,6 @@ Parameter parameter(const ParamInfo& info) {
 }
 
 }  // namespace
-
-std::string hex(std::uint64_t hash) {
-  return fmt::format("{:#018x}", hash);
-}
 
 /// A mission with those who watch it.
 struct Engine::Flight {
@@ -138,13 +135,10 @@ About Engine::about(const scenario::Scenario& scenario, std::uint64_t seed, std:
               std::move(build),
               scenario.simulation->dt(),
               until,
-              {},
               {}};
   for (const auto& player : scenario.roster.players)
     about.players.push_back(
         {player.name, std::string(scenario::side_name(player.side)), player.label});
-  for (const sim::TableInfo& table : scenario.simulation->schema().tables())
-    about.tables.push_back(table.name);
   return about;
 }
 
@@ -160,7 +154,7 @@ Flown Engine::fly(const Until& until) {
   }
   Flown flown{mission.run().world().step(),
               mission.run().time(),
-              hex(mission.run().world().hash()),
+              hash_text(mission.run().world().hash()),
               std::string(enum_name(mission.outcome())),
               {},
               std::exchange(flight_->lines, {})};

@@ -9,8 +9,6 @@
 
 namespace eyrie::web {
 
-/// A hash as the terminal prints it.
-[[nodiscard]] std::string hex(std::uint64_t hash);
 /// Progress is told every so many steps.
 inline constexpr std::uint64_t kTell = 1024;
 
@@ -51,8 +49,6 @@ class Engine {
   Advanced advance(const Advance& advance, std::string& packed);
   /// Goes to a step of the run.
   Moment seek(const Step& step);
-  /// A table of the world there.
-  [[nodiscard]] Rows rows(const Table& table) const;
   /// What a player decided in the step that follows, or would have with other trees.
   [[nodiscard]] Decided explain(const Otherwise& otherwise) const;
   /// What it would have decided during the whole run, its states being what they were.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file  The engine's answers about a run.
+#include "core/hash.hpp"
+#include "core/text.hpp"
 #include "debrief/what_if.hpp"
 #include "page/page_data.hpp"
 #include "web/engine.hpp"
@@ -10,29 +12,15 @@ namespace {
 constexpr double kBetweenKept = 5;  // s
 
 Moment moment(const sim::World& world, double dt) {
-  return {world.step(), static_cast<double>(world.step()) * dt, hex(world.hash())};
+  return {world.step(), static_cast<double>(world.step()) * dt, hash_text(world.hash())};
 }
 
-/// RFC 4648, as they are told.
 sim::Order order_of(std::string_view text) {
-  std::array<unsigned char, sizeof(sim::Order)> bytes{};
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  if (text.size() != bytes.size() / 3 * 4)
-    throw BadRequest("an order is base64 of 48 bytes");
-  for (std::size_t i = 0; i < text.size(); i += 4) {
-    std::size_t four = 0;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t digit = kDigits.find(text[i + k]);
-      if (digit == std::string_view::npos)
-        throw BadRequest("an order is base64 of 48 bytes");
-      four = four << 6 | digit;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-      bytes[i / 4 * 3 + k] = static_cast<unsigned char>(four >> (16 - 8 * k) & 255);
-  }
+  const auto bytes = from_base64(text);
   sim::Order order;
-  std::memcpy(&order, bytes.data(), sizeof order);
+  if (!bytes || bytes->size() != sizeof order)
+    throw BadRequest("an order is base64 of 48 bytes");
+  std::memcpy(&order, bytes->data(), sizeof order);
   return order;
 }
 
@@ -111,7 +99,7 @@ Followed Engine::follow(std::string_view run_file) {
   About about = open(run_file);
   about.until = recorded_->scenario->spec.until;
   sim::HashTrail& trail = recorded_->run.trail;
-  const Moment flown{trail.last_step, recorded_->until(), hex(trail.last_hash)};
+  const Moment flown{trail.last_step, recorded_->until(), hash_text(trail.last_hash)};
   trail.last_step = 0;
   reflown_ = std::make_shared<Reflown>(*recorded_, true);
   return {std::move(about), flown};
@@ -184,45 +172,11 @@ debrief::Past Engine::past(std::uint64_t step, bool with_events) const {
   return past;
 }
 
-Rows Engine::rows(const Table& wanted) const {
-  const sim::Schema& schema = run().scenario->simulation->schema();
-  const TableId table = schema.find_table(wanted.table);
-  if (!table) {
-    std::vector<std::string> names;
-    for (const sim::TableInfo& one : schema.tables())
-      names.push_back(one.name);
-    throw BadRequest("there is no table " + quote(wanted.table) +
-                     did_you_mean(wanted.table, names));
-  }
-  Rows rows;
-  for (const PlayerId id : here_->ids(table))
-    rows.ids.push_back(id.value);
-  for (const std::uint32_t index : schema.table(table).columns) {
-    const sim::ColumnInfo& column = schema.column(index);
-    const std::byte* bytes = here_->column_bytes(index).data();
-    for (const FieldInfo& field : column.fields)
-      for (std::uint32_t i = 0; i < field.count; ++i) {
-        Column& out = rows.columns.emplace_back();
-        out.name = fmt::format("{}.{}", column.name, std::string_view(field.name));
-        if (field.count > 1)
-          out.name += fmt::format("[{}]", i);
-        out.unit = field.unit;
-        for (std::size_t row = 0; row < rows.ids.size(); ++row)
-          out.values.push_back(scalar_number(field, bytes + row * column.stride, i));
-      }
-  }
-  return rows;
-}
-
 PlayerId Engine::player(const std::string& name) const {
   const scenario::Roster& roster = run().scenario->roster;
   const auto found = roster.find(name);
-  if (!found) {
-    std::vector<std::string> names;
-    for (const auto& one : roster.players)
-      names.push_back(one.name);
-    throw BadRequest("there is no player " + quote(name) + did_you_mean(name, names));
-  }
+  if (!found)
+    throw BadRequest(roster.unknown(name));
   return *found;
 }
 

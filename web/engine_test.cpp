@@ -107,24 +107,6 @@ TEST(WebEngine, GoesToAnyStepForthAndBack) {
   EXPECT_THROW(engine.seek({.step = 101}), BadRequest);
 }
 
-TEST(WebEngine, GivesTheRowsOfATable) {
-  Engine engine = flown();
-  engine.seek({.step = 100});
-  const Rows rows = engine.rows({.table = "aircraft"});
-  EXPECT_EQ(rows.ids, (std::vector<std::uint64_t>{1, 2}));
-  const auto column = [&](std::string_view name) {
-    for (const Column& one : rows.columns)
-      if (one.name == name)
-        return one;
-    ADD_FAILURE() << name;
-    return Column{};
-  };
-  const Column east = column("kinematics.position.y");
-  EXPECT_EQ(east.unit, "m");
-  EXPECT_NEAR(east.values.at(0), 2 * 480 * 0.514444, 2);  // 480 kt eastward for 2 s
-  EXPECT_THROW(static_cast<void>(engine.rows({.table = "aircrafts"})), BadRequest);
-}
-
 /// The first step from `from` on in which the player decides.
 Json decision_after(Engine& engine, std::uint64_t from, const char* player) {
   for (std::uint64_t step = from;; ++step) {
@@ -191,7 +173,7 @@ struct Others {
         mission(scenario, 7) {
     mission.run().attach(trail);
   }
-  [[nodiscard]] std::string hash() const { return hex(mission.run().world().hash()); }
+  [[nodiscard]] std::string hash() const { return hash_text(mission.run().world().hash()); }
   void fly_to(std::uint64_t step) {
     while (mission.run().world().step() < step)
       mission.step();
@@ -243,7 +225,6 @@ TEST(WebEngine, FliesAlongWithOthersAndTheirOrders) {
   // everything else can be asked meanwhile
   EXPECT_EQ(engine.seek({.step = 45}).step, 45u);
   EXPECT_THROW(engine.seek({.step = 61}), BadRequest);
-  EXPECT_EQ(engine.rows({.table = "aircraft"}).ids, std::vector<std::uint64_t>{1});
   EXPECT_EQ(decision_after(engine, 41, "eagle1")["leader"], "root/navigate");
   EXPECT_EQ(engine.what_if({.player = "eagle1", .sets = {}, .from = {}}).decisions, 12u);
   EXPECT_EQ(

@@ -91,12 +91,6 @@ struct Step {
       "Step", "A moment of a run.",
       Member{"step", &Step::step, "Steps made before it: 0 is the start."}};
 };
-struct Table {
-  std::string table;
-  static constexpr Description kMessage{
-      "Table", "A table of the world.",
-      Member{"table", &Table::table, "Its name, such as aircraft or missiles."}};
-};
 struct Otherwise {
   std::string player;
   std::vector<std::string> sets;
@@ -133,7 +127,6 @@ struct About {
   std::string scenario, help, seed, build;
   double dt = 0, until = 0;
   std::vector<Player> players;
-  std::vector<std::string> tables;
   static constexpr Description kMessage{
       "About",
       "What was loaded.",
@@ -143,8 +136,7 @@ struct About {
       Member{"build", &About::build, "Who recorded it; empty before it was flown."},
       Member{"dt", &About::dt, "s per step."},
       Member{"until", &About::until, "s, when it ends, at the latest if it was not flown yet."},
-      Member{"players", &About::players, "In the order of their ids, which count from 1."},
-      Member{"tables", &About::tables, "What rows() can be asked for."}};
+      Member{"players", &About::players, "In the order of their ids, which count from 1."}};
 };
 struct Line {
   double time = 0;
@@ -205,22 +197,6 @@ struct Advanced {
   static constexpr Description kMessage{
       "Advanced", "How far it is.", Member{"moment", &Advanced::moment, "Where."},
       Member{"agrees", &Advanced::agrees, "Whether the world is the one that others have."}};
-};
-struct Column {
-  std::string name, unit;
-  std::vector<double> values;
-  static constexpr Description kMessage{
-      "Column", "One number of every row.",
-      Member{"name", &Column::name, "COLUMN.FIELD, with [i] if the field has several numbers."},
-      Member{"unit", &Column::unit, "SI; empty for none."},
-      Member{"values", &Column::values, "By row."}};
-};
-struct Rows {
-  std::vector<std::uint64_t> ids;
-  std::vector<Column> columns;
-  static constexpr Description kMessage{"Rows", "A table of the world, at a moment.",
-                                        Member{"ids", &Rows::ids, "Of the players, row by row."},
-                                        Member{"columns", &Rows::columns, "Whatever they keep."}};
 };
 struct Decided {
   std::optional<Json> decision;

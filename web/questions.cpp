@@ -109,7 +109,6 @@ const std::array kQuestions{
         "(src/live/grown.ts), none if it is not to be drawn. seek() and the others know what was "
         "flown so far."),
     question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
-    question<Table, Rows, &Engine::rows>("rows", "A table of the world there."),
     question<Otherwise, Decided, &Engine::explain>(
         "explain",
         "What a player decided in the step that follows, or would have with other trees."),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "page/page_data.hpp"
 
+#include "core/hash.hpp"
 #include "debrief/decision.hpp"
 #include "page/decisions.hpp"
 #include "page/seen.hpp"
@@ -239,7 +240,7 @@ class Writer final : public Packer {
             {"help", scenario_.spec.help_text},
             {"file", facts.file},
             {"seed", std::to_string(facts.seed)},
-            {"hash", fmt::format("{:#018x}", facts.hash)},
+            {"hash", hash_text(facts.hash)},
             {"build", facts.build},
             {"steps", facts.steps},
             {"dt", dt},

@@ -61,7 +61,7 @@ export function put_theme(theme: View['theme']): void {
 function pages_of(runs: Run[], view: Partial<View>): Page[] {
   const end = Math.max(...runs.map((run) => run.about.duration));
   return twinned(runs.map((run, i) => {
-    const store = new Store({ ...first_view(0), ...remembered(), ...view, end, ...read_link(run, location.hash, end) });
+    const store = new Store({ ...first_view(0), ...remembered(), ...read_link(run, location.hash, end), ...view, end });
     return make_page(run, store, runs.length > 1 ? 'AB'[i]! : '');
   }));
 }

@@ -60,7 +60,7 @@ export class Cell<T> {
     const before = this.value;
     if (Object.is(value, before)) return;
     this.value = value;
-    for (const listener of this.listeners) listener(value, before);
+    for (const listener of this.listeners) listener(this.value, before);  // as it is, if one of them has changed it
   }
   /** Returns how to stop listening. */
   subscribe(listener: Listener<T>): () => void {

@@ -9,7 +9,7 @@ test('a player is told what to do from the first order to the last', () => {
   const line = (t: number, who: number, text: string, kind = 'order') => ({ t, who, text, kind });
   const run = {
     story: [
-      line(1, 0, 'is told to go by tree bvr'), line(5, 0, 'is taken over by a person'), line(6, 1, 'is told: weapons tight'), line(7, 0, 'is told to fly to a point'),
+      line(1, 0, 'is told to go by tree bvr'), line(5, 0, 'is taken over by a person'), line(6, 1, 'is told: weapons tight'), line(7, 1, 'is taken over by a person'), line(8, 1, 'is handed back to tree bvr'),
       line(9, 0, 'is handed back to tree bvr'), line(11, 0, 'is taken over by a person', 'kill'),
     ],
   } as unknown as Run;

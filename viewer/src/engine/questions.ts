@@ -10,7 +10,6 @@ export interface About {
   dt: number | null;  // s per step.
   until: number | null;  // s, when it ends, at the latest if it was not flown yet.
   players: Array<Player>;  // In the order of their ids, which count from 1.
-  tables: Array<string>;  // What rows() can be asked for.
 }
 
 /** How far what is followed may go on. */
@@ -42,13 +41,6 @@ export interface Changed {
   flown: string;  // For people; - for nothing.
   other: string;  // For people; - for nothing.
   difference?: number | null;  // Other minus flown, directions the short way round.
-}
-
-/** One number of every row. */
-export interface Column {
-  name: string;  // COLUMN.FIELD, with [i] if the field has several numbers.
-  unit: string;  // SI; empty for none.
-  values: Array<number | null>;  // By row.
 }
 
 /** A decision, if one was due. */
@@ -168,20 +160,9 @@ export interface Problems {
   problems: Array<Problem>;  // In the order of the texts; empty: it can be flown.
 }
 
-/** A table of the world, at a moment. */
-export interface Rows {
-  ids: Array<number>;  // Of the players, row by row.
-  columns: Array<Column>;  // Whatever they keep.
-}
-
 /** A moment of a run. */
 export interface Step {
   step: number;  // Steps made before it: 0 is the start.
-}
-
-/** A table of the world. */
-export interface Table {
-  table: string;  // Its name, such as aircraft or missiles.
 }
 
 /** How a side fared. */
@@ -238,8 +219,6 @@ export interface Engine {
   advance(request: Advance): Promise<Advanced & { bytes: Uint8Array }>;
   /** Goes to a step of the run. */
   seek(request: Step): Promise<Moment>;
-  /** A table of the world there. */
-  rows(request: Table): Promise<Rows>;
   /** What a player decided in the step that follows, or would have with other trees. */
   explain(request: Otherwise): Promise<Decided>;
   /** What it would have decided during the whole run, its states being what they were. */

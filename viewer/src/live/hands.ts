@@ -105,6 +105,9 @@ export function order_of(wanted: Wanted, once: Record<string, unknown>): Record<
   };
 }
 
+/** With shift or without: it may be let go between pressing and releasing. */
+const kSameKeys = [['+', '='], ['-', '_']];
+
 export class Hands {
   /** Null: nobody is flown. */
   readonly wanted = new Cell<Wanted | null>(null);
@@ -140,6 +143,7 @@ export class Hands {
     store.set({ camera: 'follow' });
     this.said = '';
     this.held.clear();
+    this.pressed = [];
     this.wanted.set({
       player: index, heading: wrapped(motion.heading[last]! + convergence(run.origin, place)), altitude: motion.up[last]!, speed: gauges.speed[last]!,
       climb: null, load_factor: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false, stick: false,
@@ -148,7 +152,7 @@ export class Hands {
     const stops = [
       listen(window, { keydown: (event) => this.press(event), keyup: (event) => this.release(event) }, { capture: true }),
       listen(window, { pointermove: (event) => void (event.target instanceof Element && event.target.closest('.scene') && (this.pointed = [event.clientX, event.clientY])) }),
-      listen(window, { blur: () => this.held.clear() }),
+      listen(window, { blur: () => this.let_go() }),
     ];
     this.stop = () => stops.forEach((stop) => stop());
     this.timer = window.setInterval(() => this.tick(), kTick);
@@ -216,9 +220,15 @@ export class Hands {
   }
   private release(event: KeyboardEvent): void {
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    this.held.delete(key);
+    for (const one of kSameKeys.find((keys) => keys.includes(key)) ?? [key]) this.held.delete(one);
     const wanted = this.wanted.get();
     if (key === 'g' && wanted?.gun) this.wanted.set({ ...wanted, gun: false });
+  }
+  /** Of all keys: they are let go unseen. */
+  private let_go(): void {
+    this.held.clear();
+    const wanted = this.wanted.get();
+    if (wanted?.gun) this.wanted.set({ ...wanted, gun: false });
   }
 
   private ways(): readonly [number, number, number] {

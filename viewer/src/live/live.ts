@@ -50,7 +50,9 @@ export class Live {
   /** It is on the screen; returns how to leave it. */
   show(page: Page): () => void {
     this.page = page;
+    const looks_back = this.present?.following.get() === false;
     const present = (this.present = new Present(page.store));
+    present.following.set(!looks_back);
     this.grow_axis(page.store);
     this.tell();
     return () => {

@@ -25,8 +25,11 @@ class Joined {
   constructor(private readonly live: Live, private readonly told: (part: number) => void, private readonly drawn: (bytes: Uint8Array, engine: RunningEngine) => void) {}
 
   async fly(module: WebAssembly.Module, file: Uint8Array, failed: (error: unknown) => void): Promise<void> {
-    const engine = (this.engine = await started(module));
+    const engine = await started(module);
+    if (this.over) return engine.end();
+    this.engine = engine;
     const { about, flown } = await engine.follow(file);
+    if (this.over) return;
     this.until = about.until ?? Infinity;
     this.goal = flown.step;
     this.lockstep = new Lockstep(engine, (news) => {
@@ -102,12 +105,16 @@ export async function open_live(host: HTMLElement): Promise<void> {
   line = new Line(socket_there, {
     joined(file) {
       joined?.end();
+      live.disagreement.set(null);
+      live.checked.set(-1);
       let first = true;
-      joined = new Joined(live, (part) => say(`Flying along: ${Math.floor(100 * part)} %`), (bytes, engine) => {
+      const mine: Joined = (joined = new Joined(live, (part) => say(`Flying along: ${Math.floor(100 * part)} %`), (bytes, engine) => {
         drawn(first)(bytes, engine);
         first = false;
-      });
-      joined.fly(module, file, failed).catch(failed);
+      }));
+      // what ends because the line broke again is joined anew
+      const fails = (error: unknown): void => void (mine.over || failed(error));
+      mine.fly(module, file, fails).catch(fails);
     },
     news(news) {
       live.news(news);

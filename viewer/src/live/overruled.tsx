@@ -3,7 +3,7 @@
 import type { Player, Run } from '../run/run.ts';
 import { use_page } from '../ui/page.ts';
 import { use_asked } from '../ui/what_if_answer.ts';
-import { clock_text } from '../words/text.ts';
+import { clock_text, reworded } from '../words/text.ts';
 
 /** As `eyrie explain --json` has it. */
 interface Told {
@@ -12,16 +12,22 @@ interface Told {
 /** ms that a decision is looked at before it is asked about. */
 const kRest = 120;
 
+/** In the story: from one line to the other, each for itself. */
+const kOrders: readonly [begin: string, end: string][] = [['taken over', 'handed back'], ['to a point', 'route again'], ['weapons tight', 'weapons free']];
+
 /** Since when it is told from outside what to do at a time (s); null: it is not. */
 export function told_since(run: Run, player: number, time: number): number | null {
-  let since: number | null = null;
+  const since = kOrders.map(() => Infinity);
   for (const { t, kind, who, text } of run.story) {
     if (t > time) break;
     if (kind !== 'order' || who !== player) continue;
-    if (/handed back|route again|weapons free/.test(text)) since = null;
-    else if (/taken over|to a point|weapons tight/.test(text)) since ??= t;
+    kOrders.forEach(([begin, end], i) => {
+      if (text.includes(end)) since[i] = Infinity;
+      else if (text.includes(begin)) since[i] = Math.min(since[i]!, t);
+    });
   }
-  return since;
+  const first = Math.min(...since);
+  return first < Infinity ? first : null;
 }
 
 export function Overruled({ player, index }: { player: Player; index: number }) {
@@ -44,7 +50,7 @@ export function Overruled({ player, index }: { player: Player; index: number }) 
       {rows && rows.length > 0 && (
         <table>
           <thead><tr><td /><th scope="col">done</th><th scope="col">its tree</th></tr></thead>
-          <tbody>{rows.map(({ name, tree, outside }) => <tr key={name}><th scope="row">{name}</th><td><b>{outside}</b></td><td>{tree}</td></tr>)}</tbody>
+          <tbody>{rows.map(({ name, tree, outside }) => <tr key={name}><th scope="row">{name}</th><td><b>{reworded(outside)}</b></td><td>{reworded(tree)}</td></tr>)}</tbody>
         </table>
       )}
     </section>

@@ -159,6 +159,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         for (const engine of engines) engine?.end();
         box.remove();
         host.hidden = false;
+        void write_link(now.current.project);  // it is of the editor again
         document.title = 'Eyrie playground';
       };
       const back = {
@@ -197,7 +198,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         put_flying(one);
       });
       put_flights((all) => [flight, ...all].slice(0, kMostFlights));
-      if (watch) await debrief([flight], { playing: true });
+      if (watch) await debrief([flight], { playing: true, time: 0 });
     } catch (error) {
       put_note(error instanceof EngineError && error.problems.length ? 'Mend the mistakes first.' : words_of(error));
     } finally {

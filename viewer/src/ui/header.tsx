@@ -6,7 +6,8 @@ import type { Cell } from '../store.ts';
 import { clock_text, count_text, number_text } from '../words/text.ts';
 import { toggle_theme } from './actions.ts';
 import { IconButton } from './icon.tsx';
-import type { Page } from './page.ts';
+import { link_text } from './link.ts';
+import { use_page, type Page } from './page.ts';
 import { use_view } from './use.ts';
 import { copy_text } from './what_if.tsx';
 
@@ -35,9 +36,11 @@ function About({ page: { run, letter, live } }: { page: Page }) {
 }
 
 function ShareLink() {
+  const { run, store } = use_page();
   const [said, say] = useState('');
   const share = async (): Promise<void> => {
-    say((await copy_text(location.href, null)) ? 'link copied' : 'the address bar has the link');
+    const moment = new URL(link_text(run, store.get(), location.hash), location.href);
+    say((await copy_text(moment.href, null)) ? 'link copied' : 'the address bar has the link');
     setTimeout(() => say(''), 1800);
   };
   return (

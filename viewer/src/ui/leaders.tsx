@@ -163,7 +163,7 @@ export function EveryoneRow() {
       draw_spans(sheet, leader_spans(page.run, player), range, { top: i * lane, height, words: false });
       if (twin) draw_spans(sheet, leader_spans(page.twin!.run, twin), range, { top: i * lane + height, height, words: false });
     });
-  }, [range]);
+  }, [page, range]);
   return (
     <div class="row everyone" data-row="everyone" style={{ height: `${players.length * (page.twin ? 1.3 : 0.95)}rem` }}>
       <div class="row-label">

@@ -24,6 +24,7 @@ export function SaveMenu({ scene }: { scene: { current: AirPicture | null } }) {
   const name = (kind: string): string => `${run.about.scenario}${letter && `-${letter}`}-${store.get().time.toFixed(0)}s.${kind}`;
   const picture = (): void => void scene.current!.picture().toBlob((blob) => blob && save(blob, name('png')));
   const begin = (): void => {
+    if (!globalThis.MediaRecorder?.isTypeSupported('video/webm')) return alert('This browser cannot record films in WebM.');
     const { canvas, stop } = scene.current!.film();
     const recorder = new MediaRecorder(canvas.captureStream(kRate), { mimeType: 'video/webm', videoBitsPerSecond: 8e6 });
     const parts: Blob[] = [];
@@ -37,7 +38,8 @@ export function SaveMenu({ scene }: { scene: { current: AirPicture | null } }) {
     film.current = recorder;
     recorder.start();
     set_filming(true);
-    store.set({ playing: true });
+    const { time, end } = store.get();
+    store.set({ playing: true, time: time >= end - 0.01 ? 0 : time });
   };
   // it ends when the playing does
   useEffect(() => {

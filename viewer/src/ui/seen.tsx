@@ -2,6 +2,7 @@
 /** What a player saw before a decision; names in brackets are the truth, which it did not know. */
 import { useMemo } from 'preact/hooks';
 import { last_at, type Place, type Player, type Sight, type TrackSeen } from '../run/run.ts';
+import { convergence } from '../scene/geo.ts';
 import { new_pose, place_at, type Pose } from '../scene/motion.ts';
 import { heading_text, height_text, quantity_text, side_text, value_text, clock_text, number_text } from '../words/text.ts';
 import { select } from './actions.ts';
@@ -12,10 +13,12 @@ function from_here(own: Place, { east, north, up }: Place): { range: number; bea
   return { range: Math.hypot(e, n, up - own.up), bearing: (Math.atan2(e, n) + 2 * Math.PI) % (2 * Math.PI) };
 }
 
-function Track({ track, own }: { track: TrackSeen; own: Pose }) {
+/** `north`: rad, of the map at its place, true; `heading` is true, too. */
+function Track({ track, own, north, heading }: { track: TrackSeen; own: Pose; north: number; heading: number }) {
   const page = use_page();
   const { run } = page;
-  const { range, bearing } = from_here(own, track.place);
+  const { range, bearing: on_map } = from_here(own, track.place);
+  const bearing = on_map + north;
   const truth = run.players[track.truth];
   return (
     <tr class={track.is_target ? 'target' : ''}>
@@ -26,7 +29,7 @@ function Track({ track, own }: { track: TrackSeen; own: Pose }) {
               onClick={() => select(page, truth.index)}>({truth.name})</button>
           : <span class="truth">(nothing there)</span>}
       </td>
-      <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - own.heading)}</td><td>{height_text(track.place.up)}</td>
+      <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - heading)}</td><td>{height_text(track.place.up)}</td>
       <td>{number_text(track.age, 1)} s</td>
     </tr>
   );
@@ -35,15 +38,17 @@ function Track({ track, own }: { track: TrackSeen; own: Pose }) {
 function Perceived({ player, sight }: { player: Player; sight: Sight }) {
   const own = new_pose();
   place_at(player.motion, sight.t, own);
+  const north = convergence(use_page().run.origin, own);
+  const heading = own.heading + north;
   return (
     <table class="tracks">
       <thead><tr><th>track</th><th>truth</th><th>range</th><th>bearing</th><th>off nose</th><th>altitude</th><th>age</th></tr></thead>
       <tbody>
-        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} />)}
+        {sight.tracks.map((track, i) => <Track key={`${track.id}/${i}`} track={track} own={own} north={north} heading={heading} />)}
         {sight.warnings.map(({ kind, name, range, bearing }, i) => (
           <tr key={`w${i}`} class={`warning ${kind.startsWith('missile') ? 'missile' : ''}`}>
             <th scope="row">⚠ {kind}</th><td><span class="truth">({name})</span></td>
-            <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - own.heading)}</td><td colSpan={2} />
+            <td>{quantity_text(range, 'm')}</td><td>{heading_text(bearing)}</td><td>{side_text(bearing - heading)}</td><td colSpan={2} />
           </tr>
         ))}
       </tbody>

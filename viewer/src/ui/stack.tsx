@@ -82,15 +82,17 @@ export function Stack({ children }: { children: ComponentChildren }) {
   const stack = useRef<HTMLDivElement>(null);
   const plot = useRef<HTMLDivElement>(null);
   const [brush, set_brush] = useState<[number, number] | null>(null);
-  useEffect(() => watch_pointer(stack.current!, plot.current!, page, {
-    brushed: (range) => set_brush(range && clipped(range, range_of(page.store.get()))),
+  const now = useRef(page);  // while a mission goes on it is another one every second
+  now.current = page;
+  useEffect(() => watch_pointer(stack.current!, plot.current!, now, {
+    brushed: (range) => set_brush(range && clipped(range, range_of(now.current.store.get()))),
     clicked: (where, width) => {
-      const [mark] = marks_at(page, where, width);
+      const [mark] = marks_at(now.current, where, width);
       if (!mark) return false;
-      show_cause(page, mark.line);
+      show_cause(now.current, mark.line);
       return true;
     },
-  }), [page]);
+  }), []);
   return (
     <div class="stack" ref={stack} tabIndex={0} role="group" aria-label="Rows over time">
       <div class="stack-rows">
@@ -136,13 +138,13 @@ interface StackPointer {
   brushed(range: [number, number] | null): void;
 }
 
-/** Rows are elements with data-row, those with data-scrub move the time; `plot` is where the time axis lies. */
-function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: StackPointer): () => void {
+/** Rows of the page that it is `of` now are elements with data-row, those with data-scrub move the time; `plot` is where the time axis lies. */
+function watch_pointer(stack: HTMLElement, plot: HTMLElement, of: { current: Page }, then: StackPointer): () => void {
   let drag: Drag | null = null;
 
   const place = (event: MouseEvent): { t: number; inside: boolean; per_pixel: number } => {
     const { left, width } = plot.getBoundingClientRect();
-    const [from, to] = range_of(page.store.get());
+    const [from, to] = range_of(of.current.store.get());
     const part = (event.clientX - left) / width;
     return { t: from + part * (to - from), inside: part >= 0 && part <= 1, per_pixel: (to - from) / width };
   };
@@ -163,14 +165,14 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     const { t, inside, per_pixel } = place(event);
     if (!drag) {
       const row = row_of(event);
-      page.hover.set(inside && row ? hover_of(event, row) : null);
+      of.current.hover.set(inside && row ? hover_of(event, row) : null);
       return;
     }
     if (event.pointerId !== drag.id) return;
     drag.moved ||= Math.abs(t - drag.begin) > kClick * per_pixel;
     if (!drag.moved) return;
-    page.hover.set(hover_of(event, drag.row));
-    if (drag.scrubs) jump(page, t);
+    of.current.hover.set(hover_of(event, drag.row));
+    if (drag.scrubs) jump(of.current, t);
     else then.brushed([Math.min(t, drag.begin), Math.max(t, drag.begin)]);
   };
   const up = (event: PointerEvent): void => {
@@ -180,9 +182,9 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     drag = null;
     then.brushed(null);
     if (!moved) {
-      if (!then.clicked(hover_of(event, row), plot.clientWidth)) jump(page, t);
+      if (!then.clicked(hover_of(event, row), plot.clientWidth)) jump(of.current, t);
     } else if (!scrubs) {
-      zoom_to(page, Math.min(t, begin), Math.max(t, begin));
+      zoom_to(of.current, Math.min(t, begin), Math.max(t, begin));
     }
   };
   const cancel = (): void => {
@@ -194,14 +196,14 @@ function watch_pointer(stack: HTMLElement, plot: HTMLElement, page: Page, then: 
     if (!inside || !row_of(event)) return;
     event.preventDefault();
     const sideways = event.shiftKey ? event.deltaX + event.deltaY : event.deltaX;
-    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) pan_by(page, sideways * per_pixel);
-    else zoom_by(page, Math.exp(event.deltaY * kWheel), t);
+    if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) pan_by(of.current, sideways * per_pixel);
+    else zoom_by(of.current, Math.exp(event.deltaY * kWheel), t);
   };
   const whole = (event: MouseEvent): void => {
-    if (row_of(event) && place(event).inside) page.store.set({ zoom: null });
+    if (row_of(event) && place(event).inside) of.current.store.set({ zoom: null });
   };
   return listen(stack, {
-    pointerdown: down, pointermove: move, pointerup: up, pointercancel: cancel, pointerleave: () => page.hover.set(null), wheel,
+    pointerdown: down, pointermove: move, pointerup: up, pointercancel: cancel, pointerleave: () => of.current.hover.set(null), wheel,
     dblclick: whole,
   }, { passive: false });
 }

@@ -20,8 +20,9 @@ export interface Filter {
 export function filtered(run: Run, { who, kind, text }: Filter): number[] {
   const wanted = text.trim().toLowerCase();
   const name = run.players[who]?.name;
+  const named = new RegExp(`(?<!\\w)${name}(?!\\w)`);
   const passes = (line: StoryLine): boolean =>
-    (!name || line.who === who || line.text.includes(name)) && (!kind || line.kind === kind) &&
+    (!name || line.who === who || named.test(line.text)) && (!kind || line.kind === kind) &&
     (!wanted || `${line.name} ${line.text}`.toLowerCase().includes(wanted));
   return run.story.flatMap((line, i) => (passes(line) ? [i] : []));
 }

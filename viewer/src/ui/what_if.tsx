@@ -5,7 +5,7 @@ import { words_of } from '../engine/module.ts';
 import type { FirstOther, Outcome, WhatIf as Answer } from '../engine/questions.ts';
 import type { Player } from '../run/run.ts';
 import { kFlownOn, type Other } from '../scene/other.ts';
-import { clock_text, count_text } from '../words/text.ts';
+import { clock_text, count_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
@@ -67,7 +67,7 @@ function First({ first }: { first: FirstOther }) {
       <table class="changed">
         <tbody>
           {first.fields.map(({ name, flown, other }) => (
-            <tr key={name}><th scope="row">{name}</th><td class="dim">{flown}</td><td>→</td><td>{other}</td></tr>
+            <tr key={name}><th scope="row">{name}</th><td class="dim">{reworded(flown)}</td><td>→</td><td>{reworded(other)}</td></tr>
           ))}
         </tbody>
       </table>
@@ -98,25 +98,32 @@ function FlyOn({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
   const [future, put] = useState<(Omit<AskedOf<Future>, 'key'> & { from: number }) | null>(null);
+  const asked = useRef(0);
   const show = (other: Other | null): void => {
     page.other.set(other);
-    page.store.set({ end: Math.max(page.run.about.duration, other?.run.about.duration ?? 0) });
+    const { time, zoom } = page.store.get();
+    const end = Math.max(...[page.run, page.twin?.run, other?.run].map((run) => run?.about.duration ?? 0));
+    page.store.set({ end, time: Math.min(time, end), zoom: zoom && zoom[1] > end ? null : zoom });
   };
-  useEffect(() => {
+  const forget = (): void => {
+    ++asked.current;  // whoever answers is too late
     put(null);
-    if (page.other.get()) show(null);
-  }, [changes, player]);
+    if (page.other.get()?.label === kFlownOn) show(null);
+  };
+  useEffect(() => forget, [changes, player]);
   const fly = (): void => {
+    const mine = ++asked.current;
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
     const step = Math.min(Math.round(time / dt), steps);
     put({ from: time });
     branch(page.run, player.index, changes, step).then(
       (value) => {
+        if (mine !== asked.current) return;
         put({ from: time, value });
         show({ from: step * dt, run: value.run, label: kFlownOn });
       },
-      (error: unknown) => put({ from: time, problem: words_of(error) }),
+      (error: unknown) => mine === asked.current && put({ from: time, problem: words_of(error) }),
     );
   };
   return (
@@ -130,7 +137,7 @@ function FlyOn({ player }: { player: Player }) {
             <dt>as flown</dt><dd>{tally(future.value.flown)}</dd>
             <dt>with it from {clock_text(future.from)}, hollow and broken in the air picture</dt><dd>{tally(future.value.other)}</dd>
           </dl>
-          <button type="button" onClick={() => { put(null); show(null); }}>only as flown</button>
+          <button type="button" onClick={forget}>only as flown</button>
         </>
       )}
     </div>

@@ -103,7 +103,10 @@ export function use_question(): { key: string; name: string; sets: string[] } | 
 export function use_answer(): Asked<WhatIf> | null {
   const page = use_page();
   const { key = null, name = '', sets = [] } = use_question() ?? {};
-  return use_asked(key, () => answer_to(page, key!, name, sets), kRest);
+  const asked = use_asked(key, () => answer_to(page, key!, name, sets), kRest);
+  // of another player it says nothing here
+  const is_his = !asked?.key || (JSON.parse(asked.key) as [string, string[]])[0] === name;
+  return is_his ? asked : { key: '' };
 }
 
 /** The node that would have led decision `i` of the page; -1: nobody, -2: unknown. */
