@@ -55,10 +55,6 @@ std::string_view scalar_name(Scalar type) {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-double scalar_number(const FieldInfo& info, const std::byte* row, std::uint32_t index) {
-  return with_scalar(info, row, index, [](auto value) { return static_cast<double>(value); });
-}
-
 std::string format_scalar(const FieldInfo& info, const std::byte* row, std::uint32_t index) {
   return with_scalar(info, row, index, [&](auto value) {
     if (info.type == Scalar::bytes)

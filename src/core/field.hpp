@@ -298,10 +298,6 @@ template <HasFields Row>
 /// to the same bits, enums by name, several scalars as "[1, 2]", bytes as hexadecimal.
 [[nodiscard]] std::string format_scalar(const FieldInfo& info, const std::byte* row);
 
-/// One of the scalars of a field as a number.
-[[nodiscard]] double scalar_number(const FieldInfo& info, const std::byte* row,
-                                   std::uint32_t index);
-
 /// Only the scalar number `index` of a field.
 [[nodiscard]] std::string format_scalar(const FieldInfo& info, const std::byte* row,
                                         std::uint32_t index);

@@ -184,4 +184,27 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
+std::optional<std::string> from_base64(std::string_view text) {
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3);
+  std::uint32_t digits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
+                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                      : c >= '0' && c <= '9' ? c - '0' + 52
+                      : c == '+'             ? 62
+                      : c == '/'             ? 63
+                                             : 0;
+    digits = digits << 6 | static_cast<std::uint32_t>(digit);
+    if (i % 4 == 3)
+      for (const int shift : {16, 8, 0})
+        bytes.push_back(static_cast<char>(digits >> shift & 255));
+  }
+  for (int i = 0; i < 2 && text.ends_with('=') && !bytes.empty(); ++i)
+    if (text[text.size() - 1 - static_cast<std::size_t>(i)] == '=')
+      bytes.pop_back();
+  return base64(bytes) == text ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
 }  // namespace eyrie

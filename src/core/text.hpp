@@ -51,5 +51,7 @@ inline constexpr std::size_t kLongestIdentifier = 64;
 
 /// RFC 4648, with padding and without line ends.
 [[nodiscard]] std::string base64(std::string_view bytes);
+/// What base64() made that text of; nothing if it is another one.
+[[nodiscard]] std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace eyrie

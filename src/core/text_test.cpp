@@ -146,6 +146,10 @@ TEST(Base64, IsThatOfRfc4648) {  // section 10
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  for (const char* text : {"", "f", "fo", "foobar"})
+    EXPECT_EQ(from_base64(base64(text)), text);
+  for (const char* none : {"Zg", "Zg=", "Zh==", "Zm9v?mFy", "====", "Zg==Zg=="})
+    EXPECT_FALSE(from_base64(none)) << none;
 }
 
 }  // namespace

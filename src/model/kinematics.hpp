@@ -2,6 +2,7 @@
 #pragma once
 /// \file  Where a player is and how it moves: the truth that the move phase writes.
 #include "core/field.hpp"
+#include "model/frames.hpp"
 
 namespace eyrie::model {
 
@@ -34,6 +35,14 @@ struct Kinematics {
                       field("load_factor", &K::load_factor));
   }
 };
+
+/// Of its place.
+inline void set_vertical(Kinematics& k, const Vertical& at) {
+  k.north = at.north;
+  k.east = at.east;
+  k.down = at.down;
+  k.altitude = at.altitude;
+}
 
 /// Where a player waits who is in the run and has not appeared: on the other side of the Earth, so
 /// that nobody senses him.

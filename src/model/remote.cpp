@@ -65,13 +65,9 @@ void point(const Heard& heard, const Kinematics& own, const Kinematics* target,
 }
 
 Kinematics nowhere(const Reference& reference) {
-  const Vertical at = reference.vertical_at(kNowhere);
   Kinematics k;
   k.position = kNowhere;
-  k.north = at.north;
-  k.east = at.east;
-  k.down = at.down;
-  k.altitude = at.altitude;
+  set_vertical(k, reference.vertical_at(k.position));
   return k;
 }
 
@@ -101,10 +97,7 @@ void reckon(const Heard& h, double time, const Reference& reference, const Envir
   if (moves)
     k.position += t * h.velocity + t * t / 2 * acceleration;
   const Vertical at = reference.vertical_at(k.position);
-  k.north = at.north;
-  k.east = at.east;
-  k.down = at.down;
-  k.altitude = at.altitude;
+  set_vertical(k, at);
   const Vec3 angles = turns ? euler_of(turn(h.spin, t) * attitude_of(h.angles)) : h.angles;
   k.heading = angles.x;
   k.pitch = angles.y;

@@ -50,6 +50,13 @@ struct Roster {
         return PlayerId{static_cast<std::uint32_t>(i + 1)};
     return std::nullopt;
   }
+  /// "there is no player 'eagel1'; did you mean 'eagle1'?"
+  [[nodiscard]] std::string unknown(std::string_view name) const {
+    std::vector<std::string> names;
+    for (const Player& player : players)
+      names.push_back(player.name);
+    return fmt::format("there is no player {}{}", quote(name), did_you_mean(name, names));
+  }
 };
 
 [[nodiscard]] constexpr std::string_view side_name(model::Side side) {

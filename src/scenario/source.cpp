@@ -18,30 +18,6 @@ std::string plugin_name(std::string_view origin, std::string_view kind, std::str
   return fmt::format("plugin:{}/{}/{}.yaml", origin, kind, name);
 }
 
-/// The bytes that base64() wrote as a text; nothing for any other text.
-std::optional<std::string> bytes_of(std::string_view base64_text) {
-  std::string bytes;
-  bytes.reserve(base64_text.size() / 4 * 3);
-  std::uint32_t digits = 0;
-  for (std::size_t i = 0; i < base64_text.size(); ++i) {
-    const char c = base64_text[i];
-    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : 0;
-    digits = digits << 6 | static_cast<std::uint32_t>(digit);
-    if (i % 4 == 3)
-      for (const int shift : {16, 8, 0})
-        bytes.push_back(static_cast<char>(digits >> shift & 255));
-  }
-  for (int i = 0; i < 2 && base64_text.ends_with('=') && !bytes.empty(); ++i)
-    if (base64_text[base64_text.size() - 1 - static_cast<std::size_t>(i)] == '=')
-      bytes.pop_back();
-  return base64(bytes) == base64_text ? std::optional(std::move(bytes)) : std::nullopt;
-}
-
 }  // namespace
 
 Source Source::bundle(std::map<std::string, std::string> files) {
@@ -83,7 +59,7 @@ std::optional<std::string> Source::read(const std::string& name) {
 
 std::optional<std::string> Source::read_bytes(const std::string& name) {
   if (const auto known = files_.find(name); known != files_.end())
-    return bytes_of(known->second);
+    return from_base64(known->second);
   auto bytes = folders_ ? folders_->read(name) : std::nullopt;
   if (bytes && bytes->size() <= kLargestBytes)
     files_[name] = base64(*bytes);

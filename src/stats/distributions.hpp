@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Boost's distributions, reckoned in double. As they come they reckon in long double, which
 /// has other digits on another CPU, and some that valgrind does not know.
-#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -10,7 +9,6 @@
 namespace eyrie::stats {
 
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-using Beta = boost::math::beta_distribution<double, InDouble>;
 using Binomial = boost::math::binomial_distribution<double, InDouble>;
 using Normal = boost::math::normal_distribution<double, InDouble>;
 using StudentsT = boost::math::students_t_distribution<double, InDouble>;

@@ -26,19 +26,6 @@ void Moments::add(double x) {
   squares_ += before * (x - mean_);
 }
 
-void Moments::merge(const Moments& later) {
-  if (!later.n_)
-    return;
-  const auto n = static_cast<double>(n_), m = static_cast<double>(later.n_);
-  const double apart = later.mean_ - mean_;
-  n_ += later.n_;
-  mean_ += apart * m / (n + m);
-  squares_ += later.squares_ + apart * apart * n * m / (n + m);
-}
-
-double Moments::deviation() const {
-  return std::sqrt(variance());
-}
 double Moments::error() const {
   return n_ ? std::sqrt(variance() / static_cast<double>(n_)) : 0;
 }
@@ -96,34 +83,6 @@ std::vector<double> holm(std::span<const double> p) {
     corrected[order[i]] = least;
   }
   return corrected;
-}
-
-double quantile(std::span<const double> ascending, double p) {
-  const double at = p * static_cast<double>(ascending.size() - 1), before = std::floor(at);
-  const auto i = static_cast<std::size_t>(before);
-  const double next = ascending[std::min(i + 1, ascending.size() - 1)];
-  return ascending[i] + (at - before) * (next - ascending[i]);
-}
-
-Histogram histogram(std::span<const double> values, std::size_t bins) {
-  Histogram h;
-  if (values.empty() || bins == 0)
-    return h;
-  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-  const double span = *greatest - *least;
-  const bool whole =
-      std::all_of(values.begin(), values.end(), [](double v) { return v == std::floor(v); });
-  if (span == 0 || (whole && span < static_cast<double>(bins))) {
-    h.low = *least - 0.5;
-    bins = static_cast<std::size_t>(span) + 1;
-  } else {
-    h.low = *least;
-    h.width = span / static_cast<double>(bins);
-  }
-  h.counts.resize(bins);
-  for (const double v : values)
-    ++h.counts[std::min(static_cast<std::size_t>((v - h.low) / h.width), bins - 1)];
-  return h;
 }
 
 }  // namespace eyrie::stats

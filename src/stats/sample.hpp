@@ -14,8 +14,6 @@ namespace eyrie::stats {
 class Moments {
  public:
   void add(double x);
-  /// Those of more numbers (Chan, Golub, LeVeque, The American Statistician 37 (1983) 242).
-  void merge(const Moments& later);
 
   [[nodiscard]] std::uint64_t n() const { return n_; }
   [[nodiscard]] double mean() const { return mean_; }
@@ -23,7 +21,6 @@ class Moments {
   [[nodiscard]] double variance() const {
     return n_ > 1 ? squares_ / static_cast<double>(n_ - 1) : 0;
   }
-  [[nodiscard]] double deviation() const;
   [[nodiscard]] double error() const;  ///< of the mean, standard
 
  private:
@@ -58,19 +55,5 @@ class Ratio {
 /// Holm's correction for many comparisons (Scandinavian Journal of Statistics 6 (1979) 65): each p
 /// raised so that those below 5 % hold, all of them, in 95 % of such families. In the order given.
 [[nodiscard]] std::vector<double> holm(std::span<const double> p);
-
-/// The number below which a share `p` of numbers in ascending order lies, between the two nearest
-/// by their distance (Hyndman & Fan, The American Statistician 50 (1996) 361, definition 7).
-[[nodiscard]] double quantile(std::span<const double> ascending, double p);
-
-/// How many numbers lie in bins of one width; each has its lower bound, the last one also its
-/// upper.
-struct Histogram {
-  double low = 0, width = 1;
-  std::vector<std::uint64_t> counts;
-};
-/// Of at most so many bins from the least to the greatest. Whole numbers get a bin each, around
-/// them, if that is enough.
-[[nodiscard]] Histogram histogram(std::span<const double> values, std::size_t bins);
 
 }  // namespace eyrie::stats

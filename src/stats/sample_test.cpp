@@ -50,17 +50,6 @@ TEST(Moments, KeepTheSpreadOfNumbersFarFromZero) {
   EXPECT_NEAR(of({1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16}).variance(), 30, 1e-6);
 }
 
-TEST(Moments, OfTwoHalvesAreThoseOfTheWhole) {
-  for (std::size_t half = 0; half <= kX.size(); ++half) {
-    const auto middle = kX.begin() + static_cast<std::ptrdiff_t>(half);
-    Moments both = of({kX.begin(), middle});
-    both.merge(of({middle, kX.end()}));
-    EXPECT_EQ(both.n(), 6U);
-    EXPECT_NEAR(both.mean(), 5.25, 1e-14);
-    EXPECT_NEAR(both.variance(), 6.975, 1e-13);
-  }
-}
-
 TEST(StudentsInterval, IsSciPys) {
   // stats.t.interval(0.95, 5, np.mean(x), stats.sem(x)), and with 0.9
   expect_near(t_interval(of(kX)), 2.4784168320380204, 8.02158316796198);
@@ -100,28 +89,6 @@ TEST(Holm, IsThatOfStatsmodels) {
   for (std::size_t i = 0; i < p.size(); ++i)
     EXPECT_NEAR(corrected[i], expected[i], 1e-15);
   EXPECT_EQ(holm(std::vector{0.8, 0.9}), (std::vector{1.0, 1.0}));
-}
-
-TEST(Quantile, IsNumPys) {
-  // np.quantile(x, q)
-  const std::pair<double, double> known[] = {{0, 2},     {0.1, 3},    {0.25, 4},
-                                             {0.5, 4.5}, {0.9, 8.25}, {1, 9.5}};
-  for (const auto& [q, value] : known)
-    EXPECT_NEAR(quantile(kX, q), value, 1e-14);
-}
-
-TEST(Histogram, CountsEachNumberOnce) {
-  const Histogram h = histogram(kX, 3);
-  EXPECT_EQ(h.low, 2);
-  EXPECT_EQ(h.width, 2.5);
-  EXPECT_EQ(h.counts, (std::vector<std::uint64_t>{3, 1, 2})) << "4.5 and 7 begin a bin";
-}
-TEST(Histogram, GivesWholeNumbersABinEach) {
-  const Histogram h = histogram(std::vector<double>{4, 1, 1, 2}, 10);
-  EXPECT_EQ(h.low, 0.5);
-  EXPECT_EQ(h.width, 1);
-  EXPECT_EQ(h.counts, (std::vector<std::uint64_t>{2, 1, 0, 1}));
-  EXPECT_EQ(histogram(std::vector{0.25, 0.25}, 10).counts, std::vector<std::uint64_t>{2});
 }
 
 // of 4,000 samples the share whose interval holds the truth; its own error is 0.0034

@@ -20,13 +20,6 @@ Interval wilson(const Share& share, double confidence) {
           share.count == share.n ? 1 : std::min(middle + half, 1.0)};
 }
 
-Interval clopper_pearson(const Share& share, double confidence) {
-  const auto yes = static_cast<double>(share.count), no = static_cast<double>(share.n) - yes;
-  const double tail = (1 - confidence) / 2;
-  return {yes > 0 ? quantile(Beta(yes, no + 1), tail) : 0,
-          no > 0 ? quantile(complement(Beta(yes + 1, no), tail)) : 1};
-}
-
 Interval newcombe(const Share& one, const Share& other, double confidence) {
   const Interval a = wilson(one, confidence), b = wilson(other, confidence);
   const double p = one.value(), q = other.value();

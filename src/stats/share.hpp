@@ -21,8 +21,6 @@ struct Share {
 /// Wilson's score interval (Journal of the American Statistical Association 22 (1927) 209): covers
 /// the truth as often as it says in the mean over truths. [0, 1] of nothing.
 [[nodiscard]] Interval wilson(const Share& share, double confidence = 0.95);
-/// Clopper's and Pearson's (Biometrika 26 (1934) 404): at least as often, whatever the truth is.
-[[nodiscard]] Interval clopper_pearson(const Share& share, double confidence = 0.95);
 /// Of what a share is more than another, independent one (Newcombe, Statistics in Medicine 17
 /// (1998) 873, method 10): from -1 to 1.
 [[nodiscard]] Interval newcombe(const Share& one, const Share& other, double confidence = 0.95);

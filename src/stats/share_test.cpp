@@ -27,15 +27,6 @@ TEST(Wilson, StaysInItsRange) {
   expect_share(wilson({0, 0}), 0, 1, 0);
 }
 
-TEST(ClopperPearson, IsSciPys) {
-  expect_share(clopper_pearson({8, 10}), 0.4439045376923585, 0.9747892736731665);
-  expect_share(clopper_pearson({8, 10}, 0.99), 0.3517988336951584, 0.9891494906202708);
-  expect_share(clopper_pearson({1, 1000}), 2.5317487491674634e-05, 0.0055589242798499);
-  expect_share(clopper_pearson({0, 20}), 0, 0.16843347098308548);
-  EXPECT_EQ(clopper_pearson({20, 20}).high, 1);
-  expect_share(clopper_pearson({0, 0}), 0, 1, 0);
-}
-
 /// Newcombe's own example, 56 of 70 against 48 of 80, method 10.
 TEST(Newcombe, IsAsPublished) {
   expect_share(newcombe({56, 70}, {48, 80}), 0.0524, 0.3339, 1e-4);
@@ -80,10 +71,8 @@ double exact_coverage(Interval (*interval)(const Share&, double), std::uint64_t 
 TEST(Coverage, OfSharesIsWhatTheirIntervalsSay) {
   for (const std::uint64_t n : {10u, 40u, 100u}) {
     double wilsons = 0;
-    for (int i = 1; i < 100; ++i) {
+    for (int i = 1; i < 100; ++i)
       wilsons += exact_coverage(wilson, n, i / 100.0) / 99;
-      EXPECT_GE(exact_coverage(clopper_pearson, n, i / 100.0), 0.95) << n << " " << i;
-    }
     EXPECT_NEAR(wilsons, 0.95, 0.006) << n;
   }
 }

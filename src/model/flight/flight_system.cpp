@@ -7,13 +7,6 @@
 namespace eyrie::model::flight {
 namespace {
 
-void set_vertical(Kinematics& k, const Vertical& vertical) {
-  k.north = vertical.north;
-  k.east = vertical.east;
-  k.down = vertical.down;
-  k.altitude = vertical.altitude;
-}
-
 /// m: of a level turn, with the distance flown while rolling into it.
 double turn_radius(double speed, double rate, double lag) {
   return speed / std::max(rate, 1e-3) + speed * lag;

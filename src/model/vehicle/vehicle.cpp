@@ -14,11 +14,8 @@ constexpr double kSlowest = 0.1;
 
 /// Level, on the surface, with the velocity along the heading.
 void put_down(Kinematics& k, const Reference& reference) {
-  Vertical at = reference.vertical_at(k.position);
-  k.position = k.position + at.altitude * at.down;
-  k.north = at.north;
-  k.east = at.east;
-  k.down = at.down;
+  set_vertical(k, reference.vertical_at(k.position));
+  k.position = k.position + k.altitude * k.down;
   k.altitude = 0;
   const auto [sine, cosine] = math::sin_cos(k.heading);
   k.velocity = k.speed * cosine * k.north + k.speed * sine * k.east;

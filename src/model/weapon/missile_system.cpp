@@ -244,11 +244,7 @@ void move_missile(const MissileType& type, const Library& library, double time, 
   k.velocity = flyout.velocity;
   state.lift = flyout.lift;
 
-  const Vertical vertical = library.reference.vertical_at(k.position);
-  k.north = vertical.north;
-  k.east = vertical.east;
-  k.down = vertical.down;
-  k.altitude = vertical.altitude;
+  set_vertical(k, library.reference.vertical_at(k.position));
   const Vec3 through_air = k.velocity - wind;
   k.speed = norm(through_air);
   k.mach = k.speed / air.speed_of_sound;
