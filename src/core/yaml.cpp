@@ -144,7 +144,7 @@ class Builder {
       v.kind = Value::Kind::scalar;
       v.text = text;
       v.quoted = quoted;
-      if (!quoted && s.tag)
+      if (s.tag)
         v.tag = text_of(s.tag);
     }
     if (s.anchor)
@@ -305,6 +305,8 @@ Value parse_yaml(std::string_view text, std::string_view name, Diagnostics& diag
     diagnostics.error(top, fmt::format("the file is larger than {} bytes", limits.bytes));
     return {};
   }
+  if (text.starts_with("\xEF\xBB\xBF"))  // a byte order mark, as Windows writes it
+    text.remove_prefix(3);
   if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
     diagnostics.error(place_of(text, nul, file), "a NUL byte: this is not a text file");
     return {};

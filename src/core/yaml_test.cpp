@@ -28,6 +28,18 @@ TEST(Yaml, KeepsOrderPlacesAndQuotes) {
   EXPECT_EQ(list.items[1].where, (Location{"a.yaml", 2, 10}));
 }
 
+TEST(Yaml, ReadsWhatWindowsWrites) {
+  Diagnostics d;
+  const Value v = parse_yaml(
+      "\xEF\xBB\xBF"
+      "a: 1\r\nb: !tree 'x'\r\n",
+      "a.yaml", d);
+  ASSERT_TRUE(d.ok()) << d.text();
+  EXPECT_EQ(v.find("a")->text, "1");
+  EXPECT_EQ(v.entries[0].where, (Location{"a.yaml", 1, 1}));
+  EXPECT_EQ(v.find("b")->tag, "!tree") << "also of what is quoted";
+}
+
 TEST(Yaml, RefusesAKeyThatAMapGivesTwiceAndReadsTheRest) {
   Diagnostics d;
   const Value v =

@@ -62,11 +62,11 @@ static_assert(sizeof(Manual) == 32, "the payload of an order");
 struct VoteChange {
   float vote = 0;
   std::uint16_t number = 0;  ///< 1 + index of the node in the tree; 0: an empty place
-  std::uint16_t reserved = 0;
+  std::uint16_t tree = 0;    ///< of an order: 1 + index of the tree; 0: whichever is flown
 
   static constexpr auto fields() {
     return field_list(field("vote", &VoteChange::vote), field("number", &VoteChange::number),
-                      field("reserved", &VoteChange::reserved));
+                      field("tree", &VoteChange::tree));
   }
 };
 

@@ -36,8 +36,9 @@ Obeyed sit(const Manual& wish, Manual& seat) {
   return stays ? Obeyed::quietly : Obeyed::told;
 }
 
-Obeyed change_vote(const VoteChange& wish, std::span<VoteChange> votes, std::size_t nodes) {
-  if (wish.number == 0 || wish.number > nodes || !(wish.vote <= 1000) || wish.reserved != 0)
+Obeyed change_vote(const VoteChange& wish, std::span<VoteChange> votes, const team::Flown& flown) {
+  if (wish.number == 0 || wish.number > flown.nodes || !(wish.vote <= 1000) ||
+      (wish.tree != 0 && wish.tree != flown.tree + 1))
     return Obeyed::no;
   const auto end = std::remove_if(votes.begin(), votes.end(), [&](const VoteChange& v) {
     return v.number == wish.number || v.number == 0;
@@ -46,7 +47,7 @@ Obeyed change_vote(const VoteChange& wish, std::span<VoteChange> votes, std::siz
     return Obeyed::no;
   std::fill(end, votes.end(), VoteChange{});
   if (wish.vote >= 0)
-    *end = wish;
+    *end = {.vote = wish.vote, .number = wish.number};
   return Obeyed::told;
 }
 
@@ -121,12 +122,12 @@ void fly_by_hand(const Manual& m, const State& state, Action& action) {
         action.release = Release{target->id(), *store};
 }
 
-Obeyed Outside::obey(const sim::Order& order, Asked& asked, std::size_t nodes) {
+Obeyed Outside::obey(const sim::Order& order, Asked& asked, const team::Flown& flown) {
   switch (static_cast<OrderKind>(order.kind.value)) {
     case OrderKind::manual:
       return sit(order.as<Manual>(), asked.manual);
     case OrderKind::vote:
-      return change_vote(order.as<VoteChange>(), asked.votes, nodes);
+      return change_vote(order.as<VoteChange>(), asked.votes, flown);
     case OrderKind::point:
       return add_point(order.as<PointToFly>(), asked);
     case OrderKind::weapons:

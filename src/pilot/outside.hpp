@@ -36,7 +36,7 @@ struct Outside {
       sim::OrderKind(OrderKind::manual), sim::OrderKind(OrderKind::vote),
       sim::OrderKind(OrderKind::weapons), sim::OrderKind(OrderKind::point)};
 
-  static team::Obeyed obey(const sim::Order& order, Asked& asked, std::size_t nodes);
+  static team::Obeyed obey(const sim::Order& order, Asked& asked, const team::Flown& flown);
   /// 1 for who takes over and for tight, 0 for who hands back and for free; a node; points.
   static double detail(const sim::Order& order);
   static bool sleeps(const Asked& asked) { return asked.manual.seat == model::Seat::remote; }

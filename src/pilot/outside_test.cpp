@@ -191,6 +191,7 @@ TEST(Outside, WhatMakesNoSenseIsIgnored) {
   add(OrderKind::manual, m);
   add(OrderKind::vote, VoteChange{.vote = 5, .number = 9});
   add(OrderKind::vote, VoteChange{.vote = nan, .number = 1});
+  add(OrderKind::vote, VoteChange{.vote = 5, .number = 1, .tree = 2});  // it flies by another
   add(OrderKind::point, PointToFly{.position = {nan, 0, 0}});
   add(OrderKind::point, PointToFly{.more = 3});
   orders.push_back(hand(war, person(0), PlayerId{99}));

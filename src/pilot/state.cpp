@@ -3,6 +3,7 @@
 
 #include <bitset>
 
+#include "model/weapon/gun.hpp"
 #include "model/weapon/stores.hpp"
 #include "pilot/sort.hpp"
 
@@ -97,11 +98,18 @@ double State::closing_on(const Seen& one) const {
   return one.range > 0 ? dot(one.ned, velocity_ned - velocity_of(one)) / one.range : 0.0;
 }
 
+/// A missile flies in the air, which moves; so do those in whose zone it is, about as fast here.
+Vec3 State::through_air(const Vec3& velocity) const {
+  return velocity - from_ned(own, wind());
+}
+model::weapon::LaunchParty State::party(const Seen& one) const {
+  return {position_at(*one.track, time), through_air(one.track->velocity),
+          altitude_of(own, one.ned)};
+}
+
 model::weapon::LaunchSituation State::launch_situation(const Seen& target) const {
-  const model::Track& track = *target.track;
-  return model::weapon::launch_situation(
-      {own.position, own.velocity, own.altitude},
-      {position_at(track, time), track.velocity, altitude_of(own, target.ned)});
+  return model::weapon::launch_situation({own.position, through_air(own.velocity), own.altitude},
+                                         party(target));
 }
 
 const Reach& State::reach_of(const Seen& one) const {
@@ -113,8 +121,7 @@ const Reach& State::reach_of(const Seen& one) const {
   reaches_found_ |= 1U << index;
   worst = {};
   const auto situation = model::weapon::launch_situation(
-      {position_at(*one.track, time), one.track->velocity, altitude_of(own, one.ned)},
-      {own.position, own.velocity, own.altitude});
+      party(one), {own.position, through_air(own.velocity), own.altitude});
   for (std::size_t i = 0; i < library.missiles.size(); ++i) {
     const model::MissileType& missile = library.missiles[i];
     if (missile.locks_before_launch())
@@ -124,6 +131,23 @@ const Reach& State::reach_of(const Seen& one) const {
       worst = {zone.r_max, zone.r_ne};
   }
   return worst;
+}
+
+const std::optional<Sight>& State::gun_sight(const Seen& target) const {
+  if (!type.index.gun || gun_sight_to_ == target.id())
+    return gun_sight_;
+  gun_sight_to_ = target.id();
+  model::Kinematics believed;
+  believed.position = position_at(*target.track, time);
+  believed.velocity = target.track->velocity;
+  const double density = library.environment.atmosphere.at(own.altitude).density;
+  const model::weapon::Lead lead = model::weapon::lead_on(
+      library.guns[*type.index.gun], density, own, from_ned(own, nose_of(own)), believed);
+  gun_sight_ = Sight{.aim = to_ned(own, lead.direction),
+                     .off_nose = lead.off_bore,
+                     .range = lead.range,
+                     .time = lead.flight_time};
+  return gun_sight_;
 }
 
 const OwnReach& State::own_reach(const Seen& one) const {

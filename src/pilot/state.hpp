@@ -59,6 +59,14 @@ struct Cockpit {
   }
 };
 
+/// Where to point the nose so that the rounds meet the target.
+struct Sight {
+  Vec3 aim;             ///< unit vector, north-east-down at the ownship
+  double off_nose = 0;  ///< rad, between `aim` and the nose
+  double range = 0;     ///< m
+  double time = 0;      ///< s, that a round flies
+};
+
 /// Views into the pilot's own rows and what follows from them; good for one decision. Every track
 /// in it is a belief: with a privileged player the beliefs happen to be true, and nothing here
 /// knows the difference.
@@ -128,6 +136,9 @@ struct State : Cockpit {
   [[nodiscard]] const Reach& reach_of(const Seen& one) const;
   /// What the missiles on board can do about a track. Found once a decision for the last one asked.
   [[nodiscard]] const OwnReach& own_reach(const Seen& one) const;
+  /// The gun's lead on a target that keeps its velocity (model/weapon/gun.hpp); nothing without a
+  /// gun. Found once a decision for the last one asked.
+  [[nodiscard]] const std::optional<Sight>& gun_sight(const Seen& target) const;
   /// The situation of a launch at a track, from here and now, for model/weapon/launch_zone.hpp.
   [[nodiscard]] model::weapon::LaunchSituation launch_situation(const Seen& target) const;
   /// Angle between the nose and a direction in NED axes, rad in [0, pi].
@@ -137,10 +148,15 @@ struct State : Cockpit {
   [[nodiscard]] double altitude_for(double climb_angle) const;
 
  private:
+  [[nodiscard]] Vec3 through_air(const Vec3& velocity) const;
+  [[nodiscard]] model::weapon::LaunchParty party(const Seen& one) const;
+
   mutable std::uint32_t reaches_found_ = 0;  ///< bit i: of seen[i]
   mutable std::array<Reach, model::kMaxTracks> reaches_;
   mutable TrackId own_reach_to_;  ///< whom own_reach_ is about
   mutable OwnReach own_reach_;
+  mutable TrackId gun_sight_to_;  ///< likewise
+  mutable std::optional<Sight> gun_sight_;
 };
 
 /// What is in a state, for debriefs.

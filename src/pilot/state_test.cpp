@@ -125,6 +125,27 @@ TEST(State, AsksTheMissileForItsZone) {
   EXPECT_LT(running.zone(testing::kMedium, running.seen[0]).r_max, head_on.r_max);
 }
 
+TEST(State, AsksForZonesByTheSpeedsThroughTheAir) {
+  Desk s;
+  model::Track& he = s.track({20e3, 0, 0});
+  const State calm = s.state();
+  const auto zone = calm.zone(testing::kMedium, calm.seen[0]);
+  const double own_reach = calm.own_reach(calm.seen[0]).r_ne;
+  const double his_reach = calm.reach_of(calm.seen[0]).r_ne;
+  model::Library windy = testing::library();
+  const model::WindLayer south{.speed = 60, .from = kPi};
+  windy.environment.wind = model::Wind(std::span(&south, 1));
+  // both are carried along
+  s.own.velocity += Vec3{60, 0, 0};
+  he.velocity.x += 60;
+  const State carried({s.own, s.propulsion, s.flying, s.stores, s.gun, s.tracks, s.rwr, s.threats,
+                       s.datalink, s.command, s.agent},
+                      windy, s.fit, s.formation, s.time);
+  EXPECT_NEAR(carried.zone(testing::kMedium, carried.seen[0]).r_max, zone.r_max, 1);
+  EXPECT_NEAR(carried.own_reach(carried.seen[0]).r_ne, own_reach, 1);
+  EXPECT_NEAR(carried.reach_of(carried.seen[0]).r_ne, his_reach, 1);
+}
+
 TEST(State, TurnsAClimbAngleIntoAnAltitudeThatTheAutopilotClimbsTo) {
   Desk s;
   const double hold = testing::library().airframes[0].autopilot.altitude_time;

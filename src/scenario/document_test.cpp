@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/yaml.hpp"
 #include "scenario/source.hpp"
 
 #include <gtest/gtest.h>
@@ -189,6 +190,21 @@ TEST(Overrides, AddANewLastKeyButNoNewPath) {
             "--set seed.deep=x:1:6: there is no 'deep' here, only '1'");
   EXPECT_EQ(with({"help.deep=x"}).mistakes,
             "--set help.deep=x:1:6: there is no 'deep' here, only nothing");
+}
+
+TEST(Overrides, ReplaceANodeBesideParametersOfItsParent) {
+  Value document = Value::map({}, {});
+  Diagnostics diagnostics;
+  document = parse_yaml(
+      "trees: {t: {winner_takes_all: {vote: 3, children: [evade, {navigate: {vote: 9}}]}}}", "a",
+      diagnostics);
+  const std::vector<std::string> sets{"trees.t.winner_takes_all.navigate={vote: 50}",
+                                      "trees.t.winner_takes_all.label=x"};
+  apply_overrides(document, sets, diagnostics);
+  EXPECT_EQ(diagnostics.text(), "");
+  EXPECT_EQ(text(document),
+            "{trees: {t: {winner_takes_all: {vote: 3, children: [evade, {navigate: {vote: 50}}], "
+            "label: x}}}}");
 }
 
 TEST(Overrides, ReachListItemsByIndex) {

@@ -289,7 +289,12 @@ class Loader {
     const auto hang = [&](const std::string& store, std::uint8_t count) {
       if (station >= model::kMaxStations)
         return;
-      if (const auto missile = library_->missiles.find(store))
+      constexpr std::size_t kMostMissiles = 254;  // 0 is an empty station, 255 any missile
+      const auto missile = library_->missiles.find(store);
+      if (missile && *missile >= kMostMissiles)
+        error(player.place("loadout"),
+              fmt::format("there are more than {} kinds of missiles", kMostMissiles));
+      else if (missile)
         begin.stations[station] = {static_cast<std::uint8_t>(*missile + 1), count};
       ++station;
     };
@@ -308,23 +313,19 @@ class Loader {
   }
 
   void orders() {
-    std::vector<std::string> players;
-    for (const auto& p : out_->roster.players)
-      players.push_back(p.name);
     const Value* list = document_.find("orders");
     for (const OrderSpec& order : out_->spec.orders) {
       const auto index = static_cast<std::size_t>(&order - out_->spec.orders.data());
       const Value& item = list->items[index];
       const Location where = item.where;
-      if (order.at >= out_->spec.until)
+      if (step_at(order.at) >= step_at(out_->spec.until))
         error(item.where_of("at"),
               fmt::format("an order at {} is never given: the flight ends at {} (until)",
                           exact_quantity(order.at, Dimension::time),
                           exact_quantity(out_->spec.until, Dimension::time)));
       const auto who = out_->roster.find(order.player);
       if (!who)
-        error(where, fmt::format("there is no player {}{}", quote(order.player),
-                                 did_you_mean(order.player, players)));
+        error(where, out_->roster.unknown(order.player));
       if (order.lose == order.swap_tree.has_value())
         error(where, fmt::format("what is ordered of {}? Either 'swap_tree' or 'lose: true'",
                                  quote(order.player)));
@@ -334,10 +335,13 @@ class Loader {
         static_cast<void>(trees_.find(*out_->trees, *order.swap_tree, where, diagnostics_));
     }
   }
+  [[nodiscard]] std::uint64_t step_at(double time) const {
+    return static_cast<std::uint64_t>(time * out_->spec.rates.kinematics + 0.5);
+  }
   void give(const OrderSpec& order, PlayerId who, const Location& where) {
     if (out_->roster.find(who)->remote)
       return;  // by the program that flies it
-    const auto step = static_cast<std::uint64_t>(order.at * out_->spec.rates.kinematics + 0.5);
+    const std::uint64_t step = step_at(order.at);
     if (order.lose)
       return out_->orders.push_back(model::weapon::lose_order(step, who));
     const std::string& name = *order.swap_tree;

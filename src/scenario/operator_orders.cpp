@@ -125,10 +125,7 @@ class OrderReader {
   std::vector<PlayerId> player() {
     if (const auto who = scenario_.roster.find(*asked_.player))
       return {*who};
-    std::vector<std::string> names;
-    for (const Roster::Player& one : scenario_.roster.players)
-      names.push_back(one.name);
-    refuse("there is no player {}{}", quote(*asked_.player), did_you_mean(*asked_.player, names));
+    refuse("{}", scenario_.roster.unknown(*asked_.player));
     return {};
   }
   std::vector<PlayerId> flight() {
@@ -180,7 +177,8 @@ class OrderReader {
     else if (const auto node = fleet.trees[*tree]->find(*asked_.node))
       order(who, OrderKind::vote,
             model::VoteChange{.vote = static_cast<float>(asked_.vote.value_or(-1)),
-                              .number = static_cast<std::uint16_t>(*node + 1)});
+                              .number = static_cast<std::uint16_t>(*node + 1),
+                              .tree = static_cast<std::uint16_t>(*tree + 1)});
     else
       refuse("there is no node {} in tree {}", quote(*asked_.node), *asked_.tree);
   }

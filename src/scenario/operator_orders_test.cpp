@@ -96,6 +96,7 @@ TEST_F(OperatorOrder, ChangesVotesWeaponsAndRoute) {
   ASSERT_EQ(vote.problem, "");
   EXPECT_EQ(vote.orders[0].as<model::VoteChange>().number, 3);
   EXPECT_EQ(vote.orders[0].as<model::VoteChange>().vote, 70);
+  EXPECT_EQ(vote.orders[0].as<model::VoteChange>().tree, 1);
   EXPECT_EQ(orders(R"({"order":"weapons","flight":"eagle","free":false})").orders.size(), 4u);
   const auto point = orders(
       R"({"order":"point","player":"eagle1","east":9000,"north":2000,"altitude":8000,"more":true})");

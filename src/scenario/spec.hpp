@@ -127,7 +127,7 @@ struct FlightSpec : PlayerSpec {
     return std::tuple_cat(
         PlayerSpec::params(),
         std::tuple{param("formation", &FlightSpec::formation, "spacing of the wall formation"),
-                   param("route", &FlightSpec::route, "the waypoints, in order"),
+                   param("route", &FlightSpec::route, "the waypoints, in order").items(0, 10'000),
                    param("home", &FlightSpec::home, "where it lands; not given: the side's home")});
   }
   pilot::Formation formation;
@@ -182,7 +182,8 @@ struct ConvoySpec : VehicleSpec {
         VehicleSpec::params(),
         std::tuple{
             param("gap", &ConvoySpec::gap, "m", range(5, 5e3), "from vehicle to vehicle"),
-            param("route", &ConvoySpec::route, "the points of its way, in order; it stops there")});
+            param("route", &ConvoySpec::route, "the points of its way, in order; it stops there")
+                .items(0, 10'000)});
   }
   double gap = 50;
   std::vector<RoadPointSpec> route;

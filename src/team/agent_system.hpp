@@ -229,8 +229,9 @@ class AgentSystem final : public Agents {
   Obeyed obey(const sim::Order& order, Agent& agent, std::span<std::byte> memory,
               Asked& asked) const {
     if (order.kind != sim::OrderKind(Platform::swap_tree))
-      return Outside::obey(order, asked,
-                           agent.tree == kNoTree ? 0 : (*setup_.trees)[agent.tree].size());
+      return Outside::obey(
+          order, asked,
+          {agent.tree, agent.tree == kNoTree ? 0 : (*setup_.trees)[agent.tree].size()});
     const auto tree = order.as<SwapTree>().tree;
     if (tree >= setup_.trees->size())
       return Obeyed::no;

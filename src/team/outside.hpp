@@ -20,6 +20,12 @@ struct NodeVotes {
   [[nodiscard]] std::span<const ubf::NodeVote> span() const { return {votes.data(), size}; }
 };
 
+/// The tree by which an agent goes now.
+struct Flown {
+  std::uint16_t tree = 0;  ///< index
+  std::size_t nodes = 0;   ///< of it; 0: there is none
+};
+
 /// A platform of whose agents nothing else is asked; and what an Outside has to say.
 struct NoOutside {
   /// What is kept of it: a row of Platform::Columns::*column, if there is one.
@@ -29,8 +35,8 @@ struct NoOutside {
     Asked& operator[](std::size_t) const { return all; }
   };
   static constexpr std::array<sim::OrderKind, 0> orders{};
-  /// Carries out an order; `nodes`: of the agent's tree. One that makes no sense is ignored.
-  static Obeyed obey(const sim::Order&, Asked&, std::size_t /*nodes*/) { return Obeyed::no; }
+  /// Carries out an order. One that makes no sense is ignored.
+  static Obeyed obey(const sim::Order&, Asked&, const Flown&) { return Obeyed::no; }
   /// What is told of it beside its kind.
   static constexpr double detail(const sim::Order&) { return 0; }
   /// Whether nobody is to be asked at all.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/expression.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 namespace eyrie::ubf {
@@ -67,11 +68,16 @@ class Parser {
   }
 
  private:
+  /// Of UTF-8: "°" is one of them.
+  static int characters(std::string_view text) {
+    return static_cast<int>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  }
   bool fail(std::size_t at, std::string message) {
     if (!failed_) {
       Location where = value_.where;
       if (where.column)
-        where.column += static_cast<int>(at) + (value_.quoted ? 1 : 0);
+        where.column += characters(text_.substr(0, at)) + (value_.quoted ? 1 : 0);
       diagnostics_.error(where, std::move(message));
     }
     failed_ = true;

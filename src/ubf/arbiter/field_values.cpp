@@ -91,13 +91,18 @@ void set_spread(AnyGrid::Axis& axis) {
   if (!(axis.deviation > 0))
     return;
   const double in_steps = axis.deviation / axis.step;
-  const auto farthest = static_cast<std::size_t>(
-      std::fmin(std::ceil(3 * in_steps), static_cast<double>((axis.steps - 1) / 2)));
+  // on a circle no outcome is met from both sides; on an open axis all that lies beyond an end, for
+  // every command, stands in the last place
+  const std::size_t places = axis.is_circle ? (axis.steps - 1) / 2 : axis.steps - 1;
+  const double reach = std::fmin(std::ceil(3 * in_steps), axis.is_circle ? double(places) : 1e5);
   double total = 1;
-  for (std::size_t k = 1; k <= farthest; ++k) {
-    const double x = static_cast<double>(k) / in_steps;
-    axis.spread.push_back(math::exp(-0.5 * x * x));
-    total += 2 * axis.spread.back();
+  for (std::size_t k = 1; k <= static_cast<std::size_t>(reach); ++k) {
+    const double x = static_cast<double>(k) / in_steps, p = math::exp(-0.5 * x * x);
+    total += 2 * p;
+    if (k <= places)
+      axis.spread.push_back(p);
+    else
+      axis.spread.back() += p;
   }
   for (double& p : axis.spread)
     p /= total;

@@ -39,6 +39,8 @@ class Verify final : public Arbiter<State, Action> {
   [[nodiscard]] std::string problem() const override {
     if (fallback && this->children_.size() < 2)
       return "verify needs a child to check before the fallback";
+    if (refuse.size() != refusals_.size())
+      return "verify: 'refuse' is words of a file; in code, ask a Condition";
     return bounds.empty() && refusals_.empty() ? "verify needs 'bounds' or 'refuse' to check"
                                                : Arbiter<State, Action>::problem();
   }

@@ -203,6 +203,22 @@ TEST(Utility, PrefersACommandWhoseOutcomesAreGoodToOneThatMustComeOutExactly) {
   EXPECT_LT(heading_of(careful), 270);
 }
 
+TEST(Utility, PutsAllThatLiesBeyondAnEndThere) {
+  Grid<Action> grid;
+  ASSERT_EQ(grid.add("altitude", 0, 400, 5, 500, 200), "");
+  ASSERT_EQ(grid.axes()[0].spread.size(), 5u);
+  Children children;
+  children.push_back(make<Judge>(1.F, [](const Action& a) {
+    const double worth[] = {0, 30, 0, 0, -100};
+    return worth[static_cast<int>(*a.altitude / 100 + 0.5)];
+  }));
+  auto node = make<ByUtility>(std::move(children));
+  node->grid = grid;
+  Robot robot(std::move(node));
+  robot.tick();
+  EXPECT_EQ(robot.out.action.altitude, 0) << "from 100 m it is too near to the other end";
+}
+
 TEST(Utility, SpreadsOverTheGridAndNoFurther) {
   Grid<Action> grid;
   ASSERT_EQ(grid.add("altitude", 0, 900, 10, 500, 120), "");
