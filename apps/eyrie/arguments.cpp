@@ -14,15 +14,16 @@
 
 namespace eyrie::app {
 
-std::function<std::string(const std::string&)> whole_number(std::uint64_t least,
-                                                            std::uint64_t most) {
-  return [=](const std::string& text) {
+std::function<std::string(std::string&)> whole_number(std::uint64_t least, std::uint64_t most) {
+  return [=](std::string& text) {
     std::uint64_t value = 0;
     const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
                       value <= most;
-    return good ? std::string{}
-                : fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
+    if (!good)
+      return fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
+    text = std::to_string(value);
+    return std::string{};
   };
 }
 

@@ -12,7 +12,8 @@
 
 namespace eyrie::app {
 
-[[nodiscard]] std::function<std::string(const std::string&)> whole_number(
+/// Of a text, which it writes without leading zeros: they are read as octal later.
+[[nodiscard]] std::function<std::string(std::string&)> whole_number(
     std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// "1..500" with ".." between them; nothing if it is anything else.
 [[nodiscard]] std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(

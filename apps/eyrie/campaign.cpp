@@ -59,12 +59,11 @@ class Told final : public Crew {
 
 /// What the file says, or the part of it that is wanted.
 Spec spec_for(const CampaignOptions& options) {
-  constexpr std::uint64_t kMost = 1'000'000;
   Spec spec = read_spec(options.file);
   if (options.part.empty())
     return spec;
   const auto part = two_numbers(options.part, "/");
-  if (!part || part->first == 0 || part->first > part->second || part->second > kMost)
+  if (!part || part->first == 0 || part->first > part->second || part->second > Part::kMost)
     refuse("--part: '{}' is no part such as 3/16", options.part);
   check_parts(spec);
   spec.part = {part->first - 1, part->second};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/again.hpp"
+#include "campaign/store.hpp"
 #include "command.hpp"
 #include "core/text.hpp"
 #include "locate.hpp"

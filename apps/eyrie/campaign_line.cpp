@@ -38,7 +38,7 @@ void add_report(CLI::App& app, Chosen& chosen) {
   report->add_flag("--force", o.force, "replace the file given by --out");
   report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
   report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
-      ->check(whole_number(0, 1000));
+      ->transform(number(0, 1000));
   report->add_flag("--parquet", o.parquet, "results.parquet, too, by DuckDB's library");
 }
 

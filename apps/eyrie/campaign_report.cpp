@@ -4,6 +4,7 @@
 #include "campaign/compare.hpp"
 #include "campaign/last_decisions.hpp"
 #include "campaign/parquet.hpp"
+#include "campaign/store.hpp"
 #include "campaign/ways.hpp"
 #include "campaign_debrief.hpp"
 #include "campaign_json.hpp"
@@ -189,11 +190,11 @@ int campaign_report(const CampaignReportOptions& options) {
     page.remove_prefix(at + std::string_view(here).size());
   }
   out.sink().write(page);
+  finish(out);
   Database database = open_results(options.folder);
   write_table(database, options.folder);
   if (parquet)
     parquet->write(database, options.folder);
-  finish(out);
   return 0;
 }
 
@@ -209,6 +210,10 @@ int query(const QueryOptions& options) {
     std::optional<Progress> progress;
     add_last_decisions(options.folder, window.value, options.workers ? options.workers : cores(),
                        options.plugins, telling(progress));
+    if (interrupted()) {
+      complain("eyrie: interrupted; the same command goes on, and then asks\n");
+      return 0;
+    }
   }
   if (options.sql.empty())
     return 0;
@@ -219,6 +224,8 @@ int query(const QueryOptions& options) {
   } catch (const disk::Failed& e) {
     throw Mistake(shown("eyrie: {}", e.what()));
   }
+  if (asked->columns() == 0)
+    refuse("eyrie: query reads, and {} gives no rows", quote(options.sql));
   write_csv(*asked, [](const std::string& line) { say("{}", Composed{line}); });
   return 0;
 }

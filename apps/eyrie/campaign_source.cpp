@@ -39,8 +39,9 @@ CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed
   demand_trust(spec, typed);
   spec.plugins.insert(spec.plugins.end(), typed.begin(), typed.end());
   plugins_ = spec.plugins;
+  spec.includes = includes;
   check(spec, [&](const std::vector<std::string>& sets) {
-    auto loaded = load_scenario(spec.scenario, sets, spec.plugins, includes);
+    auto loaded = load_scenario(spec.scenario, sets, spec.plugins, spec.includes);
     scenario_ = loaded->file;
     files_.insert(loaded->files.begin(), loaded->files.end());
     for (const scenario::PluginFile& plugin : loaded->plugins)

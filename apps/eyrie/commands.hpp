@@ -155,7 +155,7 @@ struct PageWritten {
 struct ZonesOptions {
   std::vector<std::string> missiles;  ///< names in data/missiles; none: all
   bool check = false;                 ///< writes nothing
-  bool draw = false;
+  bool draw = false, force = false;
   std::string out = ".";                             ///< folder of the drawings
   std::string altitude = "9 km", speed = "280 m/s";  ///< of both, in a drawing
 };

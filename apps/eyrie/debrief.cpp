@@ -129,7 +129,7 @@ int debrief_page(const DebriefOptions& options) {
           ? (folder / (runs.size() > 1 ? record::kPageOfTwoName : record::kPageName)).string()
           : options.out;
   listen_for_interrupts();
-  disk::OutputFile out(file, options.force || options.out.empty());
+  disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(runs.front())));
   out.sink().write(debrief_text(runs, options.columns));
   finish(out);
   return 0;

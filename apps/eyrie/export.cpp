@@ -46,8 +46,8 @@ tables::Selection selection_of(const ExportOptions& options, const debrief::Reco
   selection.changes_only = options.changes_only;
   if (!options.player.empty())
     selection.who = player_named(recorded.scenario->roster, options.player);
-  if (!options.every.empty())
-    selection.every = time_named("--every", options.every);
+  if (!options.every.empty() && (selection.every = time_named("--every", options.every)) <= 0)
+    refuse("--every: must be more than 0");
   return selection;
 }
 
@@ -83,7 +83,7 @@ int export_run(const ExportOptions& options) {
       fs::path(recorded.file).parent_path() / kNames[static_cast<int>(options.format)];
   const std::string& file = options.out.empty() ? beside : options.out;
   listen_for_interrupts();
-  disk::OutputFile out(file, options.force || options.out.empty());
+  disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(recorded)));
   if (paths)
     write_paths(recorded, options.format, out.sink());
   else if (packets)

@@ -34,8 +34,14 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
       begun = Clock::now();
       precedence.ask(pacing->is_kept(begun));
     }
-    for (listen(flight); flight.frozen() && !interrupted(); listen(flight))
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    listen(flight);
+    if (flight.frozen()) {
+      for (; flight.frozen() && !interrupted(); listen(flight))
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      begun = Clock::now();  // to stand still is no delay
+      if (pacing)
+        pacing->go_on(pacing->frame(), begun);
+    }
     if (!mission.step())
       break;
     if (pacing)

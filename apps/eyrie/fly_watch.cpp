@@ -41,16 +41,18 @@ int fly_and_watch(const FlyOptions& options) {
   for (;;) {
     auto before = stamps(files);
     Flown flown;
+    bool in_files = false;  // a mistake that a change of them may mend
     const int code = attempt([&] {
       try {
         return fly(again, flown);
       } catch (const ConfigError& error) {
+        in_files = true;
         for (const Diagnostic& wrong : error.diagnostics().sorted())
           files.insert(std::string(wrong.where.file.text()));
         throw;
       }
     });
-    if (code == 2 && !fs::exists(file, ignored))
+    if (code == 2 && !(in_files && fs::exists(file, ignored)))
       return code;
     if (!flown.folder.empty()) {  // the next ones go to the same place
       again.out = flown.folder;

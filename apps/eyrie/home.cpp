@@ -193,16 +193,20 @@ std::string Home::problem(const Wish& wish, Choice& chosen) const {
 }
 
 std::optional<Choice> Home::ask(net::WebHost& host) {
+  static_cast<void>(wishes_.take());  // of who was here before the flight that is over
   while (!interrupted()) {
+    std::optional<Choice> taken;
     for (const Wish& wish : wishes_.take()) {
       Choice chosen;
-      const std::string words = problem(wish, chosen);
+      const std::string words = taken ? "somebody else was first" : problem(wish, chosen);
       host.send(wish.who, text_of(words.empty() ? Object{{"flies", wish.scenario}}
                                                 : Object{{"refused", words}}));
-      if (words.empty()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // he hears of it
-        return chosen;
-      }
+      if (words.empty())
+        taken = std::move(chosen);
+    }
+    if (taken) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));  // they hear of it
+      return taken;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

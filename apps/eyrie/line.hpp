@@ -22,9 +22,13 @@ Options& options_of(CLI::App* command, int (*run)(const Options&), Chosen& chose
   return *options;
 }
 
+/// To be given to transform().
+inline CLI::Validator number(std::uint64_t least, std::uint64_t most) {
+  return {whole_number(least, most), ""};
+}
 inline void add_workers(CLI::App* app, unsigned& workers) {
   app->add_option("--workers", workers, "flights at a time; never the result (default: all cores)")
-      ->check(whole_number(1, 1024));
+      ->transform(number(1, 1024));
 }
 inline void add_plugins(CLI::App* app, std::vector<std::string>& plugins, const char* help) {
   app->add_option("--plugin", plugins, help)->allow_extra_args(false);

@@ -71,7 +71,7 @@ Broadcast::Broadcast(const scenario::Scenario& scenario, const net::DatagramOpti
           is_shared(scenario) ? &others_ : nullptr),
       obeys_(obeys),
       timed_(is_shared(scenario) && rate == 1) {
-  if (is_shared(scenario))
+  if (is_shared(scenario) || obeys)
     receiver_.emplace(net::ReceiverOptions{.at = options.to, .interface = options.interface});
 }
 
@@ -109,6 +109,13 @@ std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
                                   .what = asked.stop ? kStop : kStart,
                                   .response = obeys_ ? kAble : kUnable,
                                   .request = asked.request}});
+  }
+  if (frozen_) {
+    others_.hold(now);
+    if (now - held_ > station_.thresholds.heartbeat) {
+      held_ = now;
+      announcer_.hold();
+    }
   }
   return orders;
 }
@@ -163,7 +170,7 @@ std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
         scenario, net::DatagramOptions{.to = to, .interface = options.dis_interface}, station,
         options.real_time.value_or(1), options.dis_obey);
     complain("eyrie: tells other simulations by DIS at {}{}\n", to.text(),
-             is_shared(scenario) ? ", and listens there" : "");
+             is_shared(scenario) || options.dis_obey ? ", and listens there" : "");
     return made;
   } catch (const std::system_error& error) {
     refuse(

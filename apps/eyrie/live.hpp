@@ -60,6 +60,7 @@ class Broadcast {
   dis::Others others_;
   dis::Announcer announcer_;
   bool obeys_, timed_, frozen_ = false;
+  double held_ = 0;  ///< s since 1970, when it was said last that we stand still
   std::uint64_t asked_ = 0, obeyed_ = 0;
 };
 /// Says where to. Null if the options ask for none; refuses what they ask for and cannot be had.

@@ -166,10 +166,23 @@ std::string run_hint(const std::string& run) {
 
 }  // namespace
 
+fs::path user_folder(const char* variable, const char* below_home) {
+  const auto named = [](const char* name) -> fs::path {
+    const char* set = std::getenv(name);
+    return set && *set == '/' ? set : "";
+  };
+  if (const fs::path folder = named(variable); !folder.empty())
+    return folder / "eyrie";
+  const fs::path home = named("HOME");
+  return home.empty() ? home : home / below_home / "eyrie";
+}
+
 bool is_run(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored) || fs::path(path).extension() == ".eyrie")
     return true;
+  if (!fs::is_regular_file(path, ignored))
+    return false;
   std::string begin(8, '\0');
   return std::ifstream(path, std::ios::binary).read(begin.data(), 8) && begin == "EYRIERUN";
 }
@@ -194,13 +207,14 @@ debrief::Recorded open_run(const std::string& run, const std::vector<std::string
   return std::move(open_runs({run}, plugins).front());
 }
 
+bool is_own_folder(const debrief::Recorded& run) {
+  return fs::path(run.file).filename() == record::kRunFileName;
+}
+
 PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
   if (const auto who = roster.find(name))
     return *who;
-  std::vector<std::string> names;
-  for (const auto& player : roster.players)
-    names.push_back(player.name);
-  refuse("--player: there is no player {}{}", quote(name), did_you_mean(name, names));
+  refuse("--player: {}", roster.unknown(name));
 }
 
 double time_named(std::string_view option, const std::string& text) {

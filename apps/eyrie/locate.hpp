@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  From what the user typed to a loaded scenario, a recorded run, a player, a time.
+#include <filesystem>
+
 #include "debrief/recorded.hpp"
 #include "disk/sink.hpp"
 #include "scenario/scenario.hpp"
@@ -41,8 +43,14 @@ struct Located {
 /// it was built from. Throws Mistake if it is not there.
 [[nodiscard]] std::string home();
 
+/// The user's folder for Eyrie in the one that an environment variable names, or below his home;
+/// "" if there is none. A relative path is none (XDG Base Directory Specification 0.8).
+[[nodiscard]] std::filesystem::path user_folder(const char* variable, const char* below_home);
+
 /// Whether it is a run folder or a run file, by its name or what is in it.
 [[nodiscard]] bool is_run(const std::string& path);
+/// Whether what is beside the run file is of this run alone, and is replaced unasked.
+[[nodiscard]] bool is_own_folder(const debrief::Recorded& run);
 /// Recorded runs: folders or run files. Throws Mistake with everything that is wrong with any.
 [[nodiscard]] std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                                        const std::vector<std::string>& plugins);

@@ -41,12 +41,13 @@ void add_units(CLI::App* app) {
 
 /// What of a scenario is flown.
 void add_variation(CLI::App* command, FlyOptions& o) {
-  command->add_option("--seed", o.seed, "seed (default: the scenario's)")->check(whole_number());
+  command->add_option("--seed", o.seed, "seed (default: the scenario's)")
+      ->transform(CLI::Validator(whole_number(), ""));
   command->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
 }
 
 /// Of who takes part in a flight, or watches it.
-void add_others(CLI::App* command, FlyOptions& o) {
+void add_others(CLI::App* command, FlyOptions& o, bool waits) {
   const auto live = [command](const char* name, std::string& at, const char* port, auto check,
                               const char* help) {
     return command->add_option(name, at, help)->expected(0, 1)->default_str(port)->check(check);
@@ -58,8 +59,9 @@ void add_others(CLI::App* command, FlyOptions& o) {
       ->add_option("--tacview-password", o.tacview_password,
                    "a file whose first line Tacview has to know")
       ->needs(tacview);
-  command->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")
-      ->needs(tacview);
+  if (waits)  // viewers would wait with it
+    command->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")
+        ->needs(tacview);
   auto* dis = live("--dis", o.dis, "3000", datagram_endpoint,
                    "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
                    "machine, a network or a group; by the clock, likewise");
@@ -93,23 +95,24 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                                 "fly each of them, 1..500, on all cores, and say how they ended");
   add_plugins(fly, o.plugins, kPluginHelp);
   add_includes(fly, o.includes);
-  fly->add_option("--out", o.out, "folder for the output (default: runs/<name>-<seed>)");
+  auto* out =
+      fly->add_option("--out", o.out, "folder for the output (default: runs/<name>-<seed>)");
   fly->add_option("--until", o.until, "stop at this simulated time, such as '10 min'");
   fly->add_option("--workers", o.workers,
                   "threads that share the step, or the seeds; never the result")
-      ->check(whole_number(1, 256));
+      ->transform(number(1, 256));
   fly->add_option("--paranoid", o.paranoid,
                   "make every step twice, with this many workers the second time, and compare")
       ->expected(0, 1)
       ->default_str("2")
-      ->check(whole_number(1, 256));
+      ->transform(number(1, 256));
   fly->add_option("--real-time", o.real_time,
                   "by the clock, at this rate: 0.1 to 100, or max, which waits for nothing")
       ->expected(0, 1)
       ->default_str("1")
       ->transform(CLI::Validator(rate, ""));
-  add_others(fly, o);
-  fly->add_flag("--force", o.force, "replace the folder given by --out");
+  add_others(fly, o, true);
+  fly->add_flag("--force", o.force, "replace the folder given by --out")->needs(out);
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
   auto* watch = fly->add_flag("--watch", o.watch,
@@ -169,7 +172,7 @@ void add_what_if(CLI::App& app, Chosen& chosen) {
   what_if->add_flag("--branch", o.branch,
                     "fly on from the first difference and compare how it ends");
   what_if->add_option("--seeds", o.seeds, "fly seeds 1 to this one both ways and compare")
-      ->check(whole_number(1, 100'000));
+      ->transform(number(1, 100'000));
   what_if->add_flag("--json", o.json, "for tools");
   add_units(what_if);
 }
@@ -204,7 +207,7 @@ void add_serve(CLI::App& app, Chosen& chosen) {
           "the home page, to choose from)")
       ->expected(0, 2);
   served->add_option("--port", o.port, "0: any that is free")
-      ->check(whole_number(0, 65'535))
+      ->transform(number(0, 65'535))
       ->capture_default_str();
   served
       ->add_option("--address", o.address,
@@ -221,8 +224,8 @@ void add_serve(CLI::App& app, Chosen& chosen) {
       ->transform(CLI::Validator(rate, ""));
   served->add_flag("--paused", o.paused, "begin when somebody says so");
   served->add_option("--workers", flight.workers, "threads that share the step; never the result")
-      ->check(whole_number(1, 256));
-  add_others(served, flight);
+      ->transform(number(1, 256));
+  add_others(served, flight, false);
 }
 
 void add_playground(CLI::App& app, Chosen& chosen) {
@@ -238,8 +241,11 @@ void add_zones(CLI::App& app, Chosen& chosen) {
       "zones", "The launch zones of missiles: flown on all cores and kept in data/zones, or drawn");
   ZonesOptions& o = options_of(zones, app::zones, chosen);
   zones->add_option("missiles", o.missiles, "names in data/missiles (default: all)");
-  zones->add_flag("--check", o.check, "write nothing, and exit with 1 if one is stale");
+  auto* check =
+      zones->add_flag("--check", o.check, "write nothing, and exit with 1 if one is stale");
   auto* draw = zones->add_flag("--draw", o.draw, "draw each over the aspect, as NAME.svg");
+  draw->excludes(check);
+  zones->add_flag("--force", o.force, "replace drawings")->needs(draw);
   for (auto* of_drawing : {zones->add_option("--out", o.out, "the folder of the drawings"),
                            zones->add_option("--altitude", o.altitude, "of both in a drawing"),
                            zones->add_option("--speed", o.speed, "of both in a drawing")})
@@ -320,6 +326,8 @@ void add_catalog(CLI::App& app, Chosen& chosen) {
   events->excludes(node)->excludes(schema)->excludes(tables);
   tables->excludes(node)->excludes(schema);
   add_plugins(catalog, o.plugins, kPluginHelp);
+  for (auto* of_eyrie : {events, tables})
+    of_eyrie->excludes(catalog->get_option("--plugin"));
 }
 
 void add_replay(CLI::App& app, Chosen& chosen) {
@@ -327,7 +335,7 @@ void add_replay(CLI::App& app, Chosen& chosen) {
   ReplayOptions& o = options_of(replay, app::replay, chosen);
   add_run(replay, o);
   replay->add_option("--workers", o.workers, "threads that share the step")
-      ->check(whole_number(1, 256));
+      ->transform(number(1, 256));
   replay->add_flag("--json", o.json, "one JSON object instead of words");
 }
 

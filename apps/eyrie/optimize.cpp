@@ -13,6 +13,7 @@
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"
+#include "disk/work_folder.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
@@ -27,15 +28,11 @@ using Clock = std::chrono::steady_clock;
 constexpr const char* kLog = "candidates.csv";
 constexpr const char* kWinner = "winner.yaml";
 
-/// The log in a folder that is made if it is not there.
-std::string open_log(const std::string& folder, bool resume) {
-  const std::string path = fmt::format("{}/{}", folder, kLog);
+/// The log in a folder; "" if there is none yet.
+std::string read_log(const std::string& path) {
   disk::FileRead read = disk::read_file(path, std::size_t{1} << 30);
   if (!read.missing && !read.problem.empty())
     refuse("{}: {}", path, read.problem);
-  if (!read.missing && !resume)
-    refuse("eyrie: there is a search in {} already; --resume goes on with it", folder);
-  std::filesystem::create_directories(folder);
   return std::move(read.bytes);
 }
 
@@ -135,28 +132,42 @@ int optimize(const FlightsOptions& options) {
   const std::string log_path = fmt::format("{}/{}", folder, kLog);
   const std::string origin = fmt::format("eyrie optimize; what it is flown with has the hash {}",
                                          hash_text(source.hash()));
-  SearchLog log(*search, origin, open_log(folder, options.resume), log_path);
+  const disk::Handle lock = disk::work_folder(
+      folder, "search", [](const std::string& name) { return name == kLog; }, options.resume);
+  SearchLog log(*search, origin, read_log(log_path), log_path);
 
+  std::uint64_t faults = 0;
+  std::string first_fault;
   listen_for_interrupts();
   const auto begun = Clock::now();
   SearchRun run{.workers = options.workers ? options.workers : cores(),
                 .given_up = interrupted,
-                .tell = [&](const Generation& generation, const SearchLog& now) {
-                  write_file(log_path, now.text());
-                  if (options.json)
-                    return tell_generation(*search, generation);
-                  print_generation(*search, generation,
-                                   std::chrono::duration<double>(Clock::now() - begun).count());
-                }};
+                .tell =
+                    [&](const Generation& generation, const SearchLog& now) {
+                      write_file(log_path, now.text());
+                      if (options.json)
+                        return tell_generation(*search, generation);
+                      print_generation(*search, generation,
+                                       std::chrono::duration<double>(Clock::now() - begun).count());
+                    },
+                .fault =
+                    [&](const std::string& what, const std::string& command) {
+                      if (faults++ == 0)
+                        first_fault = fmt::format("{}; it is shown by\n  {}", what, command);
+                    }};
   const auto found = campaign::optimize(*search, source.load(), log, run);
   const auto evidence = found ? prove(*search, found->cell, source.load(), run) : std::nullopt;
+  if (faults)
+    complain("eyrie: {} flights ended with a fault and count for nothing, the first with {}\n",
+             faults, lines(first_fault));
+  const int code = faults ? 1 : 0;
   if (!evidence) {
     if (options.json)
       say("{}\n", Composed{record::json_text(end_json(*search, folder, found, evidence))});
     else
       say("interrupted; eyrie optimize {} --out {} --resume goes on\n",
           scenario::shell_word(options.file), scenario::shell_word(folder));
-    return 0;
+    return code;
   }
   const std::string table = evidence_text(*search, *evidence);
   std::string head = fmt::format("# The scenario of the search '{}' with {}.\n", search->spec.name,
@@ -170,7 +181,7 @@ int optimize(const FlightsOptions& options) {
              printable_lines(head) + whole_scenario(source.scenario(), sets, source.files()));
   if (options.json) {
     say("{}\n", Composed{record::json_text(end_json(*search, folder, found, evidence))});
-    return 0;
+    return code;
   }
   if (found->generation)
     say("\nthe scenario refuses the middle of the last generation; the best candidate of "
@@ -181,7 +192,7 @@ int optimize(const FlightsOptions& options) {
   for (const std::string& set : sets)
     say("--set {} ", scenario::shell_word(set));
   say("\nas a scenario of its own: eyrie fly {}/{}\n", scenario::shell_word(folder), kWinner);
-  return 0;
+  return code;
 }
 
 }  // namespace eyrie::app

@@ -51,6 +51,9 @@ int validate(const ValidateOptions& options) {
     const scenario::LoadRequest request{
         .file = file, .plugins = options.plugins, .may_open = trusted()};
     if (const auto trees = scenario::check_package(request, source)) {
+      if (options.print)
+        refuse("{}: a package is no whole scenario: --print has nothing to print",
+               quote_path(file));
       say("{}: a package, {}\n", file, counted(*trees, "tree"));
       return 0;
     }

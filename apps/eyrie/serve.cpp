@@ -105,7 +105,7 @@ int serve_runs(const ServeOptions& options) {
 
 /// The other programs of an exercise, if there are any.
 live::Outside outside(Flight& flight, const scenario::Scenario& scenario, const FlyOptions& asked) {
-  if (!scenario.remote || asked.dis.empty())
+  if (asked.dis.empty() || !(scenario.remote || asked.dis_obey))
     return {};
   return [&flight] {
     std::vector<sim::Order> orders = flight.listen();
@@ -183,10 +183,11 @@ int serve_home(const ServeOptions& options) {
 }  // namespace
 
 int serve(const ServeOptions& options) {
-  if (options.what.empty())
-    return serve_home(options);
-  return options.what.size() > 1 || is_run(options.what.front()) ? serve_runs(options)
-                                                                 : serve_scenario(options);
+  if (options.what.size() > 1 || (!options.what.empty() && is_run(options.what.front())))
+    return serve_runs(options);
+  if (!options.plugins.empty())
+    refuse("eyrie: --plugin is for a run: browsers fly along, and have no plug-ins");
+  return options.what.empty() ? serve_home(options) : serve_scenario(options);
 }
 
 }  // namespace eyrie::app

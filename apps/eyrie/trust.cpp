@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
 #include "disk/file_system.hpp"
+#include "locate.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 
@@ -22,17 +23,9 @@ namespace fs = std::filesystem;
 using scenario::TrustList;
 
 /// $XDG_CONFIG_HOME/eyrie/trusted-plugins, or below ~/.config; "" if the user has no such place.
-/// A relative path is none (XDG Base Directory Specification 0.8).
 std::string list_file() {
-  const auto absolute = [](const char* name) {
-    const char* set = std::getenv(name);
-    return set && *set == '/' ? fs::path(set) : fs::path();
-  };
-  if (const fs::path config = absolute("XDG_CONFIG_HOME"); !config.empty())
-    return config / "eyrie" / "trusted-plugins";
-  if (const fs::path home = absolute("HOME"); !home.empty())
-    return home / ".config" / "eyrie" / "trusted-plugins";
-  return {};
+  const fs::path own = user_folder("XDG_CONFIG_HOME", ".config");
+  return own.empty() ? own : own / "trusted-plugins";
 }
 
 /// Two that change the list at once do so one after the other, for as long as what this gives

@@ -152,7 +152,8 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
   }
   const std::string said = e.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && said.starts_with("--"))
-    return fmt::format("{} needs a value", said.substr(0, said.find(':')));
+    return fmt::format("{} {}", said.substr(0, said.find(':')),
+                       said.find("At Most") == said.npos ? "needs a value" : "is given twice");
   if (dynamic_cast<const CLI::ExtrasError*>(&e)) {
     const Names extra = command.remaining();
     return word_too_many(command, extra.empty() ? said : extra.front(), words);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/in_order.hpp"
+#include "campaign/seed_table.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "debrief/what_if.hpp"
@@ -18,6 +19,7 @@ namespace eyrie::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using campaign::SeedFlown;
 
 void print_fields(const debrief::Otherwise& first) {
   for (const debrief::Changed& field : first.fields)
@@ -66,27 +68,33 @@ Json over_seeds(const debrief::Recorded& recorded,
                 std::optional<double> until, bool quiet) {
   struct Figure {
     const char* name;
-    double (*of)(const debrief::Outcome&);
+    double (*of)(const SeedFlown&);
     stats::Moments flown{}, other{}, difference{};
   };
-  Figure figures[] = {
-      {"blue losses", [](const debrief::Outcome& o) { return double(o.blue.losses); }},
-      {"red losses", [](const debrief::Outcome& o) { return double(o.red.losses); }},
-      {"blue shots", [](const debrief::Outcome& o) { return double(o.blue.shots); }},
-      {"red shots", [](const debrief::Outcome& o) { return double(o.red.shots); }},
-      {"time_s", [](const debrief::Outcome& o) { return o.time; }}};
-  using Both = std::pair<debrief::Outcome, debrief::Outcome>;
-  std::uint64_t flown = 0;
+  Figure figures[] = {{"blue losses", [](const SeedFlown& o) { return double(o.blue.losses); }},
+                      {"red losses", [](const SeedFlown& o) { return double(o.red.losses); }},
+                      {"blue shots", [](const SeedFlown& o) { return double(o.blue.shots); }},
+                      {"red shots", [](const SeedFlown& o) { return double(o.red.shots); }},
+                      {"time_s", [](const SeedFlown& o) { return o.time; }}};
+  using Both = std::pair<SeedFlown, SeedFlown>;
+  std::uint64_t flown = 0, faults = 0;
+  std::string first_fault;
   listen_for_interrupts();
   {
     Progress progress("seeds", seeds);
     campaign::in_order<Both>(
         seeds, cores(),
         [&](std::uint64_t i) {
-          return Both{debrief::outcome_of(recorded.scenario, i + 1, until),
-                      debrief::outcome_of(other, i + 1, until)};
+          return Both{campaign::fly_seed(recorded.scenario, i + 1, until, interrupted),
+                      campaign::fly_seed(other, i + 1, until, interrupted)};
         },
         [&](std::uint64_t i, const Both& both) {
+          for (const SeedFlown* one : {&both.first, &both.second}) {
+            if (one->outcome == scenario::Outcome::stopped)
+              return false;
+            if (!one->fault.empty() && faults++ == 0)
+              first_fault = fmt::format("seed {}: {}", one->seed, one->fault);
+          }
           for (Figure& figure : figures) {
             const double before = figure.of(both.first), after = figure.of(both.second);
             figure.flown.add(before);
@@ -99,6 +107,9 @@ Json over_seeds(const debrief::Recorded& recorded,
   }
   if (flown < seeds)
     complain("eyrie: interrupted: {} of {} seeds were flown\n", flown, seeds);
+  if (faults)
+    complain("eyrie: {} of {} flights ended with a fault, the first {}\n", faults, 2 * flown,
+             first_fault);
   Json all = Json::array();
   if (!quiet)
     say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", flown);
@@ -112,7 +123,7 @@ Json over_seeds(const debrief::Recorded& recorded,
                    {"difference", figure.difference.mean()},
                    {"standard_error", figure.difference.error()}});
   }
-  return {{"seeds", flown}, {"figures", all}};
+  return {{"seeds", flown}, {"faults", faults}, {"figures", all}};
 }
 
 /// The part of a scenario that an override goes to: "trees" of "trees.bvr.top=2".
@@ -155,6 +166,10 @@ int what_if(const WhatIfOptions& options) {
       overrides.sets.empty() || !overrides.changes.empty() ||
       std::any_of(overrides.sets.begin(), overrides.sets.end(),
                   [](const std::string& set) { return part_of(set) == "trees"; });
+  if (!asks_trees && !options.at.empty())
+    refuse(
+        "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of "
+        "a time");
   if (!wrong.ok())
     throw ConfigError(wrong);
   const auto other =
@@ -205,7 +220,7 @@ int what_if(const WhatIfOptions& options) {
     json["over_seeds"] = over_seeds(recorded, other, options.seeds, until, options.json);
   if (options.json)
     say("{}", Composed{record::json_lines(json)});
-  return 0;
+  return options.seeds > 0 && json["over_seeds"]["faults"] != 0 ? 1 : 0;
 }
 
 }  // namespace eyrie::app

@@ -29,17 +29,9 @@ std::string contents(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The user's cache folder for zones; "" if there is none.
 fs::path cache_folder() {
-  const auto from = [](const char* variable) -> fs::path {
-    const char* set = std::getenv(variable);
-    return set && *set == '/' ? set : "";
-  };
-  const fs::path cache = from("XDG_CACHE_HOME");
-  if (!cache.empty())
-    return cache / "eyrie" / "zones";
-  const fs::path user = from("HOME");
-  return user.empty() ? user : user / ".cache" / "eyrie" / "zones";
+  const fs::path own = user_folder("XDG_CACHE_HOME", ".cache");
+  return own.empty() ? own : own / "zones";
 }
 fs::path cache_file(std::uint64_t key) {
   return cache_folder() / fmt::format("{:016x}.zone", key);
@@ -159,8 +151,8 @@ std::string drawing(const model::MissileType& type, double altitude, double spee
   return svg;
 }
 
-void write(const fs::path& path, const std::string& bytes) {
-  disk::OutputFile file(path.string(), true);
+void write(const fs::path& path, const std::string& bytes, bool replace) {
+  disk::OutputFile file(path.string(), replace);
   file.sink().write(bytes);
   finish(file);
 }
@@ -194,7 +186,7 @@ int zones(const ZonesOptions& options) {
     if (options.draw) {
       const double altitude = positive("--altitude", options.altitude, Dimension::length);
       const double speed = positive("--speed", options.speed, Dimension::speed);
-      write(fs::path(options.out) / (name + ".svg"), drawing(type, altitude, speed));
+      write(fs::path(options.out) / (name + ".svg"), drawing(type, altitude, speed), options.force);
       continue;
     }
     const fs::path path = fs::path(home()) / "data" / "zones" / (name + ".zone");
@@ -207,7 +199,7 @@ int zones(const ZonesOptions& options) {
     } else {
       std::error_code failed;
       fs::create_directories(path.parent_path(), failed);
-      write(path, file);
+      write(path, file, true);
     }
     if (interrupted())
       break;

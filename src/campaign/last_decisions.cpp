@@ -3,7 +3,7 @@
 
 #include "campaign/again.hpp"
 #include "campaign/in_order.hpp"
-#include "campaign/summary.hpp"
+#include "campaign/store.hpp"
 #include "debrief/decision.hpp"
 #include "record/names.hpp"
 
@@ -129,6 +129,7 @@ void add_last_decisions(const std::string& folder, double window, unsigned worke
         database.run("COMMIT");
         return tell(i + 1, asked.size());
       });
+  database.run("PRAGMA journal_mode=DELETE");  // one file again
 }
 
 }  // namespace eyrie::campaign

@@ -10,6 +10,25 @@
 
 namespace eyrie::campaign {
 
+namespace {
+
+/// "part_3_of_16": 16; 0 of another name.
+std::uint64_t parts_of(std::string_view name) {
+  Part part{0, 0};
+  const auto number = [&](std::string_view before, std::uint64_t& into) {
+    if (!name.starts_with(before))
+      return;
+    const auto read = std::from_chars(name.data() + before.size(), name.data() + name.size(), into);
+    name.remove_prefix(static_cast<std::size_t>(read.ptr - name.data()));
+  };
+  number(kPartName, part.index);
+  number("_of_", part.of);
+  const bool is_part = name.empty() && part.index >= 1 && part.index <= part.of;
+  return is_part && part.of <= Part::kMost ? part.of : 0;
+}
+
+}  // namespace
+
 std::string part_folder(const std::string& folder, const Part& part) {
   return fmt::format("{}/{}{}_of_{}", folder, kPartName, part.index + 1, part.of);
 }
@@ -18,11 +37,8 @@ std::uint64_t parts_in(const std::string& folder) {
   std::uint64_t all = 0;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename();
-    const std::size_t at = name.rfind('_') + 1;
-    std::uint64_t of = 0;
-    std::from_chars(name.data() + at, name.data() + name.size(), of);
-    if (!name.starts_with(kPartName) || of == 0)
+    const std::uint64_t of = parts_of(entry.path().filename().string());
+    if (of == 0)
       continue;
     if (all != 0 && all != of)
       throw disk::Refused(
@@ -35,6 +51,8 @@ std::uint64_t parts_in(const std::string& folder) {
 std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec, std::size_t cells,
                                      const Origin& origin) {
   std::vector<std::string> folders;
+  constexpr int kMostLines = 50;
+  int lines = 0;
   std::string tasks, missing;
   const std::uint64_t of = parts_in(folder);
   for (Part part{0, of}; part.index < of; ++part.index) {
@@ -43,7 +61,7 @@ std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec
       most += part.count(cell, most_replicates(spec));
     const std::string own = part_folder(folder, part);
     if (std::filesystem::exists(fmt::format("{}/{}", own, kStoreName))) {
-      Database results(fmt::format("{}/{}", own, kStoreName), Database::Access::read);
+      Database results = open_results(own);
       if (begun(results)) {
         demand_the_same(results, origin_of(origin, part), own);
         Statement counted = results.prepare("SELECT count(*) FROM replicates");
@@ -53,11 +71,14 @@ std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec
     }
     if (flown < most) {
       tasks += fmt::format("{}{}", tasks.empty() ? "" : ",", part.index + 1);
-      missing += fmt::format("\n  part {} has {} of {} replicates", part.text(), flown, most);
+      if (++lines <= kMostLines)
+        missing += fmt::format("\n  part {} has {} of {} replicates", part.text(), flown, most);
     }
   }
   if (of == 0)
     throw disk::Refused(fmt::format("there is no part of a campaign in {}", quote_path(folder)));
+  if (lines > kMostLines)
+    missing += fmt::format("\n  and {} more", lines - kMostLines);
   if (!missing.empty())
     throw disk::Refused(fmt::format("{} has not all parts yet; fly what is missing (--array={}){}",
                                     quote_path(folder), tasks, missing));

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "campaign/store.hpp"
 #include "core/bind.hpp"
 #include "core/math.hpp"
 #include "core/yaml.hpp"
@@ -67,6 +68,8 @@ bool fly_all(const Spec& spec, std::span<const Cell> cells, const Load& load, co
   bool whole = true;
   Threads(spec, cells, loaded, run.workers, run.given_up).fly(batches, [&](Result&& result) {
     whole = result.flown.outcome != scenario::Outcome::stopped;
+    if (!result.flown.fault.empty() && run.fault)
+      run.fault(result.flown.fault, command_of(spec, cells[result.cell], result.flown.seed));
     if (whole && !result.values.empty())
       take(result);
     return whole;

@@ -96,6 +96,9 @@ struct SearchRun {
   bool (*given_up)() = nullptr;
   /// After each generation that was flown, and not read from the log.
   std::function<void(const Generation&, const SearchLog&)> tell;
+  /// For each flight that ended with a fault, which counts for nothing: what happened, and the
+  /// command that shows it.
+  std::function<void(const std::string& what, const std::string& command)> fault{};
 };
 struct Winner {
   Cell cell;

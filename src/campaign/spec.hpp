@@ -44,6 +44,7 @@ struct Seeds {
 
 /// One of several parts of a campaign that are flown by themselves: one replicate in `of`.
 struct Part {
+  static constexpr std::uint64_t kMost = 1'000'000;
   std::uint64_t index = 0, of = 1;
 
   /// Of a cell. The cells begin in turn at parts that lie far from each other (Fibonacci hashing:
@@ -85,6 +86,7 @@ struct Spec {
   int eyrie = 1;
   std::string name, help_text, scenario;
   std::vector<std::string> sets, plugins;
+  std::vector<std::string> includes{};  ///< folders that the scenario may include from
   std::vector<Factor> factors;
   Design design;
   Seeds seeds;

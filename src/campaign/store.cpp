@@ -5,14 +5,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "disk/output.hpp"
-#include "disk/temporary.hpp"
+#include "disk/work_folder.hpp"
 #include "record/csv.hpp"
 
 namespace eyrie::campaign {
@@ -48,17 +48,25 @@ std::vector<std::string> distinct(std::vector<std::string> names, std::vector<st
   return names;
 }
 
+constexpr std::array kOfReplicates{"cell",   "replicate", "seed", "outcome",
+                                   "time_s", "steps",     "hash"};
+
 std::vector<std::string> factor_names(const Spec& spec) {
   std::vector<std::string> names;
   for (const Factor& factor : spec.factors)
     names.push_back(factor.name);
-  return distinct(names, {"cell", "command"});
+  std::vector<std::string> taken{"command"};
+  taken.insert(taken.end(), kOfReplicates.begin(), kOfReplicates.end());
+  return distinct(names, taken);
 }
 std::vector<std::string> column_names(const Spec& spec) {
   std::vector<std::string> names;
   for (const Column& column : spec.measures.columns)
     names.push_back(column.name);
-  return distinct(names, {"cell", "replicate", "seed", "outcome", "time_s", "steps", "hash"});
+  // results.csv and joins have both side by side
+  std::vector<std::string> taken = factor_names(spec);
+  taken.insert(taken.end(), kOfReplicates.begin(), kOfReplicates.end());
+  return distinct(names, taken);
 }
 
 /// ", \"a\" REAL, \"b\" REAL"
@@ -86,39 +94,25 @@ double seconds_in(Database& database) {
   return seconds.step() ? seconds.number(0) : 0;
 }
 
-/// The folder, locked. Parents are made.
-disk::Handle locked(const std::string& path, bool resume) {
-  const disk::Destination place(path, disk::Parents::are_made);
-  const bool made = disk::files().make_folder(place.folder(), place.name().c_str(), 0777) == 0;
-  if (!made && errno != EEXIST)
-    disk::cannot_make(place.path(), errno);
-  disk::Handle folder(
-      disk::files().open(place.folder(), place.name().c_str(), O_RDONLY | O_DIRECTORY, 0));
-  if (!folder)
-    disk::cannot_make(place.path(), errno);
-  std::vector<std::string> names;
-  if (!made && disk::files().list(folder.get(), names) == 0 && !names.empty()) {
-    const auto is_of_campaign = [](const std::string& name) {
-      return name == kStoreName || name.starts_with(kPartName);
-    };
-    if (std::none_of(names.begin(), names.end(), is_of_campaign))
-      throw disk::Refused(
-          fmt::format("{} is there already, and is no campaign", quote_path(place.path())));
-    if (!resume)
-      throw disk::Refused(
-          fmt::format("{} is there already: --resume goes on with it, --out names another folder",
-                      quote_path(place.path())));
-  }
-  if (disk::files().lock(folder.get()) != 0)
-    throw disk::Refused(fmt::format("another process is working on {}", quote_path(place.path())));
-  return folder;
+/// Before anything is written: somebody else's database may have that name.
+void demand_ours(const std::string& file) {
+  if (::access(file.c_str(), F_OK) != 0)
+    return;
+  Database there(file, Database::Access::read);
+  if (!begun(there) && there.prepare("SELECT 1 FROM sqlite_master").step())
+    throw disk::Refused(fmt::format("{} is there already, and is no campaign", quote_path(file)));
+}
+
+bool is_of_campaign(const std::string& name) {
+  return name == kStoreName || name.starts_with(kPartName);
 }
 
 }  // namespace
 
 std::string command_of(const Spec& spec, const Cell& cell, std::optional<std::uint64_t> seed) {
-  std::string command =
-      fly_command(spec.scenario, {{"--set", sets_of(spec, cell)}, {"--plugin", spec.plugins}});
+  std::string command = fly_command(spec.scenario, {{"--set", sets_of(spec, cell)},
+                                                    {"--plugin", spec.plugins},
+                                                    {"--allow-include", spec.includes}});
   return seed ? fmt::format("{} --seed {}", command, *seed) : command;
 }
 
@@ -127,9 +121,12 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
     : spec_(spec),
       cells_(cells),
       folder_(folder),
-      lock_(locked(folder, resume)),
+      lock_(disk::work_folder(folder, "campaign", is_of_campaign, resume)),
       counts_(cells.size()) {
-  database_.emplace(fmt::format("{}/{}", folder_, kStoreName), Database::Access::create);
+  const std::string file = fmt::format("{}/{}", folder_, kStoreName);
+  demand_ours(file);
+  database_.emplace(file, Database::Access::create);
+  database_->distrust();
   const Origin own = origin_of(origin, spec.part);
   if (begun(*database_)) {
     demand_the_same(*database_, own, folder_);
@@ -221,7 +218,7 @@ void Store::join(std::span<const std::string> folders) {
   database_->run("BEGIN");
   before_ = 0;
   for (const std::string& folder : folders) {
-    Database part(fmt::format("{}/{}", folder, kStoreName), Database::Access::read);
+    Database part = open_results(folder);
     before_ += seconds_in(part);
     for (const char* table : {"replicates", "faults"}) {
       Statement rows = part.prepare(fmt::format("SELECT * FROM {}", table));
@@ -322,6 +319,15 @@ void Store::finish() {
   put_.reset();
   put_fault_.reset();
   database_->run("PRAGMA journal_mode=DELETE");
+}
+
+Database open_results(const std::string& folder, Database::Access access) {
+  const std::string file = fmt::format("{}/{}", folder, kStoreName);
+  if (::access(file.c_str(), F_OK) != 0)
+    throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
+  Database database(file, access);
+  database.distrust();
+  return database;
 }
 
 void write_table(Database& database, const std::string& folder) {

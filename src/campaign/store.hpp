@@ -76,6 +76,11 @@ class Store {
   Clock::time_point begun_ = Clock::now(), committed_ = begun_;
 };
 
+/// Opens the database in a folder, which may be a stranger's; throws disk::Refused if there is
+/// none.
+[[nodiscard]] Database open_results(const std::string& folder,
+                                    Database::Access access = Database::Access::read);
+
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.
 void write_table(Database& database, const std::string& folder);
 /// What a statement gives, as CSV: lines with their ends, the names of the columns first.

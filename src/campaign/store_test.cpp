@@ -123,6 +123,13 @@ TEST_F(StoreTest, RefusesWhatIsThereAndASecondWriter) {
   folder.write("out/thesis.tex", "kept");
   EXPECT_NE(refused(true).find("is there already, and is no campaign"), std::string::npos);
   std::filesystem::remove_all(folder / "out");
+  std::filesystem::create_directory(folder / "out");
+  Database(folder / "out/results.db", Database::Access::create).run("CREATE TABLE mine (x)");
+  const std::string before = test::read_text(folder / "out/results.db");
+  EXPECT_NE(refused(true).find("results.db' is there already, and is no campaign"),
+            std::string::npos);
+  EXPECT_EQ(test::read_text(folder / "out/results.db"), before);
+  std::filesystem::remove_all(folder / "out");
   const Store store = open(true);  // there is nothing to go on with
   EXPECT_NE(refused(false).find("--resume goes on with it"), std::string::npos);
   EXPECT_NE(refused(true).find("another process is working on"), std::string::npos);

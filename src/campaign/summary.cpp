@@ -42,13 +42,6 @@ void read_measures(Database& database, const std::vector<std::string>& columns, 
 
 }  // namespace
 
-Database open_results(const std::string& folder, Database::Access access) {
-  const std::string file = fmt::format("{}/{}", folder, kStoreName);
-  if (::access(file.c_str(), F_OK) != 0)
-    throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
-  return Database(file, access);
-}
-
 Summary read_summary(const std::string& folder, double confidence) {
   Database database = open_results(folder);
   Summary summary;

@@ -30,9 +30,6 @@ struct Summary {
   std::vector<Fault> faults;  ///< the first ones
 };
 
-/// Opens its database; throws disk::Refused if there is no campaign in the folder.
-[[nodiscard]] Database open_results(const std::string& folder,
-                                    Database::Access access = Database::Access::read);
 [[nodiscard]] Summary read_summary(const std::string& folder, double confidence = 0.95);
 
 /// "45.0 % (31.0 to 60.2)", "2.31 (2.1 to 2.52)", "-" where there is none.

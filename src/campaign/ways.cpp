@@ -2,6 +2,7 @@
 #include "campaign/ways.hpp"
 
 #include "campaign/in_order.hpp"
+#include "campaign/store.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::campaign {

@@ -102,15 +102,6 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   return result;
 }
 
-Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario, std::uint64_t seed,
-                   std::optional<double> until) {
-  record::Tally tally(*scenario);
-  scenario::Mission mission(scenario, seed, until);
-  mission.run().attach(tally);
-  mission.fly();
-  return outcome_of(mission, tally);
-}
-
 Outcome outcome_of(const Recorded& recorded) {
   return Branch(recorded, recorded.scenario, past_at(recorded, recorded.last_step()),
                 recorded.until())

@@ -87,9 +87,6 @@ class Branch {
                                              std::shared_ptr<const scenario::Scenario> other,
                                              const Past& past, std::optional<double> until,
                                              std::string& problem);
-/// A whole flight of a scenario; `until` as for branch().
-[[nodiscard]] Outcome outcome_of(std::shared_ptr<const scenario::Scenario> scenario,
-                                 std::uint64_t seed, std::optional<double> until);
 
 // Overrides by the path of a node: `root/bvr=fusion`, `root/bvr/pursue.vote=70`.
 

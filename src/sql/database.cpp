@@ -100,7 +100,10 @@ Database::Database(const std::string& path, Access access) {
                     : access == Access::write ? SQLITE_OPEN_READWRITE
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   sqlite3* opened = nullptr;
-  const int result = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+  // a relative path may begin with "file:", which is no URI here
+  const bool relative = path != ":memory:" && !path.starts_with('/');
+  const int result =
+      sqlite3_open_v2((relative ? "./" + path : path).c_str(), &opened, flags, nullptr);
   database_.reset(opened);
   if (!opened)
     throw std::bad_alloc();
@@ -112,12 +115,30 @@ Database::Database(const std::string& path, Access access) {
     run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON");
 }
 
+void Database::distrust() {
+  for (const auto& [option, on] : {std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0},
+                                   {SQLITE_DBCONFIG_ENABLE_TRIGGER, 0},
+                                   {SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
+                                   {SQLITE_DBCONFIG_DEFENSIVE, 1}})
+    sqlite3_db_config(database_.get(), option, on, nullptr);
+}
+
 Statement Database::prepare(std::string_view sql) {
-  sqlite3_stmt* statement = nullptr;
-  if (sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()), &statement,
-                         nullptr) != SQLITE_OK)
-    fail(database_.get());
-  return Statement(statement);
+  const char* rest = sql.data();
+  const auto next = [&] {
+    sqlite3_stmt* statement = nullptr;
+    const auto size = static_cast<int>(sql.data() + sql.size() - rest);
+    if (sqlite3_prepare_v2(database_.get(), rest, size, &statement, &rest) != SQLITE_OK)
+      fail(database_.get());
+    return Statement(statement);
+  };
+  Statement first = next();
+  if (!first.statement_)
+    throw disk::Failed(fmt::format("there is no statement in {}", quote(sql)));
+  const std::string_view more(rest, static_cast<std::size_t>(sql.data() + sql.size() - rest));
+  if (next().statement_)
+    throw disk::Failed(fmt::format("one statement at a time, not also {}", quote(more)));
+  return first;
 }
 
 void Database::run(const std::string& sql) {

@@ -59,6 +59,10 @@ class Database {
   /// being written is read as it was at the last commit.
   Database(const std::string& path, Access access);
 
+  /// From now on no view, trigger or function of the file itself is used: a stranger may have put
+  /// them where tables should be.
+  void distrust();
+  /// One statement; more of them, or none, throw disk::Failed.
   [[nodiscard]] Statement prepare(std::string_view sql);
   /// Statements without a result.
   void run(const std::string& sql);

@@ -61,5 +61,38 @@ TEST(Database, NamesColumnsWhateverTheyAreCalled) {
   }
 }
 
+TEST(Database, PreparesOneStatement) {
+  const test::TempFolder folder;
+  Database database(folder / "x.db", Access::create);
+  EXPECT_TRUE(database.prepare("SELECT 1;  -- one\n ; ").step());
+  for (const char* text : {"", ";", "-- nothing", "SELECT 1; SELECT 2", "SELECT 1; nonsense"})
+    EXPECT_THROW(static_cast<void>(database.prepare(text)), disk::Failed) << text;
+}
+
+TEST(Database, ThatIsAStrangersHasNoViewsAndTriggers) {
+  const test::TempFolder folder;
+  Database(folder / "x.db", Access::create)
+      .run(
+          "CREATE TABLE t (i); CREATE VIEW v AS SELECT 1; "
+          "CREATE TRIGGER more AFTER INSERT ON t BEGIN INSERT INTO t VALUES (7); END");
+  Database database(folder / "x.db", Access::write);
+  database.distrust();
+  EXPECT_THROW(static_cast<void>(database.prepare("SELECT * FROM v")), disk::Failed);
+  database.run("INSERT INTO t VALUES (1)");
+  Statement count = database.prepare("SELECT count(*) FROM t");
+  ASSERT_TRUE(count.step());
+  EXPECT_EQ(count.integer(0), 1);
+}
+
+TEST(Database, OfARelativePathIsNoUri) {
+  const test::TempFolder folder;
+  std::filesystem::create_directory(folder / "file:a");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  Database("file:a/x.db", Access::create).run("CREATE TABLE t (i)");
+  std::filesystem::current_path(before);
+  EXPECT_TRUE(std::filesystem::exists(folder / "file:a/x.db"));
+}
+
 }  // namespace
 }  // namespace eyrie::sql

@@ -142,7 +142,6 @@ TEST(WhatIf, EndsWithARunThatRanOutOfTimeAndElseAsTheScenarioSays) {
   const Recorded cut = recorded_flight("sweep_phases", 500, 13);
   EXPECT_EQ(outcome_of(cut).outcome, "time");
   EXPECT_EQ(limit_of(cut, outcome_of(cut)), 500);
-  EXPECT_EQ(outcome_of(cut.scenario, 3, limit_of(cut, outcome_of(cut))).time, 500);
 }
 
 TEST(RunDifference, IsNothingForTheSameRun) {

@@ -110,6 +110,13 @@ TEST_F(Campaign, SaysWhatIsDamaged) {
             std::string::npos);
   EXPECT_NE(spoiled("DROP TABLE cells").find("no such table: cells"), std::string::npos);
   EXPECT_NE(spoiled("DELETE FROM origin"), "");
+  // a table that never ends
+  EXPECT_NE(
+      spoiled("PRAGMA foreign_keys = 0; DROP TABLE cells; CREATE VIEW cells AS WITH RECURSIVE "
+              "r(cell) AS (SELECT 0 UNION ALL SELECT cell + 1 FROM r) SELECT cell, 'x' AS "
+              "command FROM r")
+          .find("no such table"),
+      std::string::npos);
   spoiled("UPDATE replicates SET \"end\" = 'x', outcome = NULL, seed = 'y'");
   spoiled("DELETE FROM measures");
   spoiled("DELETE FROM cells");
@@ -127,7 +134,13 @@ TEST_F(Campaign, AnswersSqlAndIsChangedByNone) {
   const Ran wrong = asked("SELECT speed FROM replicates");
   EXPECT_EQ(wrong.code, 2);
   EXPECT_NE(wrong.err.find("no such column: speed"), std::string::npos) << wrong.err;
-  EXPECT_NE(asked("DELETE FROM replicates").code, 0);
+  for (const char* none : {"DELETE FROM replicates", "SELECT 1; SELECT 2", ";", "-- nothing",
+                           "PRAGMA user_version = 1"}) {
+    const Ran refused = asked(none);
+    EXPECT_EQ(refused.code, 2) << none;
+    EXPECT_EQ(refused.out, "") << none;
+    EXPECT_NE(refused.err, "") << none;
+  }
   EXPECT_EQ(asked("SELECT count(*) FROM replicates").out, "count(*)\n80\n");
   EXPECT_EQ(run_program(folder, {"query", "nowhere", "SELECT 1"}).code, 2);
 }
@@ -194,6 +207,25 @@ TEST_F(Campaign, DrawsTheWaysFlown) {
   EXPECT_EQ(all[0][5], 0);
   EXPECT_NEAR(all[0][19].get<int>(), 70, 8);
   EXPECT_NEAR(all[0][20].get<int>(), 0, 1);
+}
+
+TEST_F(Campaign, NamesTheFoldersThatMayBeIncludedInItsCommands) {
+  folder.write("others/base.yaml", read_text(folder / "small.yaml"));
+  folder.write("mine/own.yaml", "extends: ../others/base.yaml\nname: own\n");
+  folder.write("c.yaml", R"(eyrie: 1
+name: above
+scenario: mine/own.yaml
+factors: {seed: {path: blue.flights.eagle.start.speed, values: [400 kt, 480 kt]}}
+replicates: 1
+measures: {seed: {what: end_time}}
+)");
+  ASSERT_EQ(run("out", {"--allow-include", "others"}).code, 0);
+  const Ran said = run_program(folder, {"query", "out", "SELECT command FROM cells"});
+  const std::string command = said.out.substr(said.out.find('\n') + 1);
+  EXPECT_NE(command.find("--allow-include others"), std::string::npos) << said.out << said.err;
+  const std::string table = read_text(folder / "out/results.csv");
+  EXPECT_TRUE(table.starts_with("cell,seed_,replicate,seed,outcome,time_s,steps,hash,seed__\n"))
+      << table;
 }
 
 TEST_F(Campaign, FliesAgainWhatIncludesFilesAboveItsFolder) {

@@ -39,6 +39,10 @@ TEST_F(CampaignParts, GiveTheTableAndHashOfOneProcess) {
 
 TEST_F(CampaignParts, AreJoinedWhenAllOfThemAreWhole) {
   EXPECT_NE(refused({"--join"}).find("there is no part of a campaign in 'out'"), std::string::npos);
+  for (const char* none :
+       {"part_1_of_99999999999", "part_4_of_3", "part_x_of_3", "part_1_of_3.old"})
+    std::filesystem::create_directories(folder / (std::string("out/") + none));
+  EXPECT_NE(refused({"--join"}).find("there is no part of a campaign in 'out'"), std::string::npos);
   ASSERT_EQ(part(2, 3).code, 0);
   const auto before = folder.everything();
   EXPECT_EQ(refused({"--join"}),

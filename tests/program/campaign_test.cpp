@@ -179,6 +179,20 @@ TEST_F(Campaign, KeepsAReplicateThatFailsWithTheCommandThatFliesItAgain) {
       << read_text(folder / "err");
 }
 
+TEST_F(Campaign, IsNoSearchThatHidesFlightsThatFail) {
+  folder.write("s.yaml", faulty("20") +
+                             "optimize: {measure: end, goal: maximize, generations: 1, "
+                             "population: 6, proof: 2}\n");
+  const Ran ran =
+      run_program(folder, {"optimize", "s.yaml", "--out", "out", "--plugin", plugin("faulty")});
+  EXPECT_EQ(ran.code, 1) << ran.out;
+  EXPECT_NE(ran.err.find("flights ended with a fault and count for nothing, the first with "
+                         "eagle"),
+            std::string::npos)
+      << ran.err;
+  EXPECT_NE(ran.err.find("\n  eyrie fly small.yaml"), std::string::npos) << ran.err;
+}
+
 TEST_F(Campaign, NamesTheReplicateInWhichAPluginEndsTheProgram) {
   folder.write("c.yaml", faulty("30"));
   for (int session = 0; session < 2; ++session) {

@@ -298,16 +298,27 @@ TEST(FlyRealTime, KeepsThePaceMeasuresItAndChangesNothing) {
   EXPECT_FALSE(free.contains("real_time"));
 }
 
+TEST(FlyWords, ReadsEveryNumberAsADecimalOne) {
+  const TempFolder folder;
+  for (const char* seed : {"010", "08"}) {
+    const Ran ran = run_program(
+        folder, {"fly", "merge", "--seed", seed, "--until", "0.1 s", "--json", "--no-debrief"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(json::parse(ran.out)["seed"], std::stoi(seed));
+  }
+}
+
 TEST(FlyRealTime, TellsPeopleHowWellTheClockWasKept) {
   const TempFolder folder;
   const Ran ran =
       run_program(folder, {"fly", "merge", "--until", "4 s", "--real-time", "20", "--quiet"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  EXPECT_TRUE(has(ran.out,
-                  R"(\nby the clock: \d+ of 200 frames of 1 ms missed; begun late by [0-9.]+ ms )"
-                  R"(\(p50\), [0-9.]+ \(p99\), [0-9.]+ \(p99\.9\), [0-9.]+ at most; load )"
-                  R"([0-9.]+ %, \d+ % at most; )"
-                  R"((before all others(, \d+ times? on another processor)?|no sooner than others)\n)"))
+  EXPECT_TRUE(
+      has(ran.out,
+          R"(\nby the clock: \d+ of 200 frames of 1 ms missed; begun late by [0-9.]+ ms )"
+          R"(\(p50\), [0-9.]+ \(p99\), [0-9.]+ \(p99\.9\), [0-9.]+ at most; load )"
+          R"([0-9.]+ %, \d+ % at most; )"
+          R"((before all others(, \d+ times? on another processor)?|no sooner than others)\n)"))
       << ran.out;
   EXPECT_FALSE(has(run_program(folder, merge({"--real-time", "max"})).out, "by the clock"));
 }

@@ -75,6 +75,12 @@ TEST(ZonesProgram, MakesAndChecksAndDraws) {
   for (const char* part : {"<svg", "r_max", "r_tr", "r_ne", "r_min", "AIM-9", "6096 m"})
     EXPECT_NE(svg.find(part), std::string::npos) << part;
 
+  folder.write("aim9.svg", "kept");
+  EXPECT_EQ(run_program(folder, {"zones", "aim9", "--draw"}, home.options()).code, 2);
+  EXPECT_EQ(read_text(folder / "aim9.svg"), "kept");
+  EXPECT_EQ(run_program(folder, {"zones", "aim9", "--draw", "--force"}, home.options()).code, 0);
+  EXPECT_NE(read_text(folder / "aim9.svg"), "kept");
+
   const Ran wrong = run_program(folder, {"zones", "aim10"}, home.options());
   EXPECT_EQ(wrong.code, 2);
   EXPECT_NE(wrong.err.find("did you mean"), std::string::npos) << wrong.err;

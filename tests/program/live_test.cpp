@@ -62,6 +62,8 @@ TEST(Live, SeveralFlyAlongAndSteerAndTheRunIsReplayed) {
   EXPECT_FALSE(first.scenario().find(first.world(), *first.scenario().roster.find("eagle4")));
   first.say({{"do", "order"}, {"order", "lose"}, {"player", "eagle4"}});
   EXPECT_EQ(first.follow(refused)["refused"], "eagle4 is no longer there");
+  // a flight is those of it who are left
+  first.say({{"do", "order"}, {"order", "weapons"}, {"flight", "eagle"}, {"free", true}});
 
   // by the clock, and to the end as fast as it goes
   first.say({{"do", "rate"}, {"rate", 100}});
@@ -82,7 +84,7 @@ TEST(Live, SeveralFlyAlongAndSteerAndTheRunIsReplayed) {
   EXPECT_EQ(first.follow(refused)["refused"], "the mission is over");
   LiveViewer after(mission.port);
   EXPECT_EQ(after.world().hash(), first.world().hash());
-  EXPECT_EQ(after.orders(), 5u);
+  EXPECT_EQ(after.orders(), 8u);
 
   mission.server->kill(SIGINT);
   const Ran ended = mission.server->wait();

@@ -150,6 +150,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"OrderAfterTheEnd",
                 {{"ends: time", "ends: time\norders: [{at: 500 s, player: eagle1, lose: true}]"}},
                 "x.yaml:6:15: an order at 500 s is never given: the flight ends at 2 s (until)\n"},
+        Mistake{
+            "OrderInTheLastHalfStep",
+            {{"ends: time", "ends: time\norders: [{at: 1.995 s, player: eagle1, lose: true}]"}},
+            "x.yaml:6:15: an order at 1.995 s is never given: the flight ends at 2 s (until)\n"},
         Mistake{"MoreRoundsThanTheGunHolds",
                 {{"tree: cruise", "tree: cruise\n      rounds: 10000"}},
                 "x.yaml:17:15: 10000 rounds are more than the gun of a f15c holds (940)\n"},

@@ -36,7 +36,8 @@ TEST(Optimize, WritesWhatItFoundAndGoesOnWhereItEnded) {
 
   const Ran again = run_program(folder, {"optimize", "s.yaml", "--out", "o"});
   EXPECT_EQ(again.code, 2);
-  EXPECT_EQ(again.err, "eyrie: there is a search in o already; --resume goes on with it\n");
+  EXPECT_EQ(again.err,
+            "eyrie: 'o' is there already: --resume goes on with it, --out names another folder\n");
 
   // as if it had been killed after the first generation
   std::size_t end = 0;
@@ -54,6 +55,24 @@ TEST(Optimize, WritesWhatItFoundAndGoesOnWhereItEnded) {
   EXPECT_EQ(changed.err,
             "o/candidates.csv:1:1: is of another search: its file, the scenario or the program has "
             "changed\n");
+}
+
+TEST(Optimize, LeavesTheFilesOfOthersAlone) {
+  const TempFolder folder;
+  folder.write("small.yaml", kSmallScenario);
+  folder.write("s.yaml", kSearch);
+  folder.write("theirs/winner.yaml", "kept");
+  folder.write("file", "kept");
+  for (const char* out : {"theirs", "file"})
+    for (const bool resumes : {false, true}) {
+      std::vector<std::string> command{"optimize", "s.yaml", "--out", out};
+      if (resumes)
+        command.push_back("--resume");
+      const Ran ran = run_program(folder, command);
+      EXPECT_EQ(ran.code, 2) << out;
+      EXPECT_NE(ran.err.find(out), std::string::npos) << ran.err;
+    }
+  EXPECT_EQ(read_text(folder / "theirs/winner.yaml") + read_text(folder / "file"), "keptkept");
 }
 
 TEST(Optimize, TellsEachGenerationAndTheProofInJson) {
