@@ -34,7 +34,7 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
         self.columns = getattr(made_from, "columns", {})
 
     def __reduce__(self) -> Any:
-        made, arguments, state = super().__reduce__()  # type: ignore[misc]
+        made, arguments, state = cast("tuple[Any, ...]", super().__reduce__())
         return made, arguments, (state, self.columns, self.flags.writeable)
 
     def __setstate__(self, state: Any) -> None:
