@@ -210,9 +210,10 @@ std::optional<Network> Network::read(std::string_view text, const Location& wher
   if (inputs == 0 || inputs > kMostUnits)
     diagnostics.error(where, fmt::format("a network takes 1 to {} numbers", kMostUnits));
   read_layout(text, where, diagnostics, [&](LayoutLine& line) {
-    if (diagnostics.count() != before)
-      return;                                     // the next layer depends on this one
-    if (network.layers_.size() == kMostLayers) {  // before memory is taken for one more
+    if (diagnostics.count() != before)  // the next layer depends on this one
+      return;
+    // before memory is taken for one more
+    if (network.layers_.size() == kMostLayers) {
       line.fail(fmt::format("more than {} layers", kMostLayers));
       return;
     }

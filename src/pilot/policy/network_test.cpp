@@ -97,6 +97,11 @@ TEST(Network, GivesTheSameBitsEverywhere) {
 }
 
 TEST(Network, SaysWhatDoesNotFit) {
+  std::string many;
+  for (int i = 0; i < 1000; ++i)
+    many += "linear a\n";
+  EXPECT_NE(mistakes(many, Safetensors().linear("a", 3, 3, 1)).find("net:17:"), std::string::npos)
+      << "none is read beyond the sixteenth";
   const Safetensors file = Safetensors().linear("a.0", 3, 5, 1).recurrent("m", 3, 3, 5, 1);
   EXPECT_EQ(mistakes("linear a.1", file),
             "net.safetensors: there is no tensor 'a.1.weight'; did you mean 'a.0.weight'?");
