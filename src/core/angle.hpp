@@ -2,6 +2,8 @@
 #pragma once
 #include <cmath>
 
+#include "core/lanes.hpp"
+
 namespace eyrie {
 
 inline constexpr double kPi = 0x1.921fb54442d18p+1;
@@ -27,6 +29,13 @@ inline constexpr double kTau = 2 * kPi;
   return turned > kPi ? kPi : turned;
 }
 
+template <std::size_t N>
+[[nodiscard]] math::Lanes<N> wrap_pi(const math::Lanes<N>& x) {
+  if (!math::any(!((x > -kPi) & (x <= kPi))))
+    return x;
+  return math::each_lane<math::Lanes<N>>([&](std::size_t i) { return wrap_pi(x.v[i]); });
+}
+
 /// The same direction in [0, 2 pi). An angle that is already there comes back unchanged.
 [[nodiscard]] inline double wrap_tau(double x) {
   if (x >= 0 && x < kTau)
@@ -39,6 +48,11 @@ inline constexpr double kTau = 2 * kPi;
 /// clockwise seen from above, as headings are counted.
 [[nodiscard]] inline double angle_between(double from, double to) {
   return wrap_pi(to - from);
+}
+template <std::size_t N>
+[[nodiscard]] math::Lanes<N> angle_between(const math::Lanes<N>& from, const math::Lanes<N>& to) {
+  const math::Lanes<N> turn = to - from;
+  return wrap_pi(turn);
 }
 
 }  // namespace eyrie

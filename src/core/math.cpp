@@ -48,6 +48,14 @@ SinCos detail::sin_cos_far(double x) {
   return sin_cos(std::fmod(x, kTau));
 }
 
+SinCos detail::sin_cos_of_one(double x) {
+  return sin_cos(x);
+}
+
+double detail::atan2_of_one(double y, double x) {
+  return atan2(y, x);
+}
+
 double tan(double x) {
   if (!(std::fabs(x) <= 0x1p20)) {
     const auto [s, c] = sin_cos(x);

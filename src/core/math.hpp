@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <type_traits>
+
+#include "core/lanes.hpp"
 
 /// \file The elementary functions that a step may use. They are made of + - * / sqrt and bit
 /// operations only (and fmod, which is exact), so they give the same bits on every IEEE 754 machine
@@ -25,9 +26,11 @@ namespace eyrie::math {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-struct SinCos {
-  double sin, cos;
+template <class Real>
+struct SinCosOf {
+  Real sin, cos;
 };
+using SinCos = SinCosOf<double>;
 
 /// Both at once: the second is nearly free. Radians; |x| <= 2^20: 0.85 ulp. Beyond that the error
 /// grows with |x| as if x were off by |x| 2^-53, but the results stay in [-1, 1].
@@ -64,12 +67,6 @@ struct SinCos {
 
 namespace detail {
 
-/// Two doubles side by side, and their bits.
-using Two = double __attribute__((vector_size(16)));
-using TwoBits = std::uint64_t __attribute__((vector_size(16)));
-template <class Real>
-using BitsOf = std::conditional_t<std::is_same_v<Real, Two>, TwoBits, std::uint64_t>;
-
 /// c0 + c1 z + c2 z^2 ...
 template <class Real>
 constexpr double horner(const Real&, double c) {
@@ -82,7 +79,7 @@ constexpr Real horner(const Real& z, double c, double next, Rest... rest) {
 
 /// a where the mask is all zeros, b where it is all ones, without a branch.
 template <class Real>
-Real select(const Real& a, const Real& b, const BitsOf<Real>& mask) {
+Real pick(const Real& a, const Real& b, const BitsOf<Real>& mask) {
   const auto bits = std::bit_cast<BitsOf<Real>>(a);
   return std::bit_cast<Real>(bits ^ ((bits ^ std::bit_cast<BitsOf<Real>>(b)) & mask));
 }
@@ -93,6 +90,9 @@ Real flip_sign(const Real& x, const BitsOf<Real>& flip) {
 
 SinCos sin_cos_far(double x);
 double atan2_special(double y, double x);
+/// sin_cos and atan2, not inlined.
+SinCos sin_cos_of_one(double x);
+double atan2_of_one(double y, double x);
 
 /// Adding and subtracting it rounds a double below 2^51 to a whole number, which then is in the
 /// low bits of the sum.
@@ -141,15 +141,11 @@ QuarterTurn<Real> quarter_turn(const Real& x) {
 }
 
 template <class Real>
-struct SinesCosines {
-  Real sin, cos;
-};
-template <class Real>
-SinesCosines<Real> sin_cos_near(const Real& x) {
+SinCosOf<Real> sin_cos_near(const Real& x) {
   const QuarterTurn<Real> part = quarter_turn(x);
   const BitsOf<Real> swap = -(part.turns & 1);
-  return {flip_sign(select(part.s, part.c, swap), part.turns >> 1 & 1),
-          flip_sign(select(part.c, part.s, swap), (part.turns + 1) >> 1 & 1)};
+  return {flip_sign(pick(part.s, part.c, swap), part.turns >> 1 & 1),
+          flip_sign(pick(part.c, part.s, swap), (part.turns + 1) >> 1 & 1)};
 }
 
 }  // namespace detail
@@ -157,15 +153,27 @@ SinesCosines<Real> sin_cos_near(const Real& x) {
 inline SinCos sin_cos(double x) {
   if (!(std::fabs(x) <= 0x1p20))
     return detail::sin_cos_far(x);
-  const auto [sine, cosine] = detail::sin_cos_near(x);
-  return {sine, cosine};
+  return detail::sin_cos_near(x);
+}
+template <std::size_t N>
+SinCosOf<Lanes<N>> sin_cos(const Lanes<N>& x) {
+  if (any(!(abs(x) <= 0x1p20))) {
+    const auto of = [&](std::size_t i) { return detail::sin_cos_of_one(x.v[i]); };
+    return {each_lane<Lanes<N>>([&](std::size_t i) { return of(i).sin; }),
+            each_lane<Lanes<N>>([&](std::size_t i) { return of(i).cos; })};
+  }
+  return detail::sin_cos_near(x);
 }
 
 inline std::array<SinCos, 2> sin_cos(double x, double y) {
   if (!(std::fabs(x) <= 0x1p20 && std::fabs(y) <= 0x1p20))
     return {sin_cos(x), sin_cos(y)};
-  const auto [sines, cosines] = detail::sin_cos_near(detail::Two{x, y});
-  return {{{sines[0], cosines[0]}, {sines[1], cosines[1]}}};
+  const auto [sines, cosines] = detail::sin_cos_near(Lanes<2>(Lanes<2>::Vector{x, y}));
+  return {{{sines.v[0], cosines.v[0]}, {sines.v[1], cosines.v[1]}}};
+}
+template <std::size_t N>
+std::array<SinCosOf<Lanes<N>>, 2> sin_cos(const Lanes<N>& x, const Lanes<N>& y) {
+  return {sin_cos(x), sin_cos(y)};
 }
 
 inline double sin(double x) {
@@ -175,25 +183,26 @@ inline double cos(double x) {
   return sin_cos(x).cos;
 }
 
-inline double atan2(double y, double x) {
-  const double ax = std::fabs(x), ay = std::fabs(y);
-  const double big = ax > ay ? ax : ay;
-  const double small = ax > ay ? ay : ax;
-  if (!(big > 0x1p-960 && big < 0x1p1020 && small >= 0))
-    return detail::atan2_special(y, x);
+namespace detail {
+
+/// atan2 where the smaller of |x| and |y| is a number and the larger one in (2^-960, 2^1020).
+template <class Real>
+Real atan2_ordinary(const Real& y, const Real& x) {
+  const Real ax = abs(x), ay = abs(y);
+  const Real big = select(ax > ay, ax, ay);
+  const Real small = select(ax > ay, ay, ax);
 
   // small / big is tan(atan(step / 2) + atan(u)) with |u| <= 5/16; the numerator is exact
-  const unsigned step = (small >= 0.3125 * big) + unsigned{small >= 0.75 * big};
-  const double t = 0.5 * step;
-  const double u = (small - t * big) / (big + t * small);
+  const auto step = ones(small >= 0.3125 * big) + ones(small >= 0.75 * big);
+  const Real t = 0.5 * whole<Real>(step);
+  const Real u = (small - t * big) / (big + t * small);
 
   // atan(u) = u + u^3 rest(u^2): minimax, 2^-57
-  const double z = u * u, zz = z * z;
-  const double rest =
-      detail::horner(zz, -0x1.55555555554e3p-2, -0x1.24924917bd9c9p-3, -0x1.745c0070b271cp-4,
-                     -0x1.0f881b1406b62p-4, -0x1.1a2d480ac9d06p-5) +
-      z * detail::horner(zz, 0x1.999999998291ap-3, 0x1.c71c6ac208b68p-4, 0x1.3af97189c7adcp-4,
-                         0x1.c5b6bb9e731f0p-5);
+  const Real z = u * u, zz = z * z;
+  const Real rest = horner(zz, -0x1.55555555554e3p-2, -0x1.24924917bd9c9p-3, -0x1.745c0070b271cp-4,
+                           -0x1.0f881b1406b62p-4, -0x1.1a2d480ac9d06p-5) +
+                    z * horner(zz, 0x1.999999998291ap-3, 0x1.c71c6ac208b68p-4, 0x1.3af97189c7adcp-4,
+                               0x1.c5b6bb9e731f0p-5);
 
   // the angle is base +- atan(u); where it is folded at pi/4 or at pi/2 the sign turns
   struct Base {
@@ -213,12 +222,34 @@ inline double atan2(double y, double x) {
       {0x1.0468a8ace4df6p+1, 0x1.0620bf7406affp-55},  // pi/2 + atan(1/2)
       {0x1.2d97c7f3321d2p+1, 0x1.a79394c9e8a0ap-54},  // 3 pi/4
   }};
-  const unsigned steep = ay >= ax, back = std::signbit(x);
-  const Base& base = kBase[6 * back + 3 * steep + step];
-  const std::uint64_t flip = steep ^ back;
-  const double angle =
-      base.high + (detail::flip_sign(u, flip) + (detail::flip_sign(u * z * rest, flip) + base.low));
-  return std::copysign(angle, y);
+  const auto steep = ones(ay >= ax), back = sign_bit(x);
+  const auto place = 6 * back + 3 * steep + step;
+  const auto base = [&](double Base::*part) {
+    return each_lane<Real>([&](std::size_t i) { return kBase[lane(place, i)].*part; });
+  };
+  const auto flip = steep ^ back;
+  const Real angle =
+      base(&Base::high) + (flip_sign(u, flip) + (flip_sign(u * z * rest, flip) + base(&Base::low)));
+  return copysign(angle, y);
+}
+
+}  // namespace detail
+
+inline double atan2(double y, double x) {
+  const double ax = std::fabs(x), ay = std::fabs(y);
+  const double big = ax > ay ? ax : ay;
+  const double small = ax > ay ? ay : ax;
+  if (!(big > 0x1p-960 && big < 0x1p1020 && small >= 0))
+    return detail::atan2_special(y, x);
+  return detail::atan2_ordinary(y, x);
+}
+template <std::size_t N>
+Lanes<N> atan2(const Lanes<N>& y, const Lanes<N>& x) {
+  const Lanes<N> ax = abs(x), ay = abs(y);
+  const Lanes<N> big = select(ax > ay, ax, ay), small = select(ax > ay, ay, ax);
+  if (any(!((big > 0x1p-960) & (big < 0x1p1020) & (small >= 0))))
+    return each_lane<Lanes<N>>([&](std::size_t i) { return detail::atan2_of_one(y.v[i], x.v[i]); });
+  return detail::atan2_ordinary(y, x);
 }
 
 inline double atan(double x) {

@@ -6,28 +6,31 @@
 namespace eyrie {
 
 /// Three numbers in one frame; the name of a variable says which (`_ned`, `_ecef`, `_body`).
-struct Vec3 {
-  double x = 0, y = 0, z = 0;
+template <class Real>
+struct Vec3Of {
+  Real x = 0, y = 0, z = 0;
 
-  constexpr Vec3& operator+=(const Vec3& b) { return *this = {x + b.x, y + b.y, z + b.z}; }
-  constexpr Vec3& operator-=(const Vec3& b) { return *this = {x - b.x, y - b.y, z - b.z}; }
-  constexpr Vec3& operator*=(double s) { return *this = {x * s, y * s, z * s}; }
-  constexpr Vec3& operator/=(double s) { return *this = {x / s, y / s, z / s}; }
-  friend constexpr Vec3 operator+(Vec3 a, const Vec3& b) { return a += b; }
-  friend constexpr Vec3 operator-(Vec3 a, const Vec3& b) { return a -= b; }
-  friend constexpr Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
-  friend constexpr Vec3 operator*(Vec3 a, double s) { return a *= s; }
-  friend constexpr Vec3 operator*(double s, Vec3 a) { return a *= s; }
-  friend constexpr Vec3 operator/(Vec3 a, double s) { return a /= s; }
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;
+  constexpr Vec3Of& operator+=(const Vec3Of& b) { return *this = {x + b.x, y + b.y, z + b.z}; }
+  constexpr Vec3Of& operator-=(const Vec3Of& b) { return *this = {x - b.x, y - b.y, z - b.z}; }
+  constexpr Vec3Of& operator*=(const Real& s) { return *this = {x * s, y * s, z * s}; }
+  constexpr Vec3Of& operator/=(const Real& s) { return *this = {x / s, y / s, z / s}; }
+  friend constexpr Vec3Of operator+(Vec3Of a, const Vec3Of& b) { return a += b; }
+  friend constexpr Vec3Of operator-(Vec3Of a, const Vec3Of& b) { return a -= b; }
+  friend constexpr Vec3Of operator-(const Vec3Of& a) { return {-a.x, -a.y, -a.z}; }
+  friend constexpr Vec3Of operator*(Vec3Of a, const Real& s) { return a *= s; }
+  friend constexpr Vec3Of operator*(const Real& s, Vec3Of a) { return a *= s; }
+  friend constexpr Vec3Of operator/(Vec3Of a, const Real& s) { return a /= s; }
+  friend constexpr bool operator==(const Vec3Of&, const Vec3Of&) = default;
+
+  [[nodiscard]] friend constexpr Real dot(const Vec3Of& a, const Vec3Of& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  }
+  [[nodiscard]] friend constexpr Vec3Of cross(const Vec3Of& a, const Vec3Of& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
 };
+using Vec3 = Vec3Of<double>;
 
-[[nodiscard]] constexpr double dot(const Vec3& a, const Vec3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-[[nodiscard]] constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 /// The square of the length.
 [[nodiscard]] constexpr double norm2(const Vec3& v) {
   return dot(v, v);
@@ -50,8 +53,10 @@ struct Vec3 {
 struct Mat3 {
   Vec3 row_x{1, 0, 0}, row_y{0, 1, 0}, row_z{0, 0, 1};
 
-  friend constexpr Vec3 operator*(const Mat3& m, const Vec3& v) {
-    return {dot(m.row_x, v), dot(m.row_y, v), dot(m.row_z, v)};
+  template <class Real>
+  friend constexpr Vec3Of<Real> operator*(const Mat3& m, const Vec3Of<Real>& v) {
+    const auto row = [&](const Vec3& r) { return r.x * v.x + r.y * v.y + r.z * v.z; };
+    return {row(m.row_x), row(m.row_y), row(m.row_z)};
   }
   friend constexpr bool operator==(const Mat3&, const Mat3&) = default;
 };

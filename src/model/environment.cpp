@@ -11,11 +11,6 @@ constexpr double kTropopause = 11000, kSecondLayer = 20000, kTop = 32000, kBotto
 constexpr double kLapse = -0.0065, kRise = 0.001;
 constexpr double kTropopauseTemperature = kSeaLevelTemperature + kLapse * kTropopause;
 
-double temperature_at(double height) {
-  return std::max(kSeaLevelTemperature + kLapse * height, kTropopauseTemperature) +
-         kRise * std::max(height - kSecondLayer, 0.0);
-}
-
 // eq. 33a: hydrostatic pressure ratio across a layer with a temperature gradient
 double gradient_ratio(double temperature_ratio, double gradient) {
   return math::pow(temperature_ratio, -kGravity / (kGasConstant * gradient));
@@ -27,7 +22,7 @@ double isothermal_ratio(double rise) {
 }
 
 double pressure_at(double height) {
-  const double temperature = temperature_at(height);
+  const double temperature = layer_temperature(height);
   if (height <= kTropopause)
     return kSeaLevelPressure * gradient_ratio(temperature / kSeaLevelTemperature, kLapse);
   const double at_tropopause =
@@ -38,44 +33,25 @@ double pressure_at(double height) {
          gradient_ratio(temperature / kTropopauseTemperature, kRise);
 }
 
-Air complete(double temperature, double pressure) {
-  const double specific_energy = kGasConstant * temperature;
-  return {.temperature = temperature,
-          .pressure = pressure,
-          .density = pressure / specific_energy,
-          .speed_of_sound = std::sqrt(kHeatRatio * specific_energy)};
-}
-
 }  // namespace
 
 Air standard_air(double altitude) {
   const double height = std::clamp(geopotential(altitude), kBottom, kTop);
-  return complete(temperature_at(height), pressure_at(height));
+  return complete(layer_temperature(height), pressure_at(height));
 }
 
 Atmosphere::Atmosphere() {
   static_assert(kLowest == kBottom && kHighest == kTop);
-  for (std::size_t i = 0; i <= kPieces; ++i) {
+  for (std::size_t i = 0; i <= std::size_t{kPieces}; ++i) {
     const double height = kLowest + kPiece * static_cast<double>(i);
     const double pressure = pressure_at(height);
-    const double density = pressure / (kGasConstant * temperature_at(height));
+    const double density = pressure / (kGasConstant * layer_temperature(height));
     nodes_[i] = {.pressure = pressure, .slope = -density * kGravity * kPiece};
   }
 }
 
 Air Atmosphere::at(double altitude) const {
-  const double height = std::clamp(geopotential(altitude), kLowest, kHighest);
-
-  // cubic Hermite between the two nodes around; the layers meet at nodes
-  const double pieces = (height - kLowest) * (1 / kPiece);
-  const std::size_t i = std::min(static_cast<std::size_t>(pieces), kPieces - 1);
-  const double t = pieces - static_cast<double>(i);
-  const Node &a = nodes_[i], &b = nodes_[i + 1];
-  const double rise = b.pressure - a.pressure;
-  const double pressure =
-      a.pressure +
-      t * (a.slope + t * (3 * rise - 2 * a.slope - b.slope + t * (a.slope + b.slope - 2 * rise)));
-  return complete(temperature_at(height), pressure);
+  return air_at(altitude);
 }
 
 std::optional<std::string> Wind::problem(std::span<const WindLayer> layers) {

@@ -22,18 +22,45 @@ inline constexpr double kSeaLevelDensity =
     kSeaLevelPressure / (kGasConstant * kSeaLevelTemperature);  ///< kg/m3
 
 /// The air at one place.
-struct Air {
-  double temperature = 0;     ///< K
-  double pressure = 0;        ///< Pa
-  double density = 0;         ///< kg/m3
-  double speed_of_sound = 0;  ///< m/s
+template <class Real>
+struct AirOf {
+  Real temperature = 0;     ///< K
+  Real pressure = 0;        ///< Pa
+  Real density = 0;         ///< kg/m3
+  Real speed_of_sound = 0;  ///< m/s
 };
+using Air = AirOf<double>;
 
 /// Geopotential altitude (m) of a geometric altitude (m): H = r Z / (r + Z) with r = 6356766 m,
 /// U.S. Standard Atmosphere 1976, eq. 18.
 [[nodiscard]] constexpr double geopotential(double geometric) {
   constexpr double kRadius = 6356766;
   return kRadius * geometric / (kRadius + geometric);
+}
+template <std::size_t N>
+[[nodiscard]] math::Lanes<N> geopotential(const math::Lanes<N>& geometric) {
+  constexpr double kRadius = 6356766;
+  return kRadius * geometric / (kRadius + geometric);
+}
+
+/// Temperature (K) at a geopotential altitude (m) up to 32 km: U.S. Standard Atmosphere 1976,
+/// table 4.
+template <class Real>
+[[nodiscard]] Real layer_temperature(const Real& height) {
+  constexpr double kLapse = -0.0065, kRise = 0.001;  // K/m
+  return math::max(kSeaLevelTemperature + kLapse * height,
+                   Real(kSeaLevelTemperature + kLapse * 11000)) +
+         kRise * math::max(height - 20000, 0);
+}
+
+/// What follows from temperature (K) and pressure (Pa).
+template <class Real>
+[[nodiscard]] AirOf<Real> complete(const Real& temperature, const Real& pressure) {
+  const Real specific_energy = kGasConstant * temperature;
+  return {.temperature = temperature,
+          .pressure = pressure,
+          .density = pressure / specific_energy,
+          .speed_of_sound = math::sqrt(kHeatRatio * specific_energy)};
 }
 
 /// The standard atmosphere at a geometric altitude (m), from its definition: a hydrostatic ideal
@@ -50,10 +77,34 @@ class Atmosphere {
 
   /// `altitude`: geometric, m.
   [[nodiscard]] Air at(double altitude) const;
+  template <std::size_t N>
+  [[nodiscard]] AirOf<math::Lanes<N>> at(const math::Lanes<N>& altitude) const {
+    return air_at(altitude);
+  }
 
  private:
+  template <class Real>
+  [[nodiscard]] AirOf<Real> air_at(const Real& altitude) const {
+    const Real height = math::clamp(geopotential(altitude), kLowest, kHighest);
+
+    // cubic Hermite between the two nodes around; the layers meet at nodes
+    const Real pieces = (height - kLowest) * (1 / kPiece);
+    const auto whole = math::whole_part<Real>(math::min(pieces, kPieces - 1));
+    const Real t = pieces - math::whole<Real>(whole);
+    const auto node = [&](std::size_t next, double Node::*of) {
+      return math::each_lane<Real>(
+          [&](std::size_t i) { return nodes_[math::lane(whole, i) + next].*of; });
+    };
+    const Real pressure_a = node(0, &Node::pressure), slope_a = node(0, &Node::slope);
+    const Real slope_b = node(1, &Node::slope), rise = node(1, &Node::pressure) - pressure_a;
+    const Real pressure =
+        pressure_a +
+        t * (slope_a + t * (3 * rise - 2 * slope_a - slope_b + t * (slope_a + slope_b - 2 * rise)));
+    return complete(layer_temperature(height), pressure);
+  }
+
   static constexpr double kLowest = -2000, kHighest = 32000, kPiece = 500;
-  static constexpr std::size_t kPieces = static_cast<std::size_t>((kHighest - kLowest) / kPiece);
+  static constexpr int kPieces = static_cast<int>((kHighest - kLowest) / kPiece);
   struct Node {
     double pressure;  ///< Pa
     double slope;     ///< Pa per piece

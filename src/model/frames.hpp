@@ -14,10 +14,12 @@ struct Geodetic {
 
 /// The geodetic frame at one place, its axes written in local axes: unit vectors, `down` along the
 /// normal of the ellipsoid. `altitude` is metres above the ellipsoid.
-struct Vertical {
-  Vec3 north{1, 0, 0}, east{0, 1, 0}, down{0, 0, 1};
-  double altitude = 0;
+template <class Real>
+struct VerticalOf {
+  Vec3Of<Real> north{1, 0, 0}, east{0, 1, 0}, down{0, 0, 1};
+  Real altitude = 0;
 };
+using Vertical = VerticalOf<double>;
 
 /// Local axes to the geodetic NED axes at a place.
 [[nodiscard]] constexpr Vec3 to_ned(const Vertical& at, const Vec3& local) {
@@ -65,6 +67,9 @@ class Reference {
   /// 1000 km. On the Earth's axis (within 2^-10 m) north and east are those of the reference's
   /// longitude.
   [[nodiscard]] Vertical vertical_at(const Vec3& local) const;
+  /// Of several places side by side, with the same bits: model/ellipsoid.hpp.
+  template <class Real>
+  [[nodiscard]] VerticalOf<Real> vertical_at(const Vec3Of<Real>& local) const;
   /// vertical_at(local).altitude, bit for bit, for less work.
   [[nodiscard]] double altitude_at(const Vec3& local) const;
 

@@ -8,9 +8,11 @@
 namespace eyrie::model::flight {
 
 /// Thrust that is there at one Mach number and altitude.
-struct Thrust {
-  double idle = 0, military = 0, afterburner = 0;  ///< N
+template <class Real>
+struct ThrustOf {
+  Real idle = 0, military = 0, afterburner = 0;  ///< N
 };
+using Thrust = ThrustOf<double>;
 
 /// Const and shared. Thrust is installed thrust of all engines.
 struct Engine {
@@ -58,23 +60,26 @@ struct Engine {
   [[nodiscard]] Thrust thrust_at(double mach, double altitude) const;
 
   /// Thrust (N) at a throttle in [0, 2]: linear from idle to military power and on to afterburner.
-  [[nodiscard]] static double thrust_of(const Thrust& available, double throttle);
+  template <class Real>
+  [[nodiscard]] static Real thrust_of(const ThrustOf<Real>& available,
+                                      const std::type_identity_t<Real>& throttle) {
+    return math::select(
+        throttle <= 1, available.idle + throttle * (available.military - available.idle),
+        available.military + (throttle - 1) * (available.afterburner - available.military));
+  }
   /// The throttle that gives a thrust (N), limited to [0, 1], or [0, 2] with afterburner.
-  [[nodiscard]] static double throttle_for(const Thrust& available, double thrust,
-                                           bool with_afterburner);
-
-  /// Fuel flow (kg/s) at a throttle. At military power and at full afterburner thrust times
-  /// TSFC = (C1 + C2 M) sqrt(theta), Mattingly, Heiser & Pratt, Aircraft Engine Design, 2nd ed.
-  /// (2002), eq. 3.12, with C1 given at sea level and C2 / C1 as *_tsfc_mach (0.3 / 0.9 and
-  /// 0.27 / 1.6 in eq. 3.55a, b). Below military power it falls as `part_power` says; by default
-  /// x (0.84 + (1 - sqrt(x))^2) / 0.84 of the share x of thrust: turbines of JSBSim
-  /// (docs/models/flight.md). Between military power and full afterburner it is linear in the
-  /// throttle. theta: temperature over sea-level temperature.
-  [[nodiscard]] double flow_of(const Thrust& available, double throttle, double mach,
-                               double temperature) const;
-
-  /// The throttle one step of `dt` (s) later, on its way to `wanted`.
-  [[nodiscard]] double spool(double throttle, double wanted, double dt) const;
+  template <class Real>
+  [[nodiscard]] static Real throttle_for(const ThrustOf<Real>& available,
+                                         const std::type_identity_t<Real>& thrust,
+                                         const math::MaskOf<Real>& with_afterburner) {
+    const Real dry = available.military - available.idle;
+    const Real wet = available.afterburner - available.military;
+    const Real up_to_military =
+        math::select(dry > 0, math::clamp((thrust - available.idle) / dry, 0, 1), 1);
+    const Real beyond =
+        math::select(wet > 0, math::min(1 + (thrust - available.military) / wet, 2), 1);
+    return math::select((thrust <= available.military) | !with_afterburner, up_to_military, beyond);
+  }
 };
 
 /// Which equations of motion an aircraft flies by.

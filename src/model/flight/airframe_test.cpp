@@ -11,6 +11,7 @@
 #include <ostream>
 #include <string>
 
+#include "model/flight/equations.hpp"
 #include "support/data_file.hpp"
 #include "support/model/lapse.hpp"
 #include "support/model/lone_flight.hpp"
@@ -84,6 +85,21 @@ Engine engine() {
   return e;
 }
 
+/// Of aircraft with that engine.
+double flow_of(const Engine& e, const Thrust& available, double throttle, double mach,
+               double temperature) {
+  Airframe airframe;
+  airframe.engine = e;
+  const PointMass model(airframe);
+  return Equations<double>({&model}).flow_of(available, throttle, mach, temperature);
+}
+double spool(const Engine& e, double throttle, double wanted, double dt) {
+  Airframe airframe;
+  airframe.engine = e;
+  const PointMass model(airframe);
+  return Equations<double>({&model}).spool(throttle, wanted, dt);
+}
+
 TEST(Engine, GivesThrustLinearlyFromIdleOverMilitaryPowerToAfterburner) {
   const Thrust t = engine().thrust_at(0.8, 5000);
   EXPECT_DOUBLE_EQ(Engine::thrust_of(t, 0), 5e3);
@@ -113,7 +129,7 @@ TEST(Engine, BurnsWhatTheSpecificConsumptionSays) {
   const double temperature = 0.8 * kSeaLevelTemperature, root = std::sqrt(0.8);
   const double dry = (0.9 + 0.30 * 0.8) * root, wet = (1.6 + 0.27 * 0.8) * root;
   const auto pounds_per_hour = [&](double throttle) {
-    return in_unit(e.flow_of(t, throttle, 0.8, temperature), "lb/h");
+    return in_unit(flow_of(e, t, throttle, 0.8, temperature), "lb/h");
   };
   EXPECT_NEAR(pounds_per_hour(1), dry * in_unit(50e3, "lbf"), 1e-6);
   EXPECT_NEAR(pounds_per_hour(2), wet * in_unit(80e3, "lbf"), 1e-6);
@@ -126,14 +142,14 @@ TEST(Engine, BurnsMorePerThrustAtPartPower) {
   // JSBSim, FGTurbine: TSFC as 0.84 + (1 - n)^2, thrust as n^2, n from 0 at idle to 1
   const Engine e = engine();
   const Thrust t = e.thrust_at(0.8, 0);
-  const double full = e.flow_of(t, 1, 0.8, kSeaLevelTemperature);
+  const double full = flow_of(e, t, 1, 0.8, kSeaLevelTemperature);
   for (int i = 1; i <= 10; ++i) {
     const double x = 0.1 * i;
     const double throttle = Engine::throttle_for(t, x * t.military, false);
-    EXPECT_NEAR(e.flow_of(t, throttle, 0.8, kSeaLevelTemperature) / full,
+    EXPECT_NEAR(flow_of(e, t, throttle, 0.8, kSeaLevelTemperature) / full,
                 x * (0.84 + std::pow(1 - std::sqrt(x), 2)) / 0.84, 1e-4);
   }
-  EXPECT_EQ(e.flow_of(Thrust{}, 0.5, 0.8, kSeaLevelTemperature), 0) << "an engine without thrust";
+  EXPECT_EQ(flow_of(e, Thrust{}, 0.5, 0.8, kSeaLevelTemperature), 0) << "an engine without thrust";
 }
 
 TEST(Engine, SpoolsUpAndLightsInTheTimesGiven) {
@@ -142,10 +158,10 @@ TEST(Engine, SpoolsUpAndLightsInTheTimesGiven) {
   e.light_time = 2;
   double throttle = 0, seconds = 0;
   for (; throttle < 1 - 1e-9; seconds += 0.02)
-    throttle = e.spool(throttle, 2, 0.02);
+    throttle = spool(e, throttle, 2, 0.02);
   EXPECT_NEAR(seconds, 4, 0.021);
   for (; throttle < 2 - 1e-9; seconds += 0.02)
-    throttle = e.spool(throttle, 2, 0.02);
+    throttle = spool(e, throttle, 2, 0.02);
   EXPECT_NEAR(seconds, 6, 0.041);
 }
 
@@ -304,7 +320,7 @@ TEST_P(AirframeData, CruisesDryForMoreThanAnHour) {
 TEST_P(AirframeData, BurnsAtFullAfterburnerWhatItsRatingSays) {
   const Engine& e = airframe_.engine;
   const Thrust full = e.thrust_at(0, 0);
-  const double flow = e.flow_of(full, 2, 0, kSeaLevelTemperature);
+  const double flow = flow_of(e, full, 2, 0, kSeaLevelTemperature);
   EXPECT_NEAR(flow, e.afterburner_tsfc * full.afterburner, 1e-9);
   // minutes of full afterburner at sea level on internal fuel: a handful
   EXPECT_GT(airframe_.internal_fuel / flow / 60, 4);

@@ -2,70 +2,34 @@
 #include "model/flight/flight_system.hpp"
 
 #include "model/events.hpp"
+#include "model/flight/abreast.hpp"
 #include "model/flight/collision.hpp"
 
 namespace eyrie::model::flight {
 namespace {
 
-/// m: of a level turn, with the distance flown while rolling into it.
-double turn_radius(double speed, double rate, double lag) {
-  return speed / std::max(rate, 1e-3) + speed * lag;
-}
-
-double level_turn_rate(double load_factor, double speed) {
-  return kGravity * std::sqrt(std::max(load_factor * load_factor - 1, 0.0)) / std::max(speed, 1.0);
-}
-
-/// What the place and the speed of an aircraft decide in a step.
-struct Here {
-  Air air;
-  FlightCondition condition;  ///< of a point mass
-};
-Here look(const Atmosphere& atmosphere, const PointMass& model, Dynamics dynamics,
-          const Kinematics& k, double fuel, const Load& load) {
-  const Air air = atmosphere.at(k.altitude);
-  if (dynamics == Dynamics::laero)
-    return {air, {}};
-  return {air, model.condition(k, air, fuel, load)};
-}
-
-/// Flies one step, but for the vertical at the new place.
-bool fly_from(const Here& here, const PointMass& model, Dynamics dynamics,
-              const FlightContext& context, const FlightRows& rows) {
-  const Airframe& airframe = model.airframe();
-  const Command& command = rows.command;
-  Kinematics& k = rows.kinematics;
-  const Vec3 wind = context.environment.wind.at(k.altitude);
-  const double load_factor = std::max(command.load_factor, 1.0);
-  RouteToFly plan{.routes = context.routes};
-
-  if (dynamics == Dynamics::laero) {
-    const Laero& laero = airframe.laero;
-    const double turn_limit = laero.turn_rate_limit(k.speed, load_factor);
-    plan.turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time);
-    Guidance wanted =
-        guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
-    if (wanted.climb)
-      wanted.altitude += k.speed * math::sin(*wanted.climb) * laero.altitude_time;
-    const auto most = static_cast<float>(1 / math::cos(laero.max_bank));
-    rows.flying.energy = {
-        .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
-    laero.step(k, rows.flying, wanted, turn_limit, rows.propulsion, here.air, wind, context.dt);
-    rows.propulsion.flow = rows.propulsion.fuel > 0 ? laero.fuel_flow : 0;
-  } else {
-    const FlightCondition& condition = here.condition;
-    const double most = std::min(load_factor, condition.lift_limit);
-    plan.turn_radius =
-        turn_radius(k.speed, level_turn_rate(most, k.speed), airframe.autopilot.heading_time);
-    const Guidance wanted =
-        guide(airframe.autopilot, k, command, plan, rows.flying, wind, context.time, context.dt);
-    if (context.tells_energy)
-      rows.flying.energy = model.energy(condition, k.speed);
-    const Controls controls =
-        steer(model, k, condition, wanted, load_factor, rows.flying.afterburner);
-    model.step(k, rows.propulsion, condition, controls, wind, context.dt);
-  }
-  return burn(rows.propulsion, context.dt);
+/// Flies one step of laero. True when the tanks ran dry in it.
+bool fly_laero(const Sky& sky, const Flyer& flyer) {
+  const Airframe& airframe = flyer.model->airframe();
+  const Laero& laero = airframe.laero;
+  const Command& command = *flyer.command;
+  Kinematics& k = *flyer.kinematics;
+  Flying& flying = *flyer.flying;
+  const Air air = sky.environment.atmosphere.at(k.altitude);
+  const Vec3 wind = sky.environment.wind.at(k.altitude);
+  const double turn_limit = laero.turn_rate_limit(k.speed, std::max(command.load_factor, 1.0));
+  const RouteToFly plan{.routes = flyer.routes,
+                        .turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time)};
+  Guidance wanted = guide(airframe.autopilot, k, command, plan, flying, wind, sky.time, sky.dt);
+  if (wanted.climb)
+    wanted.altitude += k.speed * math::sin(*wanted.climb) * laero.altitude_time;
+  const auto most = static_cast<float>(1 / math::cos(laero.max_bank));
+  flying.energy = {
+      .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
+  laero.step(k, flying, wanted, turn_limit, *flyer.propulsion, air, wind, sky.dt);
+  flyer.propulsion->flow = flyer.propulsion->fuel > 0 ? laero.fuel_flow : 0;
+  set_vertical(k, sky.reference.vertical_at(k.position));
+  return burn(*flyer.propulsion, sky.dt);
 }
 
 }  // namespace
@@ -84,14 +48,31 @@ Kinematics placed(const Reference& reference, const Environment& environment, co
   return k;
 }
 
+void fly_all(const Sky& sky, std::span<Flyer> flyers) {
+#ifdef __x86_64__
+  static const bool has_lanes = __builtin_cpu_supports("avx2");
+#else
+  constexpr bool has_lanes = false;
+#endif
+  for (std::size_t i = has_lanes ? fly_in_lanes(sky, flyers) : 0; i < flyers.size(); ++i)
+    fly_abreast<double>(sky, &flyers[i]);
+}
+
 bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context,
          const FlightRows& rows) {
-  Kinematics& k = rows.kinematics;
-  const Here here =
-      look(context.environment.atmosphere, model, dynamics, k, rows.propulsion.fuel, context.load);
-  const bool dry = fly_from(here, model, dynamics, context, rows);
-  set_vertical(k, context.reference.vertical_at(k.position));
-  return dry;
+  const Sky sky{context.reference, context.environment, context.time, context.dt};
+  Flyer one{.model = &model,
+            .kinematics = &rows.kinematics,
+            .flying = &rows.flying,
+            .propulsion = &rows.propulsion,
+            .command = &rows.command,
+            .routes = context.routes,
+            .load = context.load,
+            .tells_energy = context.tells_energy};
+  if (dynamics == Dynamics::laero)
+    return fly_laero(sky, one);
+  fly_abreast<double>(sky, &one);
+  return one.ran_dry;
 }
 
 FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library,
@@ -131,36 +112,41 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   const auto propulsion = world.rows(columns_.propulsion);
   const double time = info.time();
 
-  // roots and quotients that wait for each other are taken of several aircraft in a row, so that
-  // the processor is at work on several such chains at a time
+  const Sky sky{library_->reference, library_->environment, time, info.dt};
   constexpr std::size_t kAbreast = 8;
   for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
     end = std::min(begin + kAbreast, chunk.end);
-    std::array<Here, kAbreast> here;
-    for (std::size_t i = begin; i < end; ++i) {
-      const Type& type = types_[fit[i].type];
-      here[i - begin] = look(library_->environment.atmosphere, models_[type.airframe],
-                             type.dynamics, kinematics[i], propulsion[i].fuel, load_of(stores[i]));
-    }
+    std::array<Flyer, kAbreast> flyers;
+    std::array<std::size_t, kAbreast> rows_of;
+    std::array<bool, kAbreast> dry{};
+    std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (fit[i].remote != 0)
         continue;
       const Type& type = types_[fit[i].type];
-      FlightContext context{.reference = library_->reference,
-                            .environment = library_->environment,
-                            .time = time,
-                            .dt = info.dt,
-                            .tells_energy = sim::due(info.step + 1, ids[i], period_)};
-      if (fit[i].flight < library_->flights.size())
-        context.routes = library_->flights[fit[i].flight].routes;
-      const bool dry = fly_from(here[i - begin], models_[type.airframe], type.dynamics, context,
-                                {kinematics[i], flying[i], propulsion[i], command[i]});
-      if (dry)
-        out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
+      Flyer& f = flyers[count];
+      f.model = &models_[type.airframe];
+      f.kinematics = &kinematics[i];
+      f.flying = &flying[i];
+      f.propulsion = &propulsion[i];
+      f.command = &command[i];
+      f.routes = fit[i].flight < library_->flights.size()
+                     ? std::span<const Route>(library_->flights[fit[i].flight].routes)
+                     : std::span<const Route>();
+      if (type.dynamics == Dynamics::laero) {
+        dry[i - begin] = fly_laero(sky, f);
+        continue;
+      }
+      f.load = load_of(stores[i]);
+      f.tells_energy = sim::due(info.step + 1, ids[i], period_);
+      rows_of[count++] = i - begin;
     }
+    fly_all(sky, std::span(flyers).first(count));
+    for (std::size_t i = 0; i < count; ++i)
+      dry[rows_of[i]] = flyers[i].ran_dry;
     for (std::size_t i = begin; i < end; ++i)
-      if (fit[i].remote == 0)
-        set_vertical(kinematics[i], library_->reference.vertical_at(kinematics[i].position));
+      if (dry[i - begin])
+        out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
   }
 }
 

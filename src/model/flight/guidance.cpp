@@ -21,7 +21,7 @@ double dot(Flat a, Flat b) {
 }
 
 Flat flat(const Kinematics& own, const Vec3& local) {
-  return {eyrie::dot(own.north, local), eyrie::dot(own.east, local)};
+  return {dot(own.north, local), dot(own.east, local)};
 }
 
 double bearing(Flat v) {

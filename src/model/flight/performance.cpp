@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "model/flight/equations.hpp"
+
 namespace eyrie::model::flight {
 namespace {
 
@@ -13,9 +15,8 @@ double thrust_of(const FlightCondition& c, Power power) {
 }
 
 double flow_at(const PointMass& model, const FlightCondition& c, double thrust) {
-  const Engine& engine = model.airframe().engine;
-  return engine.flow_of(c.thrust, Engine::throttle_for(c.thrust, thrust, false), c.mach,
-                        c.temperature);
+  return Equations<double>({&model}).flow_of(
+      c.thrust, Engine::throttle_for(c.thrust, thrust, false), c.mach, c.temperature);
 }
 
 /// Where a function of the altitude or the Mach number, true below and false above, changes.

@@ -12,38 +12,64 @@
 namespace eyrie::model::flight {
 
 /// What hangs outside.
-struct Load {
-  double mass = 0;       ///< kg
-  double drag_area = 0;  ///< m2, drag coefficient times area
+template <class Real>
+struct LoadOf {
+  Real mass = 0;       ///< kg
+  Real drag_area = 0;  ///< m2, drag coefficient times area
 };
+using Load = LoadOf<double>;
 
 /// What the pilot or the autopilot moves.
-struct Controls {
-  double load_factor = 1;  ///< g, along the lift axis
-  double bank = 0;         ///< rad
-  double throttle = 0;     ///< 0 idle .. 1 military power .. 2 full afterburner
+template <class Real>
+struct ControlsOf {
+  Real load_factor = 1;  ///< g, along the lift axis
+  Real bank = 0;         ///< rad
+  Real throttle = 0;     ///< 0 idle .. 1 military power .. 2 full afterburner
 };
+using Controls = ControlsOf<double>;
 
 /// Everything that speed, altitude and mass decide in one step; forces in N.
-struct FlightCondition {
-  double mass = 0;  ///< kg
-  double mach = 0;
-  double temperature = 0;      ///< K
-  double density_root = 1;     ///< root of density over sea-level density: EAS = TAS times this
-  double speed_of_sound = 0;   ///< m/s
-  double zero_lift_drag = 0;   ///< N, of aircraft and stores
-  double induced_drag = 0;     ///< N at one g; grows with the square of the load factor
-  double separation = 0;       ///< g, load factor from which drag grows faster
-  double separation_drag = 0;  ///< N at one g beyond that; grows with the square
-  double lift_limit = 0;       ///< g, largest load factor that the wing gives
-  Thrust thrust;
+template <class Real>
+struct FlightConditionOf {
+  Real mass = 0;  ///< kg
+  Real mach = 0;
+  Real temperature = 0;      ///< K
+  Real density_root = 1;     ///< root of density over sea-level density: EAS = TAS times this
+  Real speed_of_sound = 0;   ///< m/s
+  Real zero_lift_drag = 0;   ///< N, of aircraft and stores
+  Real induced_drag = 0;     ///< N at one g; grows with the square of the load factor
+  Real separation = 0;       ///< g, load factor from which drag grows faster
+  Real separation_drag = 0;  ///< N at one g beyond that; grows with the square
+  Real lift_limit = 0;       ///< g, largest load factor that the wing gives
+  ThrustOf<Real> thrust;
 
-  [[nodiscard]] double drag(double load_factor) const {
-    const double beyond = std::max(std::fabs(load_factor) - separation, 0.0);
+  [[nodiscard]] Real drag(const Real& load_factor) const {
+    const Real beyond = math::max(math::abs(load_factor) - separation, 0);
     return zero_lift_drag + induced_drag * load_factor * load_factor +
            separation_drag * beyond * beyond;
   }
 };
+using FlightCondition = FlightConditionOf<double>;
+
+/// That of one of several aircraft.
+template <class Real>
+FlightCondition lane_of(const FlightConditionOf<Real>& c, std::size_t i) {
+  const auto of = [&](const Real& x) { return math::lane(x, i); };
+  return {of(c.mass),
+          of(c.mach),
+          of(c.temperature),
+          of(c.density_root),
+          of(c.speed_of_sound),
+          of(c.zero_lift_drag),
+          of(c.induced_drag),
+          of(c.separation),
+          of(c.separation_drag),
+          of(c.lift_limit),
+          {of(c.thrust.idle), of(c.thrust.military), of(c.thrust.afterburner)}};
+}
+
+template <class Real>
+class Equations;
 
 /// The tables of one airframe on common breakpoints, so that a step looks its Mach number and its
 /// altitude up once. Gives the same values as the airframe's own tables. Immutable.
@@ -52,9 +78,6 @@ class PointMass {
   explicit PointMass(const Airframe& airframe);
 
   [[nodiscard]] const Airframe& airframe() const { return airframe_; }
-  /// Sines of the autopilot's largest climb and dive angles.
-  [[nodiscard]] double steepest_climb() const { return steepest_climb_; }
-  [[nodiscard]] double steepest_dive() const { return steepest_dive_; }
 
   /// At the speed and altitude of `k`, in that air.
   [[nodiscard]] FlightCondition condition(const Kinematics& k, const Air& air, double fuel,
@@ -73,16 +96,17 @@ class PointMass {
             const Controls& controls, const Vec3& wind_ned, double dt) const;
 
  private:
+  template <class Real>
+  friend class Equations;
   struct ByMach {
     double zero_lift_drag, induced_drag, max_lift;
   };
   struct Power {
     double military, afterburner;
   };
-  [[nodiscard]] Thrust thrust_at(const TableCell& mach, double altitude) const;
 
   Airframe airframe_;
-  double steepest_climb_, steepest_dive_;
+  double steepest_climb_, steepest_dive_;  ///< sines of the autopilot's largest angles
   Axis mach_, altitude_;
   std::vector<ByMach> by_mach_;
   std::vector<Power> power_;  ///< by Mach number, then by altitude

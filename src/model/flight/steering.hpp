@@ -23,9 +23,7 @@ namespace eyrie::model::flight {
 
 /// Slowest speed (m/s) that steer() flies in this condition: where the wing can still give the
 /// stall margin of the autopilot.
-[[nodiscard]] double slowest_speed(const Autopilot& autopilot, const Kinematics& k,
+[[nodiscard]] double slowest_speed(const PointMass& model, const Kinematics& k,
                                    const FlightCondition& condition);
-/// Fastest speed (m/s) by Mach number and equivalent airspeed.
-[[nodiscard]] double fastest_speed(const FlightLimits& limits, const FlightCondition& condition);
 
 }  // namespace eyrie::model::flight

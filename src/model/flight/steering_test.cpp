@@ -126,8 +126,7 @@ TEST(Steering, RecoversFromTooSlowByPuttingTheNoseDown) {
     lowest = std::min(lowest, f.kinematics.altitude);
   }
   EXPECT_GT(f.condition().lift_limit, 1.2);
-  EXPECT_NEAR(f.kinematics.speed,
-              slowest_speed(f.model.airframe().autopilot, f.kinematics, f.condition()), 3);
+  EXPECT_NEAR(f.kinematics.speed, slowest_speed(f.model, f.kinematics, f.condition()), 3);
   EXPECT_GT(lowest, 4000);
 }
 

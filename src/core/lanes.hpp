@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+/// \file  Arithmetic on several doubles side by side. A function that is written for a type `Real`
+/// runs on one double or on Lanes, and every lane has the bits that one double would have: lanes
+/// are + - * / and sqrt of IEEE 754, and what depends on a comparison is selected, never branched.
+/// `select`, `max`, `min` and `clamp` compare as those of C++ do, with NaN and signed zeros too.
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace eyrie::math {
+
+/// Vectors of the compiler.
+template <std::size_t N>
+struct LaneTypes;
+template <>
+struct LaneTypes<2> {
+  using Reals = double __attribute__((vector_size(16)));
+  using Mask = std::int64_t __attribute__((vector_size(16)));
+  using Bits = std::uint64_t __attribute__((vector_size(16)));
+};
+template <>
+struct LaneTypes<4> {
+  using Reals = double __attribute__((vector_size(32)));
+  using Mask = std::int64_t __attribute__((vector_size(32)));
+  using Bits = std::uint64_t __attribute__((vector_size(32)));
+};
+
+/// What a comparison of lanes says of each.
+template <std::size_t N>
+struct LaneMask {
+  typename LaneTypes<N>::Mask bits;
+
+  friend LaneMask operator&(LaneMask a, LaneMask b) { return {a.bits & b.bits}; }
+  friend LaneMask operator|(LaneMask a, LaneMask b) { return {a.bits | b.bits}; }
+  friend LaneMask operator!(LaneMask a) { return {~a.bits}; }
+};
+
+template <std::size_t N>
+struct Lanes {
+  using Vector = typename LaneTypes<N>::Reals;
+  Vector v;
+
+  Lanes() = default;
+  explicit Lanes(Vector vector) : v(vector) {}
+  Lanes(double same) {  // NOLINT: a number is a number in every lane
+    for (std::size_t i = 0; i < N; ++i)
+      v[i] = same;
+  }
+
+  friend Lanes operator+(Lanes a, Lanes b) { return Lanes{a.v + b.v}; }
+  friend Lanes operator-(Lanes a, Lanes b) { return Lanes{a.v - b.v}; }
+  friend Lanes operator*(Lanes a, Lanes b) { return Lanes{a.v * b.v}; }
+  friend Lanes operator/(Lanes a, Lanes b) { return Lanes{a.v / b.v}; }
+  friend Lanes operator-(Lanes a) { return Lanes{-a.v}; }
+  Lanes& operator+=(Lanes b) { return *this = *this + b; }
+  friend LaneMask<N> operator<(Lanes a, Lanes b) { return {a.v < b.v}; }
+  friend LaneMask<N> operator>(Lanes a, Lanes b) { return {a.v > b.v}; }
+  friend LaneMask<N> operator<=(Lanes a, Lanes b) { return {a.v <= b.v}; }
+  friend LaneMask<N> operator>=(Lanes a, Lanes b) { return {a.v >= b.v}; }
+};
+
+/// The bits of a Real, as whole numbers.
+template <class Real>
+struct BitsAs {
+  using Type = std::uint64_t;
+};
+template <std::size_t N>
+struct BitsAs<Lanes<N>> {
+  using Type = typename LaneTypes<N>::Bits;
+};
+template <class Real>
+using BitsOf = typename BitsAs<Real>::Type;
+
+/// How many doubles a Real is.
+template <class Real>
+inline constexpr std::size_t kLanes = sizeof(Real) / sizeof(double);
+template <class Real>
+using MaskOf = decltype(std::declval<Real>() < std::declval<Real>());
+
+inline double lane(double x, std::size_t) {
+  return x;
+}
+inline std::uint64_t lane(std::uint64_t x, std::size_t) {
+  return x;
+}
+template <std::size_t N>
+double lane(const Lanes<N>& x, std::size_t i) {
+  return x.v[i];
+}
+template <class Bits>
+requires(sizeof(Bits) > sizeof(double)) std::uint64_t lane(const Bits& x, std::size_t i) {
+  return x[i];
+}
+
+/// The value of each lane, asked one after the other: of(0), of(1), ...
+template <class Real, class Of>
+Real each_lane(Of of) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return of(std::size_t{0});
+  } else {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return Real(typename Real::Vector{of(I)...});
+    }
+    (std::make_index_sequence<kLanes<Real>>{});
+  }
+}
+
+/// Whether a condition holds in one lane.
+inline bool holds(bool condition, std::size_t) {
+  return condition;
+}
+template <std::size_t N>
+bool holds(const LaneMask<N>& mask, std::size_t i) {
+  return mask.bits[i] != 0;
+}
+/// 1 where the condition holds, else 0.
+inline std::uint64_t ones(bool condition) {
+  return condition;
+}
+template <std::size_t N>
+BitsOf<Lanes<N>> ones(const LaneMask<N>& mask) {
+  return std::bit_cast<BitsOf<Lanes<N>>>(mask.bits) & 1;
+}
+/// A whole number below 2^52.
+template <class Real>
+Real whole(const BitsOf<Real>& number) {
+  return std::bit_cast<Real>(number | std::bit_cast<std::uint64_t>(0x1p52)) - 0x1p52;
+}
+/// The whole number at or below x, for x in [0, 2^51); 0 where x is not a number.
+template <class Real>
+BitsOf<Real> whole_part(const Real& x) {
+  if constexpr (std::is_same_v<Real, double>) {
+    return x >= 0 ? static_cast<std::uint64_t>(x) : 0;
+  } else {
+    BitsOf<Real> all;
+    for (std::size_t i = 0; i < kLanes<Real>; ++i)
+      all[i] = whole_part(lane(x, i));
+    return all;
+  }
+}
+/// 1 where x has a minus, else 0.
+inline std::uint64_t sign_bit(double x) {
+  return std::signbit(x);
+}
+template <std::size_t N>
+BitsOf<Lanes<N>> sign_bit(const Lanes<N>& x) {
+  return std::bit_cast<BitsOf<Lanes<N>>>(x) >> 63;
+}
+
+inline bool any(bool condition) {
+  return condition;
+}
+template <std::size_t N>
+bool any(const LaneMask<N>& mask) {
+  std::int64_t bits = 0;
+  for (std::size_t i = 0; i < N; ++i)
+    bits |= mask.bits[i];
+  return bits != 0;
+}
+
+/// a where the condition holds, else b.
+inline double select(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+template <std::size_t N>
+Lanes<N> select(const LaneMask<N>& mask, const std::type_identity_t<Lanes<N>>& a,
+                const std::type_identity_t<Lanes<N>>& b) {
+  return Lanes<N>{mask.bits ? a.v : b.v};
+}
+
+template <class Real>
+Real max(const Real& a, const std::type_identity_t<Real>& b) {
+  return select(a < b, b, a);
+}
+template <class Real>
+Real min(const Real& a, const std::type_identity_t<Real>& b) {
+  return select(b < a, b, a);
+}
+template <class Real>
+Real clamp(const Real& x, const std::type_identity_t<Real>& low,
+           const std::type_identity_t<Real>& high) {
+  return select(x < low, low, select(high < x, high, x));
+}
+
+inline double sqrt(double x) {
+  return std::sqrt(x);
+}
+template <std::size_t N>
+Lanes<N> sqrt(const Lanes<N>& x) {
+#if defined(__SSE2__)
+  if constexpr (N == 2)
+    return Lanes<N>{_mm_sqrt_pd(x.v)};
+#endif
+#if defined(__AVX__)
+  if constexpr (N == 4)
+    return Lanes<N>{_mm256_sqrt_pd(x.v)};
+#endif
+  return each_lane<Lanes<N>>([&](std::size_t i) { return std::sqrt(x.v[i]); });
+}
+
+inline constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+
+inline double abs(double x) {
+  return std::fabs(x);
+}
+template <std::size_t N>
+Lanes<N> abs(const Lanes<N>& x) {
+  return std::bit_cast<Lanes<N>>(std::bit_cast<BitsOf<Lanes<N>>>(x) & ~kSign);
+}
+
+inline double copysign(double size, double sign) {
+  return std::copysign(size, sign);
+}
+template <std::size_t N>
+Lanes<N> copysign(const Lanes<N>& size, const Lanes<N>& sign) {
+  return std::bit_cast<Lanes<N>>((std::bit_cast<BitsOf<Lanes<N>>>(size) & ~kSign) |
+                                 (std::bit_cast<BitsOf<Lanes<N>>>(sign) & kSign));
+}
+
+}  // namespace eyrie::math
