@@ -79,9 +79,11 @@ TEST(AbortRange, IsMeasuredInTheEnemysNoEscapeRange) {
       holds("{abort_range: {factor: " + std::to_string(1.01 * 40e3 / zone.r_ne) + "}}", desk));
   EXPECT_FALSE(
       holds("{abort_range: {factor: " + std::to_string(0.99 * 40e3 / zone.r_ne) + "}}", desk));
-  // who flies away is no danger at that range
+  // who flies away is no danger at any range
   desk.tracks.tracks[0].velocity = -1 * track.velocity;
-  EXPECT_GT(exposure(desk.state())->ratio, 40e3 / zone.r_ne);
+  EXPECT_FALSE(exposure(desk.state()));
+  desk.tracks.tracks[0].position = desk.own.position + Vec3{5e3, 0, 0};
+  EXPECT_FALSE(holds("{abort_range: {factor: 20}}", desk));
 }
 
 RC_GTEST_PROP(Exposed, IsTrueWhereTheWorstExposureIsWithinTheFactor, ()) {

@@ -138,6 +138,11 @@ TEST(StateFields, TellWhoseWeaponsReach) {
   EXPECT_NEAR(f.at("over_his_r_max"), 12e3 / zone.r_max, 0.01) << "a mirror image";
   EXPECT_EQ(f.at("in_zone"), 1);
   EXPECT_EQ(f.at("shots"), 0);
+  desk.own = model::test::flying(desk.own.position, kPi, 250);
+  f = fields_of(desk);
+  EXPECT_EQ(f.at("in_zone"), 0) << "dead astern";
+  EXPECT_EQ(f.at("over_r_max"), math::kInfinity);
+  desk.own = model::test::flying(desk.own.position, 0, 250);
   desk.agent.shots[0] = {.until = 200, .track = TrackId{1}, .store = kMedium};
   EXPECT_EQ(fields_of(desk).at("shots"), 1);
   EXPECT_EQ(fields_of(desk).at("supporting"), 1);

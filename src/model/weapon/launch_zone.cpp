@@ -255,7 +255,7 @@ LaunchZone::LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable>
 }
 
 EmploymentZone LaunchZone::at(const LaunchSituation& s) const {
-  if (!table_ || (seeker_ && s.off_boresight > seeker_->gimbal))
+  if (!table_ || s.off_boresight > farthest_off_)
     return {};
   const GridCell speeds[] = {place(kShooterSpeed, s.shooter_speed),
                              place(kTargetSpeed, s.target_speed),

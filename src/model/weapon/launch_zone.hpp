@@ -90,9 +90,10 @@ class LaunchZone {
   LaunchZone(const MissileType& type, std::shared_ptr<const ZoneTable> table);
   [[nodiscard]] const std::shared_ptr<const ZoneTable>& table() const { return table_; }
 
-  /// Multilinear between the situations that were flown, constant beyond them. A missile that must
-  /// be locked on before launch reaches no farther than it sees a target of the default
-  /// InfraredSignature at military power, and nothing outside its gimbal.
+  /// Multilinear between the situations that were flown, constant beyond them; but none farther off
+  /// the boresight than was flown: 60 degrees, or the gimbal of a missile that must be locked on
+  /// before launch. Such a one reaches no farther than it sees a target of the default
+  /// InfraredSignature at military power.
   [[nodiscard]] EmploymentZone at(const LaunchSituation& situation) const;
   /// m: no r_ne that at() gives is longer.
   [[nodiscard]] double longest_no_escape() const { return longest_no_escape_; }

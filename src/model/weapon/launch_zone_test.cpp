@@ -155,6 +155,16 @@ TEST(LaunchZone, IsImpossibleOutsideTheGimbalOfAnInfraredMissile) {
   EXPECT_FALSE(prepared_short().zone.at(s).possible());
 }
 
+TEST(LaunchZone, IsClaimedAsFarOffTheBoresightAsItWasFlown) {
+  LaunchSituation s = level_at(6000, 0);
+  s.off_boresight = radians(59);
+  EXPECT_TRUE(prepared_medium().zone.at(s).possible());
+  for (const double angle : {61, 90, 180}) {
+    s.off_boresight = radians(angle);
+    EXPECT_EQ(prepared_medium().zone.at(s).r_max, 0) << angle;
+  }
+}
+
 TEST(LaunchZone, IsImpossibleUntilItIsBuilt) {
   EXPECT_FALSE(LaunchZone().at(level_at(6000, 0)).possible());
 }
