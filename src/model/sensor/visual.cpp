@@ -29,6 +29,10 @@ double acquisition_probability(const Visual& visual, double search, double area,
   return 1 - math::exp(-rate / visual.rate);
 }
 
+double hold_probability(const Visual& visual, double area, double range) {
+  return apparent_diameter(area, range) < visual.least_angle ? 0 : visual.hold_probability;
+}
+
 bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
               const Signature& signature, double range, Cue cue, double u) {
   const double search = cue == Cue::none ? visual.search : visual.cued_search;
@@ -43,10 +47,9 @@ bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
   if (!in_view(visual, eyes, sight / range) ||
       range > horizon_range(eyes.altitude, other.altitude, 1))
     return false;
-  if (cue == Cue::held)
-    return u < visual.hold_probability;
   const double area = silhouette(signature, body_axes(other), sight / -range);
-  return u < acquisition_probability(visual, search, area, range);
+  return u < (cue == Cue::held ? hold_probability(visual, area, range)
+                               : acquisition_probability(visual, search, area, range));
 }
 
 bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,

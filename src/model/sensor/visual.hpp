@@ -94,6 +94,9 @@ struct Eyes {
 [[nodiscard]] double acquisition_probability(const Visual& visual, double search, double area,
                                              double range);
 
+/// The same of what was seen just before.
+[[nodiscard]] double hold_probability(const Visual& visual, double area, double range);
+
 /// How much an observer knows about where to look.
 enum class Cue : std::uint8_t { none, cued, held };
 

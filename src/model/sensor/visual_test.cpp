@@ -58,6 +58,17 @@ TEST(AcquisitionProbability, IsLessForASmallFarTargetInHaze) {
   EXPECT_GT(acquisition_probability(clear, 140e3, 20, 5000), p);
 }
 
+TEST(Glimpsed, ByAnEyeThatHoldsHimEndsWhereItCannotResolveHimEither) {
+  const Visual visual{.least_angle = 0.29e-3, .hold_probability = 1};
+  const Signature disc{.area_front = kPi / 4, .area_side = kPi / 4, .area_top = kPi / 4};  // of 1 m
+  const auto held_at = [&](double range) {
+    return glimpsed(visual, eyes_of(flying({0, 0, -5000}, 0, 250)),
+                    flying({range, 0, -5000}, kPi, 250), disc, range, Cue::held, 0.5);
+  };
+  EXPECT_TRUE(held_at(1 / 0.2901e-3));
+  EXPECT_FALSE(held_at(1 / 0.2899e-3));
+}
+
 bool sees(const Kinematics& own, double azimuth, double elevation) {
   const Visual visual{
       .over_nose = radians(15), .over_side = radians(40), .tail_blind = radians(30)};

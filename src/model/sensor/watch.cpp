@@ -165,7 +165,7 @@ void look_for_missiles(const Scene& scene, Self& self, const Eyes& eyes,
     const double area = burning ? visual.plume_area : visual.missile_area;
     const Cue cue = known.cue(About::missile, sight, range);
     const double search = cue == Cue::none ? visual.search : visual.cued_search;
-    const double p = cue == Cue::held ? visual.hold_probability
+    const double p = cue == Cue::held ? hold_probability(visual, area, range)
                                       : acquisition_probability(visual, search, area, range);
     const PlayerId id = scene.missile_ids[m];
     if (!scene.draw(self.id, Stream::visual, id).chance(p) ||

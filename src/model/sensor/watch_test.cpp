@@ -78,6 +78,21 @@ TEST(Watch, IsNotAlarmedByMissilesOfItsOwnSideOrThatFlyAway) {
   EXPECT_EQ(threats_of(Side::red, flying({6000, -2000, kHigh}, kPi / 2, 800)), 0u) << "crossing";
 }
 
+TEST(Watch, LosesAMissileWhoseMotorHasBurntOutWhileItIsFar) {
+  AirWar war;
+  war.models.visuals = {};
+  war.models.visuals.add("eagle-eyed", {.search = 1e8, .cued_search = 1e8});
+  const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({30 * kMile, 0, kHigh}, 0, 250));
+  war.build();
+  war.launch(bogey, Side::red, flying({14e3, 0, kHigh}, kPi, 800), eagle);
+  war.fly(8.5);  // it has burnt for 5 s, and is 5 km away
+  const Threats& threats = war.row(war.aircraft.threats, eagle);
+  ASSERT_EQ(threats.count, 1u);
+  EXPECT_GT(threats.missiles[0].position_time, 4);
+  EXPECT_LE(threats.missiles[0].position_time, 5);
+}
+
 TEST(Watch, KeepsItsEyesOnWhatItHasSeen) {
   AirWar war;
   war.models.visuals = {};
