@@ -11,11 +11,15 @@ constexpr auto names_of(EmissionKind) {
 }
 
 /// The beam of one aircraft's radar or of one missile's seeker, and its jammer. A search radar is
-/// described by the whole sector it sweeps: it passes everything in there once per frame.
+/// described by the whole sector it sweeps, in azimuth and elevation: it passes everything in there
+/// once per frame.
 struct Emission {
   Vec3 position{};            ///< m, local frame: where the transmitter was
   Vec3 boresight{};           ///< unit vector, local frame: the middle of the beam or sector
-  double cos_half_angle = 1;  ///< the beam or sector is this cone around the boresight
+  Vec3 down{};                ///< unit vector, local frame, that a sector is level to; 0: a beam
+  double cos_half_angle = 1;  ///< a beam is this cone around the boresight, a sector so wide
+  double sin_low = -1;        ///< of the lowest elevation of a sector
+  double sin_high = 1;        ///< and of the highest
   double figure = 0;          ///< m, see emission_figure()
   double jamming = 0;         ///< W/Hz, of the aircraft's jammer, in all directions
   PlayerId dwell{};           ///< who the beam rests on (truth); none while searching
@@ -25,8 +29,9 @@ struct Emission {
 
   static constexpr auto fields() {
     return field_list(field("position", &Emission::position, "m"),
-                      field("boresight", &Emission::boresight),
+                      field("boresight", &Emission::boresight), field("down", &Emission::down),
                       field("cos_half_angle", &Emission::cos_half_angle),
+                      field("sin_low", &Emission::sin_low), field("sin_high", &Emission::sin_high),
                       field("figure", &Emission::figure, "m"), field("jamming", &Emission::jamming),
                       field("dwell", &Emission::dwell), field("type", &Emission::type),
                       field("kind", &Emission::kind), field("side", &Emission::side));

@@ -323,8 +323,10 @@ void RemoteSystem::act(sim::World& world, const sim::StepInfo&, sim::Chunk chunk
       point(h, kinematics[i], target ? &kinematics[*target] : nullptr, emission);
       emission.type = *type.index.radar;
       emission.figure = emission_figure(radar.reference_range, radar.reference_rcs);
-      emission.cos_half_angle =
-          math::cos(h.beam == EmissionKind::track ? radar.beam_width : radar.scan_half_azimuth);
+      if (h.beam == EmissionKind::track)
+        emission.cos_half_angle = math::cos(radar.beam_width / 2);
+      else
+        sensor::sweep(radar, kinematics[i].down, emission);
     }
     emissions[i] = emission;
   }

@@ -51,6 +51,15 @@ Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own) 
           .sin_high = math::sin(std::min(state.scan_elevation + half_elevation, kPi / 2))};
 }
 
+void sweep(const Radar& radar, const Vec3& down, Emission& emission) {
+  const double elevation = math::asin(std::clamp(-dot(emission.boresight, down), -1.0, 1.0));
+  const double half_elevation = radar.scan_bars * radar.bar_spacing / 2;
+  emission.down = down;
+  emission.cos_half_angle = math::cos(radar.scan_half_azimuth);
+  emission.sin_low = math::sin(std::max(elevation - half_elevation, -kPi / 2));
+  emission.sin_high = math::sin(std::min(elevation + half_elevation, kPi / 2));
+}
+
 double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,
                  const Signature& signature, const Kinematics& other) {
   const Vec3 sight = other.position - own.position;

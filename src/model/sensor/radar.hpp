@@ -4,6 +4,7 @@
 /// the interrogator that rides on its looks. docs/models/radar.md has the equations and what they
 /// are worth.
 #include "core/draw.hpp"
+#include "model/emission.hpp"
 #include "model/entity_type.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
@@ -167,6 +168,10 @@ struct Antenna {
 
 /// The search volume around the scan center of `state`.
 [[nodiscard]] Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own);
+
+/// Makes an emission the sector that the search scan sweeps around its boresight, as `covers`, but
+/// for the gimbal; `down` is that of its owner.
+void sweep(const Radar& radar, const Vec3& down, Emission& emission);
 
 /// Whether a line of sight (m, from the antenna) lies in range, inside the gimbal and in the scan.
 [[nodiscard]] inline bool covers(const Antenna& a, const Vec3& sight, double range2) {

@@ -35,10 +35,15 @@ double hear(const Rwr& rwr, const RwrAntenna& antenna, const Emission& emission)
   if (range2 > reach2 || range2 <= 0)
     return 0;
 
-  // inside the cone of the beam?
+  // inside the cone of the beam, or the sector, whose width is measured on the level?
   const double along = dot(path, emission.boresight), edge = emission.cos_half_angle;
-  if (along < 0 ? edge > 0 || along * along > edge * edge * range2
-                : edge > 0 && along * along < edge * edge * range2)
+  const double up = -dot(path, emission.down), rise = -dot(emission.boresight, emission.down);
+  const double ahead = along - rise * up;
+  const double least2 = edge * edge * (1 - rise * rise) * (range2 - up * up);
+  if (ahead < 0 ? edge > 0 || ahead * ahead > least2 : edge > 0 && ahead * ahead < least2)
+    return 0;
+  const double range = std::sqrt(range2);
+  if (up < emission.sin_low * range || up > emission.sin_high * range)
     return 0;
 
   // inside the coverage of the antennas, which turn with the wings?
@@ -49,7 +54,7 @@ double hear(const Rwr& rwr, const RwrAntenna& antenna, const Emission& emission)
   // down by 3 dB at the edge of a beam that rests
   double strength = reach2 / range2;
   if (emission.kind != EmissionKind::search && edge < 1)
-    strength *= math::exp2(-(1 - std::min(along / std::sqrt(range2), 1.0)) / (1 - edge));
+    strength *= math::exp2(-(1 - std::min(along / range, 1.0)) / (1 - edge));
   return strength < 1 ? 0 : strength;
 }
 

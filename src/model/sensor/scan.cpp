@@ -339,13 +339,13 @@ Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
     const Axes scan = level_axes(own, own.heading + state.scan_azimuth);
     emission.kind = EmissionKind::search;
     emission.boresight = ce * scan.forward - se * scan.down;
-    emission.cos_half_angle = math::cos(radar.scan_half_azimuth);
+    sweep(radar, own.down, emission);
     return emission;
   }
 
   // the beam rests on the locked echo, or on the track while the echo is looked for
   emission.kind = EmissionKind::track;
-  emission.cos_half_angle = math::cos(radar.beam_width);
+  emission.cos_half_angle = math::cos(radar.beam_width / 2);
   const auto locked =
       state.locked ? scene.world.row(scene.table, state.locked) : std::optional<std::uint32_t>{};
   if (locked) {

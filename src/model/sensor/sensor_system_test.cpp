@@ -60,6 +60,37 @@ TEST(SensorSystem, WarnsOfASearchRadarOnceAndOfALockOnceMore) {
   EXPECT_EQ(war.row(war.aircraft.rwr, eagle).warnings[0].kind, EmissionKind::track);
 }
 
+TEST(SensorSystem, ALockIsHeardWithinHalfABeamWidthOfItsMiddle) {
+  AirWar war;
+  const PlayerId eagle1 = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId eagle2 = war.add(Side::blue, flying({0, 1300, kHigh}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({25 * kMile, 0, kHigh}, kPi, 250));
+  war.build();
+  war.fly(12);
+  Request& request = war.row(war.aircraft.request, bogey);
+  request.target = war.track_of(bogey, eagle1)->id;
+  request.radar_lock = 1;
+  war.fly(3);
+  ASSERT_EQ(war.row(war.aircraft.radar, bogey).locked, eagle1);
+  EXPECT_EQ(war.row(war.aircraft.rwr, eagle1).warnings[0].kind, EmissionKind::track);
+  // 1.9 degrees aside, of a beam of 3
+  EXPECT_NE(war.row(war.aircraft.rwr, eagle2).warnings[0].kind, EmissionKind::track);
+}
+
+TEST(SensorSystem, ASearchIsHeardWhereItScansAndNotAbove) {
+  AirWar war;
+  const PlayerId level = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+  const PlayerId low = war.add(Side::blue, flying({0, 9000, kHigh + 1500}, 0, 250));
+  const PlayerId above = war.add(Side::blue, flying({0, 0, kHigh - 6000}, 0, 250));
+  const PlayerId bogey = war.add(Side::red, flying({30e3, 0, kHigh}, kPi, 250));
+  war.build();
+  war.fly(8);
+  EXPECT_EQ(war.told(EventKind::rwr_warning, level, bogey), 1);
+  EXPECT_EQ(war.told(EventKind::rwr_warning, low, bogey), 1);
+  EXPECT_EQ(war.told(EventKind::rwr_warning, above, bogey), 0) << "11 degrees, of a scan of 5";
+  EXPECT_EQ(war.track_of(bogey, above), nullptr);
+}
+
 TEST(SensorSystem, ALockSeesNobodyElseAndSeesItsTargetBetter) {
   AirWar war;
   const PlayerId eagle = war.add(Side::blue, flying({0, 0, kHigh}, 0, 250));
