@@ -19,7 +19,7 @@ namespace eyrie::pilot {
 /// (model::sensor::rests_on_mate). Null if there is none.
 [[nodiscard]] const model::InboundMissile* inbound(const State& state, double within);
 
-/// The radar that tracks this aircraft, the one heard first; null if none does.
+/// The radar that tracks this aircraft, the one that has for longest; null if none does.
 [[nodiscard]] const model::RwrWarning* spike(const State& state);
 
 /// A searching radar on the bearing of a hostile inside the reach of whose missile, if this

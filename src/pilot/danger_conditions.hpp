@@ -14,14 +14,16 @@ struct Spiked final : Condition {
   static constexpr std::string_view help = "a radar tracks this aircraft";
   static constexpr auto params() {
     return std::tuple{
-        param("for", &Spiked::duration, "s", range(0, 60), "for so long at least"),
+        param("for", &Spiked::duration, "s", range(0, 60),
+              "tracks for so long at least; with `search` its search counts, too"),
         param("search", &Spiked::search, "true: or one searches, of a hostile who could hit now")};
   }
   [[nodiscard]] bool holds(const Tick& t) const override {
     const model::RwrWarning* warning = spike(t.state);
     if (!warning && search)
       warning = scanned(t.state);
-    return warning && t.state.time - warning->first_time >= duration;
+    return warning &&
+           t.state.time - (search ? warning->first_time : warning->kind_time) >= duration;
   }
 
   double duration = 0;

@@ -41,12 +41,28 @@ TEST(MissileInbound, IsTrueOfOneThatIsHereSoonOnly) {
 TEST(Spiked, NeedsARadarThatTracks) {
   Desk desk;
   desk.rwr.count = 2;
-  desk.rwr.warnings[0] = {.first_time = desk.time - 3, .kind = model::EmissionKind::missile_seeker};
-  desk.rwr.warnings[1] = {.first_time = desk.time - 3, .kind = model::EmissionKind::search};
+  desk.rwr.warnings[0] = {.kind_time = desk.time - 3, .kind = model::EmissionKind::missile_seeker};
+  desk.rwr.warnings[1] = {.kind_time = desk.time - 3, .kind = model::EmissionKind::search};
   EXPECT_FALSE(holds("spiked", desk));
   desk.rwr.warnings[1].kind = model::EmissionKind::track;
   EXPECT_TRUE(holds("{spiked: {for: 3 s}}", desk));
   EXPECT_FALSE(holds("{spiked: {for: 4 s}}", desk));
+}
+
+TEST(Spiked, CountsTheTimeOfBeingTrackedAlone) {
+  Desk desk;
+  const auto hear = [&](double ago, model::EmissionKind kind) {
+    model::sensor::show(desk.rwr, {.time = desk.time - ago,
+                                   .first_time = desk.time - ago,
+                                   .emitter = PlayerId{9},
+                                   .kind = kind});
+  };
+  hear(20, model::EmissionKind::search);
+  hear(2, model::EmissionKind::track);
+  hear(0, model::EmissionKind::track);
+  EXPECT_TRUE(holds("{spiked: {for: 2 s}}", desk));
+  EXPECT_FALSE(holds("{spiked: {for: 3 s}}", desk));
+  EXPECT_TRUE(holds("{spiked: {for: 20 s, search: true}}", desk)) << "its search counts, too";
 }
 
 TEST(Spiked, CountsTheSearchOfWhoCouldHitIfAskedTo) {

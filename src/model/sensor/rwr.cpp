@@ -6,9 +6,9 @@
 namespace eyrie::model::sensor {
 namespace {
 
-/// Order on the display: the more urgent kind, then who was heard first, then by fingerprint.
+/// Order on the display: the more urgent kind, then who has been it longest, then by fingerprint.
 bool goes_before(const RwrWarning& a, const RwrWarning& b) {
-  return std::tie(b.kind, a.first_time, a.emitter) < std::tie(a.kind, b.first_time, b.emitter);
+  return std::tie(b.kind, a.kind_time, a.emitter) < std::tie(a.kind, b.kind_time, b.emitter);
 }
 
 void sort(RwrState& state) {
@@ -167,6 +167,7 @@ RwrWarning warn(const Rwr& rwr, const RwrAntenna& antenna, const Kinematics& own
   return {.bearing = wrap_pi(own.heading + shown),
           .time = time,
           .first_time = time,
+          .kind_time = time,
           .faintness = math::pow(10, -decibels / 20) / std::sqrt(strength),
           .emitter = emitter,
           .type = emission.type,
@@ -189,6 +190,8 @@ bool show(RwrState& state, const RwrWarning& warning) {
     filter_level(known, warning);
     known.time = warning.time;
     known.type = warning.type;
+    if (warning.kind != known.kind)
+      known.kind_time = warning.time;
     known.kind = warning.kind;
     sort(state);
     return more_urgent;

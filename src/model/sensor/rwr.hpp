@@ -13,6 +13,7 @@ struct RwrWarning {
   double bearing = 0;         ///< rad, true, clockwise from north, in (-pi, pi]
   double time = 0;            ///< s, last heard
   double first_time = 0;      ///< s, first heard without a gap
+  double kind_time = 0;       ///< s, since when it is of that kind
   double faintness = 0;       ///< amplitude that is just heard over the signal's, filtered; grows
                               ///< with range, by a factor that nobody knows
   double faintness_rate = 0;  ///< 1/s
@@ -22,19 +23,19 @@ struct RwrWarning {
   std::uint8_t looks = 0;  ///< that the faintness was filtered from, saturating
 
   static constexpr auto fields() {
-    return field_list(field("bearing", &RwrWarning::bearing, "rad"),
-                      field("time", &RwrWarning::time, "s"),
-                      field("first_time", &RwrWarning::first_time, "s"),
-                      field("faintness", &RwrWarning::faintness),
-                      field("faintness_rate", &RwrWarning::faintness_rate, "Hz"),
-                      field("emitter", &RwrWarning::emitter), field("type", &RwrWarning::type),
-                      field("kind", &RwrWarning::kind), field("looks", &RwrWarning::looks));
+    return field_list(
+        field("bearing", &RwrWarning::bearing, "rad"), field("time", &RwrWarning::time, "s"),
+        field("first_time", &RwrWarning::first_time, "s"),
+        field("kind_time", &RwrWarning::kind_time, "s"), field("faintness", &RwrWarning::faintness),
+        field("faintness_rate", &RwrWarning::faintness_rate, "Hz"),
+        field("emitter", &RwrWarning::emitter), field("type", &RwrWarning::type),
+        field("kind", &RwrWarning::kind), field("looks", &RwrWarning::looks));
   }
 };
 
 inline constexpr std::size_t kMaxWarnings = 8;
 
-/// The warnings of one aircraft, the most urgent kind first, then the one heard first.
+/// The warnings of one aircraft, the most urgent kind first, then the one that has been it longest.
 struct RwrState {
   std::array<RwrWarning, kMaxWarnings> warnings{};
   std::uint32_t count = 0;

@@ -137,7 +137,11 @@ RC_GTEST_PROP(Warn, OfAMirroredSceneIsTheMirroredWarning, ()) {
 }
 
 RwrWarning warning(std::uint32_t emitter, EmissionKind kind, double time) {
-  return {.time = time, .first_time = time, .emitter = PlayerId{emitter}, .kind = kind};
+  return {.time = time,
+          .first_time = time,
+          .kind_time = time,
+          .emitter = PlayerId{emitter},
+          .kind = kind};
 }
 
 TEST(Show, TellsOncePerEmitterAndAgainWhenItGetsWorse) {
@@ -149,6 +153,7 @@ TEST(Show, TellsOncePerEmitterAndAgainWhenItGetsWorse) {
   ASSERT_EQ(state.count, 1u);
   EXPECT_EQ(state.warnings[0].time, 4);
   EXPECT_EQ(state.warnings[0].first_time, 1);
+  EXPECT_EQ(state.warnings[0].kind_time, 4) << "since it searches again";
 }
 
 TEST(Show, SmoothsTheBearing) {
