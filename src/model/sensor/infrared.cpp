@@ -54,15 +54,17 @@ Contact measure(const Irst& irst, bool fires, const Kinematics& own, const Axes&
 
 namespace {
 
-/// Who stands in the direction in which a mate says he is will be the mate.
-void know_mate(const Self& self, const Irst& irst, double time, Contact& contact) {
-  const double edge = self.suite.tracker->gate * irst.sigma_angle;
-  contact.mate = datalink::any_mate(self.datalink, [&](const datalink::Mate& mate) {
-    const Vec3 sight = datalink::position_at(mate, time) - self.kinematics.position;
-    return norm2(normalized(sight, {}) - contact.line) <= edge * edge;
-  });
-  if (contact.mate)
-    contact.identity = Identity::friendly;
+/// m, 1-sigma: how far a mate may be by now from where he said he would be.
+constexpr double kMateRange = 30;
+
+/// How far what was found is from a place, in standard deviations, squared; without the laser
+/// nobody knows how far it is along its line.
+double misfit(const Irst& irst, const Contact& found, const Vec3& sight) {
+  const double range = norm(sight);
+  const double aside = norm(sight / range - found.line) / irst.sigma_angle;
+  const double along =
+      found.bearing_only ? 0.0 : (range - found.range) / (irst.sigma_laser + kMateRange);
+  return aside * aside + along * along;
 }
 
 }  // namespace
@@ -101,8 +103,13 @@ void search_infrared(const Scene& scene, Self& self) {
     const bool fires = count == 0 && c.distance2 <= irst.laser_range * irst.laser_range;
     contacts[count++] = measure(irst, fires, own, body, scene.kinematics[c.row].position, other,
                                 scene.draw(self.id, Stream::infrared_noise, other));
-    know_mate(self, irst, scene.time, contacts[count - 1]);
   }
+  find_mates(
+      scene, self, std::span(contacts).first(count),
+      [&](const Vec3& sight, double range) {
+        return range <= irst.greatest_range && covers(irst, body, sight);
+      },
+      [&](const Contact& contact, const Vec3& sight) { return misfit(irst, contact, sight); });
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 

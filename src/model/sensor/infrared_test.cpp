@@ -125,6 +125,57 @@ TEST(Infrared, GivesTheTrackerADirectionThatIsGoodAndARangeThatIsNot) {
   EXPECT_LT(track->position_sigma, 100);
 }
 
+/// An eagle, a bogey ahead of it that flies away, and a mate somewhere beyond.
+struct MixedWar : AirWar {
+  PlayerId eagle, bogey, mate;
+  MixedWar(double range, double laser, const Vec3& mate_at) {
+    AircraftType type = models.aircraft[0];
+    models.irsts.add("irst", {.reference_range = 15e3,
+                              .reference_intensity = 1000,
+                              .greatest_range = 40e3,
+                              .laser_range = laser});
+    type.index = {.irst = 0, .datalink = type.index.datalink, .tracker = type.index.tracker};
+    models.aircraft = {};
+    models.aircraft.add("fighter", type);
+    eagle = add(Side::blue, flying({0, 0, kHigh}, 0, 250));
+    bogey = add(Side::red, flying({range, 0, kHigh}, 0, 250));
+    mate = add(Side::blue, flying(Vec3{0, 0, kHigh} + mate_at, 0, 250));
+    build();
+    row(aircraft.propulsion, bogey).throttle = 1;
+    row(aircraft.propulsion, mate).throttle = 1;
+    fly(40);
+  }
+  /// Whether the eagle takes the bogey for a friend.
+  bool fooled() {
+    const TrackFile& file = tracks(eagle);
+    return std::any_of(file.tracks.begin(), file.tracks.begin() + file.count, [&](const Track& t) {
+      return t.truth == bogey && t.identity == Identity::friendly;
+    });
+  }
+  bool knows_mate() {
+    const Track* track = track_of(eagle, mate);
+    return track != nullptr && track->identity == Identity::friendly;
+  }
+};
+
+TEST(Infrared, TakesNobodyForAMateWhoseRangeItHasMeasuredToBeAnother) {
+  MixedWar war(5e3, 6.5e3, {9e3, 0, 0});
+  EXPECT_TRUE(war.knows_mate());
+  EXPECT_FALSE(war.fooled());
+}
+
+TEST(Infrared, TakesNobodyForAMateWhomItCanNotSee) {
+  EXPECT_FALSE(MixedWar(10e3, 0, {60e3, 0, 0}).fooled()) << "too far";
+  MixedWar war(10e3, 0, {20e3, 0, 0});
+  EXPECT_TRUE(war.knows_mate() || war.fooled()) << "one of the two in his direction";
+}
+
+TEST(Infrared, TakesOneOnlyForEachMate) {
+  MixedWar war(10e3, 0, {10e3, 90, 0});  // 9 mrad apart, within the gate of 5 times 2 mrad
+  EXPECT_TRUE(war.knows_mate());
+  EXPECT_FALSE(war.fooled());
+}
+
 TEST(Infrared, DoesNotSeeANoseThatItWouldSeeFromBehind) {
   InfraredWar behind(10e3, 0, 0), ahead(10e3, 0, kPi);
   behind.fly(8);

@@ -112,6 +112,39 @@ struct Self {
   }
 };
 
+/// Who stands where a mate says he is will be the mate: of all pairs within the gate the nearest
+/// first, if the sensor can see that place (`sees`, by line of sight and range). `misfit` is how
+/// far a contact is from it, in standard deviations, squared. (Of tracks, which know their errors
+/// along and across, datalink::recognize_mate() says the same.)
+void find_mates(const Scene& scene, const Self& self, std::span<Contact> contacts, const auto& sees,
+                const auto& misfit) {
+  std::array<Vec3, kMaxFlight> sights;
+  std::size_t count = 0;
+  datalink::any_mate(self.datalink, [&](const datalink::Mate& mate) {
+    const Vec3 sight = datalink::position_at(mate, scene.time) - self.kinematics.position;
+    if (const double range = norm(sight); range > 0 && sees(sight, range))
+      sights[count++] = sight;
+    return false;
+  });
+  while (count > 0) {
+    double best = self.suite.tracker->gate * self.suite.tracker->gate;
+    Contact* found = nullptr;
+    std::size_t whom = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      for (Contact& contact : contacts)
+        if (const double m = misfit(contact, sights[i]); !contact.mate && m < best) {
+          best = m;
+          found = &contact;
+          whom = i;
+        }
+    if (found == nullptr)
+      return;
+    found->mate = true;
+    found->identity = Identity::friendly;
+    sights[whom] = sights[--count];
+  }
+}
+
 /// How sightings and hearings of missiles become threats; one rule for everybody.
 inline constexpr ThreatRules kThreatRules{};
 

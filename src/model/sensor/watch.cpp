@@ -87,43 +87,10 @@ double misfit(const Visual& visual, const Contact& seen, const Vec3& sight) {
   return farther * farther + aside * aside;
 }
 
-/// Who stands where a mate says he is will be the mate: of all pairs within the gate the nearest
-/// first, if the cockpit lets the pilot see that place. (Of tracks, which know their errors along
-/// and across, datalink::recognize_mate() says the same.)
-void find_mates(const Scene& scene, const Self& self, const Eyes& eyes,
-                std::span<Contact> contacts) {
-  std::array<Vec3, kMaxFlight> sights;
-  std::size_t count = 0;
-  datalink::any_mate(self.datalink, [&](const datalink::Mate& mate) {
-    const Vec3 sight = datalink::position_at(mate, scene.time) - eyes.position;
-    if (const double range = norm(sight);
-        range > 0 && in_view(*self.suite.visual, eyes, sight / range))
-      sights[count++] = sight;
-    return false;
-  });
-  while (count > 0) {
-    double best = self.suite.tracker->gate * self.suite.tracker->gate;
-    Contact* found = nullptr;
-    std::size_t whom = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      for (Contact& contact : contacts)
-        if (const double m = misfit(*self.suite.visual, contact, sights[i]);
-            !contact.mate && m < best) {
-          best = m;
-          found = &contact;
-          whom = i;
-        }
-    if (found == nullptr)
-      return;
-    found->mate = true;
-    found->identity = Identity::friendly;
-    sights[whom] = sights[--count];
-  }
-}
-
 void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
                        const KnownDirections& known) {
-  const double reach2 = self.suite.visual->range * self.suite.visual->range;
+  const Visual& visual = *self.suite.visual;
+  const double reach2 = visual.range * visual.range;
   Nearest<kWatched> seen(kWatched);
   scene.boxes->each_within(eyes.position, reach2, [&](std::size_t j, double range2) {
     if (range2 > 0 && j != self.row && seen.wants(range2) &&
@@ -138,11 +105,14 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
   for (const Candidate& c : seen.items()) {
     const PlayerId other = scene.ids[c.row];
     Contact& contact = contacts[count++];
-    contact = estimate(*self.suite.visual, eyes, scene.kinematics[c.row].position, other,
+    contact = estimate(visual, eyes, scene.kinematics[c.row].position, other,
                        scene.draw(self.id, Stream::visual_noise, other));
     contact.identity = recognized(scene, self, eyes, c.row, std::sqrt(c.distance2));
   }
-  find_mates(scene, self, eyes, std::span(contacts).first(count));
+  find_mates(
+      scene, self, std::span(contacts).first(count),
+      [&](const Vec3& sight, double range) { return in_view(visual, eyes, sight / range); },
+      [&](const Contact& contact, const Vec3& sight) { return misfit(visual, contact, sight); });
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 
