@@ -78,7 +78,9 @@ constexpr auto kTargetUnseen = [](const State& s, const Seen& t) {
   const double seen = t.track->seen_time;
   return seen == model::kNever ? std::numeric_limits<double>::infinity() : s.time - seen;
 };
-constexpr auto kTargetHeight = [](const State&, const Seen& t) { return -t.ned.z; };
+constexpr auto kTargetHeight = [](const State& s, const Seen& t) {
+  return altitude_of(s.own, t.ned) - s.own.altitude;
+};
 constexpr auto kTargetAge = [](const State& s, const Seen& t) { return s.time - t.track->time; };
 constexpr auto kTargetAltitude = [](const State& s, const Seen& t) {
   return altitude_of(s.own, t.ned);
@@ -264,7 +266,7 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            of_target<kTargetCrossing>),
     number("unseen", "s", "since an own eye saw the chosen target; none did: infinite",
            of_target<kTargetUnseen>),
-    number("target_above", "m", "height of the chosen target over the own",
+    number("target_above", "m", "altitude of the chosen target less the own",
            of_target<kTargetHeight>),
     number("target_age", "s", "since anything told of the chosen target", of_target<kTargetAge>),
     number("target_altitude", "m", "of the chosen target", of_target<kTargetAltitude>),

@@ -77,7 +77,8 @@ TEST(StateFields, TellOfTargetAndThreatAndHaveNoValueWithoutThem) {
   EXPECT_EQ(f.at("has_target"), 1);
   EXPECT_NEAR(f.at("range"), std::hypot(20e3, 1e3), 1);
   EXPECT_NEAR(f.at("off_nose"), kPi / 2, 1e-3);
-  EXPECT_NEAR(f.at("target_above"), 1000, 1e-6);
+  EXPECT_NEAR(f.at("target_above"), f.at("target_altitude") - f.at("altitude"), 1e-6);
+  EXPECT_NEAR(f.at("target_above"), 1000 + 20e3 * 20e3 / 2 / 6371e3, 0.1) << "the Earth is round";
   EXPECT_LT(f.at("closing"), -250) << "it runs away to the east";
   EXPECT_EQ(f.at("threatened"), 1);
   EXPECT_EQ(f.at("missile_range"), 9e3);
