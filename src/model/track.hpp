@@ -96,6 +96,12 @@ struct Track {
   std::uint8_t unanswered = 0;   ///< interrogations in a row without a reply, saturating
   std::uint8_t targeted_by = 0;  ///< bit i: member i of the flight said that this is its target
   std::uint8_t shot_by = 0;      ///< bit i: member i of the flight said it has a missile on its way
+  std::array<TrackId, 2> absorbed{};  ///< the last two that were merged into it, the last one first
+
+  /// Whether that is its name, or was that of one that was merged into it.
+  [[nodiscard]] constexpr bool named(TrackId name) const {
+    return name && (id == name || absorbed[0] == name || absorbed[1] == name);
+  }
 
   static constexpr auto fields() {
     return field_list(
@@ -109,7 +115,7 @@ struct Track {
         field("sources", &Track::sources), field("fresh", &Track::fresh),
         field("hits", &Track::hits), field("confirmed", &Track::confirmed),
         field("unanswered", &Track::unanswered), field("targeted_by", &Track::targeted_by),
-        field("shot_by", &Track::shot_by));
+        field("shot_by", &Track::shot_by), field("absorbed", &Track::absorbed));
   }
 };
 
@@ -135,11 +141,11 @@ struct TrackFile {
   return track.position + (time - track.time) * track.velocity;
 }
 
-/// The track of that id, or null.
+/// The track of that id, or that one with which it was merged; or null.
 [[nodiscard]] constexpr const Track* find(const TrackFile& file, TrackId id) {
   for (std::uint32_t i = 0; i < file.count; ++i)
-    if (file.tracks[i].id == id)
-      return id ? &file.tracks[i] : nullptr;
+    if (file.tracks[i].named(id))
+      return &file.tracks[i];
   return nullptr;
 }
 

@@ -48,6 +48,16 @@ bool is_hostile(const State& state, TrackId track) {
 }  // namespace
 
 void account_for_shots(const State& state, Agent& agent) {
+  // tracks that were merged go by the name of the one that is left
+  const auto follow = [&](TrackId& track) {
+    if (const Seen* seen = state.find(track))
+      track = seen->id();
+  };
+  follow(agent.target);
+  follow(agent.asked_track);
+  for (Shot& shot : agent.shots)
+    follow(shot.track);
+
   const auto left =
       static_cast<std::uint8_t>(std::min(model::weapon::missiles_left(state.stores), 255U));
   if (agent.ticks > 0 && left < agent.missiles && agent.asked_track) {

@@ -187,6 +187,23 @@ TEST(Shots, CountWhenTheMissileHasLeft) {
   EXPECT_EQ(desk.agent.flying_at(TrackId{1}, desk.agent.shots[0].until), 0u);
 }
 
+TEST(Shots, FollowATrackIntoTheOneThatItIsMergedWith) {
+  Desk desk;
+  desk.track({20e3, 0, 0});
+  model::Track& newer = desk.track({20e3, 0, 0});
+  newer.sources = newer.fresh = model::kFromDatalink;
+  desk.agent.target = newer.id;
+  desk.agent.shots[0] = {.until = desk.time + 30, .track = newer.id, .store = kMedium};
+  model::track::TrackNewsList news;
+  const model::track::Tracker tracker;
+  model::track::upkeep(desk.tracks, {tracker, {}, desk.time, 3, news});
+  ASSERT_EQ(desk.tracks.count, 1u);
+  ASSERT_NE(desk.state().target(), nullptr);
+  account_for_shots(desk.state(), desk.agent);
+  EXPECT_EQ(desk.agent.flying_at(TrackId{1}, desk.time), 1u);
+  EXPECT_EQ(desk.agent.target, TrackId{1});
+}
+
 TEST(Shots, RememberAsManyAsFit) {
   Desk desk;
   desk.stores.stations[0] = {.store = kMedium + 1, .count = 6};

@@ -101,7 +101,10 @@ Choice choose_target(const State& s) {
   const auto kept = [&] { return static_cast<std::int32_t>(held - s.seen.data()); };
   if (held) {
     const double hold = std::clamp(held->range / kHoldSpeed, kLeastHold, kMostHold);
-    if (s.time - s.agent.target_since < hold || s.agent.flying_at(held->id(), s.time) > 0)
+    const bool shot_at = std::any_of(
+        s.agent.shots.begin(), s.agent.shots.end(),
+        [&](const Shot& shot) { return held->track->named(shot.track) && shot.flies(s.time); });
+    if (s.time - s.agent.target_since < hold || shot_at)
       return {.index = kept()};
   }
   Taken taken(s);

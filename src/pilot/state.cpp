@@ -61,7 +61,7 @@ State::State(const Cockpit& cockpit, const model::Library& models, const model::
 
 const Seen* State::find(TrackId id) const {
   for (const Seen& one : tracks_seen())
-    if (one.id() == id)
+    if (one.track->named(id))
       return &one;
   return nullptr;
 }

@@ -19,9 +19,10 @@ bool held(const Track& track, double time) {
 }
 
 std::uint8_t engagement(const Track& track, const OwnReport& own) {
-  const bool shot =
-      std::find(own.shot_at.begin(), own.shot_at.end(), track.id) != own.shot_at.end();
-  return static_cast<std::uint8_t>((track.id == own.target ? kTargeted : 0) | (shot ? kShotAt : 0));
+  const bool shot = std::any_of(own.shot_at.begin(), own.shot_at.end(),
+                                [&](TrackId at) { return track.named(at); });
+  return static_cast<std::uint8_t>((track.named(own.target) ? kTargeted : 0) |
+                                   (shot ? kShotAt : 0));
 }
 
 SharedTrack share(const Track& track, const OwnReport& own, const track::Tracker& tracker) {

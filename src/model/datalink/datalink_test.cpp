@@ -178,6 +178,17 @@ TEST(Transmit, SaysFirstWhatIsShotAtThenTheTargetThenTheNearestStrangers) {
   EXPECT_EQ(m.tracks[2].engagement, 0);
 }
 
+TEST(Transmit, SaysWhatIsShotAtByTheNameOfATrackThatWasMerged) {
+  TrackFile file = file_of({confirmed(1, {10e3, 0, 0})});
+  file.tracks[0].absorbed = {TrackId{4}, TrackId{2}};
+  const std::array shots{TrackId{2}};
+  OwnReport own = report(0, {}, TrackId{4});
+  own.shot_at = shots;
+  DatalinkSent sent;
+  transmit(sent, own, file);
+  EXPECT_EQ(sent.messages[0].tracks[0].engagement, kShotAt | kTargeted);
+}
+
 TEST(Transmit, DoesNotPassOnWhatItOnlyHeard) {
   Track heard = confirmed(1, {10e3, 0, 0});
   heard.sensed_time = kNever;

@@ -202,10 +202,9 @@ void steer_radar(const Scene& scene, Self& self) {
 
   // the scan follows the target, as far as its edge stays inside the gimbal, or the nose
   const Track* target = find(self.tracks, self.request.target);
-  const TrackId designated = target != nullptr ? target->id : TrackId{};
-  if (designated != radar.designated)
+  if (target == nullptr || !target->named(radar.designated))
     radar.locked = {};
-  radar.designated = designated;
+  radar.designated = target != nullptr ? target->id : TrackId{};
   radar.scan_azimuth = radar.scan_elevation = 0;
   if (radar.mode == RadarMode::off)
     radar.mode = RadarMode::search;

@@ -123,6 +123,7 @@ void absorb(Track& into, const Track& from, bool from_is_better, const TrackCont
   into.unanswered = std::max(into.unanswered, from.unanswered);
   into.targeted_by |= from.targeted_by;
   into.shot_by |= from.shot_by;
+  into.absorbed = {from.id, from.absorbed[0] ? from.absorbed[0] : into.absorbed[0]};
   if (into.identity == Identity::unknown)
     identify(into, from.identity, context);
   if (from.confirmed && !into.confirmed)

@@ -162,6 +162,23 @@ TEST(TrackFile, MergesADuplicateFromAnotherSensorIntoTheOlderTrack) {
   EXPECT_EQ(desk.told(TrackNews::What::lost), 0);
 }
 
+TEST(TrackFile, IsFoundByTheNamesOfTheTracksThatWereMergedIntoIt) {
+  Desk desk;
+  desk.see(0, {radar_contact({40e3, 0, 0}, 9, 300)});
+  desk.see(1, {radar_contact({40e3, 0, 0}, 9, 300)});
+  Track twin = desk.file.tracks[0];
+  twin.sources = twin.fresh = kFromDatalink;
+  for (std::uint32_t name = 2; name <= 3; ++name) {
+    add_track(desk.file, desk.at(1), twin);
+    upkeep(desk.file, desk.at(1));
+    ASSERT_EQ(desk.file.count, 1u);
+    for (std::uint32_t old = 1; old <= name; ++old)
+      EXPECT_EQ(find(desk.file, TrackId{old}), &desk.file.tracks[0]) << old;
+  }
+  EXPECT_EQ(find(desk.file, TrackId{4}), nullptr);
+  EXPECT_EQ(find(desk.file, TrackId{}), nullptr);
+}
+
 TEST(TrackFile, NeverMergesAFriendWithAHostile) {
   Desk desk;
   desk.see(0, {radar_contact({40e3, 0, 0})});

@@ -127,8 +127,10 @@ void MissileSystem::decide(sim::World& world, const sim::StepInfo& info, sim::Ch
     if (const auto& interval = type.guidance.link_interval;
         interval && sim::due(info.step, ids[i], link_period(*interval, info.dt)))
       if (const auto shooter = world.row(aircraft_.table, state.shooter))
-        if (const Track* track = find(tracks[*shooter], state.track))
+        if (const Track* track = find(tracks[*shooter], state.track)) {
+          state.track = track->id;  // another one if the two were merged
           hear(*track, state);
+        }
     state.wanted = guide(type, kinematics[i], info.time(), state);
   }
 }

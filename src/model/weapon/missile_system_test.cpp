@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/track/track_file.hpp"
 #include "support/model/firing_range.hpp"
 #include "support/no_allocation.hpp"
 
@@ -129,6 +130,30 @@ TEST(MissileSystem, LosesItsLinkWhenTheShooterLosesTheTrack) {
   duel.range.row(duel.range.aircraft().tracks, duel.blue).count = 0;
   duel.range.run(5);
   EXPECT_EQ(duel.missile().target_time, heard);
+}
+
+TEST(MissileSystem, FollowsItsTrackIntoTheOneThatItIsMergedWith) {
+  Duel duel(60e3);
+  Request& request = duel.range.row(duel.range.aircraft().request, duel.blue);
+  duel.range.shoot(duel.blue, duel.red, kMedium);
+  TrackFile& file = duel.range.row(duel.range.aircraft().tracks, duel.blue);
+  request.shoot_at = file.tracks[0].id = TrackId{7};
+  duel.run(0.1);
+  duel.range.hold_fire(duel.blue);
+  duel.run(3);
+  ASSERT_EQ(duel.missile().track, TrackId{7});
+  for (const std::uint32_t older : {6, 5, 4, 3}) {
+    file.tracks[0].along.position = file.tracks[0].across.position = 100;
+    file.tracks[1] = file.tracks[0];
+    file.tracks[0].id = TrackId{older};
+    file.count = 2;
+    track::TrackNewsList news;
+    const track::Tracker tracker;
+    track::upkeep(file, {tracker, {}, duel.range.time(), 3, news});
+    ASSERT_EQ(file.count, 1u);
+    duel.run(2);
+    EXPECT_GT(duel.missile().target_time, duel.range.time() - 1.1) << older;
+  }
 }
 
 TEST(MissileSystem, DestroysItselfWhenItFindsNobody) {
