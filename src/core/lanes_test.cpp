@@ -23,7 +23,7 @@ std::vector<double> numbers() {
                           kPi,        -kPi, 1e300, 1e-300, 0x1p-1060, kInfinity,
                           -kInfinity, kNaN};
   Draw draw(1, PlayerId{1}, Stream::test, 0);
-  for (int i = 0; i < 300; ++i)
+  for (int i = 0; i < 100; ++i)
     all.push_back(draw.uniform(-1, 1) * std::ldexp(1.0, static_cast<int>(draw.uniform(-40, 24))));
   return all;
 }
