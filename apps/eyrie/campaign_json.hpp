@@ -2,7 +2,6 @@
 #pragma once
 /// \file  Estimates of campaigns and searches in JSON.
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "campaign/estimate.hpp"
@@ -13,12 +12,16 @@ namespace eyrie::app {
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
 }
 
+/// [low, high], null for what there is not.
+[[nodiscard]] inline nlohmann::ordered_json interval_json(const std::optional<stats::Interval>& i) {
+  using Json = nlohmann::ordered_json;
+  return i ? Json{number_or_null(i->low), number_or_null(i->high)} : Json{nullptr, nullptr};
+}
+
 /// [value, low, high], null for what there is not.
 [[nodiscard]] inline nlohmann::ordered_json estimate_json(const campaign::Estimate& e) {
-  const double nothing = std::numeric_limits<double>::quiet_NaN();
-  return {number_or_null(e.value.value_or(nothing)),
-          number_or_null(e.interval ? e.interval->low : nothing),
-          number_or_null(e.interval ? e.interval->high : nothing)};
+  const nlohmann::ordered_json ends = interval_json(e.interval);
+  return {e.value ? number_or_null(*e.value) : nullptr, ends[0], ends[1]};
 }
 
 }  // namespace eyrie::app

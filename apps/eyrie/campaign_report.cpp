@@ -117,15 +117,14 @@ std::string page_data(const std::string& folder, const Summary& summary,
                              {"estimates", estimates}});
   }
   for (const Comparison& c : comparisons)
-    json["comparisons"].push_back(
-        {{"cell", c.cell},
-         {"than", c.than},
-         {"measure", c.measure},
-         {"n", c.n},
-         {"value", c.value},
-         {"interval", {number_or_null(c.interval.low), number_or_null(c.interval.high)}},
-         {"p", c.p},
-         {"holm", c.holm}});
+    json["comparisons"].push_back({{"cell", c.cell},
+                                   {"than", c.than},
+                                   {"measure", c.measure},
+                                   {"n", c.n},
+                                   {"value", c.value},
+                                   {"interval", interval_json(c.interval)},
+                                   {"p", c.p},
+                                   {"holm", c.holm}});
   for (const Effect& e : effects(summary)) {
     Json levels = Json::array();
     for (const auto& level : e.levels)

@@ -88,13 +88,12 @@ Json end_json(const Search& search, const std::string& folder, const std::option
     json.update({{"of_generation", *found->generation + 1}, {"middle_refused", found->refusal}});
   json["seeds"] = search.proof;
   for (const Evidence& e : *evidence) {
-    const auto interval = stats::t_interval(e.difference);
-    Json& proof = json["proof"][e.measure.name] = {{"before", estimate_json(e.before)},
-                                                   {"after", estimate_json(e.after)}};
-    if (e.measure.kind != Measure::ratio)
-      proof["difference"] = {e.difference.mean(), number_or_null(interval.low),
-                             number_or_null(interval.high)};
-    proof["p"] = number_or_null(stats::t_test(e.difference));
+    const auto& d = e.difference;
+    json["proof"][e.measure.name] = {
+        {"before", estimate_json(e.before)},
+        {"after", estimate_json(e.after)},
+        {"difference", d ? estimate_json({d->n, d->value, d->interval}) : Json()},
+        {"p", d ? Json(d->p) : Json()}};
   }
   return json;
 }
@@ -105,17 +104,16 @@ std::string evidence_text(const Search& search, const std::vector<Evidence>& all
       fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", fmt::format("{} seeds each", search.proof),
                   "before", "after", "difference", "p");
   for (const Evidence& e : all) {
-    // that of ratios is known by its sign alone
-    const auto interval = stats::t_interval(e.difference);
-    const std::string difference =
-        e.measure.kind == Measure::ratio
-            ? "-"
-            : fmt::format("{:+.4g} ({:+.4g} to {:+.4g})", e.difference.mean(), interval.low,
-                          interval.high);
+    const auto& d = e.difference;
+    const std::string difference = !d ? "-"
+                                   : d->interval
+                                       ? fmt::format("{:+.4g} ({:+.4g} to {:+.4g})", d->value,
+                                                     d->interval->low, d->interval->high)
+                                       : fmt::format("{:+.4g} (no bounds)", d->value);
     text +=
-        fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8.2g}\n", e.measure.name,
+        fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", e.measure.name,
                     estimate_text(e.before, e.measure.kind), estimate_text(e.after, e.measure.kind),
-                    difference, stats::t_test(e.difference));
+                    difference, d ? fmt::format("{:.2g}", d->p) : "-");
   }
   return text;
 }

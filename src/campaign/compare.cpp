@@ -10,9 +10,8 @@
 namespace eyrie::campaign {
 namespace {
 
-/// Calls `use(values of one cell, values of the other)` for each replicate that both have.
-template <class Use>
-void each_pair(Database& database, std::size_t one, std::size_t other, Use use) {
+/// Of each replicate that both cells have.
+void each_pair(Database& database, std::size_t one, std::size_t other, const TakePair& use) {
   Statement pairs = database.prepare(
       "SELECT a.*, b.* FROM replicates a JOIN replicates b ON b.replicate = a.replicate WHERE "
       "a.cell = ? AND b.cell = ? AND a.outcome <> 'fault' AND b.outcome <> 'fault' "
@@ -35,9 +34,7 @@ void each_pair(Database& database, std::size_t one, std::size_t other, Use use) 
 struct Pairs {
   stats::Moments differences{};
   std::uint64_t both = 0, only_one = 0, only_other = 0;  // of shares
-  // of ratios: sums of both cells
-  std::array<double, 2> over{}, under{};
-  std::uint64_t n = 0;
+  std::array<stats::Ratio, 2> ratios{};                  // of both cells
 };
 
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
@@ -54,26 +51,25 @@ Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double
   return c;
 }
 
-std::vector<Comparison> compare_cells(Database& database, const Summary& summary, std::size_t cell,
-                                      std::size_t than, double confidence) {
-  const auto& measures = summary.measures;
+}  // namespace
+
+std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
+                                      const std::function<void(const TakePair&)>& each,
+                                      double confidence) {
   const auto known = [&](const Measure& m, const std::vector<double>& values) {
     return !std::isnan(values[m.column]) &&
            (m.kind != Measure::ratio || !std::isnan(values[m.per]));
   };
   std::vector<Pairs> all(measures.size());
-  each_pair(database, cell, than, [&](const auto& a, const auto& b) {
+  each([&](const auto& a, const auto& b) {
     for (std::size_t i = 0; i < measures.size(); ++i) {
       const Measure& m = measures[i];
       if (!known(m, a) || !known(m, b))
         continue;
       Pairs& pairs = all[i];
-      ++pairs.n;
       if (m.kind == Measure::ratio) {
-        pairs.over[0] += a[m.column];
-        pairs.over[1] += b[m.column];
-        pairs.under[0] += a[m.per];
-        pairs.under[1] += b[m.per];
+        pairs.ratios[0].add(a[m.column], a[m.per]);
+        pairs.ratios[1].add(b[m.column], b[m.per]);
         continue;
       }
       pairs.differences.add(a[m.column] - b[m.column]);
@@ -83,23 +79,24 @@ std::vector<Comparison> compare_cells(Database& database, const Summary& summary
     }
   });
   const auto has_ratio = [&](std::size_t i) {
-    return measures[i].kind == Measure::ratio && all[i].under[0] > 0 && all[i].under[1] > 0;
+    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
+           all[i].ratios[1].divides(confidence);
   };
   std::vector<std::size_t> ratios;
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (has_ratio(i))
       ratios.push_back(i);
   if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
-    each_pair(database, cell, than, [&](const auto& a, const auto& b) {
+    each([&](const auto& a, const auto& b) {
       for (const std::size_t i : ratios) {
         const Measure& m = measures[i];
         if (!known(m, a) || !known(m, b))
           continue;
         Pairs& pairs = all[i];
         const auto part = [&](std::size_t side, const std::vector<double>& values) {
-          const double ratio = pairs.over[side] / pairs.under[side];
-          const double mean = pairs.under[side] / static_cast<double>(pairs.n);
-          return ratio + (values[m.column] - ratio * values[m.per]) / mean;
+          const double ratio = *pairs.ratios[side].value();
+          return ratio +
+                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
         };
         pairs.differences.add(part(0, a) - part(1, b));
       }
@@ -107,10 +104,11 @@ std::vector<Comparison> compare_cells(Database& database, const Summary& summary
   std::vector<Comparison> comparisons;
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (all[i].differences.n() > 1)
-      comparisons.push_back(compared(all[i], {.cell = cell, .than = than, .measure = i},
-                                     measures[i].kind, confidence));
+      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
   return comparisons;
 }
+
+namespace {
 
 void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
   for (std::size_t m = 0; m < measures; ++m) {
@@ -201,9 +199,14 @@ std::vector<Comparison> compare(const std::string& folder, const Summary& summar
   const std::size_t n = summary.cells.size();
   for (std::size_t than = 0; than < (measure || n <= kAllPairs ? n : 1); ++than)
     for (std::size_t cell = than + 1; cell < n; ++cell)
-      for (const Comparison& c : compare_cells(database, summary, cell, than, confidence))
-        if (!measure || c.measure == *measure)
+      for (Comparison& c : compare_pairs(
+               summary.measures, [&](const TakePair& use) { each_pair(database, cell, than, use); },
+               confidence))
+        if (!measure || c.measure == *measure) {
+          c.cell = cell;
+          c.than = than;
           all.push_back(c);
+        }
   correct(all, summary.measures.size());
   return all;
 }

@@ -7,15 +7,25 @@ namespace eyrie::campaign {
 
 /// A measure of one cell less that of another, replicate by replicate: of paired seeds they share
 /// most of their noise. Shares are tested by McNemar's exact test; means and ratios by Student's, a
-/// ratio by its linearization (Cochran, Sampling Techniques, 3rd edition, 1977, 6.3).
+/// ratio by its linearization (Cochran, Sampling Techniques, 3rd edition, 1977, 6.3). There is none
+/// of fewer than two pairs, or where what a ratio is divided by may as well be 0.
 struct Comparison {
   std::size_t cell = 0, than = 0, measure = 0;
   std::uint64_t n = 0;  ///< pairs
   double value = 0;
-  stats::Interval interval{};
+  std::optional<stats::Interval> interval{};  ///< nothing if it has no bounds
   double p = 1;
   double holm = 1;  ///< p, corrected for all comparisons of the measure
 };
+
+/// Takes the values of a replicate in one cell and those of the same one in the other, by column.
+using TakePair =
+    std::function<void(const std::vector<double>& one, const std::vector<double>& other)>;
+/// Of all measures that have a comparison, in their order. `each` gives every pair, and is asked
+/// again if there are ratios.
+[[nodiscard]] std::vector<Comparison> compare_pairs(
+    std::span<const Measure> measures, const std::function<void(const TakePair&)>& each,
+    double confidence = 0.95);
 
 /// Of one measure for all pairs of cells; of every measure if none is given, and then for all pairs
 /// if there are at most 6 cells, else of each cell with the first.

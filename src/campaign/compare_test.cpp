@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/draw.hpp"
 #include "support/campaign/made_up.hpp"
 #include "support/program.hpp"
 
@@ -114,6 +115,47 @@ TEST(Effects, OfManyNumbersAreThoseOfBins) {
     EXPECT_EQ(level.cells, 10U);
   EXPECT_EQ(all[0].levels[0].name, "0 kt to 9 kt");
   EXPECT_EQ(all[0].levels[7].name, "70 kt to 79 kt");
+}
+
+/// The comparison of a ratio over 100 pairs.
+template <class Pair>
+std::vector<Comparison> ratio_of(Pair pair) {
+  const std::vector<Measure> ratio{{"r", Measure::ratio, 0, 1}};
+  return compare_pairs(ratio, [&](const TakePair& use) {
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      const auto [one, other] = pair(i);
+      use(one, other);
+    }
+  });
+}
+using Values = std::pair<std::vector<double>, std::vector<double>>;
+
+TEST(ComparePairs, RejectsEqualRatiosAsOftenAsItSays) {
+  int rejected = 0, missed = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const auto same = ratio_of([&](std::uint64_t replicate) {
+      Draw draw(1, PlayerId{1}, Stream::test, 100 * i + replicate);
+      const auto some = [&](double share) { return draw.uniform() < share ? 1.0 : 0.0; };
+      // both are 1, of .3 over .3 and of 1.5 over 1.5
+      return Values{{1 + some(0.5), 1 + some(0.5)}, {some(0.3), some(0.3)}};
+    });
+    ASSERT_EQ(same.size(), 1U);
+    rejected += same[0].p < 0.05;
+    missed += same[0].interval->low > 0 || same[0].interval->high < 0;
+  }
+  EXPECT_NEAR(rejected / 1000.0, 0.05, 0.02);
+  EXPECT_EQ(missed, rejected);
+}
+
+TEST(ComparePairs, HasNoneOfARatioOverWhatMayAsWellBeZero) {
+  const auto over = [](double one, double often) {
+    return ratio_of([=](std::uint64_t i) {
+      return Values{{2, 1 + static_cast<double>(i % 2)}, {2, i % 50 == 0 ? one : often}};
+    });
+  };
+  EXPECT_EQ(over(1, 1).size(), 1U);
+  EXPECT_TRUE(over(0, 0).empty());
+  EXPECT_TRUE(over(1, 0).empty()) << "2 of 100";
 }
 
 }  // namespace

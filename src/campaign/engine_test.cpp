@@ -209,5 +209,28 @@ measures:
   EXPECT_NE(all[0][2].flown.hash, all[0][5].flown.hash) << "the same seed in another cell";
 }
 
+/// Whose "end" is 0 in every replicate.
+struct ZeroCrew final : Crew {
+  test::MadeUpCrew crew;
+  explicit ZeroCrew(const Spec& spec) : crew(spec) {}
+  void fly(std::span<const Batch> batches, const Take& take) override {
+    crew.fly(batches, [&](Result&& result) {
+      if (!result.values.empty())
+        result.values[0] = 0;
+      return take(std::move(result));
+    });
+  }
+};
+
+TEST(Engine, DoesNotStopWhileAllValuesAreTheSame) {
+  const Spec spec =
+      test::made_up_spec("stop: {measure: end, width: 1 s, least: 5, every: 5, most: 60}");
+  const Flight flight{spec};
+  Store store = flight.store();
+  ZeroCrew crew(spec);
+  EXPECT_EQ(run(spec, flight.cells, store, crew, [](const Standing&) {}), Ended::complete);
+  EXPECT_EQ(store.counts(), (std::vector<std::uint64_t>{60, 60, 60}));
+}
+
 }  // namespace
 }  // namespace eyrie::campaign

@@ -30,11 +30,9 @@ Estimate Estimator::estimate(double confidence) const {
   if (const auto* share = std::get_if<stats::Share>(&sum_))
     return {share->n, share->n ? std::optional(share->value()) : std::nullopt,
             stats::wilson(*share, confidence)};
-  if (const auto* moments = std::get_if<stats::Moments>(&sum_)) {
-    const bool some = moments->n() > 1;
+  if (const auto* moments = std::get_if<stats::Moments>(&sum_))
     return {moments->n(), moments->n() ? std::optional(moments->mean()) : std::nullopt,
-            some ? std::optional(stats::t_interval(*moments, confidence)) : std::nullopt};
-  }
+            stats::t_interval(*moments, confidence)};
   const auto& ratio = std::get<stats::Ratio>(sum_);
   return {ratio.n(), ratio.value(), ratio.fieller(confidence)};
 }

@@ -255,18 +255,15 @@ std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& fou
       before.add(values[0][r]);
       after.add(values[1][r]);
     }
-    Evidence evidence{measure, before.estimate(), after.estimate(), {}};
-    const double ratio = measure.kind == Measure::ratio ? evidence.before.value.value_or(0) : 0;
-    const auto more = [&](const std::vector<double>& v) {
-      return v.empty()                        ? math::kNaN
-             : measure.kind == Measure::ratio ? v[measure.column] - ratio * v[measure.per]
-                                              : v[measure.column];
-    };
-    for (std::size_t r = 0; r < spec.replicates; ++r)
-      if (const double d = more(values[1][r]) - more(values[0][r]); !std::isnan(d))
-        evidence.difference.add(d);
-    all.push_back(std::move(evidence));
+    all.push_back({measure, before.estimate(), after.estimate()});
   }
+  const auto each = [&](const TakePair& use) {
+    for (std::size_t r = 0; r < spec.replicates; ++r)
+      if (!values[0][r].empty() && !values[1][r].empty())
+        use(values[1][r], values[0][r]);
+  };
+  for (const Comparison& c : compare_pairs(spec.measures.estimates, each))
+    all[c.measure].difference = c;
   return all;
 }
 

@@ -7,6 +7,7 @@
 /// stands in a campaign file in the place of `design` and `stop`; `replicates` is how many flights
 /// each candidate makes.
 #include "campaign/cma_es.hpp"
+#include "campaign/compare.hpp"
 #include "campaign/engine.hpp"
 
 namespace eyrie::campaign {
@@ -118,7 +119,7 @@ struct Winner {
 struct Evidence {
   Measure measure;
   Estimate before, after;
-  stats::Moments difference;  ///< by seed; of a ratio: what the sum is more than the old ratio says
+  std::optional<Comparison> difference{};  ///< of after less before, seed by seed
 };
 /// Of all measures; nothing if it was given up.
 [[nodiscard]] std::optional<std::vector<Evidence>> prove(const Search& search, const Cell& found,

@@ -6,6 +6,9 @@
 #include <atomic>
 #include <sstream>
 
+#include "campaign/store.hpp"
+#include "support/program.hpp"
+
 namespace eyrie::campaign {
 namespace {
 
@@ -134,10 +137,60 @@ TEST(Search, ComparesOnFreshSeedsWhatItFound) {
   ASSERT_TRUE(evidence);
   ASSERT_EQ(evidence->size(), 2U);
   const Evidence& shot = evidence->front();
-  EXPECT_EQ(shot.after.n, shot.difference.n());
-  ASSERT_TRUE(shot.before.value && shot.after.value);
-  EXPECT_NEAR(shot.difference.mean(), *shot.after.value - *shot.before.value, 1e-6);
-  EXPECT_LT(shot.difference.mean(), -100) << "from nearer";
+  ASSERT_TRUE(shot.before.value && shot.after.value && shot.difference);
+  EXPECT_EQ(shot.after.n, shot.difference->n);
+  EXPECT_NEAR(shot.difference->value, *shot.after.value - *shot.before.value, 1e-6);
+  EXPECT_LT(shot.difference->value, -100) << "from nearer";
+}
+
+TEST(Search, ProvesAsTheReportOfACampaignDoes) {
+  const std::string sets = "set: [until=120 s, blue.flights.eagle.start.east=-12 nmi]\n";
+  const auto search = parse_search(search_with("replicates: 3", sets + "replicates: 3"), "s.yaml");
+  Search more = *search;
+  more.proof = 40;
+  const auto evidence = prove(more, {{"-5 nmi", "120 s"}}, duel, {.workers = 2});
+  ASSERT_TRUE(evidence);
+  const Spec spec = parse_spec(R"(eyrie: 1
+name: duel
+scenario: duel_defense
+)" + sets + R"(factors:
+  search:
+    levels:
+      before: until=120 s
+      after: [blue.flights.eagle.start.east=-5 nmi, until=120 s]
+seeds: {first: 13}
+replicates: 40
+measures:
+  shot: {what: event, event: launch, who: blue, take: first, value: range}
+  exchange: {what: exchange_ratio, who: blue}
+)",
+                               "c.yaml");
+  const test::TempFolder folder;
+  const std::vector<Cell> cells = cells_of(spec);
+  Store store(folder / "out", spec, cells, {}, false);
+  Threads crew(spec, cells, duel, 2);
+  EXPECT_EQ(run(spec, cells, store, crew, [](const Standing&) {}), Ended::complete);
+  const auto comparisons = compare(folder / "out", read_summary(folder / "out"));
+  ASSERT_EQ(comparisons.size(), 2U);
+  for (const Comparison& c : comparisons) {
+    const auto& proof = (*evidence)[c.measure].difference;
+    ASSERT_TRUE(proof && proof->interval && c.interval);
+    EXPECT_EQ(proof->n, c.n);
+    EXPECT_EQ(proof->value, c.value);
+    EXPECT_EQ(proof->p, c.p);
+    EXPECT_EQ(proof->interval->low, c.interval->low);
+    EXPECT_EQ(proof->interval->high, c.interval->high);
+  }
+}
+
+TEST(Search, ProvesNothingOfARatioThatHasNoValue) {
+  const auto search =
+      parse_search(search_with("replicates: 3", "set: [until=5 s]\nreplicates: 3"), "s.yaml");
+  const auto evidence = prove(*search, {{"-5 nmi", "80 s"}}, duel, {.workers = 2});
+  ASSERT_TRUE(evidence);
+  const Evidence& exchange = evidence->back();
+  EXPECT_FALSE(exchange.before.value) << "nobody was lost";
+  EXPECT_FALSE(exchange.difference);
 }
 
 TEST(Search, CountsWhatTheScenarioRefusesAsWorst) {

@@ -108,7 +108,7 @@ std::string estimate_text(const Estimate& estimate, Measure::Kind kind) {
   std::string text = number(*estimate.value) + (share ? " %" : "");
   if (const auto& interval = estimate.interval)
     text += fmt::format(" ({} to {})", number(interval->low), number(interval->high));
-  else if (kind == Measure::ratio)
+  else
     text += " (no bounds)";
   return text;
 }

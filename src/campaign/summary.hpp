@@ -32,7 +32,7 @@ struct Summary {
 
 [[nodiscard]] Summary read_summary(const std::string& folder, double confidence = 0.95);
 
-/// "45.0 % (31.0 to 60.2)", "2.31 (2.1 to 2.52)", "-" where there is none.
+/// "45.0 % (31.0 to 60.2)", "2.31 (2.1 to 2.52)", "2 (no bounds)", "-" where there is none.
 [[nodiscard]] std::string estimate_text(const Estimate& estimate, Measure::Kind kind);
 
 }  // namespace eyrie::campaign

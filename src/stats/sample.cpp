@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "stats/distributions.hpp"
 
 namespace eyrie::stats {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double t_of(std::uint64_t n, double confidence) {
   const StudentsT student(static_cast<double>(n - 1));
@@ -30,18 +27,18 @@ double Moments::error() const {
   return n_ ? std::sqrt(variance() / static_cast<double>(n_)) : 0;
 }
 
-Interval t_interval(const Moments& moments, double confidence) {
-  if (moments.n() < 2)
-    return {-kInfinity, kInfinity};
+std::optional<Interval> t_interval(const Moments& moments, double confidence) {
+  if (moments.n() < 2 || moments.constant())
+    return std::nullopt;
   const double half = t_of(moments.n(), confidence) * moments.error();
-  return {moments.mean() - half, moments.mean() + half};
+  return Interval{moments.mean() - half, moments.mean() + half};
 }
 
 double t_test(const Moments& moments) {
   if (moments.n() < 2 || moments.mean() == 0)
     return 1;
-  if (moments.error() == 0)
-    return 0;
+  if (moments.constant())
+    return std::ldexp(2.0, -static_cast<int>(std::min<std::uint64_t>(moments.n(), 2000)));
   const StudentsT student(static_cast<double>(moments.n() - 1));
   return 2 * cdf(complement(student, std::abs(moments.mean()) / moments.error()));
 }
@@ -57,8 +54,12 @@ std::optional<double> Ratio::value() const {
   return under_.mean() == 0 ? std::nullopt : std::optional(over_.mean() / under_.mean());
 }
 
+bool Ratio::divides(double confidence) const {
+  return n() > 1 && std::abs(under_.mean()) > t_of(n(), confidence) * under_.error();
+}
+
 std::optional<Interval> Ratio::fieller(double confidence) const {
-  if (n() < 2)
+  if (!divides(confidence))
     return std::nullopt;
   // every r for which Student's test of over - r under does not reject 0: a r^2 - 2 b r + c <= 0
   const double t = t_of(n(), confidence), scale = t * t / static_cast<double>(n());
@@ -66,9 +67,10 @@ std::optional<Interval> Ratio::fieller(double confidence) const {
   const double y = over_.mean(), x = under_.mean();
   const double a = x * x - scale * under_.variance(), b = x * y - scale * covariance,
                c = y * y - scale * over_.variance();
-  if (a <= 0)
+  const double square = b * b - a * c;
+  if (a <= 0 || square <= 1e-14 * b * b)  // or what rounding leaves of 0
     return std::nullopt;
-  const double root = std::sqrt(std::max(b * b - a * c, 0.0));
+  const double root = std::sqrt(square);
   return Interval{(b - root) / a, (b + root) / a};
 }
 

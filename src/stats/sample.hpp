@@ -22,17 +22,19 @@ class Moments {
     return n_ > 1 ? squares_ / static_cast<double>(n_ - 1) : 0;
   }
   [[nodiscard]] double error() const;  ///< of the mean, standard
+  /// Whether all are the same but for rounding, so that they do not say how far others may lie.
+  [[nodiscard]] bool constant() const { return variance() <= 1e-24 * mean_ * mean_; }
 
  private:
   std::uint64_t n_ = 0;
   double mean_ = 0, squares_ = 0;  ///< about the mean
 };
 
-/// Student's interval of a mean; of paired differences, if those were added. Without an end on
-/// either side of fewer than two numbers.
-[[nodiscard]] Interval t_interval(const Moments& moments, double confidence = 0.95);
+/// Student's interval of a mean; of paired differences, if those were added. Nothing if it has no
+/// bounds: of fewer than two numbers, or if all are the same.
+[[nodiscard]] std::optional<Interval> t_interval(const Moments& moments, double confidence = 0.95);
 /// Student's test: how likely a mean at least as far from 0 is if the true one is 0. 1 of fewer
-/// than two numbers; numbers that are all the same but not 0 give 0.
+/// than two numbers; numbers that are all the same but not 0 give what the sign test gives.
 [[nodiscard]] double t_test(const Moments& moments);
 
 /// A sum over another one of the same runs, such as kills over losses.
@@ -43,8 +45,12 @@ class Ratio {
   [[nodiscard]] std::uint64_t n() const { return over_.n(); }
   /// Nothing if what it is divided by is 0.
   [[nodiscard]] std::optional<double> value() const;
+  [[nodiscard]] const Moments& under() const { return under_; }
+  /// Whether Student's test says that the sum below is not 0.
+  [[nodiscard]] bool divides(double confidence = 0.95) const;
   /// Fieller's interval (Journal of the Royal Statistical Society B 16 (1954) 175). Nothing if it
-  /// has no bounds: the sum below may as well be 0.
+  /// has no bounds: the sum below may as well be 0, or each number is the same multiple of that
+  /// below it.
   [[nodiscard]] std::optional<Interval> fieller(double confidence = 0.95) const;
 
  private:
