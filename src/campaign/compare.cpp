@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "campaign/store.hpp"
 
@@ -129,36 +130,41 @@ void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
 std::optional<double> number_of(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
-  return end == text.c_str() ? std::nullopt : std::optional(number);
+  return end != text.c_str() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// The level of each cell: what the factor is there, or a bin of numbers with many values.
+/// The level of each cell: what the factor is there, or a bin of numbers that were drawn.
 std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
   constexpr std::size_t kMostLevels = 10, kBins = 8;
-  std::map<std::string, double> numbers;
+  std::vector<std::string> levels;
+  std::map<double, std::string> bins;  // by number, each once, so that none cuts through equal ones
   bool all_numbers = true;
   for (const auto& cell : summary.cells) {
-    const auto number = number_of(cell.values[factor]);
-    numbers[cell.values[factor]] = number.value_or(0);
-    all_numbers &= number.has_value();
-  }
-  std::vector<std::string> levels;
-  for (const auto& cell : summary.cells)
     levels.push_back(cell.values[factor]);
-  if (numbers.size() <= kMostLevels || !all_numbers)
-    return levels;
-  std::vector<std::size_t> order(levels.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
-  const std::vector<std::string> texts = levels;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return numbers[texts[a]] < numbers[texts[b]];
-  });
-  for (std::size_t bin = 0; bin < kBins; ++bin) {
-    const std::size_t begin = bin * order.size() / kBins, end = (bin + 1) * order.size() / kBins;
-    for (std::size_t i = begin; i < end; ++i)
-      levels[order[i]] = texts[order[begin]] + " to " + texts[order[end - 1]];
+    const auto number = number_of(levels.back());
+    all_numbers &= number.has_value();
+    bins.emplace(number.value_or(0), levels.back());
   }
+  // levels come again with those of other factors; of those that do not each would explain its cell
+  if (!all_numbers || bins.size() <= kMostLevels || 2 * bins.size() <= levels.size())
+    return levels;
+  const std::size_t n = bins.size();
+  auto end = bins.begin();
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const auto begin = std::exchange(
+        end, std::next(end, static_cast<std::ptrdiff_t>((bin + 1) * n / kBins - bin * n / kBins)));
+    const std::string name = begin->second + " to " + std::prev(end)->second;
+    std::for_each(begin, end, [&](auto& number) { number.second = name; });
+  }
+  for (std::string& level : levels)
+    level = bins.at(*number_of(level));
+  return levels;
+}
+
+std::vector<std::vector<std::string>> all_levels(const Summary& summary) {
+  std::vector<std::vector<std::string>> levels;
+  for (std::size_t f = 0; f < summary.factors.size(); ++f)
+    levels.push_back(levels_of(summary, f));
   return levels;
 }
 
@@ -166,6 +172,7 @@ std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
 struct Variance {
   std::map<std::string, stats::Moments> by_level{};
   double part = 0;
+  std::uint64_t n = 0;               ///< cells
   std::vector<std::string> order{};  ///< levels by first appearance
 };
 Variance variance(const Summary& summary, std::size_t measure,
@@ -184,9 +191,45 @@ Variance variance(const Summary& summary, std::size_t measure,
     const double off = moments.mean() - all.mean();
     between += static_cast<double>(moments.n()) * off * off;
   }
+  v.n = all.n();
   const double total = all.variance() * static_cast<double>(all.n() > 0 ? all.n() - 1 : 0);
   v.part = total > 0 ? between / total : 0;
   return v;
+}
+
+/// What both factors explain together, if every combination of their levels is in as many cells.
+std::optional<Variance> crossed(const Summary& summary, std::size_t measure,
+                                const std::vector<std::string>& one,
+                                const std::vector<std::string>& other) {
+  std::vector<std::string> both = one;
+  for (std::size_t c = 0; c < both.size(); ++c)
+    both[c] += '\n' + other[c];
+  Variance v = variance(summary, measure, both);
+  const auto count = [&](const auto& levels) {
+    return variance(summary, measure, levels).by_level.size();
+  };
+  const bool balanced = v.by_level.size() == count(one) * count(other) &&
+                        std::all_of(v.by_level.begin(), v.by_level.end(), [&](const auto& level) {
+                          return level.second.n() == v.by_level.begin()->second.n();
+                        });
+  return balanced ? std::optional(std::move(v)) : std::nullopt;
+}
+
+/// Takes from the part of each factor what its levels would have by chance: as many times their
+/// degrees of freedom as each one has that nothing explains. Crossed factors do not take from each
+/// other, so that what is left is what all of them leave.
+void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
+  double left = 1, free = -1;
+  for (const Variance& v : factors) {
+    left -= v.part;
+    free += 1 - static_cast<double>(v.by_level.size());
+  }
+  for (Variance& v : factors) {
+    const double levels = static_cast<double>(v.by_level.size()), n = static_cast<double>(v.n);
+    const double unexplained = all_crossed ? left : 1 - v.part;
+    const double freedom = all_crossed ? n + free : n - levels;
+    v.part = freedom > 0 ? std::max(v.part - (levels - 1) * unexplained / freedom, 0.0) : 0;
+  }
 }
 
 }  // namespace
@@ -213,10 +256,19 @@ std::vector<Comparison> compare(const std::string& folder, const Summary& summar
 
 std::vector<Effect> effects(const Summary& summary) {
   std::vector<Effect> all;
+  const auto levels = all_levels(summary);
   for (std::size_t m = 0; m < summary.measures.size(); ++m) {
+    std::vector<Variance> factors;
+    bool all_crossed = true;
+    for (std::size_t f = 0; f < levels.size(); ++f) {
+      factors.push_back(variance(summary, m, levels[f]));
+      for (std::size_t other = 0; other < f; ++other)
+        all_crossed = all_crossed && crossed(summary, m, levels[f], levels[other]);
+    }
+    subtract_chance(factors, all_crossed);
     std::vector<Effect> some;
-    for (std::size_t f = 0; f < summary.factors.size(); ++f) {
-      const Variance v = variance(summary, m, levels_of(summary, f));
+    for (std::size_t f = 0; f < levels.size(); ++f) {
+      const Variance& v = factors[f];
       Effect effect{.measure = m, .factor = f, .part = v.part};
       for (const std::string& level : v.order) {
         const stats::Moments& moments = v.by_level.at(level);
@@ -226,7 +278,7 @@ std::vector<Effect> effects(const Summary& summary) {
                        [](const auto& a, const auto& b) {
                          return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
                        });
-      if (v.part > 0)
+      if (v.part > 1e-12)  // more than rounding
         some.push_back(std::move(effect));
     }
     std::stable_sort(some.begin(), some.end(),
@@ -238,27 +290,16 @@ std::vector<Effect> effects(const Summary& summary) {
 
 std::vector<Interaction> interactions(const Summary& summary) {
   std::vector<Interaction> all;
-  std::vector<std::vector<std::string>> levels;
-  for (std::size_t f = 0; f < summary.factors.size(); ++f)
-    levels.push_back(levels_of(summary, f));
+  const auto levels = all_levels(summary);
   for (std::size_t m = 0; m < summary.measures.size(); ++m)
     for (std::size_t a = 0; a < levels.size(); ++a)
-      for (std::size_t b = a + 1; b < levels.size(); ++b) {
-        std::vector<std::string> both = levels[a];
-        for (std::size_t c = 0; c < both.size(); ++c)
-          both[c] += '\n' + levels[b][c];
-        const Variance of_both = variance(summary, m, both), one = variance(summary, m, levels[a]),
-                       other = variance(summary, m, levels[b]);
-        const double part = of_both.part - one.part - other.part;
-        const std::uint64_t each =
-            of_both.by_level.empty() ? 0 : of_both.by_level.begin()->second.n();
-        const bool balanced =
-            of_both.by_level.size() == one.by_level.size() * other.by_level.size() &&
-            std::all_of(of_both.by_level.begin(), of_both.by_level.end(),
-                        [&](const auto& level) { return level.second.n() == each; });
-        if (balanced && part > 0)
-          all.push_back({m, a, b, part});
-      }
+      for (std::size_t b = a + 1; b < levels.size(); ++b)
+        if (const auto both = crossed(summary, m, levels[a], levels[b])) {
+          const double part = both->part - variance(summary, m, levels[a]).part -
+                              variance(summary, m, levels[b]).part;
+          if (part > 0)
+            all.push_back({m, a, b, part});
+        }
   return all;
 }
 

@@ -38,7 +38,9 @@ struct Effect {
   std::size_t measure = 0, factor = 0;
   /// The part of the variance between cells that goes with the factor alone (first-order index from
   /// given data: Plischke, Borgonovo, Smith, European Journal of Operational Research 226 (2013)
-  /// 536). With few cells by the noise, too.
+  /// 536), less what levels that do nothing would have of it in the mean (Kelley's epsilon squared,
+  /// Proceedings of the National Academy of Sciences 21 (1935) 554). With few cells still by
+  /// chance.
   double part = 0;
   struct Level {
     std::string name;
@@ -47,7 +49,8 @@ struct Effect {
   };
   std::vector<Level> levels;  ///< of numbers with many values: bins
 };
-/// By measure, the factor that matters most first. None of a measure that is the same in all cells.
+/// By measure, the factor that matters most first. None of a measure that is the same in all cells,
+/// nor of a factor of which each cell has another level.
 [[nodiscard]] std::vector<Effect> effects(const Summary& summary);
 
 /// What two factors do together beyond what each does alone, as a part of the variance between

@@ -117,6 +117,68 @@ TEST(Effects, OfManyNumbersAreThoseOfBins) {
   EXPECT_EQ(all[0].levels[7].name, "70 kt to 79 kt");
 }
 
+TEST(Effects, OfDrawnNumbersThatDoNothingAreMostlyNone) {
+  int none = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Draw draw(1, PlayerId{1}, Stream::test, i);
+    Summary summary;
+    summary.factors = {"speed"};
+    summary.measures = {{"x", Measure::mean, 0, 0}};
+    for (int c = 0; c < 16; ++c)
+      summary.cells.push_back(
+          {{fmt::format("{} kt", draw.uniform())}, "", 10, 0, {{10, draw.normal(), std::nullopt}}});
+    none += effects(summary).empty();
+  }
+  EXPECT_NEAR(none / 400.0, 0.55, 0.1) << "eight bins over 16 cells have 7/15 by chance";
+}
+
+TEST(Effects, AreNoneOfAFactorThatIsOfEachCellAnother) {
+  Summary summary = factorial({0, 1, 3, 4});
+  summary.factors = {"a"};
+  for (std::size_t c = 0; c < summary.cells.size(); ++c)
+    summary.cells[c].values = {fmt::format("{} kt", c)};
+  EXPECT_TRUE(effects(summary).empty());
+}
+
+/// The summary of cells of which the measure is the second factor.
+Summary second_factor_only(std::size_t cells, std::size_t (*first)(std::size_t),
+                           std::size_t (*second)(std::size_t)) {
+  Summary summary;
+  summary.factors = {"nothing", "all"};
+  summary.measures = {{"x", Measure::mean, 0, 0}};
+  for (std::size_t c = 0; c < cells; ++c)
+    summary.cells.push_back({{fmt::format("{} kt", first(c)), fmt::format("{} s", second(c))},
+                             "",
+                             10,
+                             0,
+                             {{10, static_cast<double>(second(c)), std::nullopt}}});
+  return summary;
+}
+
+TEST(Effects, OfCrossedFactorsDoNotLeakIntoEachOther) {
+  const auto all = effects(second_factor_only(
+      36, [](std::size_t c) { return c / 3; }, [](std::size_t c) { return c % 3; }));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].factor, 1U);
+  EXPECT_NEAR(all[0].part, 1, 1e-12);
+}
+
+TEST(Effects, OfEqualNumbersAreInOneBin) {
+  const Summary summary = second_factor_only(
+      40, [](std::size_t) -> std::size_t { return 7; }, [](std::size_t c) { return c % 25; });
+  const auto all = effects(summary);
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all[0].levels.size(), 8U);
+  for (const auto& level : all[0].levels) {
+    const double low = std::stod(level.name),
+                 high = std::stod(level.name.substr(level.name.find("to ") + 3));
+    std::size_t inside = 0;
+    for (const auto& cell : summary.cells)
+      inside += low <= std::stod(cell.values[1]) && std::stod(cell.values[1]) <= high;
+    EXPECT_EQ(level.cells, inside) << level.name;
+  }
+}
+
 /// The comparison of a ratio over 100 pairs.
 template <class Pair>
 std::vector<Comparison> ratio_of(Pair pair) {
