@@ -38,25 +38,6 @@ Json json_of(const Spec& spec, const Result& r) {
   return json;
 }
 
-/// A crew whose results are also told, a line each.
-class Told final : public Crew {
- public:
-  Told(const Spec& spec, Crew& crew) : spec_(spec), crew_(crew) {}
-  void fly(std::span<const Batch> batches, const Take& take) override {
-    crew_.fly(batches, [&](Result&& result) {
-      const std::string line = record::json_text(json_of(spec_, result)) + '\n';
-      if (!take(std::move(result)))
-        return false;
-      say("{}", Composed{line});
-      return true;
-    });
-  }
-
- private:
-  const Spec& spec_;
-  Crew& crew_;
-};
-
 /// What the file says, or the part of it that is wanted.
 Spec spec_for(const CampaignOptions& options) {
   Spec spec = read_spec(options.file);
@@ -89,7 +70,9 @@ struct Ready {
   std::vector<Cell> cells = cells_of(spec);
 
   explicit Ready(const CampaignOptions& options)
-      : spec(spec_for(options)), source(spec, options.plugins, options.includes) {}
+      : spec(spec_for(options)), source(spec, options.plugins, options.includes) {
+    check_cells(spec, cells, source.load());
+  }
 };
 
 /// What a rank flies with, under mpirun.
@@ -154,8 +137,9 @@ int campaign(const CampaignOptions& options) {
     crew = std::make_unique<Threads>(spec, cells, source.load(), workers, interrupted);
   Ended ended = Ended::complete;
   if (options.json) {
-    Told told(spec, *crew);
-    ended = run(spec, cells, store, told, [](const Standing&) {});
+    ended = run(spec, cells, store, *crew, [&](const Standing& standing) {
+      say("{}\n", Composed{record::json_text(json_of(spec, *standing.last))});
+    });
   } else {
     say("{}{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name,
         options.part.empty() ? "" : ", part " + spec.part.text(), cells.size(),
@@ -176,13 +160,17 @@ int campaign(const CampaignOptions& options) {
   const Summary summary = read_summary(folder);
   constexpr std::array kEnds{"complete", "interrupted", "at the end of its budget"};
   const char* const end = kEnds[static_cast<std::size_t>(ended)];
+  std::uint64_t faults = 0;
+  for (const auto& cell : summary.cells)
+    faults += cell.faults;
+  const int code = faults ? 1 : 0;
   if (options.json) {
     Json json{{"campaign", spec.name}, {"ended", end}, {"hash", summary.hash}, {"folder", folder}};
     for (const auto& cell : summary.cells)
       json["replicates"].push_back(cell.replicates);
-    json["faults"] = summary.faults.size();
+    json["faults"] = faults;
     say("{}\n", Composed{record::json_text(json)});
-    return 0;
+    return code;
   }
   print_cells(summary);
   say("\n{} after {}; campaign hash {}; results in {}/{} and {}\n", end,
@@ -194,7 +182,9 @@ int campaign(const CampaignOptions& options) {
     say("{}{}{} --resume goes on\n", again, options.part.empty() ? "" : " --part ", options.part);
   else if (!options.part.empty())
     say("{} --join puts all parts together\n", again);
-  return 0;
+  if (faults)
+    complain("eyrie: {} replicates ended with a fault and count for nothing\n", faults);
+  return code;
 }
 
 }  // namespace eyrie::app

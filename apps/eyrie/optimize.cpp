@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  optimize: which values of a campaign's factors are best, and how sure that is.
-#include <fmt/ranges.h>
-
 #include <chrono>
 
 #include "campaign/search.hpp"
@@ -42,19 +40,11 @@ void write_file(const std::string& path, std::string_view text) {
   file.commit();
 }
 
-/// "zone 1.2, crank 44 deg"
-std::string cell_text(const Search& search, const Cell& cell) {
-  std::vector<std::string> parts;
-  for (std::size_t f = 0; f < cell.values.size(); ++f)
-    parts.push_back(search.spec.factors[f].name + " " + cell.values[f]);
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 void print_generation(const Search& search, const Generation& g, double seconds) {
   const auto& score = g.scores[g.best];
   say("generation {:>3} of {}: {} {} with {}; step {:.3f}, {} s\n", g.number + 1,
       search.generations, search.measure, score ? fmt::format("{:.4g}", *score) : "refused",
-      cell_text(search, g.cells[g.best]), g.sigma, static_cast<int>(seconds + 0.5));
+      cell_text(search.spec, g.cells[g.best]), g.sigma, static_cast<int>(seconds + 0.5));
 }
 
 Json values_json(const Search& search, const Cell& cell) {
@@ -169,7 +159,7 @@ int optimize(const FlightsOptions& options) {
   }
   const std::string table = evidence_text(*search, *evidence);
   std::string head = fmt::format("# The scenario of the search '{}' with {}.\n", search->spec.name,
-                                 cell_text(*search, found->cell));
+                                 cell_text(search->spec, found->cell));
   for (std::size_t begin = 0, end; begin < table.size(); begin = end + 1) {
     end = table.find('\n', begin);
     head += fmt::format("# {}\n", table.substr(begin, end - begin));
@@ -186,7 +176,7 @@ int optimize(const FlightsOptions& options) {
         "generation "
         "{} takes its place:\n{}\n",
         *found->generation + 1, lines(found->refusal));
-  say("\n{}\n{}\n", cell_text(*search, found->cell), lines(table));
+  say("\n{}\n{}\n", cell_text(search->spec, found->cell), lines(table));
   for (const std::string& set : sets)
     say("--set {} ", scenario::shell_word(set));
   say("\nas a scenario of its own: eyrie fly {}/{}\n", scenario::shell_word(folder), kWinner);

@@ -94,26 +94,26 @@ std::shared_ptr<const scenario::Scenario> Scenarios::of(std::uint64_t cell) {
 
 Result fly_replicate(const Spec& spec, Scenarios& scenarios, std::uint64_t cell,
                      std::uint64_t replicate, bool (*given_up)()) {
-  const auto scenario = scenarios.of(cell);
-  const auto watching = watch(spec, *scenario);
   Result result{.cell = cell, .replicate = replicate, .flown = {}};
   result.flown.seed = seed_of(spec, cell, replicate);
-  sim::Observer* const observer = watching.get();
   in_the_air = {cell, replicate};
   const struct Landing {
     ~Landing() { in_the_air.reset(); }
   } landing;
   try {
+    const auto scenario = scenarios.of(cell);
+    const auto watching = watch(spec, *scenario);
+    sim::Observer* const observer = watching.get();
     result.flown = fly(scenario, result.flown.seed, {&observer, 1}, {}, given_up);
+    if (result.flown.fault.empty()) {
+      const auto values = watching->values(result.flown.outcome, result.flown.time);
+      result.values.assign(values.begin(), values.end());
+    }
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& e) {
     result.flown.outcome = scenario::Outcome::fault;
     result.flown.fault = e.what();
-  }
-  if (result.flown.fault.empty()) {
-    const auto values = watching->values(result.flown.outcome, result.flown.time);
-    result.values.assign(values.begin(), values.end());
   }
   return result;
 }
@@ -170,6 +170,7 @@ Ended run(const Spec& spec, std::span<const Cell> cells, Store& store, Crew& cre
     ++standing.now;
     standing.faults += !result.flown.fault.empty();
     standing.cell = result.cell;
+    standing.last = &result;
     standing.estimate = &estimators[result.cell];
     tell(standing);
     if (!within(spec.budget, store, standing.done))
@@ -186,6 +187,8 @@ Ended run(const Spec& spec, std::span<const Cell> cells, Store& store, Crew& cre
       demand_the_same(*std::exchange(earlier, {}), crew);
     crew.fly(batches, take);
   }
+  if (ended == Ended::budget && next_batches(spec, store.counts(), estimators).empty())
+    ended = Ended::complete;  // with the last replicate that the budget allows
   store.flush();
   return ended;
 }

@@ -232,5 +232,38 @@ TEST(Engine, DoesNotStopWhileAllValuesAreTheSame) {
   EXPECT_EQ(store.counts(), (std::vector<std::uint64_t>{60, 60, 60}));
 }
 
+TEST(Engine, IsCompleteWithABudgetForAllAndTellsOfEachReplicateOnce) {
+  for (const auto& [budget, end] : {std::pair{120U, Ended::complete}, {50U, Ended::budget}}) {
+    const Spec spec =
+        test::made_up_spec(fmt::format("replicates: 40\nbudget: {{replicates: {}}}", budget));
+    const Flight flight{spec};
+    Store store = flight.store();
+    test::MadeUpCrew crew(spec);
+    std::vector<std::uint64_t> told(3);
+    EXPECT_EQ(run(spec, flight.cells, store, crew,
+                  [&](const Standing& standing) {
+                    EXPECT_EQ(standing.last->replicate, told[standing.last->cell]++);
+                  }),
+              end);
+    EXPECT_EQ(told, store.counts()) << budget;
+  }
+}
+
+TEST(FlyReplicate, OfACellThatTheScenarioRefusesIsAFault) {
+  const Spec spec = test::made_up_spec();
+  const std::vector<Cell> cells = cells_of(spec);
+  Scenarios scenarios(
+      spec, cells,
+      [](const std::vector<std::string>&) -> std::shared_ptr<const scenario::Scenario> {
+        throw ConfigError({"none.yaml", 1, 2}, "no fuel");
+      },
+      1);
+  const Result result = fly_replicate(spec, scenarios, 1, 4);
+  EXPECT_EQ(result.flown.outcome, scenario::Outcome::fault);
+  EXPECT_EQ(result.flown.fault, "none.yaml:1:2: no fuel");
+  EXPECT_EQ(result.flown.seed, 5U);
+  EXPECT_TRUE(result.values.empty());
+}
+
 }  // namespace
 }  // namespace eyrie::campaign

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/spec.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -59,6 +59,10 @@ Design read_design(const Value& value, Diagnostics& diagnostics) {
   bind(design, value.is_scalar() ? Value::map({{"kind", value.where, value}}, value.where) : value,
        diagnostics);
   return design;
+}
+
+void try_it(const Spec& spec, const Cell& cell, const Load& load) {
+  static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
 }
 
 }  // namespace
@@ -170,12 +174,16 @@ std::vector<std::string> sets_of(const Spec& spec, const Cell& cell) {
   return sets;
 }
 
+std::string cell_text(const Spec& spec, const Cell& cell) {
+  std::vector<std::string> parts;
+  for (std::size_t f = 0; f < cell.values.size(); ++f)
+    parts.push_back(spec.factors[f].name + " " + cell.values[f]);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 void check(const Spec& spec, const Load& load) {
-  const auto try_it = [&](const Cell& cell) {
-    static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
-  };
   const std::vector<Cell> cells = cells_of(spec);
-  try_it(cells.front());
+  try_it(spec, cells.front(), load);
   for (std::size_t f = 0; f < spec.factors.size(); ++f) {
     const Factor& factor = spec.factors[f];
     std::vector<std::pair<std::string, Location>> values;
@@ -195,7 +203,7 @@ void check(const Spec& spec, const Load& load) {
       if (std::exchange(cell.values[f], value) == value)
         continue;
       try {
-        try_it(cell);
+        try_it(spec, cell, load);
       } catch (const ConfigError& error) {
         Diagnostics all;
         all.error(where, fmt::format("{}: the scenario refuses {}", factor.name, quote(value)));
@@ -204,6 +212,20 @@ void check(const Spec& spec, const Load& load) {
       }
     }
   }
+}
+
+void check_cells(const Spec& spec, std::span<const Cell> cells, const Load& load) {
+  constexpr std::size_t kMost = 2000;
+  for (std::size_t c = 0; c < std::min(cells.size(), kMost); ++c)
+    try {
+      try_it(spec, cells[c], load);
+    } catch (const ConfigError& error) {
+      Diagnostics all;
+      all.error({spec.file, 0, 0},
+                fmt::format("the scenario refuses cell {} ({})", c, cell_text(spec, cells[c])));
+      all.merge(error.diagnostics());
+      throw ConfigError(std::move(all));
+    }
 }
 
 }  // namespace eyrie::campaign

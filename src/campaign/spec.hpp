@@ -119,6 +119,8 @@ void check_parts(const Spec& spec);
 [[nodiscard]] std::vector<Cell> cells_of(const Spec& spec);
 /// Every override of a cell, those of all cells first.
 [[nodiscard]] std::vector<std::string> sets_of(const Spec& spec, const Cell& cell);
+/// "zone 1.2, crank 44 deg"
+[[nodiscard]] std::string cell_text(const Spec& spec, const Cell& cell);
 /// How many replicates a cell has at most.
 [[nodiscard]] inline std::uint64_t most_replicates(const Spec& spec) {
   return spec.stop ? spec.stop->most : spec.replicates;
@@ -139,6 +141,9 @@ using Load =
 /// in place of that of the first cell; the measures are looked for in each. Throws ConfigError that
 /// says which level it was.
 void check(const Spec& spec, const Load& load);
+/// Loads each of the first 2,000 cells, as levels that are right by themselves may not go together.
+/// Throws ConfigError that says which cell it was. A cell beyond them that is refused has faults.
+void check_cells(const Spec& spec, std::span<const Cell> cells, const Load& load);
 
 [[nodiscard]] inline std::unique_ptr<Watch> watch(const Spec& spec,
                                                   const scenario::Scenario& scenario) {

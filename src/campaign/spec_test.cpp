@@ -119,6 +119,32 @@ measures: {end: {what: end_time}}
   EXPECT_EQ(drawn.substr(0, drawn.find('\'')), "c.yaml:5:3: bingo: the scenario refuses ");
 }
 
+TEST(Spec, TriesEachCellBeforeAnythingIsFlown) {
+  const Spec spec = parse_spec(R"(eyrie: 1
+name: fuel
+scenario: merge
+factors:
+  low: {path: blue.flights.viper.bingo, values: [500 kg, 2000 kg]}
+  fuel: {path: blue.flights.viper.fuel, values: [2500 kg, 1000 kg]}
+measures: {end: {what: end_time}}
+)",
+                               "c.yaml");
+  const Load load = [](const std::vector<std::string>& sets) {
+    return scenario::load({.file = "scenarios/merge.yaml", .sets = sets},
+                          scenario::Source::disk("."));
+  };
+  check(spec, load);
+  std::string refused;
+  try {
+    check_cells(spec, cells_of(spec), load);
+  } catch (const ConfigError& error) {
+    refused = error.what();
+  }
+  EXPECT_TRUE(refused.starts_with(
+      "c.yaml: the scenario refuses cell 3 (low 2000 kg, fuel 1000 kg)\n--set "))
+      << refused;
+}
+
 TEST(Spec, OfEachExampleFliesItsScenario) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator("examples/campaigns")) {

@@ -163,7 +163,8 @@ measures:
 TEST_F(Campaign, KeepsAReplicateThatFailsWithTheCommandThatFliesItAgain) {
   folder.write("c.yaml", faulty("20"));
   const Ran ran = run("out", {"--plugin", plugin("faulty")});
-  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  EXPECT_NE(ran.err.find("3 replicates ended with a fault"), std::string::npos) << ran.err;
   EXPECT_NE(ran.out.find("root of tree 'cruise', from libfaulty.so, threw: no fuel\n  eyrie fly "),
             std::string::npos)
       << ran.out;
