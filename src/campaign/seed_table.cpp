@@ -14,20 +14,23 @@ SeedFlown fly_seed(const std::shared_ptr<const scenario::Scenario>& scenario, st
 }
 
 void SeedTable::add(const SeedFlown& flown) {
+  ++flown_;
+  ++outcomes_[static_cast<std::size_t>(flown.outcome)];
+  hash_.word(flown.seed);
+  hash_.word(flown.hash);
+  if (flown.outcome == scenario::Outcome::fault) {
+    first_fault_ = first_fault_.value_or(flown.seed);
+    return;  // what it came to until then says nothing of whole flights
+  }
   const record::Tally::OfSide &blue = flown.blue, &red = flown.red;
   const Figures figures{double(blue.losses), double(red.losses), double(blue.shots),
                         double(red.shots), flown.time};
   rows_.push_back({flown.seed, figures});
   for (std::size_t i = 0; i < figures.size(); ++i)
     figures_[i].add(figures[i]);
-  ++outcomes_[static_cast<std::size_t>(flown.outcome)];
   exchange_.add(red.losses, blue.losses);
   blue_kills_.add(blue.kills, blue.shots);
   red_kills_.add(red.kills, red.shots);
-  if (flown.outcome == scenario::Outcome::fault && !first_fault_)
-    first_fault_ = flown.seed;
-  hash_.word(flown.seed);
-  hash_.word(flown.hash);
 }
 
 std::vector<SeedEstimate> SeedTable::estimates() const {
@@ -36,10 +39,9 @@ std::vector<SeedEstimate> SeedTable::estimates() const {
                                     "end time, s"};
   for (std::size_t i = 0; i < figures_.size(); ++i) {
     all.push_back({kNames[i]});
-    if (flown() > 0)
+    if (!rows_.empty())
       all.back().value = figures_[i].mean();
-    if (flown() > 1)
-      all.back().interval = stats::t_interval(figures_[i]);
+    all.back().interval = stats::t_interval(figures_[i]);
   }
   const auto add = [&](const char* name, const stats::Ratio& ratio) {
     all.push_back({name, ratio.value(), ratio.fieller()});
@@ -51,9 +53,12 @@ std::vector<SeedEstimate> SeedTable::estimates() const {
 }
 
 std::vector<SeedTable::StandsOut> SeedTable::stand_out() const {
+  std::vector<StandsOut> found;
+  if (first_fault_)
+    found.push_back({*first_fault_, "fault"});
   if (rows_.empty())
-    return {};
-  std::vector<StandsOut> found{{rows_.front().seed, "first"}};
+    return found;
+  found.push_back({rows_.front().seed, "first"});
   // of several alike the first
   const auto least = [&](const char* why, auto figure) {
     const auto row = std::min_element(rows_.begin(), rows_.end(), [&](const Row& a, const Row& b) {
@@ -73,8 +78,6 @@ std::vector<SeedTable::StandsOut> SeedTable::stand_out() const {
     least("worst for blue", [](const Figures& of) { return of[1] - of[0]; });
   }
   least("longest", [](const Figures& of) { return -of[4]; });
-  if (first_fault_)
-    found.push_back({*first_fault_, "fault"});
 
   // a line each
   std::stable_sort(found.begin(), found.end(),

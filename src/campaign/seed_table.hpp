@@ -24,12 +24,13 @@ struct SeedEstimate {
   std::optional<stats::Interval> interval = {};
 };
 
-/// Flights are added in the order of their seeds. Some 50 bytes of each are kept.
+/// Flights are added in the order of their seeds. Some 50 bytes of each are kept. One that ended
+/// with a fault counts as such, and for nothing else.
 class SeedTable {
  public:
   void add(const SeedFlown& flown);
 
-  [[nodiscard]] std::uint64_t flown() const { return rows_.size(); }
+  [[nodiscard]] std::uint64_t flown() const { return flown_; }
   [[nodiscard]] stats::Share share(scenario::Outcome outcome) const {
     return {outcomes_[static_cast<std::size_t>(outcome)], flown()};
   }
@@ -53,7 +54,8 @@ class SeedTable {
     std::uint64_t seed;
     Figures figures;
   };
-  std::vector<Row> rows_;
+  std::uint64_t flown_ = 0;
+  std::vector<Row> rows_;  ///< without faults
   std::array<std::uint64_t, enum_names<scenario::Outcome>().size()> outcomes_{};
   std::array<stats::Moments, std::tuple_size_v<Figures>> figures_;
   stats::Ratio exchange_, blue_kills_, red_kills_;

@@ -51,7 +51,24 @@ TEST(SeedTable, NameThoseThatStandOut) {
   seeds.add(flown(10, 4, 1, 170, scenario::Outcome::fault));
   seeds.add(flown(11, 1, 3, 900));
   EXPECT_EQ(words(seeds),
-            "7: first; 8: best for blue; 9: typical; 10: worst for blue, fault; 11: longest; ");
+            "7: first, worst for blue; 8: best for blue; 9: typical; 10: fault; 11: longest; ");
+}
+
+TEST(SeedTable, CountFaultsAndNothingElseOfThem) {
+  SeedTable seeds;
+  seeds.add(flown(1, 4, 0, 900, scenario::Outcome::fault));
+  EXPECT_EQ(words(seeds), "1: fault; ");
+  EXPECT_FALSE(seeds.estimates().front().value);
+  seeds.add(flown(2, 1, 2, 100));
+  seeds.add(flown(3, 2, 2, 200));
+  EXPECT_EQ(seeds.flown(), 3U);
+  EXPECT_EQ(seeds.share(scenario::Outcome::fault).n, 3U);
+  const auto estimates = seeds.estimates();
+  EXPECT_EQ(estimates[0].value, 1.5) << estimates[0].name;
+  EXPECT_TRUE(estimates[0].interval);
+  EXPECT_FALSE(estimates[1].interval) << "both are 2";
+  EXPECT_NEAR(*estimates[5].value, 4.0 / 3, 1e-12) << estimates[5].name;
+  EXPECT_EQ(words(seeds).find("1: first"), std::string::npos) << words(seeds);
 }
 
 TEST(SeedTable, HashTheirOrder) {
