@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 
 #include "core/bind.hpp"
 #include "core/math.hpp"
@@ -256,6 +257,17 @@ std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {
       diagnostics.error(e.where, *problem);
     else
       factors.push_back(Reader(e, diagnostics).read());
+  std::map<std::string, std::string> setters;  // by path
+  for (const Factor& factor : factors) {
+    std::vector<std::string> paths = factor.paths;
+    for (const Level& level : factor.levels)
+      for (const std::string& set : level.sets)
+        paths.push_back(set.substr(0, set.find('=')));
+    for (const std::string& path : paths)
+      if (const auto& by = setters.emplace(path, factor.name).first->second; by != factor.name)
+        diagnostics.error(factor.where, fmt::format("{}: {} is set by {}, which would do nothing",
+                                                    factor.name, quote(path), by));
+  }
   return factors;
 }
 

@@ -204,6 +204,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:6:83: bingo: deviation must be more than 0"},
         Mistake{"veteran: blue.flights.eagle.tree=veteran", "veteran: blue.flights.eagle.tree",
                 "c.yaml:9:16: tree: expected path=value, got 'blue.flights.eagle.tree'"},
+        Mistake{"same: [blue.flights.eagle.tree=veteran", "same: [blue.flights.eagle.bingo=2 t",
+                "c.yaml:7:3: tree: 'blue.flights.eagle.bingo' is set by bingo, which would do "
+                "nothing"},
         // designs
         Mistake{"seeds:", "design: sobel\nseeds:",
                 "c.yaml:11:9: kind: expected one of full_factorial, one_at_a_time, "
