@@ -60,8 +60,10 @@ std::vector<std::string> whole_parts(const std::string& folder, const Spec& spec
     for (std::size_t cell = 0; cell < cells; ++cell)
       most += part.count(cell, most_replicates(spec));
     const std::string own = part_folder(folder, part);
-    if (std::filesystem::exists(fmt::format("{}/{}", own, kStoreName))) {
-      Database results = open_results(own);
+    if (const std::string file = fmt::format("{}/{}", own, kStoreName);
+        std::filesystem::exists(file)) {
+      Database results(file, Database::Access::read);
+      results.distrust();
       if (begun(results)) {
         demand_the_same(results, origin_of(origin, part), own);
         Statement counted = results.prepare("SELECT count(*) FROM replicates");

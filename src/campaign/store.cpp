@@ -30,6 +30,9 @@ CREATE TABLE faults (cell INTEGER, replicate INTEGER, seed INTEGER, what TEXT, c
                      PRIMARY KEY (cell, replicate)) WITHOUT ROWID;
 )";
 
+/// Before results are added, of which the hash is another one.
+constexpr const char* kBegin = "BEGIN; DELETE FROM campaign WHERE name = 'hash'";
+
 std::string lower(std::string text) {
   for (char& c : text)
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -69,12 +72,21 @@ std::vector<std::string> column_names(const Spec& spec) {
   return distinct(names, taken);
 }
 
-/// ", \"a\" REAL, \"b\" REAL"
-std::string declared(const std::vector<std::string>& names, std::string_view type) {
+/// ", \"a\" REAL, \"b\" TEXT"
+template <class TypeOf>
+std::string declared(const std::vector<std::string>& names, const TypeOf& type_of) {
   std::string text;
-  for (const std::string& name : names)
-    text += fmt::format(", {} {}", sql_name(name), type);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format(", {} {}", sql_name(names[i]), type_of(i));
   return text;
+}
+/// NUMERIC if each value of a factor is a number that reads back as it is written; "1.10" is none.
+std::string_view type_of_factor(Database& database, std::span<const Cell> cells, std::size_t f) {
+  Statement same = database.prepare("SELECT CAST(CAST(?1 AS NUMERIC) AS TEXT) = ?1");
+  for (const Cell& cell : cells)
+    if (!same.with(cell.values[f]).step() || same.integer(0) == 0)
+      return "TEXT";
+  return "NUMERIC";
 }
 /// "(?, ?, ?)"
 std::string places(std::size_t n) {
@@ -103,6 +115,18 @@ void demand_ours(const std::string& file) {
     throw disk::Refused(fmt::format("{} is there already, and is no campaign", quote_path(file)));
 }
 
+/// These are tables of a campaign, and such as this program writes.
+void demand_format(Database& database, const std::string& file) {
+  if (!begun(database))
+    throw disk::Refused(fmt::format("{} is no campaign", quote_path(file)));
+  Statement format = database.prepare("SELECT value FROM campaign WHERE name = 'format'");
+  if (const std::string said = format.step() ? format.text(0) : "none";
+      said != std::to_string(kFormat))
+    throw disk::Refused(
+        fmt::format("{} was written by another version of Eyrie: its format is {}, not {}",
+                    quote_path(file), quote(said), kFormat));
+}
+
 bool is_of_campaign(const std::string& name) {
   return name == kStoreName || name.starts_with(kPartName);
 }
@@ -129,6 +153,7 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
   database_->distrust();
   const Origin own = origin_of(origin, spec.part);
   if (begun(*database_)) {
+    demand_format(*database_, file);
     demand_the_same(*database_, own, folder_);
     database_->prepare("UPDATE origin SET text = ? WHERE name = ?")
         .with(spec.text, kCampaignText)
@@ -155,13 +180,14 @@ void Store::make_tables(const Origin& origin) {
   const auto factors = factor_names(spec_), columns = column_names(spec_);
   db.run("BEGIN");
   db.run(kTables);
-  db.run(fmt::format("CREATE TABLE cells (cell INTEGER PRIMARY KEY, command TEXT{})",
-                     declared(factors, "NUMERIC")));
+  db.run(
+      fmt::format("CREATE TABLE cells (cell INTEGER PRIMARY KEY, command TEXT{})",
+                  declared(factors, [&](std::size_t f) { return type_of_factor(db, cells_, f); })));
   db.run(
       fmt::format("CREATE TABLE replicates (cell INTEGER, replicate INTEGER, seed INTEGER, "
                   "outcome TEXT, time_s REAL, steps INTEGER, hash TEXT{}, "
                   "PRIMARY KEY (cell, replicate)) WITHOUT ROWID",
-                  declared(columns, "REAL")));
+                  declared(columns, [](std::size_t) { return "REAL"; })));
   set("format", std::to_string(kFormat));
   set("name", spec_.name);
   set("scenario", spec_.scenario);
@@ -215,7 +241,7 @@ void Store::count() {
 void Store::join(std::span<const std::string> folders) {
   if (folders.empty())
     return;
-  database_->run("BEGIN");
+  database_->run(kBegin);
   before_ = 0;
   for (const std::string& folder : folders) {
     Database part = open_results(folder);
@@ -241,7 +267,7 @@ void Store::put(const Result& result) {
   constexpr std::size_t kMostWaiting = 1000;
   constexpr std::chrono::seconds kLongest(1);
   if (waiting_++ == 0)
-    database_->run("BEGIN");
+    database_->run(kBegin);
   const Flown& flown = result.flown;
   if (!flown.fault.empty())
     put_fault_
@@ -327,6 +353,7 @@ Database open_results(const std::string& folder, Database::Access access) {
     throw disk::Refused(fmt::format("there is no campaign in {}", quote_path(folder)));
   Database database(file, access);
   database.distrust();
+  demand_format(database, file);
   return database;
 }
 

@@ -77,7 +77,7 @@ class Store {
 };
 
 /// Opens the database in a folder, which may be a stranger's; throws disk::Refused if there is
-/// none.
+/// none, or one that another version wrote.
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
 

@@ -154,6 +154,68 @@ TEST_F(StoreTest, LosesNothingThatWasCommittedWhenItIsKilled) {
   EXPECT_EQ(killed(3), 8U);
 }
 
+TEST_F(StoreTest, KeepsNamesOfLevelsAsTheyAreWritten) {
+  const auto values = [&](std::vector<std::string> names) {
+    const test::TempFolder other;
+    for (std::size_t i = 0; i < 3; ++i)
+      cells[i].values = {names[i]};
+    { const Store store(other / "out", spec, cells, kOrigin, false); }
+    Database database = open_results(other / "out");
+    Statement all = database.prepare("SELECT bingo, typeof(bingo) FROM cells ORDER BY cell");
+    std::string said;
+    while (all.step())
+      said += all.text(0) + " " + all.text(1) + ", ";
+    return said;
+  };
+  EXPECT_EQ(values({"1.1", "1.10", "007"}), "1.1 text, 1.10 text, 007 text, ");
+  EXPECT_EQ(values({"1e400", "12345678901234567890", ""}),
+            "1e400 text, 12345678901234567890 text,  text, ");
+  EXPECT_EQ(values({"9", "2.5", "-10"}), "9 integer, 2.5 real, -10 integer, ") << "to be sorted";
+}
+
+TEST_F(StoreTest, HasNoHashWhileResultsAreAdded) {
+  {
+    Store store = open(false);
+    put(store, 0, 3);
+    store.finish();
+  }
+  const auto hashes = [&] {
+    Database database = open_results(folder / "out");
+    Statement found = database.prepare("SELECT value FROM campaign WHERE name = 'hash'");
+    return found.step() ? found.text(0) : "";
+  };
+  EXPECT_NE(hashes(), "");
+  Store store = open();
+  EXPECT_NE(hashes(), "");
+  put(store, 0, 1);
+  store.flush();
+  EXPECT_EQ(hashes(), "");
+  store.finish();
+  EXPECT_EQ(hashes(), hash_text(store.hash()));
+}
+
+TEST_F(StoreTest, RefusesTablesOfAnotherVersionAndNone) {
+  const auto words = [&] {
+    try {
+      static_cast<void>(open_results(folder / "out"));
+    } catch (const disk::Refused& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  { const Store store = open(false); }
+  EXPECT_EQ(words(), "");
+  Database(folder / "out/results.db", Database::Access::write)
+      .run("UPDATE campaign SET value = '2' WHERE name = 'format'");
+  EXPECT_NE(words().find("results.db' was written by another version of Eyrie: its format is '2'"),
+            std::string::npos)
+      << words();
+  EXPECT_EQ(refused(true), words());
+  folder.write("out/results.db", "");
+  EXPECT_NE(words().find("results.db' is no campaign"), std::string::npos) << words();
+  EXPECT_EQ(refused(true), "") << "begun, and killed at once";
+}
+
 TEST_F(StoreTest, KeepsEachReplicateOnce) {
   Store store = open(false);
   store.put(test::made_up(spec, 0, 0));
