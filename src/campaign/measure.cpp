@@ -82,8 +82,19 @@ std::vector<ubf::detail::Instruction> condition_over(const std::vector<Column>& 
          .help = {}});
   }
   ubf::FieldNames names;
-  return ubf::parse_expression(text, fields, names, diagnostics)
-      .value_or(std::vector<ubf::detail::Instruction>());
+  Diagnostics wrong;
+  const auto condition = ubf::parse_expression(text, fields, names, wrong);
+  for (auto& [where, message] : wrong.sorted()) {
+    constexpr std::string_view kField = "state field";
+    if (const auto at = message.find(kField); at != message.npos)
+      message.replace(at, kField.size(), "measure");
+    for (const Column& column : columns)
+      if (const std::string name = column.name.substr(0, column.name.find(".sum"));
+          name != column.name && message.starts_with("there is no measure " + quote(name)))
+        message = fmt::format("{0} is a ratio of all flights; one has {0}.sum and {0}.per", name);
+    diagnostics.error(where, message);
+  }
+  return condition.value_or(std::vector<ubf::detail::Instruction>());
 }
 
 class Watcher final : public Watch {

@@ -174,7 +174,15 @@ TEST(Measures, HoldOfTheMeasuresAboveThem) {
   const char* const text = "red: {what: losses, who: red}\nwon: {what: holds, if: rad == 2}";
   static_cast<void>(read_measures(parse_yaml(text, "m.yaml", diagnostics), diagnostics));
   EXPECT_NE(diagnostics.text().find("m.yaml:2:24: "), std::string::npos) << diagnostics.text();
-  EXPECT_NE(diagnostics.text().find("did you mean 'red'?"), std::string::npos);
+  EXPECT_NE(diagnostics.text().find("there is no measure 'rad'; did you mean 'red'?"),
+            std::string::npos);
+  Diagnostics of_ratio;
+  const char* const ratio =
+      "exchange: {what: exchange_ratio, who: red}\nwon: {what: holds, if: exchange > 1}";
+  static_cast<void>(read_measures(parse_yaml(ratio, "m.yaml", of_ratio), of_ratio));
+  EXPECT_EQ(of_ratio.text(),
+            "m.yaml:2:24: exchange is a ratio of all flights; one has exchange.sum and "
+            "exchange.per");
 }
 
 TEST(Measures, NameWhomAScenarioHas) {
