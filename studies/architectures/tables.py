@@ -4,9 +4,11 @@
 
 usage: tables.py FOLDER     with compare/, starts/ and same/, which were reported with --of swept
 """
+import collections
 import json
 import math
 import pathlib
+import random
 import sqlite3
 import sys
 
@@ -28,28 +30,38 @@ def entropy(counts):
 
 
 def outcomes(folder, by):
-    """architecture -> start -> how often each outcome was: losses of both sides, and how it ended."""
+    """architecture -> the start and the outcome of each flight: losses of both sides, and how it ended."""
     database = sqlite3.connect(f"file:{folder / 'results.db'}?mode=ro", uri=True)
     found = {}
     start = " || ' ' || ".join(by) if by else "''"
-    for architecture, where, count in database.execute(
-        f"SELECT architecture, {start}, count(*) FROM replicates JOIN cells USING (cell) "
-        "GROUP BY 1, 2, blue_losses, red_losses, outcome"
+    for architecture, where, *outcome in database.execute(
+        f"SELECT architecture, {start}, blue_losses, red_losses, outcome FROM replicates JOIN cells USING (cell) "
+        "ORDER BY cell, replicate"
     ):
-        found.setdefault(architecture, {}).setdefault(where, []).append(count)
+        found.setdefault(architecture, []).append((where, tuple(outcome)))
     return found
 
 
 def pooled(folder):
-    return {a: entropy(of[""]) for a, of in outcomes(folder, []).items()}
+    return {a: entropy(collections.Counter(o for _, o in of).values()) for a, of in outcomes(folder, []).items()}
 
 
-def given_start(folder):
-    """The mean entropy of the outcomes of one start."""
-    return {
-        a: sum(entropy(counts) for counts in of.values()) / len(of)
-        for a, of in outcomes(folder, ["north", "altitude", "heading"]).items()
-    }
+def given_start(folder, shuffles=200):
+    """The mean entropy of the outcomes of one start, less what few flights of each take from it: with starts dealt at
+    random it would be that of all."""
+
+    def mean_entropy(starts, ends):
+        by_start = {}
+        for start, end in zip(starts, ends):
+            by_start.setdefault(start, collections.Counter())[end] += 1
+        return sum(entropy(counts.values()) for counts in by_start.values()) / len(by_start)
+
+    found, chance = {}, random.Random(1)
+    for a, of in outcomes(folder, ["north", "altitude", "heading"]).items():
+        starts, ends = zip(*of)
+        by_chance = sum(mean_entropy(chance.sample(starts, len(starts)), ends) for _ in range(shuffles)) / shuffles
+        found[a] = mean_entropy(starts, ends) - by_chance + entropy(collections.Counter(ends).values())
+    return found
 
 
 class Chart:
@@ -247,7 +259,7 @@ def main():
     text.append(
         "## How consistent, how various\n\nEntropies in bits (Miller and Madow's correction). Outcomes: losses of both sides and how it "
         "ended. Of the 27 starts of `starts.yaml` (20 seeds each), *in one start* is what chance leaves open, the difference "
-        "what the way the enemy comes in decides. Leaders: which type of node led the decisions of a flight (a fusion leads itself); "
+        "what the way the enemy comes in decides, less what starts dealt at random would. Leaders: which type of node led the decisions of a flight (a fusion leads itself); "
         "motion: bank and climb at the decisions.\n"
     )
     text.append(
