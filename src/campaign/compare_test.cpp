@@ -161,6 +161,11 @@ TEST(Effects, OfCrossedFactorsDoNotLeakIntoEachOther) {
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(all[0].factor, 1U);
   EXPECT_NEAR(all[0].part, 1, 1e-12);
+  const auto swapped = effects(second_factor_only(
+      36, [](std::size_t c) { return c % 3; }, [](std::size_t c) { return c / 3; }));
+  ASSERT_EQ(swapped.size(), 1U);
+  EXPECT_EQ(swapped[0].levels.size(), 12U) << "levels are not binned";
+  EXPECT_NEAR(swapped[0].part, 1, 1e-12);
 }
 
 TEST(Effects, OfEqualNumbersAreInOneBin) {
