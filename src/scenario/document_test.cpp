@@ -237,6 +237,22 @@ TEST(Overrides, ReachPlayersByName) {
             "did you mean 'eagle2'?");
 }
 
+TEST(Overrides, ReachANameWithADotInQuotes) {
+  Value document = Value::map({}, {});
+  Diagnostics diagnostics;
+  document = parse_yaml("trees: {a.b: {priority: [{x=1.y: {vote: 9}}, plain]}}", "a", diagnostics);
+  apply_overrides(document,
+                  {"trees.\"a.b\".priority.\"x=1.y\".vote=\"7\"", "trees.\"c.d\"=idle"},
+                  diagnostics);
+  EXPECT_EQ(diagnostics.text(), "");
+  EXPECT_EQ(text(document), "{trees: {a.b: {priority: [{x=1.y: {vote: 7}}, plain]}, c.d: idle}}");
+  std::map<std::string, std::string> paths;
+  paths_below(*document.find("trees"), "trees", paths);
+  EXPECT_EQ(paths.at("a:1:9"), "trees.\"a.b\"");
+  EXPECT_EQ(paths.at("a:1:27"), "trees.\"a.b\".priority.\"x=1.y\"");
+  EXPECT_EQ(with({"\"seed=7"}).mistakes, "--set \"seed=7:1:1: expected path=value");
+}
+
 TEST(Overrides, RefuseANameThatIsThereTwice) {
   EXPECT_EQ(with({"blue.flights.eagle.loadout.aim9=none"}).mistakes,
             "--set blue.flights.eagle.loadout.aim9=none:1:28: 'aim9' is in this list more than "

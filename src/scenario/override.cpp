@@ -37,8 +37,8 @@ class Override {
       : text_(text), diagnostics_(diagnostics) {}
 
   void apply(Value& document) {
-    const auto equals = text_.find('=');
-    if (equals == std::string::npos || equals == 0)
+    const std::size_t equals = path_size(text_);
+    if (equals == text_.size() || equals == 0)
       return error(0, "expected path=value");
     const std::string_view after = std::string_view(text_).substr(equals + 1);
     const std::size_t first = after.find_first_not_of(" \t\r\n");

@@ -27,17 +27,37 @@ std::optional<std::size_t> index_in(std::string_view key) {
                                                                  : std::nullopt;
 }
 
+/// A name as a path has it.
+std::string in_path(std::string_view name) {
+  const bool plain = name.find_first_of(".=") == name.npos || name.find('"') != name.npos;
+  return plain ? std::string(name) : fmt::format("\"{}\"", name);
+}
+
 }  // namespace
+
+std::size_t path_size(std::string_view text) {
+  bool in_quotes = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    in_quotes ^= text[i] == '"';
+    if (text[i] == '=' && !in_quotes)
+      return i;
+  }
+  return text.size();
+}
 
 std::optional<std::vector<PathKey>> path_keys(std::string_view path, Location where,
                                               Diagnostics& diagnostics) {
   std::vector<PathKey> keys;
   for (std::size_t begin = 0, end = 0; end != path.npos; begin = end + 1) {
-    end = path.find('.', begin);
     Location place = where;
     place.column += static_cast<int>(begin);
-    keys.push_back({std::string(path.substr(begin, end - begin)), place});
-    if (keys.back().text.empty()) {
+    const auto close = path.substr(begin, 1) == "\"" ? path.find('"', begin + 1) : path.npos;
+    end = path.find('.', close == path.npos ? begin : close);
+    std::string_view key = path.substr(begin, end - begin);
+    if (close != path.npos && close == begin + key.size() - 1)
+      key = key.substr(1, key.size() - 2);
+    keys.push_back({std::string(key), place});
+    if (key.empty()) {
       diagnostics.error(place, "an empty name in the path");
       return std::nullopt;
     }
@@ -63,7 +83,7 @@ void paths_below(const Value& at, const std::string& path,
                  std::map<std::string, std::string>& paths) {
   paths.emplace(at.where.text(), path);
   for (const Value::Entry& e : at.entries) {
-    const std::string below = e.key == "children" ? path : path + "." + e.key;
+    const std::string below = e.key == "children" ? path : path + "." + in_path(e.key);
     paths[e.where.text()] = below;
     paths_below(e.value, below, paths);
   }
@@ -72,11 +92,11 @@ void paths_below(const Value& at, const std::string& path,
     const std::string_view name = item_name(item);
     // one that --set can type
     const bool is_named =
-        !name.empty() && name.find_first_of(".= ") == name.npos && !index_in(name) &&
+        !name.empty() && name.find_first_of(" \"") == name.npos && !index_in(name) &&
         std::count_if(at.items.begin(), at.items.end(),
                       [&](const Value& other) { return item_name(other) == name; }) == 1;
     const std::string below =
-        fmt::format("{}.{}", path, is_named ? std::string(name) : std::to_string(i));
+        fmt::format("{}.{}", path, is_named ? in_path(name) : std::to_string(i));
     if (is_named && item.is_map()) {
       paths[item.entries[0].where.text()] = below;
       paths_below(item.entries[0].value, below, paths);

@@ -4,7 +4,7 @@
 /// scenario changes of another: `trees.wall.winner_takes_all.navigate.speed`. They go through maps
 /// by key and through lists by index, from 0, or by the name of the item: a scalar, or the only key
 /// of a map, which must be the only one of that name. Where children stand below `children:`, that
-/// word may be left out.
+/// word may be left out. A name with a dot stands in quotes: `trees."break.2".vote`.
 #include <map>
 #include <optional>
 
@@ -21,6 +21,9 @@ struct PathKey {
 /// The keys of a path that begins at `where`, or nothing after saying that one is empty.
 [[nodiscard]] std::optional<std::vector<PathKey>> path_keys(std::string_view path, Location where,
                                                             Diagnostics& diagnostics);
+
+/// The characters before the first '=' that is not in quotes; all if there is none.
+[[nodiscard]] std::size_t path_size(std::string_view text);
 
 /// The list that a key means an item of: the value, or its `children`. Null if it is none.
 [[nodiscard]] Value* list_for(Value& at, std::string_view key);
