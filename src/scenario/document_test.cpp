@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/yaml.hpp"
+#include "scenario/path.hpp"
 #include "scenario/source.hpp"
 
 #include <gtest/gtest.h>
