@@ -153,10 +153,12 @@ std::string Diagnostics::text(std::size_t limit) const {
   std::string result;
   for (std::size_t i = 0; i < printed; ++i)
     result += (i == 0 ? "" : "\n") + all[i].text();
-  const std::size_t dropped = count_ - found_.size();
-  if (printed < all.size() + dropped)
-    result +=
-        fmt::format("{}... and {} more", printed == 0 ? "" : "\n", all.size() - printed + dropped);
+  const std::size_t rest = all.size() - printed;
+  // those that were not kept may repeat others
+  const bool dropped = count_ > found_.size();
+  if (rest > 0 || dropped)
+    result += fmt::format("{}... and {} more", printed == 0 ? "" : "\n",
+                          rest == 0 ? "perhaps" : fmt::format("{}{}", rest, dropped ? " or" : ""));
   return result;
 }
 

@@ -75,6 +75,15 @@ TEST(Diagnostics, PrintsSoManyAndCountsTheRest) {
   EXPECT_TRUE(found.text(57).ends_with("sweep.yaml:57:1: wrong"));
 }
 
+TEST(Diagnostics, CountsNoRepeatsAsOthers) {
+  Diagnostics found;
+  for (int line = 1; line <= 1000; ++line)
+    found.error(at(line, 1), "wrong");
+  for (int i = 0; i < 5000; ++i)
+    found.error(at(1, 1), "wrong");
+  EXPECT_TRUE(found.text().ends_with("sweep.yaml:50:1: wrong\n... and 950 or more"));
+}
+
 TEST(Diagnostics, MergeAddsAllOfAnother) {
   Diagnostics a, b;
   a.error(at(2, 1), "a");

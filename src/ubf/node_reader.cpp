@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/bind.hpp"
+#include "core/text.hpp"
 
 namespace eyrie::ubf {
 namespace {
@@ -44,7 +45,7 @@ bool is_child_alone(const NodeType& type, const Value& body) {
 }  // namespace
 
 NodeReader::Child NodeReader::read(const Value& value) {
-  if (full_)
+  if (full_ || diagnostics_.full())
     return nullptr;
   const std::optional<NodeSpec> spec = read_spec(value, diagnostics_);
   if (!spec)
@@ -87,6 +88,8 @@ std::vector<detail::Instruction> NodeReader::expression(const Value& text) {
 }
 std::vector<detail::Instruction> NodeReader::expression(const Value& text,
                                                         std::span<const StateFieldInfo> fields) {
+  if (characters(text.text) > kLongestText)  // whoever bound it has said so
+    return {};
   return parse_expression(text, fields, names_, diagnostics_)
       .value_or(std::vector<detail::Instruction>{});
 }
@@ -265,7 +268,7 @@ NodeReader::Child NodeReader::make_voting(const NodeType& type, const NodeSpec& 
       text, registry_.fields_, [&](const Value& name) { return field(name); }, diagnostics_);
   Value whole = *spec.body;
   std::erase_if(whole.entries, [](const Value::Entry& e) { return e.key == "vote"; });
-  if (const Value* most = text.find("most"))
+  if (const Value* most = text.find("most"); most && !most->is_map())
     whole.entries.push_back(entry("vote", *most));
   Child node = make(type, {spec.type, spec.where, &whole});
   if (!curve || !node)
@@ -326,6 +329,9 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
   const bool takes_one = node.type_->grammar == Grammar::list_or_one;
   const Value* list = spec.body;
   const Value* only = nullptr;
+  if (spec.body->is_scalar())
+    return error(spec.body->where, fmt::format("{}: write children as a list: [{}]", spec.type,
+                                               printable(spec.body->text, 40)));
   if (spec.body->is_list()) {
     bind(node, Value::map({}, spec.where), {});
   } else {

@@ -53,7 +53,7 @@ std::optional<AnyTree> AnyRegistry::build(const std::string& name, const Value& 
   const std::size_t before = diagnostics.count();
   NodeReader reader(*this, others, diagnostics, changes, files);
   std::unique_ptr<AnyNode> root = reader.read_tree(name, value);
-  if (diagnostics.count() != before)
+  if (!root || diagnostics.count() != before)
     return std::nullopt;
   const auto total_memory = [](const auto& self, const AnyNode& node) -> std::size_t {
     std::size_t bytes = slab_bytes(node.memory_bytes());

@@ -66,6 +66,8 @@ TEST(RegistryErrors, ALeafTakesNoChildren) {
 TEST(RegistryErrors, ACompositeNeedsChildrenAsAList) {
   EXPECT_EQ(mistakes("winner_takes_all"),
             "test.yaml:1:1: winner_takes_all needs at least one child");
+  EXPECT_EQ(mistakes("{winner_takes_all: probe}"),
+            "test.yaml:1:20: winner_takes_all: write children as a list: [probe]");
   EXPECT_EQ(mistakes("{fusion: {children: {probe: {cue: 1}}}}"),
             "test.yaml:1:21: children: expected a list of nodes, got a map");
   EXPECT_EQ(mistakes("{selector: {probe: {cue: 1}, check: {cue: 2}}}"),
@@ -138,6 +140,29 @@ TEST(RegistryErrors, MistakesInASharedTreeAreToldOnce) {
   EXPECT_EQ(mistakes("{selector: [{tree: bad}, {tree: bad}]}",
                      NamedTrees().with("bad", "{probe: {cue: 99}}")),
             "bad.yaml:1:15: cue: 99 is outside [0, 31]");
+}
+
+TEST(RegistryErrors, NobodyReadsOnWhereMoreIsWrongThanAnybodyReads) {
+  std::string list;
+  for (int i = 0; i < 3000; ++i)
+    list += "prob, ";
+  Diagnostics diagnostics;
+  for (int tree = 0; tree < 3; ++tree) {
+    const std::size_t before = diagnostics.count();
+    EXPECT_FALSE(standard_registry().build_tree(
+        "test", document("{selector: [" + list + "{inverter: prob}]}"), diagnostics));
+    EXPECT_LE(diagnostics.count(), Diagnostics::kKept) << before;
+  }
+}
+
+TEST(RegistryErrors, AConditionThatIsTooLongIsNotReadAsOne) {
+  std::string words = "rang < 1 m";
+  for (int i = 0; i < 100; ++i)
+    words += " and alarm";
+  EXPECT_EQ(
+      mistakes("{holds: " + words + "}"),
+      "test.yaml:1:9: that: 'rang < 1 m and alarm and alarm and alarm and alarm and alarm...' "
+      "has 1010 characters, at most 1000 fit");
 }
 
 TEST(RegistryErrors, DepthIsLimited) {

@@ -46,6 +46,8 @@ class VoteReading {
   std::optional<VoteCurve> read(const Value& text) {
     const std::size_t before = diagnostics_.count();
     VoteCurve vote;
+    if (const Value* most = text.find("most"); most && most->is_map())
+      diagnostics_.error(most->where, "vote: 'most' is a number such as 40, got a map");
     if (const Value* product = text.find("product")) {
       vote.least = bind(text, nullptr, {"least"}, {"most", "product"}).least;
       read_product(*product, vote);

@@ -130,6 +130,8 @@ TEST(VoteCurve, MistakesAreSaid) {
            "you mean 'logistic'?");
   EXPECT_EQ(said("{of: alarm, more: 3}"), at + "39: vote has no parameter 'more'");
   EXPECT_EQ(said("{most: 2000, of: alarm}"), at + "34: vote: 2000 is outside [0, 1000]");
+  EXPECT_EQ(said("{most: {most: 20, of: alarm}, of: alarm}"),
+            at + "34: vote: 'most' is a number such as 40, got a map");
   EXPECT_EQ(said("{most: 20, least: 30, of: alarm}"),
             at + "27: vote: 'least' is 30, above the full vote of 20");
   EXPECT_EQ(said("{least: 30, of: alarm}"), at + "27: vote: 'least' needs 'most' beside it");
