@@ -205,8 +205,8 @@ class Reader {
     } else {
       static constexpr std::array<std::string_view, 5> kTags{"!choice", "!range", "!uniform",
                                                              "!log_uniform", "!normal"};
-      error(map.where, fmt::format("there is no {}, only {}{}", quote(map.tag),
-                                   fmt::join(kTags, ", "), did_you_mean(map.tag, kTags)));
+      error(map.where,
+            fmt::format("there is no {}, only {}", quote(map.tag), fmt::join(kTags, ", ")));
     }
   }
 

@@ -188,8 +188,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[1800 kg, 2200 kg]", "[1800 kg, 1800 kg]",
                 "c.yaml:6:61: bingo: '1800 kg' is there twice"},
         Mistake{"[1800 kg, 2200 kg]", "!unifrom {low: 1 kg, high: 2 kg}",
-                "c.yaml:6:51: bingo: there is no '!unifrom', only !choice, !range, !uniform, "
+                "c.yaml:6:51: there is no tag '!unifrom', only !tree, !choice, !range, !uniform, "
                 "!log_uniform, !normal; did you mean '!uniform'?"},
+        Mistake{"[1800 kg, 2200 kg]", "!tree {low: 1 kg, high: 2 kg}",
+                "c.yaml:6:51: bingo: there is no '!tree', only !choice, !range, !uniform, "
+                "!log_uniform, !normal"},
         Mistake{"[1800 kg, 2200 kg]", "!uniform {low: 1 kg, hihg: 2 kg}",
                 "c.yaml:6:51: distribution needs the parameter 'high'\n"
                 "c.yaml:6:72: distribution has no parameter 'hihg'; did you mean 'high'?"},

@@ -5,10 +5,13 @@
 #include <yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <new>
 #include <optional>
 #include <unordered_map>
+
+#include "core/text.hpp"
 
 namespace eyrie {
 namespace {
@@ -18,6 +21,18 @@ struct Refused {
   Location where;
   std::string message;
 };
+
+/// What files may say: a reference to a tree, and the factors of a campaign.
+constexpr std::array<std::string_view, 6> kTags{"!tree",    "!choice",      "!range",
+                                                "!uniform", "!log_uniform", "!normal"};
+
+/// The line and column of a byte offset.
+Location place_of(std::string_view text, std::size_t offset, FileName file) {
+  const std::string_view before = text.substr(0, offset);
+  const auto line = std::count(before.begin(), before.end(), '\n');
+  const std::size_t column = characters(before.substr(before.rfind('\n') + 1));
+  return {file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
+}
 
 std::string text_of(const yaml_char_t* text) {
   return text ? reinterpret_cast<const char*>(text) : "";
@@ -112,6 +127,17 @@ class Builder {
       return !fresh;
     });
   }
+  /// A tag as it is written, after refusing one that nobody reads.
+  std::string tag_of(const yaml_char_t* written, const Location& where) {
+    std::string tag = text_of(written);
+    if (!written || std::find(kTags.begin(), kTags.end(), tag) != kTags.end())
+      return tag;
+    if (constexpr std::string_view kOfYaml = "tag:yaml.org,2002:"; tag.starts_with(kOfYaml))
+      tag.replace(0, kOfYaml.size(), "!!");
+    diagnostics_.error(where, fmt::format("there is no tag {}, only {}{}", quote(tag),
+                                          fmt::join(kTags, ", "), did_you_mean(tag, kTags)));
+    return {};
+  }
   [[noreturn]] static void refuse_key(const Location& where, const Value& shown) {
     throw Refused{where, "a key must be a plain word, not " + shown.shown()};
   }
@@ -121,6 +147,7 @@ class Builder {
     const Location where = place(e.start_mark);
     const std::string_view text(reinterpret_cast<const char*>(s.value), s.length);
     const bool quoted = s.style != YAML_PLAIN_SCALAR_STYLE;
+    const std::string tag = tag_of(s.tag, where);
     const bool is_null =
         !quoted && !s.tag &&
         (text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL");
@@ -128,6 +155,9 @@ class Builder {
       count(where, 1);
       if (is_null)
         refuse_key(where, Value());
+      if (!tag.empty())
+        diagnostics_.error(
+            where, fmt::format("a key has no tag: write {} {{{}: ...}}", tag, printable(text, 40)));
       if (s.anchor) {
         Value anchored = Value::scalar(std::string(text), where);
         anchored.quoted = quoted;
@@ -144,8 +174,7 @@ class Builder {
       v.kind = Value::Kind::scalar;
       v.text = text;
       v.quoted = quoted;
-      if (s.tag)
-        v.tag = text_of(s.tag);
+      v.tag = tag;
     }
     if (s.anchor)
       remember(text_of(s.anchor), v);
@@ -164,8 +193,7 @@ class Builder {
     Value& v = slot(where);
     v.kind = kind;
     v.where = where;
-    if (tag)
-      v.tag = text_of(tag);
+    v.tag = tag_of(tag, where);
     Open& opened = open_.emplace_back();
     opened.value = &v;
     if (anchor)
@@ -244,7 +272,7 @@ class Parser {
     for (bool done = false; !done;) {
       yaml_event_t event;
       if (!yaml_parser_parse(&parser_, &event))
-        throw Refused{builder.place(parser_.problem_mark), problem()};
+        throw Refused{place(builder), problem()};
       const Delete deleted{event};
       builder.handle(event);
       done = event.type == YAML_STREAM_END_EVENT;
@@ -257,9 +285,16 @@ class Parser {
     ~Delete() { yaml_event_delete(&event); }
   };
 
+  /// Bytes that are no text have an offset only.
+  [[nodiscard]] Location place(const Builder& builder) const {
+    const Location mark = builder.place(parser_.problem_mark);
+    return parser_.error == YAML_READER_ERROR ? place_of(text_, parser_.problem_offset, mark.file)
+                                              : mark;
+  }
+
   /// "not YAML: while parsing a flow sequence from line 3: did not find expected ',' or ']'"
   [[nodiscard]] std::string problem() const {
-    if (is_tab(parser_.problem_mark))
+    if (parser_.error != YAML_READER_ERROR && is_tab(parser_.problem_mark))
       return "a tab; YAML is indented with spaces";
     std::string context;
     if (parser_.context) {
@@ -285,15 +320,6 @@ class Parser {
   std::string_view text_;
   yaml_parser_t parser_;
 };
-
-/// The line and column of a byte offset.
-Location place_of(std::string_view text, std::size_t offset, FileName file) {
-  const std::string_view before = text.substr(0, offset);
-  const auto line = std::count(before.begin(), before.end(), '\n');
-  const auto start = before.rfind('\n');
-  const std::size_t column = start == std::string_view::npos ? offset : offset - start - 1;
-  return {file, static_cast<int>(line) + 1, static_cast<int>(column) + 1};
-}
 
 }  // namespace
 

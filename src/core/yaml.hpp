@@ -15,7 +15,7 @@ struct YamlLimits {
 /// Reads one YAML document. `file` is the name that errors carry. Aliases are expanded (counted
 /// against the limits); merge keys `<<`, a second document, NUL bytes and keys that are not scalars
 /// are refused: the diagnostics hold the mistake and the result is a null value. A key that a map
-/// gives twice is reported too; the result is the rest of the document.
+/// gives twice and a tag that Eyrie does not know are reported too; the result is the rest.
 [[nodiscard]] Value parse_yaml(std::string_view text, std::string_view file,
                                Diagnostics& diagnostics, const YamlLimits& limits = {});
 

@@ -127,5 +127,29 @@ TEST(Yaml, PointsAtTheLineOfASyntaxError) {
   EXPECT_NE(said.find("not YAML: "), std::string::npos) << said;
 }
 
+TEST(Yaml, RefusesTagsThatMeanNothing) {
+  const auto said = [](std::string_view text) {
+    Diagnostics d;
+    EXPECT_FALSE(parse_yaml(text, "a.yaml", d).is_null()) << "the rest is read";
+    return d.text();
+  };
+  const std::string known = "only !tree, !choice, !range, !uniform, !log_uniform, !normal";
+  EXPECT_EQ(said("a: !tre x\nb: !!int 5\nc: !foo [!normal {}, !bar {}]\n! d: !tree e\n"),
+            "a.yaml:1:4: there is no tag '!tre', " + known + "; did you mean '!tree'?\n" +
+                "a.yaml:2:4: there is no tag '!!int', " + known + "\n" +
+                "a.yaml:3:4: there is no tag '!foo', " + known + "\n" +
+                "a.yaml:3:22: there is no tag '!bar', " + known + "\n" +
+                "a.yaml:4:1: there is no tag '!', " + known);
+  EXPECT_EQ(said("- !tree engage: {vote: 3}\n"),
+            "a.yaml:1:3: a key has no tag: write !tree {engage: ...}");
+}
+
+TEST(Yaml, PointsAtBytesThatAreNoText) {
+  EXPECT_EQ(mistakes("a: 1\nb: \u00e9\xC3\x28\n"),
+            "a.yaml:2:6: not YAML: invalid trailing UTF-8 octet");
+  EXPECT_EQ(mistakes("a: 1\n\nb: x\x01y\n"),
+            "a.yaml:3:5: not YAML: control characters are not allowed");
+}
+
 }  // namespace
 }  // namespace eyrie
