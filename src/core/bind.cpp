@@ -162,16 +162,22 @@ bool read_integer(std::uint64_t& out, const ValueType& type, const Value& value,
     report(value, info, "expected a whole number, got " + shown(value), diagnostics);
     return false;
   }
+  const double x = negative ? -static_cast<double>(magnitude) : static_cast<double>(magnitude);
+  if (error == std::errc{} && !check_range(x, value, info, diagnostics))
+    return false;
   const std::uint64_t lowest = 0 - static_cast<std::uint64_t>(type.least);
   if (error != std::errc{} || magnitude > (negative ? lowest : type.most)) {
+    const auto [min, max, exclusive] = info.limits;
+    const std::int64_t least = min > double(type.least) ? std::int64_t(min) : type.least;
+    const std::uint64_t most = max < double(type.most) ? std::uint64_t(max) : type.most;
     report(value, info,
-           fmt::format("{} is outside [{}, {}]", as_written(value), type.least, type.most),
+           fmt::format("{} is outside {}{}, {}]", as_written(value), exclusive ? '(' : '[', least,
+                       most),
            diagnostics);
     return false;
   }
-  const double x = negative ? -static_cast<double>(magnitude) : static_cast<double>(magnitude);
   out = negative ? 0 - magnitude : magnitude;
-  return check_range(x, value, info, diagnostics);
+  return true;
 }
 
 bool read_text(std::string& out, const Value& value, const ParamInfo& info,
@@ -244,6 +250,10 @@ bool read_parts(const ValueType& type, void* out, const Value& value, const Para
 bool read(const ValueType& type, void* out, const Value& value, const ParamInfo& info,
           Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.count();
+  if (!value.tag.empty()) {
+    report(value, info, "unexpected tag " + quote(value.tag), diagnostics);
+    return false;
+  }
   std::uint64_t bits = 0;
   double number = 0;
   bool good = true;

@@ -219,11 +219,11 @@ TEST(Bind, IntegersAreWholeAndFitTheirType) {
   const auto steps = [](Value v) { return bind_one("steps", &BreakTurn::steps, std::move(v)); };
   EXPECT_EQ(steps(Value::scalar("127")), "127");
   EXPECT_EQ(steps(Value::scalar("-0")), "0");
-  EXPECT_EQ(steps(Value::scalar("128")), "steps: 128 is outside [-128, 127]");
-  EXPECT_EQ(steps(Value::scalar("-129")), "steps: -129 is outside [-128, 127]");
+  EXPECT_EQ(steps(Value::scalar("128")), "steps: 128 is outside [-100, 127]");
+  EXPECT_EQ(steps(Value::scalar("-129")), "steps: -129 is less than -100");
   EXPECT_EQ(steps(Value::scalar("-101")), "steps: -101 is less than -100");
   EXPECT_EQ(steps(Value::scalar("99999999999999999999")),
-            "steps: 99999999999999999999 is outside [-128, 127]");
+            "steps: 99999999999999999999 is outside [-100, 127]");
   for (const char* wrong : {"4.0", "4e0", "0x4", "four", "", "-", "+-4", "4 ft", "1_000"})
     EXPECT_EQ(steps(Value::scalar(wrong)),
               fmt::format("steps: expected a whole number, got '{}'", wrong));
@@ -231,6 +231,9 @@ TEST(Bind, IntegersAreWholeAndFitTheirType) {
   EXPECT_EQ(steps(Value::list({})), "steps: expected a whole number, got a list");
   EXPECT_EQ(bind_one("seed", &BreakTurn::seed, Value::scalar("-1")),
             "seed: -1 is outside [0, 18446744073709551615]");
+  Value tagged = Value::scalar("7");
+  tagged.tag = "!tree";
+  EXPECT_EQ(bind_one("seed", &BreakTurn::seed, tagged), "seed: unexpected tag '!tree'");
 }
 
 TEST(Bind, BooleansAreTrueOrFalse) {
