@@ -12,6 +12,8 @@ namespace {
 
 /// Far above what anybody writes; a player knows its tree by 16 bits.
 constexpr std::size_t kMostTrees = 2000;
+/// Of all trees together: a few hundred bytes each.
+constexpr std::size_t kMostTreeNodes = 500'000;
 
 /// Somebody who uses a tree, and where that is said.
 struct User {
@@ -74,14 +76,17 @@ struct Shelf {
   std::string_view platform, agent;  ///< "an aircraft", "pilot"
   const std::vector<TreeChange>& changes;
   ubf::NodeFiles* files;
+  std::size_t& nodes;  ///< of all trees so far
 
   /// Builds and keeps a tree; false after mistakes.
   bool add(const ubf::NamedSpec& spec, Diagnostics& diagnostics) {
     auto tree = registry.build_tree(spec.name, *spec.value, diagnostics, all,
                                     changes_of(spec, changes), files);
-    if (tree)
-      trees.add(std::move(*tree));
-    return tree.has_value();
+    if (!tree)
+      return false;
+    nodes += tree->size();
+    trees.add(std::move(*tree));
+    return true;
   }
   [[nodiscard]] bool can_read(const ubf::NamedSpec& spec) const {
     Diagnostics ignored;
@@ -136,16 +141,18 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
   std::optional<NodeFiles> node_files;
   ubf::NodeFiles* const files = source ? &node_files.emplace(*source) : nullptr;
   const std::vector<ubf::NamedSpec> named = named_trees(*map, diagnostics);
+  std::size_t nodes = 0;
   Shelf<pilot::Trees, pilot::Registry> air{*book.pilots_, registries.pilots, named, "an aircraft",
-                                           "pilot",       changes,           files};
+                                           "pilot",       changes,           files, nodes};
   Shelf<driver::Trees, driver::Registry> ground{
-      *book.drivers_, registries.drivers, named, "a vehicle", "driver", changes, files};
+      *book.drivers_, registries.drivers, named, "a vehicle", "driver", changes, files, nodes};
   const bool both = !plans.convoys.empty();
   for (const ubf::NamedSpec& spec : named) {
     book.names_.push_back(spec.name);
     if (diagnostics.full())
       continue;
     if (ubf::needs_arguments(*spec.value)) {
+      ubf::check_parameters(spec.name, *spec.value, diagnostics);
       book.templates_.push_back(spec.name);
       continue;
     }
@@ -172,6 +179,13 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
     }
     if (!sound)
       book.broken_.push_back(spec.name);
+    if (nodes > kMostTreeNodes) {
+      book.too_many_ = true;
+      diagnostics.error(spec.value->where,
+                        fmt::format("trees: with {} they have more than {} nodes", quote(spec.name),
+                                    kMostTreeNodes));
+      break;
+    }
   }
   return book;
 }

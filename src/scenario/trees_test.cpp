@@ -91,5 +91,33 @@ TEST(TreeBook, KnowsNoAltitudeOnTheGround) {
       "a:1:40: there is no state field 'altitude' (in a tree for drivers: truck1 has it)");
 }
 
+TEST(TreeBook, LimitsTheNodesOfAllTreesTogether) {
+  std::string text = "trees:\n  big: {sequence: [navigate";
+  for (int i = 1; i < 60'000; ++i)
+    text += ",navigate";
+  text += "]}\n";
+  for (int i = 0; i < 50; ++i)
+    text += "  x" + std::to_string(i) + ": {tree: big}\n";
+  EXPECT_EQ(book_of(text, "x40", "").mistakes,
+            "a:10:7: trees: with 'x7' they have more than 500000 nodes");
+}
+
+TEST(TreeBook, ChecksTreesThatNobodyGivesArguments) {
+  EXPECT_EQ(book_of("trees:\n"
+                    "  air: navigate\n"
+                    "  good: {parameters: {near: , vote: 3}, root: {guard: {when: range < $near,\n"
+                    "    child: {pursue: {vote: $vote}}}}}\n"
+                    "  typo: {parameters: {near: , far: }, root: {holds: range < $naer}, rot: 3}\n"
+                    "  bare: {parameters: {near: }}\n"
+                    "  names: {parameters: {near: , far: }, root: {holds: range < $naer}}\n"
+                    "  idle: {parameters: {near: , far: }, root: {holds: range < $near}}\n",
+                    "air", "")
+                .mistakes,
+            "a:5:69: a tree with parameters has 'parameters' and 'root', got 'rot'\n"
+            "a:6:9: tree 'bare' has parameters but no 'root'\n"
+            "a:7:54: tree 'names' has no parameter 'naer'; did you mean 'near'?\n"
+            "a:8:31: tree 'idle' never uses its parameter 'far'");
+}
+
 }  // namespace
 }  // namespace eyrie::scenario

@@ -20,6 +20,7 @@ void refuse(const Value& value, Diagnostics& diagnostics) {
 
 struct Argument {
   const Value* value = nullptr;
+  bool is_default = true;
   bool used = false;
 };
 using Arguments = std::map<std::string, Argument, std::less<>>;
@@ -48,8 +49,8 @@ class Filling {
       : tree_(tree), arguments_(arguments), diagnostics_(diagnostics) {}
 
   void fill(Value& value) {
-    if (value.is_scalar() && value.text.find('$') != value.text.npos)
-      fill_text(value);
+    if (value.is_scalar() && value.text.find('$') != value.text.npos && !fill_text(value))
+      return;
     for (Value& item : value.items)
       fill(item);
     for (Value::Entry& e : value.entries)
@@ -57,7 +58,8 @@ class Filling {
   }
 
  private:
-  void fill_text(Value& value) {
+  /// False if an argument took its place, which has the names of whoever gave it.
+  bool fill_text(Value& value) {
     const std::string text = std::move(value.text);
     value.text.clear();
     for (std::size_t at = 0; at < text.size();) {
@@ -69,10 +71,15 @@ class Filling {
       while (end < text.size() && is_name(text[end]))
         ++end;
       const std::string_view name = std::string_view(text).substr(at + 1, end - at - 1);
-      const Value* argument = find(value.where, name);
+      if (name.empty()) {
+        value.text += text[at++];
+        continue;
+      }
+      const Argument* found = find(value.where, name);
+      const Value* argument = found ? found->value : nullptr;
       if (argument && at == 0 && end == text.size()) {
         put(*argument, value);
-        return;
+        return found->is_default;
       }
       if (argument && !argument->is_scalar())
         diagnostics_.error(value.where, fmt::format("'${}' is {}: it cannot be a piece of a text",
@@ -81,13 +88,17 @@ class Filling {
         value.text += argument->text;
       at = end;
     }
+    return true;
   }
   /// An argument that is used twice in a tree that is used twice ... must not fill the memory.
   void put(const Value& argument, Value& value) {
     copied_ += size(argument);
-    if (copied_ <= kMostCopied)
+    if (copied_ <= kMostCopied) {
+      std::string tag = std::move(value.tag);  // of `!tree $name`
       value = Value(argument);
-    else if (!full_)
+      if (!tag.empty())
+        value.tag = std::move(tag);
+    } else if (!full_)
       diagnostics_.error(value.where, fmt::format("the arguments of tree {} make it larger than {} "
                                                   "values",
                                                   quote(tree_), kMostCopied));
@@ -101,7 +112,7 @@ class Filling {
       n += size(e.value);
     return n;
   }
-  const Value* find(const Location& where, std::string_view name) {
+  const Argument* find(const Location& where, std::string_view name) {
     const auto found = arguments_.find(name);
     if (found == arguments_.end()) {
       diagnostics_.error(where, fmt::format("tree {} has no parameter {}{}", quote(tree_),
@@ -109,7 +120,7 @@ class Filling {
       return nullptr;
     }
     found->second.used = true;
-    return found->second.value;
+    return &found->second;
   }
 
   std::string_view tree_;
@@ -150,6 +161,22 @@ Arguments declared(std::string_view name, const Value& tree, Diagnostics& diagno
       arguments.emplace(e.key, Argument{e.value.is_null() ? nullptr : &e.value});
   }
   return arguments;
+}
+
+/// The tree with those arguments in it, or nothing after reporting.
+std::optional<Value> filled(std::string_view name, const Value& tree, Arguments& arguments,
+                            Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.count();
+  Value root = root_of(tree);
+  Filling(name, arguments, diagnostics).fill(root);
+  for (const auto& [parameter, argument] : arguments)
+    if (!argument.used && diagnostics.count() == before)
+      diagnostics.error(
+          tree.find(kParametersKey)->find_entry(parameter)->where,
+          fmt::format("tree {} never uses its parameter {}", quote(name), quote(parameter)));
+  if (diagnostics.count() != before)
+    return std::nullopt;
+  return root;
 }
 
 std::vector<FieldRename> read_renames(const Value& value, Diagnostics& diagnostics) {
@@ -273,6 +300,17 @@ bool needs_arguments(const Value& tree) {
                                    [](const Value::Entry& e) { return e.value.is_null(); });
 }
 
+void check_parameters(std::string_view name, const Value& tree, Diagnostics& diagnostics) {
+  static const Value kAny = Value::scalar("");
+  const std::size_t before = diagnostics.count();
+  Arguments arguments = declared(name, tree, diagnostics);
+  for (auto& [parameter, argument] : arguments)
+    if (!argument.value)
+      argument.value = &kAny;
+  if (diagnostics.count() == before)
+    static_cast<void>(filled(name, tree, arguments, diagnostics));
+}
+
 std::optional<Value> instantiate(std::string_view name, const Value& tree,
                                  const std::vector<const Value::Entry*>& given,
                                  const Location& where, Diagnostics& diagnostics) {
@@ -285,7 +323,7 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
                         fmt::format("tree {} has no parameter {}{}", quote(name), quote(e->key),
                                     did_you_mean(e->key, names_of(arguments))));
     else
-      parameter->second.value = &e->value;
+      parameter->second = {.value = &e->value, .is_default = false};
   }
   for (const auto& [parameter, argument] : arguments)
     if (!argument.value)
@@ -293,16 +331,7 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
           where, fmt::format("tree {} needs the argument {}", quote(name), quote(parameter)));
   if (diagnostics.count() != before)
     return std::nullopt;
-  Value root = root_of(tree);
-  Filling(name, arguments, diagnostics).fill(root);
-  for (const auto& [parameter, argument] : arguments)
-    if (!argument.used && diagnostics.count() == before)
-      diagnostics.error(
-          tree.find(kParametersKey)->find_entry(parameter)->where,
-          fmt::format("tree {} never uses its parameter {}", quote(name), quote(parameter)));
-  if (diagnostics.count() != before)
-    return std::nullopt;
-  return root;
+  return filled(name, tree, arguments, diagnostics);
 }
 
 }  // namespace eyrie::ubf

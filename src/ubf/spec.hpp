@@ -24,7 +24,8 @@
 ///         - tree: {engage: {near: 10 nmi}}     a copy of it, with arguments
 ///         - !tree home                         the same as {tree: home}
 ///
-/// `$name` stands for the argument: any value, a node too, or a piece of a longer text.
+/// `$name` stands for the argument: any value, a node too, or a piece of a longer text. What
+/// a default holds may name other parameters; a `$` that no name follows is itself.
 #include "ubf/node.hpp"
 #include "ubf/state_fields.hpp"
 
@@ -107,6 +108,9 @@ struct Reference {
 
 /// Whether a tree as written has a parameter without a default, so that it is nothing by itself.
 [[nodiscard]] bool needs_arguments(const Value& tree);
+
+/// Reports what is wrong with the parameters of such a tree whatever its arguments will be.
+void check_parameters(std::string_view name, const Value& tree, Diagnostics& diagnostics);
 
 /// A tree as written with its arguments put in, or nothing after reporting: an argument that the
 /// tree does not take, one that is missing, a parameter that it does not use, a `$name` that is no

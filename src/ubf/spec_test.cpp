@@ -51,6 +51,36 @@ TEST(Subtree, HandsItsArgumentsOnToOthers) {
   EXPECT_EQ(vote(build("{tree: {outer: {m: 9}}}", trees), state), 9);
 }
 
+TEST(Subtree, RefersToATreeThatItsArgumentNames) {
+  const NamedTrees trees =
+      NamedTrees()
+          .with("wrap", "{parameters: {name: }, root: {winner_takes_all: [!tree $name]}}")
+          .with("plain", "{probe: {cue: 1}}");
+  State state;
+  state.cues[1] = {kRunning, 4, {}};
+  EXPECT_EQ(vote(build("{tree: {wrap: {name: plain}}}", trees), state), 4);
+  EXPECT_EQ(vote(build("!tree {wrap: {name: plain}}", trees), state), 4) << "the other way";
+}
+
+TEST(Subtree, TakesADollarBeforeNoNameAsItIs) {
+  const NamedTrees trees =
+      NamedTrees().with("cheap", "{parameters: {n: 1}, root: {probe: {cue: $n, name: US$ 5 $}}}");
+  EXPECT_EQ(build("{tree: cheap}", trees).root().label(), "US$ 5 $");
+}
+
+TEST(Subtree, LeavesItsArgumentsAsTheyAreButPutsParametersIntoDefaults) {
+  const NamedTrees trees = NamedTrees().with(
+      "t",
+      "{parameters: {cue: 1, what: {probe: {cue: $cue}}}, root: {winner_takes_all: [{probe: {cue: "
+      "$cue}}, $what]}}");
+  State state;
+  state.cues[1] = {kRunning, 4, {}};
+  state.cues[2] = {kRunning, 5, {}};
+  EXPECT_EQ(vote(build("{tree: {t: {cue: 2}}}", trees), state), 5);
+  EXPECT_EQ(mistakes("{tree: {t: {what: {probe: {cue: $cue}}}}}", trees),
+            "test.yaml:1:33: cue: expected a whole number, got '$cue'");
+}
+
 TEST(Subtree, ReadsStateFieldsUnderTheNamesOfItsReference) {
   const NamedTrees trees =
       NamedTrees()
