@@ -182,6 +182,19 @@ TEST(Changes, MeanWhatIsThereWithoutThemWhateverTheirOrder) {
   EXPECT_EQ(made.at({"trees", "wall"}), "{winner_takes_all: [z, x, y, {navigate: {vote: 10}}]}");
 }
 
+TEST(Changes, ReachOneNodeByNameAndByIndexInAnyOrder) {
+  const std::string path = "  trees.wall.winner_takes_all.";
+  const std::string name = path + "follow_lead.vote: 3\n";
+  const std::string index = path + "1.follow_lead.name: x\n";
+  for (const std::string& both : {name + index, index + name}) {
+    const Made made = own("insert:\n" + both);
+    EXPECT_EQ(made.mistakes, "");
+    EXPECT_TRUE(made.at({"trees", "wall"}).find("vote: 3") != std::string::npos &&
+                made.at({"trees", "wall"}).find("name: x") != std::string::npos)
+        << made.at({"trees", "wall"});
+  }
+}
+
 TEST(Changes, ChangeWhatAScenarioIncludesToo) {
   const Made made = compose({{"own.yaml",
                               "include: scenarios/pack.yaml\nseed: 1\ntrees: {a: egress}\n"

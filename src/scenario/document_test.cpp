@@ -242,9 +242,9 @@ TEST(Overrides, ReachANameWithADotInQuotes) {
   Value document = Value::map({}, {});
   Diagnostics diagnostics;
   document = parse_yaml("trees: {a.b: {priority: [{x=1.y: {vote: 9}}, plain]}}", "a", diagnostics);
-  apply_overrides(document,
-                  {"trees.\"a.b\".priority.\"x=1.y\".vote=\"7\"", "trees.\"c.d\"=idle"},
-                  diagnostics);
+  const std::vector<std::string> sets{"trees.\"a.b\".priority.\"x=1.y\".vote=\"7\"",
+                                      "trees.\"c.d\"=idle"};
+  apply_overrides(document, sets, diagnostics);
   EXPECT_EQ(diagnostics.text(), "");
   EXPECT_EQ(text(document), "{trees: {a.b: {priority: [{x=1.y: {vote: 7}}, plain]}, c.d: idle}}");
   std::map<std::string, std::string> paths;
@@ -252,6 +252,28 @@ TEST(Overrides, ReachANameWithADotInQuotes) {
   EXPECT_EQ(paths.at("a:1:9"), "trees.\"a.b\"");
   EXPECT_EQ(paths.at("a:1:27"), "trees.\"a.b\".priority.\"x=1.y\"");
   EXPECT_EQ(with({"\"seed=7"}).mistakes, "--set \"seed=7:1:1: expected path=value");
+}
+
+TEST(Overrides, GiveArgumentsToTheTreeThatAnItemRefersTo) {
+  Diagnostics diagnostics;
+  Value document = parse_yaml("trees: {a: {priority: [!tree egress]}}", "a", diagnostics);
+  apply_overrides(document, std::vector<std::string>{"trees.a.priority.egress.vote=50"},
+                  diagnostics);
+  EXPECT_EQ(text(document), "{trees: {a: {priority: [{egress: {vote: 50}}]}}}");
+  EXPECT_EQ(document.find("trees")->find("a")->find("priority")->items[0].tag, "!tree");
+}
+
+TEST(Overrides, ReachAPlainNodeThatIsThereTwiceByIndexAndName) {
+  Diagnostics diagnostics;
+  Value document = parse_yaml("trees: {a: {priority: [hold, hold]}}", "a", diagnostics);
+  apply_overrides(
+      document,
+      std::vector<std::string>{"trees.a.priority.1.hold.vote=3", "trees.a.priority.0.vote=4"},
+      diagnostics);
+  EXPECT_EQ(text(document), "{trees: {a: {priority: [hold, {hold: {vote: 3}}]}}}");
+  EXPECT_EQ(diagnostics.text(),
+            "--set trees.a.priority.0.vote=4:1:20: there is no 'vote' here, only 'hold' "
+            "('hold.vote' if that is a node)");
 }
 
 TEST(Overrides, RefuseANameThatIsThereTwice) {

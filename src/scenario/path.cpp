@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "core/text.hpp"
+
 namespace eyrie::scenario {
 namespace {
 
@@ -31,6 +33,13 @@ std::optional<std::size_t> index_in(std::string_view key) {
 std::string in_path(std::string_view name) {
   const bool plain = name.find_first_of(".=") == name.npos || name.find('"') != name.npos;
   return plain ? std::string(name) : fmt::format("\"{}\"", name);
+}
+
+/// A bare name becomes a map with nothing, `eagle2` to `{eagle2: {}}`; a tag stays.
+void open_name(Value& item) {
+  item.entries = {{std::exchange(item.text, {}), item.where, Value::map({}, item.where)}};
+  item.kind = Value::Kind::map;
+  item.quoted = false;
 }
 
 }  // namespace
@@ -74,9 +83,11 @@ std::string_view item_name(const Value& item) {
 }
 
 std::string not_here(const Value& at, std::string_view key, std::string_view note) {
-  return fmt::format("there is no {} here{}{}", quote(key), note,
-                     at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
-                                                 : fmt::format(", only {}", at.shown()));
+  std::string rest = at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
+                                                 : fmt::format(", only {}", at.shown());
+  if (at.is_scalar() && is_identifier(at.text) && !index_in(at.text))
+    rest += fmt::format(" ({} if that is a node)", quote(fmt::format("{}.{}", at.text, key)));
+  return fmt::format("there is no {} here{}{}", quote(key), note, rest);
 }
 
 void paths_below(const Value& at, const std::string& path,
@@ -154,6 +165,8 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
       passed->push_back(value);
     return value;
   };
+  if (at.is_scalar() && at.text == key.text)  // an item by its index, and then its name
+    open_name(at);
   Value* list = list_for(at, key.text);
   if (!list) {
     Value* next = value_of(at, key.text);
@@ -170,7 +183,7 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
   if (index_in(key.text))
     return &item;
   if (item.is_scalar())
-    item = Value::map({{key.text, item.where, Value::map({}, item.where)}}, item.where);
+    open_name(item);
   Value& inside = *pass(&item.entries[0].value);
   if (inside.is_null())
     inside = Value::map({}, item.where);

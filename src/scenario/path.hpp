@@ -4,7 +4,9 @@
 /// scenario changes of another: `trees.wall.winner_takes_all.navigate.speed`. They go through maps
 /// by key and through lists by index, from 0, or by the name of the item: a scalar, or the only key
 /// of a map, which must be the only one of that name. Where children stand below `children:`, that
-/// word may be left out. A name with a dot stands in quotes: `trees."break.2".vote`.
+/// word may be left out. Behind the index of a node stands its name: `0.navigate.vote`. What is set
+/// behind the name of a `!tree egress` is an argument. A name with a dot stands in quotes:
+/// `trees."break.2".vote`.
 #include <map>
 #include <optional>
 
