@@ -174,7 +174,8 @@ class Composer {
   Composer(Source& source, Diagnostics& diagnostics, std::vector<Removed>& removed)
       : source_(source), diagnostics_(diagnostics), removed_(removed) {}
 
-  Value load(const std::string& file) {
+  Value load(const std::string& named) {
+    const std::string file = source_.named_by("", named);
     Value own = read(file, {file, 0, 0});
     source_.confine_to_folder_of(file);
     return whole(std::move(own), file);
@@ -212,8 +213,8 @@ class Composer {
       return {};
     }
     const bool is_shipped = name.text.find_first_of("./") == name.text.npos;
-    const std::string base_file =
-        is_shipped ? source_.shipped(name.text) : relative_to(file, name.text);
+    const std::string base_file = is_shipped ? source_.shipped(name.text)
+                                             : source_.named_by(file, relative_to(file, name.text));
     if (base_file.empty()) {
       diagnostics_.error(name.where,
                          fmt::format("there is no scenario {} (a file is named with its ending, "
@@ -246,9 +247,10 @@ class Composer {
     return true;
   }
 
-  /// "./a.yaml" and "a.yaml" are one file.
+  /// "./a.yaml" and "a.yaml" are one file, but not in data/ (Source::named_by).
   static std::string normal(const std::string& file) {
-    return std::filesystem::path(file).lexically_normal().generic_string();
+    return (file.starts_with("./data/") ? "./" : "") +
+           std::filesystem::path(file).lexically_normal().generic_string();
   }
 
   /// The document in a file; null after saying why there is none.
@@ -300,7 +302,8 @@ class Composer {
       diagnostics_.error(item.where, "include: expected a file, got " + item.shown());
       return;
     }
-    const std::string name = relative_to(file, item.text), same = normal(name);
+    const std::string name = source_.named_by(file, relative_to(file, item.text));
+    const std::string same = normal(name);
     if (refuse_cycle(same, "includes", item.where) || !known_.insert(same).second ||
         !fits(same, item.where))
       return;  // the same package through two ways is read once

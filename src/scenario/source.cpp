@@ -35,6 +35,14 @@ bool Source::is_outside(const std::string& name) const {
   return folders_ && !files_.contains(name) && folders_->is_outside(name);
 }
 
+std::string Source::named_by(const std::string& asker, const std::string& name) const {
+  if (!name.starts_with("data/") || asker.starts_with("data/") || asker.starts_with(kOwn))
+    return name;
+  const std::string own = "./" + name;
+  const auto text = folders_ && !files_.contains(own) ? folders_->read(own) : std::nullopt;
+  return files_.contains(own) || (text && text != folders_->read(name)) ? own : name;
+}
+
 std::string Source::nearest(const std::string& name, const std::string& asker) const {
   if (folders_)
     return folders_->nearest(name, asker);

@@ -30,6 +30,9 @@ class Source {
   void confine_to_folder_of(const std::string& file);
   /// Whether that is why there is no text.
   [[nodiscard]] bool is_outside(const std::string& name) const;
+  /// The name under which a file is read that the file `asker`, or the user himself (""), names: of
+  /// his own in data/ of the working folder "./data/x.yaml", because "data/x.yaml" is below `home`.
+  [[nodiscard]] std::string named_by(const std::string& asker, const std::string& name) const;
   /// "; did you mean 'x'?" for a file that is not there and that the file `asker` names, or "".
   [[nodiscard]] std::string nearest(const std::string& name, const std::string& asker) const;
 

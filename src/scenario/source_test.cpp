@@ -50,6 +50,25 @@ TEST_F(SourceOnDisk, LooksUpDataBelowHomeWhateverTheWorkingFolder) {
   EXPECT_EQ(source.files().count("data/radars/x.yaml"), 1u) << "no folder of this machine in a run";
 }
 
+/// The working folder has this file, too.
+TEST_F(SourceOnDisk, TakesAFileThatTheUserNamesFromHisOwnFolder) {
+  const std::string name = "data/aircraft/f15c.yaml";
+  fs::create_directories(folder_ / "data/aircraft");
+  write(name, "trees: {home: navigate}\n");
+  Source source = Source::disk(folder_.string());
+  Diagnostics diagnostics;
+  const Value own = load_document(name, source, diagnostics);
+  EXPECT_TRUE(own.find("airframe"));
+  EXPECT_EQ(own.where.file, FileName("./" + name));
+  EXPECT_EQ(source.read(name), "trees: {home: navigate}\n") << "what is found by name";
+  Source bundle = Source::bundle(source.files());
+  EXPECT_TRUE(load_document(name, bundle, diagnostics).find("airframe"));
+  source.add("eyrie:scenarios/s.yaml", "include: ../" + name + "\n");
+  const Value shipped = load_document("eyrie:scenarios/s.yaml", source, diagnostics);
+  EXPECT_TRUE(shipped.find("trees")) << "Eyrie's own scenarios include Eyrie's";
+  EXPECT_EQ(diagnostics.text(), "");
+}
+
 TEST_F(SourceOnDisk, GivesNothingForWhatIsNoFile) {
   Source source = Source::disk(folder_.string());
   EXPECT_EQ(source.read((folder_ / "nothing.yaml").string()), std::nullopt);
