@@ -79,6 +79,10 @@ void DataLoader::check_inline(const Value::Entry& kind) {
   }
   const std::vector<std::string> taken = source_.data_names(kind.key);
   for (const Value::Entry& model : kind.value.entries) {
+    if (kind.key == "missiles" && model.key == "none")
+      diagnostics_.error(model.where,
+                         "data.missiles: 'none' means an empty station; give the "
+                         "missile another name");
     if (const auto problem = identifier_problem(model.key))
       diagnostics_.error(model.where, fmt::format("data.{}: {}", kind.key, *problem));
     else if (std::binary_search(taken.begin(), taken.end(), model.key))
@@ -107,7 +111,13 @@ void DataLoader::load_any(std::string_view kind, const std::string& name, const 
 
 std::optional<Value> DataLoader::document(std::string_view kind, const std::string& name,
                                           const Location& where, std::vector<std::string>& chain) {
+  const Value* group = inline_ ? inline_->find(kind) : nullptr;
   if (const auto first = std::find(chain.begin(), chain.end(), name); first != chain.end()) {
+    const std::vector<std::string> taken = source_.data_names(kind);
+    if (std::any_of(first, chain.end(), [&](const std::string& link) {
+          return group && group->find(link) && std::binary_search(taken.begin(), taken.end(), link);
+        }))
+      return std::nullopt;  // said by check_inline()
     std::string loop;
     for (auto link = first; link != chain.end(); ++link) {
       loop += *link + " -> ";
@@ -125,7 +135,6 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
   chain.push_back(name);
 
   std::optional<Value> found;
-  const Value* group = inline_ ? inline_->find(kind) : nullptr;
   if (group && group->entries.size() > kMostModels)
     return std::nullopt;  // said by check_inline()
   if (const Value* there = group ? group->find(name) : nullptr) {

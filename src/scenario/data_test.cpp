@@ -168,6 +168,18 @@ TEST(Data, RefusesModelsThatAreBasedOnThemselves) {
       "data/radars/apg63.yaml:1:7: radar 'apg63' is based on itself: apg63 -> apg63");
 }
 
+TEST(Data, RefusesNamesThatAreTaken) {
+  const Files files{{"data/radars/apg63.yaml", "label: x\n"}};
+  const std::string there =
+      "radar 'apg63' is there already (data/radars/apg63.yaml): give yours another name; 'base: "
+      "apg63' takes over what it does not say";
+  EXPECT_EQ(Loading(files, "radars: {apg63: {base: apg63}}\n").mistakes(), "s:1:10: " + there);
+  EXPECT_EQ(Loading(files, "radars: {a: {base: apg63}, apg63: {base: a}}\n").mistakes(),
+            "s:1:28: " + there);
+  EXPECT_EQ(Loading(Loading::shipped(), "missiles: {none: {base: aim9}}\n").mistakes(),
+            "s:1:12: data.missiles: 'none' means an empty station; give the missile another name");
+}
+
 TEST(Data, RefusesLongChainsOfBases) {
   std::string text = "guns:\n  g0: {base: m61}\n";
   for (int i = 1; i < 40; ++i)

@@ -60,10 +60,11 @@ class Reader {
                    fmt::format("{}: expected a map with flights, got {}", key, map->shown()));
     std::vector<std::string_view> keys{"home", "flights", "convoys"};
     keys.insert(keys.end(), others_.begin(), others_.end());
-    bool has_groups = false;
+    bool has_groups = false, all_known = true;
     for (const Value::Entry& e : map->entries) {
       const bool known = std::find(keys.begin(), keys.end(), e.key) != keys.end();
       has_groups |= known && e.key != "home";
+      all_known &= known;
       if (!known)
         error(e.where, fmt::format("{} has no {}{}", key, quote(e.key), did_you_mean(e.key, keys)));
     }
@@ -78,7 +79,7 @@ class Reader {
     }
     const Value* flights = map->find("flights");
     const Value* convoys = map->find("convoys");
-    if (!has_groups)
+    if (!has_groups && all_known)  // an unknown key was meant as one
       return error(map->where, fmt::format("{}: expected a map of flights, got nothing", key));
     for (const Value::Entry& e : groups(flights, key, "flights")) {
       FlightPlan plan;
@@ -101,7 +102,8 @@ class Reader {
       return {};
     if (map->is_map() && !map->entries.empty())
       return map->entries;
-    error(map->where, fmt::format("{}: expected a map of {}, got {}", side, what, map->shown()));
+    error(map->where, fmt::format("{}: expected a map of {}, got {}", side, what,
+                                  map->is_map() ? "an empty map" : map->shown()));
     return {};
   }
 

@@ -196,7 +196,9 @@ TEST(Plan, RefusesSidesWithoutAnything) {
   EXPECT_EQ(read("blue: {home: {north: 0, east: 0}}\n").mistakes,
             "a:1:7: blue: expected a map of flights, got nothing");
   EXPECT_EQ(read("blue: {flights: {}}\n").mistakes,
-            "a:1:17: blue: expected a map of flights, got a map");
+            "a:1:17: blue: expected a map of flights, got an empty map");
+  EXPECT_EQ(read("blue: {flihts: {}}\n").mistakes,
+            "a:1:8: blue has no 'flihts'; did you mean 'flights'?");
 }
 
 TEST(Plan, ReadsConvoysOfVehicles) {
