@@ -102,7 +102,7 @@ Json list(const ParamInfo& info) {
 }
 
 Json text(const ParamInfo& info) {
-  Json schema{{"type", "string"}};
+  Json schema{{"type", Json::array({"string", "number", "boolean"})}};  // `name: 12`
   if (info.min_items > 0)
     schema["minLength"] = info.min_items;
   if (info.max_items <= kLongestText)

@@ -64,7 +64,7 @@ Json node_map(const ubf::NodeInfo& node) {
     vote["description"] = help;
   }
   map["properties"][std::string(ubf::kLabelKey)] = {
-      {"type", "string"},
+      {"type", Json::array({"string", "number", "boolean"})},
       {"pattern", kLabel},
       {"description", "what reports and traces call it; default: the type"}};
   return map;

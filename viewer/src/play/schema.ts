@@ -121,7 +121,7 @@ export class Grammar {
       for (const [key, schema] of Object.entries(properties)) {
         const all = this.flat(schema);
         const help = all.find((one) => one.description)?.description ?? '';
-        const scalar = all.some((one) => one.enum || one.pattern || ['string', 'number', 'integer', 'boolean'].includes(String(one.type)));
+        const scalar = all.some((one) => one.enum || one.pattern || [one.type].flat().some((type) => ['string', 'number', 'integer', 'boolean'].includes(String(type))));
         if (!keys.has(key)) keys.set(key, { help, nested: !scalar });
       }
     return keys;
