@@ -191,13 +191,13 @@ bool read_text(std::string& out, const Value& value, const ParamInfo& info,
       std::string_view(value.text).substr(0, value.text.size() - value.text.ends_with('\n'));
   const std::size_t longest = std::min(info.max_items, kLongestText), size = characters(text);
   std::string problem;
-  if (const auto held = text_problem(text))
+  if (size > longest)
+    problem = fmt::format("{} has {} characters, at most {} fit", quote(text), size, longest);
+  else if (const auto held = text_problem(text))
     problem = fmt::format("{} holds {}", quote(text), *held);
   else if (size < info.min_items ||
            (info.min_items > 0 && text.find_first_not_of(' ') == text.npos))
     problem = "expected a text, got " + quote(text);
-  else if (size > longest)
-    problem = fmt::format("{} has {} characters, at most {} fit", quote(text), size, longest);
   if (problem.empty())
     out = text;
   else

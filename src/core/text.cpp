@@ -149,7 +149,7 @@ std::optional<std::string> text_problem(std::string_view text) {
 std::size_t characters(std::string_view text) {
   std::size_t count = 0;
   for (; !text.empty(); ++count)
-    text.remove_prefix(std::max<std::size_t>(first_character(text).length, 1));
+    text.remove_prefix(text[0] & 0x80 ? std::max<std::size_t>(first_character(text).length, 1) : 1);
   return count;
 }
 
