@@ -20,7 +20,6 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 
 constexpr std::uint32_t kLongestHead = 8 << 10;
-constexpr std::string_view kCookie = "eyrie=";
 
 std::string_view view(beast::string_view text) {
   return {text.data(), text.size()};
@@ -127,14 +126,12 @@ struct WebHost::Network {
     const std::string_view host = view(request[http::field::host]);
     if (!is_own_name(host))
       return say(visitor, http::status::misdirected_request, "ask by another name");
-    if (!options.token.empty() && !knows_token(view(request[http::field::cookie]))) {
-      const std::size_t asked = target.find("?token=");
-      if (asked == target.npos || !same_secret(target.substr(asked + 7), options.token))
+    if (!options.token.empty()) {
+      // also of one who has the cookie: the token does not stay in his address bar
+      if (has_token(target))
+        return let_in(visitor);
+      if (!knows_token(view(request[http::field::cookie])))
         return say(visitor, http::status::forbidden, "ask with the address that eyrie printed");
-      visitor->response.set(http::field::set_cookie, std::string(kCookie) + options.token +
-                                                         "; HttpOnly; SameSite=Strict; Path=/");
-      visitor->response.set(http::field::location, "/");
-      return say(visitor, http::status::see_other, "");
     }
     const std::string_view origin = view(request[http::field::origin]);
     if (!origin.empty() && origin != "http://" + std::string(host))
@@ -169,13 +166,32 @@ struct WebHost::Network {
            host == "[::1]" + port;
   }
 
+  /// Browsers send a cookie to all ports of a machine: a server at another port has its own.
+  [[nodiscard]] std::string cookie() const {
+    return "eyrie_" + std::to_string(options.at.port) + "=";
+  }
+
+  [[nodiscard]] bool has_token(std::string_view target) const {
+    const std::size_t asked = target.find("?token=");
+    return asked != target.npos && same_secret(target.substr(asked + 7), options.token);
+  }
+
+  /// Lax: a browser that followed a link of another site here does not send a strict one on.
+  void let_in(const VisitorPtr& visitor) {
+    visitor->response.set(http::field::set_cookie,
+                          cookie() + options.token + "; HttpOnly; SameSite=Lax; Path=/");
+    visitor->response.set(http::field::location, "/");
+    say(visitor, http::status::see_other, "");
+  }
+
   [[nodiscard]] bool knows_token(std::string_view cookies) const {
+    const std::string name = cookie();
     while (!cookies.empty()) {
       const std::string_view one = cookies.substr(0, cookies.find(';'));
       cookies.remove_prefix(std::min(cookies.size(), one.size() + 1));
       if (cookies.starts_with(' '))
         cookies.remove_prefix(1);
-      if (one.starts_with(kCookie) && same_secret(one.substr(kCookie.size()), options.token))
+      if (one.starts_with(name) && same_secret(one.substr(name.size()), options.token))
         return true;
     }
     return false;

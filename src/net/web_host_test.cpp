@@ -122,19 +122,34 @@ TEST(WebHost, AsksForItsToken) {
   EXPECT_EQ(first_line(site.ask("GET /")), "HTTP/1.1 403 Forbidden");
   for (const char* wrong : {"/?token=", "/?token=f00", "/?token=f00dd", "/?token=F00D"})
     EXPECT_EQ(first_line(site.ask(std::string("GET ") + wrong)), "HTTP/1.1 403 Forbidden") << wrong;
-  for (const char* wrong : {"eyrie=", "eyrie=f00e", "xeyrie=f00d", "other=f00d"})
-    EXPECT_EQ(first_line(site.ask("GET /", std::string("Cookie: ") + wrong + "\r\n")),
-              "HTTP/1.1 403 Forbidden")
+  const std::string cookie = fmt::format("eyrie_{}=", site.port());
+  for (const std::string& wrong :
+       {cookie, cookie + "f00e", "x" + cookie + "f00d", std::string("eyrie=f00d"),
+        fmt::format("eyrie_{}=f00d", site.port() + 1), std::string("other=f00d")})
+    EXPECT_EQ(first_line(site.ask("GET /", "Cookie: " + wrong + "\r\n")), "HTTP/1.1 403 Forbidden")
         << wrong;
   EXPECT_EQ(first_line(site.join().read_all()), "HTTP/1.1 403 Forbidden");
-  const std::string answer = site.ask("GET /?token=f00d");
-  EXPECT_EQ(first_line(answer), "HTTP/1.1 303 See Other");
-  EXPECT_NE(answer.find("Location: /\r\n"), answer.npos) << "the address has it no longer";
-  EXPECT_NE(answer.find("Set-Cookie: eyrie=f00d; HttpOnly; SameSite=Strict; Path=/\r\n"),
-            answer.npos);
-  EXPECT_TRUE(site.ask("GET /", "Cookie: a=b; eyrie=f00d\r\n", "any.name").ends_with("<p>hello"));
-  TcpClient viewer = site.join("Cookie: eyrie=f00d\r\n");
+  const std::string known = "Cookie: a=b; " + cookie + "f00d\r\n";
+  for (const std::string& more :
+       {std::string(), known, std::string("Sec-Fetch-Site: cross-site\r\n")}) {
+    const std::string answer = site.ask("GET /?token=f00d", more);
+    EXPECT_EQ(first_line(answer), "HTTP/1.1 303 See Other") << more;
+    EXPECT_NE(answer.find("Location: /\r\n"), answer.npos) << "the address has it no longer";
+    const std::string set = "Set-Cookie: " + cookie + "f00d; HttpOnly; SameSite=Lax; Path=/\r\n";
+    EXPECT_NE(answer.find(set), answer.npos) << answer;
+  }
+  EXPECT_TRUE(site.ask("GET /", known, "any.name").ends_with("<p>hello"));
+  EXPECT_TRUE(site.ask("GET /?token=old", known).ends_with("<p>hello"));
+  TcpClient viewer = site.join(known);
   EXPECT_EQ(first_line(viewer.read_to("\r\n\r\n")), "HTTP/1.1 101 Switching Protocols");
+}
+
+TEST(WebHost, LeavesTheCookieOfAnotherPortAlone) {
+  Site one({.token = "f00d"}), other({.token = "beef"});
+  const std::string both =
+      fmt::format("Cookie: eyrie_{}=f00d; eyrie_{}=beef\r\n", one.port(), other.port());
+  EXPECT_TRUE(one.ask("GET /", both).ends_with("<p>hello"));
+  EXPECT_TRUE(other.ask("GET /", both).ends_with("<p>hello"));
 }
 
 TEST(WebHost, MakesPagesThatAreAskedFor) {

@@ -197,10 +197,11 @@ TEST(Live, AsksOthersForAToken) {
   Mission mission({"merge", "--paused", "--address", "0.0.0.0"});
   TcpClient without = join_live(mission.port);
   EXPECT_TRUE(without.read_all().starts_with("HTTP/1.1 403 "));
-  TcpClient wrong = join_live(mission.port, "Cookie: eyrie=" + std::string(32, '0') + "\r\n");
+  const std::string cookie = "Cookie: eyrie_" + std::to_string(mission.port) + "=";
+  TcpClient wrong = join_live(mission.port, cookie + std::string(32, '0') + "\r\n");
   EXPECT_TRUE(wrong.read_all().starts_with("HTTP/1.1 403 "));
   const std::string token = mission.address.substr(mission.address.find("?token=") + 7);
-  TcpClient with = join_live(mission.port, "Cookie: eyrie=" + token + "\r\n");
+  TcpClient with = join_live(mission.port, cookie + token + "\r\n");
   EXPECT_TRUE(with.read_to("\r\n\r\n").starts_with("HTTP/1.1 101 "));
 }
 
