@@ -115,12 +115,13 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
       if (now.units === before.units) return;
       speak(now.units);
       // once everybody has heard of it
-      queueMicrotask(() => draw(now.units));
+      queueMicrotask(redraw);
     }),
     live ? live.show(first) : run_clock(first.store), keep_in_sight(first), follow_address(first),
   ];
   document.title = `${runs.map((run) => run.about.scenario).join(' and ')} – Eyrie ${live ? 'live' : 'debrief'}`;
-  const draw = (key: string): void => {
+  let key = 'first';
+  const draw = (): void => {
     const scenes = new Map<Page, AirPicture>();
     const mounted = (page: Page, scene: AirPicture): void => {
       scenes.set(page, scene);
@@ -128,22 +129,25 @@ export function show(runs: Run[], host: HTMLElement, view: Partial<View> = {}, b
     };
     render(<App key={key} pages={pages} back={back} onScene={mounted} />, host);
   };
+  /** The same panels, with pages that are new to them. */
+  const redraw = (): void => {
+    pages = twinned(pages.map(grown));
+    if (live) live.page = pages[0]!;
+    draw();
+  };
   host.replaceChildren();
   put_theme(first.store.get().theme);
   speak(first.store.get().units);
   if (!live) begin(first, view);
-  draw('first');
+  draw();
   return {
     update(whole) {
       pages = twinned(pages.map(({ store, letter }, i) => make_page(whole[i]!, store, letter)));
       begin(pages[0]!, view);
-      draw('whole');
+      key = 'whole';
+      draw();
     },
-    grow() {
-      pages = pages.map(grown);
-      if (live) live.page = pages[0]!;
-      draw('first');
-    },
+    grow: redraw,
     close() {
       for (const stop of stops) stop();
       render(null, host);

@@ -57,12 +57,14 @@ test('units are metric if somebody wants that, everywhere', { skip: kNoPage }, a
   const value = (field: string) => page.$eval(`[data-field=${field}]`, (e) => (e as HTMLElement).dataset['value']!);
   await go_to(480);
   assert.match(await value('altitude'), / ft$/);
+  const tree = await page.evaluateHandle(() => document.querySelector('.tree'));
   await page.evaluate(() => window.eyrie!.store.set({ units: 'metric' }));
   await page.waitForFunction(() => / m$/.test(document.querySelector<HTMLElement>('[data-field=altitude]')?.dataset['value'] ?? ''));
   assert.match(await value('speed'), / km\/h$/);
   assert.match(await value('heading'), /^\d{3}°$/);
   const text = await page.evaluate(() => document.body.innerText);
   assert.doesNotMatch(text, /\d (ft|nmi|kt|lb)\b/);
+  assert.ok(await page.evaluate((element) => element!.isConnected, tree), 'the panels are the same');
   await page.waitForFunction(() => location.hash.includes('u=metric'));
   await page.evaluate(() => window.eyrie!.store.set({ units: 'aviation' }));
 });

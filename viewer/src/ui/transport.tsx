@@ -21,7 +21,7 @@ function Time() {
   useEffect(() => {
     const write = (): void => {
       // who types in it is not disturbed
-      if (document.activeElement !== text.current) text.current!.value = clock_text(store.get().time);
+      if (text.current && document.activeElement !== text.current) text.current.value = clock_text(store.get().time);
     };
     write();
     return subscribe_paced(store, write);

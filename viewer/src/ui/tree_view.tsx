@@ -8,7 +8,7 @@ import { number_text, reworded } from '../words/text.ts';
 import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
 import { use_rove } from './rove.ts';
-import { use_cell } from './use.ts';
+import { use_cell, use_view } from './use.ts';
 import { change_of } from './what_if_answer.ts';
 
 interface Placed {
@@ -173,7 +173,8 @@ export function TreeView({ tree, shape }: { tree: Tree; shape: Shape }) {
   const [turned, set_turned] = useState<ReadonlyMap<number, boolean>>(new Map());
   useEffect(() => set_turned(new Map()), [tree]);
   const is_open = (node: number): boolean => turned.get(node) ?? shape.status[node] !== null;
-  const layout = useMemo(() => layout_tree(tree, is_open, (node, hidden) => width_of(tree, shape, node, hidden)), [tree, shape, turned]);
+  const units = use_view(page.store, (v) => v.units);  // labels have quantities
+  const layout = useMemo(() => layout_tree(tree, is_open, (node, hidden) => width_of(tree, shape, node, hidden)), [tree, shape, turned, units]);
   const way = useMemo(() => path_of_leader(page.run, shape), [page, shape]);
   const most = Math.max(...shape.vote, 1);
 
