@@ -173,5 +173,42 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });
 
+    test('edits are dropped, and had again by the button or by undoing', async () => {
+      const press = (label: string) => page.$$eval('.top button', (all, wanted) => all.find((one) => one.textContent === wanted)!.click(), label);
+      const until = (edited: boolean) => page.waitForFunction((wanted) => wanted === [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-line')].some((one) => one.textContent!.includes('fuel: 4000 kg')), edited);
+      await press('as shipped');
+      await until(false);
+      await press('my changes again');
+      await until(true);
+      await press('as shipped');
+      await until(false);
+      await page.$eval('.editor', (editor) => editor.shadowRoot!.querySelector<HTMLElement>('.cm-content')!.focus());
+      await page.keyboard.down('Control');
+      await page.keyboard.press('z');
+      await page.keyboard.up('Control');
+      await until(true);
+    });
+
+    test('a mistake in another file leads to its line', async () => {
+      await page.click('[data-file="scenarios/packages/veteran.yaml"]');
+      await page.waitForFunction(() => document.querySelector('.editor')!.shadowRoot!.textContent!.includes('high_yo_yo'));
+      await type_behind(page, '- high_yo_yo: {vote: 52}', 'x');
+      await page.click(`[data-file="${kSweep}"]`);
+      await page.waitForSelector('.problem');
+      await page.click('.problem');
+      await page.waitForSelector('[data-file="scenarios/packages/veteran.yaml"][aria-pressed=true]');
+      assert.match(await page.$eval('.editor', (editor) => editor.shadowRoot!.querySelector('.cm-activeLine')!.textContent!), /high_yo_yo|low_yo_yo/);
+    });
+
+    test('dark or light is remembered', async () => {
+      const theme = (of: UserPage) => of.evaluate(() => document.documentElement.dataset['theme']);
+      const before = await theme(page);
+      await page.click('[aria-label=Dark], [aria-label=Light]');
+      await page.waitForFunction((old) => document.documentElement.dataset['theme'] !== old, before);
+      const other = await open(browser);
+      assert.equal(await theme(other.page), await theme(page));
+      await other.page.close();
+    });
+
     test('nothing was complained of, and nobody was asked for anything', () => assert.deepEqual(opened.complaints, []));
   });

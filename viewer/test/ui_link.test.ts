@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { first_view, layers_of } from '../src/store.ts';
-import { link_text, read_link } from '../src/ui/link.ts';
+import { link_text, read_link, read_link_in_page } from '../src/ui/link.ts';
 import { kPursues, told_run } from './ui_run.ts';
 
 const kRun = told_run(Array.from({ length: 100 }, () => kPursues));
@@ -15,6 +15,12 @@ test('what a link says is what is read from it', () => {
   const { pose, ...told } = view;
   assert.equal(pose, null);
   assert.deepEqual(read_link(kRun, text), told);
+});
+
+test('a link to a moment that is opened in the page takes stretch and ruler away', () => {
+  assert.deepEqual(read_link_in_page(kRun, '#t=3', 10), { time: 3, zoom: null, ruler: null });
+  assert.deepEqual(read_link_in_page(kRun, '#t=3&z=2-8.5&r=bogey1,eagle2', 10), { time: 3, zoom: [2, 8.5], ruler: [1, 0] });
+  assert.deepEqual(read_link_in_page(kRun, '#c=top', 10), { camera: 'top' });
 });
 
 test('a free camera stands where the link says', () => {

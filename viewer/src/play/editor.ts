@@ -2,12 +2,12 @@
 /** The editor of a scenario: CodeMirror with what the schema proposes and what the loader says. It stands in a shadow tree, where it may
  * bring its own style sheet: the page allows no other. */
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion, type Completion, type CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory } from '@codemirror/commands';
 import { yaml } from '@codemirror/lang-yaml';
 import { bracketMatching, foldGutter, HighlightStyle, indentOnInput, syntaxHighlighting } from '@codemirror/language';
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from '@codemirror/lint';
 import { highlightSelectionMatches, searchKeymap } from '@codemirror/search';
-import { EditorState, type Text } from '@codemirror/state';
+import { Annotation, EditorState, type Text } from '@codemirror/state';
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 import type { Problem } from '../engine/questions.ts';
@@ -22,7 +22,7 @@ export interface EditorOptions {
 }
 
 export interface Editor {
-  /** Shows a text of its own history; a text that differs from what the editor has of that file replaces it. */
+  /** Shows a file with its own history; a text that differs from what the editor has of it replaces that, which can be undone. */
   show(file: string, text: string): void;
   /** Marks the mistakes of the file that is shown. */
   mark(problems: readonly Problem[]): void;
@@ -120,6 +120,9 @@ const kTheme = EditorView.theme({
   '.cm-textfield, .cm-button': { color: 'inherit', background: 'var(--raised)', border: '1px solid var(--line)' },
 });
 
+/** Of a change that shows what the project has already. */
+const kShown = Annotation.define<true>();
+
 export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
   const root = host.attachShadow({ mode: 'open' });
   let shown = '';
@@ -133,7 +136,7 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
       ...historyKeymap, ...defaultKeymap, indentWithTab,
     ]),
     EditorView.updateListener.of(({ docChanged, state, transactions, view }) => {
-      if (docChanged) options.changed(shown, state.doc.toString());
+      if (docChanged && !transactions.some((one) => one.annotation(kShown))) options.changed(shown, state.doc.toString());
       // a key that was chosen asks for its value
       if (transactions.some((one) => one.isUserEvent('input.complete')) && /: $/.test(state.sliceDoc(0, state.selection.main.head))) startCompletion(view);
     }),
@@ -142,11 +145,14 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
   const states = new Map<string, EditorState>();
   return {
     show(file, text) {
-      if (file === shown && view.state.doc.toString() === text) return;
-      if (shown) states.set(shown, view.state);
-      const known = states.get(file);
-      shown = file;
-      view.setState(known?.doc.toString() === text ? known : EditorState.create({ doc: text, extensions }));
+      if (file !== shown) {
+        if (shown) states.set(shown, view.state);
+        shown = file;
+        view.setState(states.get(file) ?? EditorState.create({ doc: text, extensions }));
+      }
+      const { doc } = view.state;
+      if (doc.toString() === text) return;
+      view.dispatch({ changes: { from: 0, to: doc.length, insert: text }, annotations: [kShown.of(true), isolateHistory.of('full')] });
     },
     mark(problems) {
       const { state } = view;

@@ -11,7 +11,7 @@ import type { View } from '../store.ts';
 import { Logo } from '../ui/header.tsx';
 import { IconButton } from '../ui/icon.tsx';
 import { mind_manners } from '../ui/keys.tsx';
-import { said_in } from '../ui/link.ts';
+import { remember_theme, said_in } from '../ui/link.ts';
 import { Splitter } from '../ui/splitter.tsx';
 import { copy_text } from '../ui/what_if.tsx';
 import { use_asked } from '../ui/what_if_answer.ts';
@@ -107,6 +107,8 @@ export interface Opened {
 export function Playground({ files, schema, module, host, view }: Opened & { host: HTMLElement; view: View }) {
   const [project, put] = useState<Project>({ shipped: files, edits: {}, scenario: kFirst, seed: '' });
   const [file, put_file] = useState(kFirst);
+  // edits that "as shipped" took away, until something is edited
+  const [dropped, drop] = useState<Files | null>(null);
   // counts what changes the text besides the editor
   const [version, count] = useReducer((n: number) => n + 1, 0);
   const [flights, put_flights] = useState<Flight[]>([]);
@@ -129,11 +131,17 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     put_file(scenario);
     count(undefined);
   };
+  const put_edits = (edits: Files, instead_of: Files | null): void => {
+    put({ ...project, edits });
+    drop(instead_of);
+    count(undefined);
+  };
   const restore = async (): Promise<void> => {
     try {
       const linked = await read_link(location.hash, files);
       if (linked) {
         put(linked);
+        drop(null);
         put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
         count(undefined);
         put_note('');
@@ -212,7 +220,10 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     editor.current = make_editor(place.current!, {
       grammar: new Grammar(schema),
       names: (path) => names_for(now.current.project, path),
-      changed: (name, text) => put((last) => edited(last, name, text)),
+      changed: (name, text) => {
+        put((last) => edited(last, name, text));
+        drop(null);
+      },
       fly: () => now.current.fly(),
     });
     void restore();
@@ -236,11 +247,18 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   }, [project, restored]);
 
   const go_to = ({ file: there, line, column }: Problem): void => {
-    if (there in files) put_file(there);
-    // after the editor has the file
-    setTimeout(() => line && editor.current!.go_to(line, column));
+    if (!(there in files)) return;
+    put_file(there);
+    // at once: the cursor goes to a line of it
+    editor.current!.show(there, text_of(project, there));
+    if (line) editor.current!.go_to(line, column);
   };
   const text = text_of(project, project.scenario);
+  const flip_theme = (): void => {
+    const other = theme === 'dark' ? 'light' : 'dark';
+    set_theme(other);
+    remember_theme(other);
+  };
   const is_edited = Object.keys(project.edits).length > 0;
   return (
     <div class="playground" style={right ? { '--right': `${right}rem` } : {}}>
@@ -262,9 +280,11 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         <button type="button" disabled={wrong || flying !== null || busy !== ''} title="Fly it and watch it from the start" onClick={() => void fly(true)}>Watch</button>
         <span class="spring" />
         <span class="dim small" role="status">{busy || note}</span>
-        {is_edited && <button type="button" onClick={() => { put({ ...project, edits: {} }); count(undefined); }}>as shipped</button>}
+        {is_edited
+          ? <button type="button" onClick={() => put_edits({}, project.edits)}>as shipped</button>
+          : dropped && <button type="button" onClick={() => put_edits(dropped, null)}>my changes again</button>}
         <button type="button" onClick={() => void share()}>Share</button>
-        <IconButton icon={theme === 'dark' ? 'sun' : 'moon'} label={theme === 'dark' ? 'Light' : 'Dark'} onClick={() => set_theme(theme === 'dark' ? 'light' : 'dark')} />
+        <IconButton icon={theme === 'dark' ? 'sun' : 'moon'} label={theme === 'dark' ? 'Light' : 'Dark'} onClick={flip_theme} />
       </header>
       <main class="text">
         <Tabs project={project} file={file} onChoose={put_file} />

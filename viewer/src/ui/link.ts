@@ -3,7 +3,7 @@
  * and trails (d=, l=, u=, w=) what is not as usual, which is also remembered. What a playground or a report says stays in it. */
 import { listen } from '../events.ts';
 import type { Run } from '../run/run.ts';
-import { kCameras, kFirstLayers, kLayers, kTrails, kUnits, layers_of, systems_theme, type Pose, type View } from '../store.ts';
+import { first_view, kCameras, kFirstLayers, kLayers, kTrails, kUnits, layers_of, systems_theme, type Pose, type View } from '../store.ts';
 import type { Page } from './page.ts';
 
 const kTaste = ['theme', 'layers', 'units', 'trail'] as const;
@@ -59,6 +59,11 @@ function remember(taste: Taste): void {
   } catch { /* as above */ }
 }
 
+/** Of a page that shows no run. */
+export function remember_theme(theme: View['theme']): void {
+  remember({ ...first_view(0), ...remembered(), theme });
+}
+
 export function link_text(run: Run, view: Told, fragment = ''): string {
   const name = (player: number): string => encodeURIComponent(run.players[player]?.name ?? '');
   const parts = [`t=${short(view.time, 2)}`, `p=${name(view.selected)}`, `c=${view.camera}`];
@@ -97,6 +102,11 @@ export function read_link(run: Run, fragment: string, duration = run.about.durat
   return told;
 }
 
+/** What a link changes in an open page: one to a moment without a stretch and a ruler takes those away. */
+export function read_link_in_page(run: Run, fragment: string, duration: number): Partial<Told> {
+  return { ...(said_in(fragment).has('t') && { zoom: null, ruler: null }), ...read_link(run, fragment, duration) };
+}
+
 /** ms: browsers refuse to have it changed much more often. */
 const kPace = 500;
 
@@ -112,7 +122,7 @@ export function follow_address({ run, store }: Page): () => void {
     if (kTold.some((key) => now[key] !== before[key])) timer ??= setTimeout(write, kPace);
     if (kTaste.some((key) => now[key] !== before[key])) remember(now);
   });
-  const unlisten = listen(window, { hashchange: () => store.set(read_link(run, location.hash, store.get().end)) });
+  const unlisten = listen(window, { hashchange: () => store.set(read_link_in_page(run, location.hash, store.get().end)) });
   return () => {
     stop();
     unlisten();
