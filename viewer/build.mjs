@@ -49,7 +49,7 @@ async function make(name, title, script_file, style_file) {
   const script = await bundled(script_file, { format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
   const style = await bundled(style_file);
   const looks = style.text;
-  const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; base-uri 'none'; form-action 'none'`;
+  const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; img-src data:; base-uri 'none'; form-action 'none'`;
   const html = shell.replace('%POLICY%', () => policy).replace('%TITLE%', title).replace('/*%STYLE%*/', () => looks)
     .replace('/*%SCRIPT%*/', () => code).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
   const out = join(folder, name);
