@@ -30,7 +30,8 @@ export function run_clock(store: Store, watch = kWatch): () => void {
     const { playing, time, rate, end } = store.get();
     handle = 0;
     if (!playing) return;
-    const passed = Math.min(now - last, kLongestFrame) / 1000;
+    // a frame may have begun before the clock was started
+    const passed = Math.max(0, Math.min(now - last, kLongestFrame)) / 1000;
     last = now;
     const next = Math.min(end, time + passed * rate);
     store.set(next >= end ? { time: next, playing: false } : { time: next });

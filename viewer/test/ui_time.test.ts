@@ -9,6 +9,9 @@ import {
 import { link_pages } from '../src/ui/compare.tsx';
 import { ticks_of } from '../src/ui/timeline.tsx';
 import { clock_text, tick_text } from '../src/words/text.ts';
+import type { Player } from '../src/run/run.ts';
+import { first_view } from '../src/store.ts';
+import { view_in } from '../src/ui/page.ts';
 import { kBreaks, kPursues, page_of, told_run } from './ui_run.ts';
 
 const kDecisions = Array.from({ length: 1000 }, (_, i) => (i >= 300 && i < 320 ? kBreaks : kPursues));
@@ -81,6 +84,8 @@ test('while it plays, the strips go along', () => {
   assert.deepEqual(page.store.get().zoom, [90, 100]);
   page.store.set({ playing: false, zoom: [0, 5] });
   assert.deepEqual(page.store.get().zoom, [0, 5]);
+  page.store.set({ playing: true, time: -0.01 });
+  assert.deepEqual(page.store.get().zoom, [0, 5], 'there is nothing before the run');
   stop();
 });
 
@@ -135,6 +140,21 @@ test('the clock moves the time by what has passed times the rate, and stops at t
   stop();
 });
 
+test('a frame that began before the clock was started moves no time', () => {
+  const frames: FrameRequestCallback[] = [];
+  Object.assign(globalThis, { requestAnimationFrame: (f: FrameRequestCallback) => frames.push(f), cancelAnimationFrame: () => undefined });
+  const { store } = page_of(kRun, { rate: 4 });
+  const watch = new Stopped();
+  watch.pass(5000);
+  const stop = run_clock(store, watch);
+  store.set({ playing: true });
+  frames.pop()!(4990);
+  assert.equal(store.get().time, 0);
+  frames.pop()!(5090);
+  near(store.get().time, 0.4);
+  stop();
+});
+
 test('panels are told at once of all but the time, and of the time at a pace', () => {
   const { store } = page_of(kRun, { playing: true });
   const watch = new Stopped();
@@ -162,6 +182,17 @@ test('two runs show the same time, and players of the same name', () => {
   assert.deepEqual([b.store.get().time, b.store.get().selected, b.store.get().ruler], [7, 0, [0, 1]]);
   b.store.set({ time: 8, zoom: [1, 9] });
   assert.deepEqual([a.store.get().time, a.store.get().zoom, a.store.get().selected], [8, [1, 9], 1]);
+});
+
+test('another mission shows the same players by their names, and nothing of who is not there', () => {
+  const [eagle, bogey] = kRun.players as [Player, Player];
+  const view = { ...first_view(1), ruler: [1, 0] as [number, number], zoom: [1, 9] as [number, number], theme: 'dark' as const };
+  const ghost = { player: 1, t: 3, heading: 1, altitude: null, speed: null, label: 'pursue' };
+  assert.deepEqual(view_in(kRun, kRun, { ...view, ghost }), { ...view, ghost });
+  const turned = { ...kRun, players: [{ ...bogey, index: 0 }, { ...eagle, index: 1 }] };
+  assert.deepEqual(view_in(turned, kRun, { ...view, ghost }), { ...view, selected: 0, ruler: [0, 1], ghost: { ...ghost, player: 0 }, zoom: null });
+  const fewer = { ...kRun, players: [eagle] };
+  assert.deepEqual(view_in(fewer, kRun, { ...view, ghost }), { ...view, selected: 0, ruler: null, ghost: null, zoom: null });
 });
 
 test('times are written as the terminal writes them', () => {

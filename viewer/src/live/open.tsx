@@ -4,6 +4,7 @@ import type { RunningEngine } from '../engine/engine.ts';
 import { engine_module, parts, started, unpack } from '../parts.ts';
 import { say_failure, show, type Shown } from '../show.tsx';
 import type { View } from '../store.ts';
+import { view_in } from '../ui/page.ts';
 import { GrownRun } from './grown.ts';
 import { Line, type Socket } from './line.ts';
 import { Live } from './live.ts';
@@ -91,7 +92,8 @@ export async function open_live(host: HTMLElement): Promise<void> {
     if (first || !grown) {
       grown = new GrownRun(bytes, engine);
       if (shown) {
-        view = live.page!.store.get();
+        const { run, store } = live.page!;
+        view = view_in(grown.run, run, store.get());
         shown.close();
       }
       shown = show([grown.run], host, view, undefined, live);

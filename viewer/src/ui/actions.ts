@@ -110,8 +110,9 @@ export function keep_in_sight(page: Page): () => void {
   return page.store.subscribe(({ playing, time, zoom }) => {
     if (!playing || !zoom || (time >= zoom[0] && time <= zoom[1])) return;
     const width = zoom[1] - zoom[0];
-    const begin = Math.min(time - 0.05 * width, page.duration - width);
-    if (begin !== zoom[0]) zoom_to(page, begin, begin + width);
+    const begin = Math.max(0, Math.min(time - 0.05 * width, page.duration - width));
+    // this listener hears of its own change, too
+    if (Math.abs(begin - zoom[0]) > 1e-6) zoom_to(page, begin, begin + width);
   });
 }
 

@@ -4,7 +4,7 @@
 import { useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { value_text, clock_text } from '../words/text.ts';
+import { value_text, clock_text, reworded } from '../words/text.ts';
 import { jump, select } from './actions.ts';
 import { LeaderRow } from './leaders.tsx';
 import { namesake, use_page, type Page } from './page.ts';
@@ -65,7 +65,7 @@ function OtherLine({ pages }: { pages: Page[] }) {
     if (here >= 0) select(page, here);
     jump(page, t);
   };
-  return <button type="button" data-story-t={t} onClick={go}>only in {of.letter} at {clock_text(t)}: {name} {text}</button>;
+  return <button type="button" data-story-t={t} onClick={go}>only in {of.letter} at {clock_text(t)}: {name} {reworded(text)}</button>;
 }
 
 function Parting({ pages, player, both, decision }: { pages: Page[]; player: Player; both: boolean; decision: Divergence | null }) {
@@ -149,7 +149,7 @@ function words_of(a: Of, b: Of, index: number, field: number): string {
   const said = (of: Of): string => {
     const value = root_value(of, index, field);
     const about = of.run.platforms[of.player.kind].action[field]!;
-    return value === null ? 'nothing' : typeof value === 'string' ? value : value_text(of.run, about, value);
+    return value === null ? 'nothing' : typeof value === 'string' ? reworded(value) : value_text(of.run, about, value);
   };
   const { name } = a.run.platforms[a.player.kind].action[field]!;
   const [mine, its] = [said(a), said(b)];

@@ -58,7 +58,9 @@ export function use_keys(page: Page, help: Cell<boolean>): void {
     keydown: (event) => {
       if (is_taken(event) || event.defaultPrevented || help.get()) return;
       if (event.key === '?') return help.set(true);
-      const key = kByKey.get(event.shiftKey ? `Shift+${event.key}` : event.key);
+      // with caps lock letters are capitals
+      const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+      const key = kByKey.get(event.shiftKey ? `Shift+${name}` : name);
       if (!key) return;
       event.preventDefault();
       key.does(page);

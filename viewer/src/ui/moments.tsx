@@ -62,7 +62,7 @@ export function Moments() {
           const mark = mark_of(run, line)!;
           return (
             <li key={line}>
-              <button type="button" class="moment" data-moment={mark.kind} aria-current={line === now} title={`${text}: shows the decision it comes of`}
+              <button type="button" class="moment" data-moment={mark.kind} aria-current={line === now} title={`${reworded(text)}: shows the decision it comes of`}
                 onClick={() => show_cause(page, line)}>
                 <b><Glyph kind={mark.kind} side={mark.side} />{title}</b>
                 <span><time>{clock_text(t)}</time> {reworded(text)}</span>

@@ -44,8 +44,23 @@ export interface Page {
 }
 
 /** The player of the same name in another run; -1: there is none. */
-export function namesake({ run }: Page, player: Player | undefined): number {
+export function namesake({ run }: Pick<Page, 'run'>, player: Player | undefined): number {
   return run.players.findIndex((p) => p.name === player?.name);
+}
+
+/** A view of one run for another one, in which players have other numbers; what is of somebody who is not there is left out. */
+export function view_in(to: Run, from: Run, view: View): Partial<View> {
+  const { selected, ruler, ghost, zoom, ...rest } = view;
+  const named = (index: number): number => namesake({ run: to }, from.players[index]);
+  const [one, two] = (ruler ?? []).map(named);
+  const is_same = to.players.length === from.players.length && to.players.every(({ name }, i) => name === from.players[i]!.name);
+  return {
+    ...rest,
+    selected: Math.max(0, named(selected)),
+    ruler: one !== undefined && two !== undefined && one >= 0 && two >= 0 ? [one, two] : null,
+    ghost: ghost && named(ghost.player) >= 0 ? { ...ghost, player: named(ghost.player) } : null,
+    zoom: is_same ? zoom : null,  // else it is another mission
+  };
 }
 
 export function make_page(run: Run, store: Store, letter: string): Page {

@@ -125,7 +125,8 @@ function Readout({ quantity, lines }: { quantity: Quantity; lines: Line[] }) {
     return (series && resample(series, [t], quantity.steps, player.gone)[0]) ?? NaN;
   };
   const said = (v: number): string => (Number.isNaN(v) ? '–' : count_text(Number(v.toFixed(quantity.digits))));
-  const twin = page.twin && lines.find(({ run }) => run === page.twin!.run);
+  // who else is shown may be in both runs, too
+  const twin = page.twin && lines[1]?.run === page.twin.run ? lines[1] : undefined;
   const apart = twin ? at(twin) - at(lines[0]!) : NaN;
   return (
     <div class="readout">

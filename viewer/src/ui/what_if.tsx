@@ -110,7 +110,8 @@ function FlyOn({ player }: { player: Player }) {
     put(null);
     if (page.other.get()?.label === kFlownOn) show(null);
   };
-  useEffect(() => forget, [changes, player]);
+  // while a mission is flown, the player is another object at each drawing
+  useEffect(() => forget, [changes, player.index]);
   const fly = (): void => {
     const mine = ++asked.current;
     const { time } = page.store.get();
