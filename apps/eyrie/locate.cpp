@@ -235,6 +235,16 @@ double time_named(std::string_view option, const std::string& text) {
   refuse("{} {}: expected a time such as 312.4, '5 min' or 5:12.4", option, quote(text));
 }
 
+double first_shown(const debrief::Recorded& recorded, double time) {
+  const double dt = recorded.scenario->simulation->dt(), tenths = time * 10;
+  if (time > recorded.until() + 1 || std::fabs(tenths - std::round(tenths)) > 1e-6)
+    return time;
+  double step = std::max(0.0, std::floor((time - 0.1) / dt));
+  while (step * dt < time && record::clock_text(step * dt) != record::clock_text(time))
+    ++step;
+  return step * dt;
+}
+
 void demand_within(const debrief::Recorded& recorded, std::string_view option,
                    const std::string& text, double time) {
   if (time > recorded.until())

@@ -60,6 +60,9 @@ struct Located {
 [[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
 /// s: "312.4", "5 min", or "5:12.4" as the story says it. Throws Mistake, which names the option.
 [[nodiscard]] double time_named(std::string_view option, const std::string& text);
+/// s: the first step whose clock text is not before that time. Printed times are rounded to a
+/// tenth, so this is done for whole tenths; any other time is exact.
+[[nodiscard]] double first_shown(const debrief::Recorded& recorded, double time);
 /// Throws Mistake if the run has ended by then (s).
 void demand_within(const debrief::Recorded& recorded, std::string_view option,
                    const std::string& text, double time);

@@ -7,6 +7,7 @@
 #include "campaign/seed_table.hpp"
 #include "command.hpp"
 #include "commands.hpp"
+#include "debrief/look.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
 #include "progress.hpp"
@@ -155,10 +156,11 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
 }  // namespace
 
 int what_if(const WhatIfOptions& options) {
-  const double from = options.at.empty() ? 0 : time_named("--at", options.at);
+  const double typed = options.at.empty() ? 0 : time_named("--at", options.at);
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   const PlayerId who = player_named(recorded.scenario->roster, options.player);
   demand_within(recorded, "--at", options.at, from);
+  const double from = first_shown(recorded, typed);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
   check_parts(overrides.sets, options, wrong);
@@ -166,10 +168,10 @@ int what_if(const WhatIfOptions& options) {
       overrides.sets.empty() || !overrides.changes.empty() ||
       std::any_of(overrides.sets.begin(), overrides.sets.end(),
                   [](const std::string& set) { return part_of(set) == "trees"; });
-  if (!asks_trees && !options.at.empty())
+  if ((!asks_trees || options.seeds > 0) && !options.at.empty())
     refuse(
         "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of "
-        "a time");
+        "a time, without --seeds");
   if (!wrong.ok())
     throw ConfigError(wrong);
   const auto other =
@@ -183,6 +185,8 @@ int what_if(const WhatIfOptions& options) {
     result = debrief::what_if(recorded, *other, who, from);
     json["decisions"] = result.decisions;
     json["different"] = result.different;
+    if (result.decisions == 0 && !options.at.empty())
+      refuse("{}", debrief::nothing_text(options.player, {.from = from}, {.until = result.until}));
     if (result.first)
       json["first"] = first_json(*result.first);
     json["spans_s"] = result.spans;

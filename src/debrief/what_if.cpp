@@ -88,6 +88,8 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   Reflight flight(recorded);
   std::optional<Decision> first;  // which has the names
   while (flight.step()) {
+    if (flown.find(flight.after(), who))
+      result.until = flight.time();
     if (flight.time() < from - 1e-9)
       continue;
     fleet.agents->look_again(flight.before(), flight.after(), who, flight.orders(),

@@ -27,6 +27,7 @@ struct WhatIf {
   std::vector<ubf::NodeIndex> leaders;  ///< who would have led then; kNone for nobody
   /// Times (s) from the first to the last of decisions in a row that would have been different.
   std::vector<std::pair<double, double>> spans;
+  double until = 0;  ///< s, when the player was last there
 };
 
 /// Asks the trees of `other`, which is the scenario of the run with overrides, about every state

@@ -42,7 +42,7 @@ TEST(ExplainProgram, ShowsTheTreeOfOneDecisionWithItsWinners) {
   const Ran ran = debriefed({"explain", "a", "--player", "eagle2", "--at", "5:12.4"});
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_TRUE(
-      says(ran.out, R"(eagle2 at 05:12\.5 \(step 15623\), by tree sweep: follow_lead leads)"))
+      says(ran.out, R"(eagle2 at 05:12\.4 \(step 15618\), by tree sweep: follow_lead leads)"))
       << ran.out;
   EXPECT_TRUE(says(ran.out, R"(\n>     follow_lead +running, votes 20: heading)"));
   EXPECT_TRUE(says(ran.out, R"(\n        break_turn +failed: no missile is known to come\n)"));
@@ -169,7 +169,7 @@ TEST(ExplainProgram, GivesToolsTheSame) {
       debriefed({"explain", "a", "--player", "eagle2", "--from", "300", "--to", "5:01", "--json"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   const json all = json::parse(ran.out);
-  ASSERT_EQ(all.size(), 10u) << "ten decisions in a second";
+  ASSERT_EQ(all.size(), 11u) << "ten decisions in a second: 05:00.0 to 05:01.0";
   const json& d = all.at(0);
   EXPECT_EQ(d.at("player"), "eagle2");
   EXPECT_EQ(d.at("leader"), "root/ingress/follow_lead");
