@@ -115,14 +115,16 @@ Json over_seeds(const debrief::Recorded& recorded,
   if (!quiet)
     say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", flown);
   for (const Figure& figure : figures) {
+    const Json error = flown < 2 ? Json() : Json(figure.difference.error());  // of one: unknown
     if (!quiet)
-      say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {:.2f}\n", figure.name, figure.flown.mean(),
-          figure.other.mean(), figure.difference.mean(), figure.difference.error());
+      say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {}\n", figure.name, figure.flown.mean(),
+          figure.other.mean(), figure.difference.mean(),
+          error.is_null() ? "-" : fmt::format("{:.2f}", figure.difference.error()));
     all.push_back({{"name", figure.name},
                    {"flown", figure.flown.mean()},
                    {"other", figure.other.mean()},
                    {"difference", figure.difference.mean()},
-                   {"standard_error", figure.difference.error()}});
+                   {"standard_error", error}});
   }
   return {{"seeds", flown}, {"faults", faults}, {"figures", all}};
 }
@@ -158,9 +160,9 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
 int what_if(const WhatIfOptions& options) {
   const double typed = options.at.empty() ? 0 : time_named("--at", options.at);
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
+  const double from = first_shown(recorded, typed);
   const PlayerId who = player_named(recorded.scenario->roster, options.player);
   demand_within(recorded, "--at", options.at, from);
-  const double from = first_shown(recorded, typed);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
   check_parts(overrides.sets, options, wrong);
@@ -183,10 +185,10 @@ int what_if(const WhatIfOptions& options) {
   Json json{{"run", recorded.file}, {"player", options.player}};
   if (asks_trees) {
     result = debrief::what_if(recorded, *other, who, from);
-    json["decisions"] = result.decisions;
-    json["different"] = result.different;
     if (result.decisions == 0 && !options.at.empty())
       refuse("{}", debrief::nothing_text(options.player, {.from = from}, {.until = result.until}));
+    json["decisions"] = result.decisions;
+    json["different"] = result.different;
     if (result.first)
       json["first"] = first_json(*result.first);
     json["spans_s"] = result.spans;
