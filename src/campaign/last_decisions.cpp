@@ -37,6 +37,17 @@ class Losses final : public sim::Observer {
   const scenario::Roster& roster_;
 };
 
+/// Leaves the database in one file again, which can be read without permission to write.
+struct OneFile {
+  Database& database;
+  ~OneFile() {
+    try {
+      database.run("PRAGMA journal_mode=DELETE");
+    } catch (const std::runtime_error&) {  // a later command does so
+    }
+  }
+};
+
 void note(const team::Decision& decision, std::size_t loss, std::vector<Contest>& contests) {
   const auto label = [&](ubf::NodeIndex node) {
     return node < decision.nodes.size() ? decision.nodes[node].label : std::string();
@@ -88,7 +99,12 @@ LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& sc
 void add_last_decisions(const std::string& folder, double window, unsigned workers,
                         const std::vector<std::string>& plugins,
                         const std::function<bool(std::uint64_t, std::uint64_t)>& tell) {
+  {  // what refuses them leaves the file as it is
+    Database there = open_results(folder);
+    static_cast<void>(Again(there, plugins, workers).flights("WHERE ? IS NOT NULL", window));
+  }
   Database database = open_results(folder, Database::Access::write);
+  const OneFile one_file{database};
   Again again(database, plugins, workers);
   database.run(kLossTables);
   const std::vector<Again::Flight> asked = again.flights(
@@ -129,7 +145,6 @@ void add_last_decisions(const std::string& folder, double window, unsigned worke
         database.run("COMMIT");
         return tell(i + 1, asked.size());
       });
-  database.run("PRAGMA journal_mode=DELETE");  // one file again
 }
 
 }  // namespace eyrie::campaign

@@ -106,15 +106,6 @@ double seconds_in(Database& database) {
   return seconds.step() ? seconds.number(0) : 0;
 }
 
-/// Before anything is written: somebody else's database may have that name.
-void demand_ours(const std::string& file) {
-  if (::access(file.c_str(), F_OK) != 0)
-    return;
-  Database there(file, Database::Access::read);
-  if (!begun(there) && there.prepare("SELECT 1 FROM sqlite_master").step())
-    throw disk::Refused(fmt::format("{} is there already, and is no campaign", quote_path(file)));
-}
-
 /// These are tables of a campaign, and such as this program writes.
 void demand_format(Database& database, const std::string& file) {
   if (!begun(database))
@@ -125,6 +116,19 @@ void demand_format(Database& database, const std::string& file) {
     throw disk::Refused(
         fmt::format("{} was written by another version of Eyrie: its format is {}, not {}",
                     quote_path(file), quote(said), kFormat));
+}
+
+/// Before anything is written: somebody else's database may have that name, or another origin.
+void demand_ours(const std::string& file, const Origin& own, const std::string& folder) {
+  if (::access(file.c_str(), F_OK) != 0)
+    return;
+  Database there(file, Database::Access::read);
+  there.distrust();
+  if (begun(there)) {
+    demand_format(there, file);
+    campaign::demand_the_same(there, own, folder);
+  } else if (there.prepare("SELECT 1 FROM sqlite_master").step())
+    throw disk::Refused(fmt::format("{} is there already, and is no campaign", quote_path(file)));
 }
 
 bool is_of_campaign(const std::string& name) {
@@ -148,13 +152,11 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
       lock_(disk::work_folder(folder, "campaign", is_of_campaign, resume)),
       counts_(cells.size()) {
   const std::string file = fmt::format("{}/{}", folder_, kStoreName);
-  demand_ours(file);
+  const Origin own = origin_of(origin, spec.part);
+  demand_ours(file, own, folder_);
   database_.emplace(file, Database::Access::create);
   database_->distrust();
-  const Origin own = origin_of(origin, spec.part);
   if (begun(*database_)) {
-    demand_format(*database_, file);
-    demand_the_same(*database_, own, folder_);
     database_->prepare("UPDATE origin SET text = ? WHERE name = ?")
         .with(spec.text, kCampaignText)
         .step();
