@@ -149,6 +149,11 @@ std::string page_data(const std::string& folder, const Summary& summary,
   return safe;
 }
 
+/// Whether nobody waits for an answer any more.
+int unheard(void*) {
+  return interrupted() || lost_output() != 0 ? 1 : 0;
+}
+
 std::optional<std::size_t> measure_named(const std::string& name, const Summary& summary) {
   if (name.empty())
     return {};
@@ -217,15 +222,11 @@ int query(const QueryOptions& options) {
   if (options.sql.empty())
     return 0;
   Database database = open_results(options.folder);
-  std::optional<Statement> asked;
-  try {
-    asked = database.prepare(options.sql);
-  } catch (const disk::Failed& e) {
-    throw Mistake(shown("eyrie: {}", e.what()));
-  }
-  if (asked->columns() == 0)
-    refuse("eyrie: query reads, and {} gives no rows", quote(options.sql));
-  write_csv(*asked, [](const std::string& line) { say("{}", Composed{line}); });
+  Statement asked = database.prepare(options.sql);
+  if (asked.columns() == 0 || !asked.reads_only())
+    refuse("eyrie: query reads, and {} gives no rows or writes", quote(options.sql));
+  database.stop_if(unheard);
+  write_csv(asked, [](const std::string& line) { say("{}", Composed{line}); });
   return 0;
 }
 

@@ -41,7 +41,7 @@ std::vector<Again::Flight> Again::flights(const std::string& which, double param
     const auto whole = [&](int i) { return static_cast<std::uint64_t>(found.integer(i)); };
     all.push_back({whole(0), whole(1), whole(2), found.text(3)});
     if (all.back().cell >= cells_.size())
-      throw disk::Failed(
+      throw disk::Refused(
           fmt::format("the results are damaged: there is no cell {}", all.back().cell));
   }
   return all;

@@ -17,7 +17,7 @@ class Again {
     std::string hash;  ///< of the last world
   };
   /// Those that ended without a fault, by cell and replicate; `which` is the rest of a query of
-  /// `replicates`, with one parameter. Throws disk::Failed if one is of no cell.
+  /// `replicates`, with one parameter. Throws disk::Refused if one is of no cell.
   [[nodiscard]] std::vector<Flight> flights(const std::string& which, double parameter);
   /// From any thread.
   [[nodiscard]] std::shared_ptr<const scenario::Scenario> scenario(std::uint64_t cell) {

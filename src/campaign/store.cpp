@@ -173,7 +173,7 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
 Store::~Store() {
   try {
     flush();
-  } catch (const disk::Failed&) {  // whoever could hear it has called flush()
+  } catch (const std::runtime_error&) {  // whoever could hear it has called flush()
   }
 }
 
@@ -234,7 +234,7 @@ void Store::count() {
   while (counted.step()) {
     const auto cell = static_cast<std::size_t>(counted.integer(0));
     if (cell >= counts_.size())
-      throw disk::Failed(
+      throw disk::Refused(
           fmt::format("{} is damaged: there is no cell {}", quote_path(folder_), cell));
     counts_[cell] = static_cast<std::uint64_t>(counted.integer(1));
   }
@@ -380,13 +380,13 @@ void write_csv(Statement& rows, const std::function<void(const std::string&)>& u
   std::string line;
   for (int i = 0; i < rows.columns(); ++i)
     line += (i ? "," : "") + record::csv_text(rows.column_name(i));
-  use(line + '\n');
-  while (rows.step()) {
+  bool more = rows.step();  // what fails at once writes nothing
+  for (use(line + '\n'); more; more = rows.step()) {
     line.clear();
     for (int i = 0; i < rows.columns(); ++i)
-      line += (i ? "," : "") + (rows.is_text(i)     ? record::csv_text(rows.text(i))
-                                : rows.is_number(i) ? fmt::format("{}", rows.number(i))
-                                                    : rows.text(i));
+      line += (i ? "," : "") + (rows.is_number(i)  ? fmt::format("{}", rows.number(i))
+                                : rows.is_whole(i) ? rows.text(i)
+                                                   : record::csv_text(rows.text(i)));
     use(line + '\n');
   }
 }

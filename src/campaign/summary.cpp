@@ -25,7 +25,7 @@ void read_measures(Database& database, const std::vector<std::string>& columns, 
   const auto index = [&](const std::string& name) {
     const auto found = std::find(columns.begin(), columns.end(), name);
     if (found == columns.end())
-      throw disk::Failed(
+      throw disk::Refused(
           fmt::format("the results are damaged: there is no column {}", quote(name)));
     return static_cast<std::size_t>(found - columns.begin());
   };

@@ -17,10 +17,16 @@ namespace {
 [[noreturn]] void fail(sqlite3* database) {
   const int call = errno, code = sqlite3_errcode(database);
   const char* path = sqlite3_db_filename(database, nullptr);
-  throw disk::Failed(fmt::format("{}: {}", quote_path(path ? path : ""),
-                                 code == SQLITE_FULL    ? disk::words_of(ENOSPC)
-                                 : code == SQLITE_IOERR ? disk::words_of(call)
-                                                        : sqlite3_errmsg(database)));
+  const std::string words =
+      fmt::format("{}: {}", path && *path ? quote_path(path) : "a temporary file of SQLite",
+                  code == SQLITE_FULL    ? disk::words_of(ENOSPC)
+                  : code == SQLITE_IOERR ? disk::words_of(call)
+                                         : sqlite3_errmsg(database));
+  for (const int mistake : {SQLITE_ERROR, SQLITE_READONLY, SQLITE_CORRUPT, SQLITE_NOTADB,
+                            SQLITE_TOOBIG, SQLITE_MISMATCH})
+    if (code == mistake)
+      throw disk::Refused(words);
+  throw disk::Failed(words);
 }
 
 }  // namespace
@@ -55,11 +61,15 @@ bool Statement::step() {
     case SQLITE_ROW:
       return true;
     case SQLITE_DONE:
+    case SQLITE_INTERRUPT:
       reset();
       return false;
     default:
       fail(sqlite3_db_handle(statement_.get()));
   }
+}
+bool Statement::reads_only() const {
+  return sqlite3_stmt_readonly(statement_.get()) != 0;
 }
 
 std::int64_t Statement::integer(int column) const {
@@ -77,8 +87,8 @@ std::string Statement::text(int column) const {
 bool Statement::is_null(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
-bool Statement::is_text(int column) const {
-  return sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT;
+bool Statement::is_whole(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_INTEGER;
 }
 bool Statement::is_number(int column) const {
   return sqlite3_column_type(statement_.get(), column) == SQLITE_FLOAT;
@@ -123,6 +133,10 @@ void Database::distrust() {
     sqlite3_db_config(database_.get(), option, on, nullptr);
 }
 
+void Database::stop_if(int (&stop)(void*)) {
+  sqlite3_progress_handler(database_.get(), 10'000, &stop, nullptr);  // instructions of SQLite
+}
+
 Statement Database::prepare(std::string_view sql) {
   const char* rest = sql.data();
   const auto next = [&] {
@@ -134,10 +148,10 @@ Statement Database::prepare(std::string_view sql) {
   };
   Statement first = next();
   if (!first.statement_)
-    throw disk::Failed(fmt::format("there is no statement in {}", quote(sql)));
+    throw disk::Refused(fmt::format("there is no statement in {}", quote(sql)));
   const std::string_view more(rest, static_cast<std::size_t>(sql.data() + sql.size() - rest));
   if (next().statement_)
-    throw disk::Failed(fmt::format("one statement at a time, not also {}", quote(more)));
+    throw disk::Refused(fmt::format("one statement at a time, not also {}", quote(more)));
   return first;
 }
 

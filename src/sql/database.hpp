@@ -11,7 +11,8 @@ struct sqlite3_stmt;
 
 namespace eyrie::sql {
 
-/// A prepared statement. What fails throws disk::Failed.
+/// A prepared statement. What fails throws disk::Failed; SQL that is wrong, or asked of a file that
+/// is damaged or has other tables, throws disk::Refused.
 class Statement {
  public:
   /// Fills in every parameter, and begins anew.
@@ -30,15 +31,17 @@ class Statement {
   void bind(int index, std::int64_t value);
   void bind(int index, std::uint64_t value) { bind(index, static_cast<std::int64_t>(value)); }
   void bind(int index, std::string_view text);
-  /// False when there is no further row; the statement can be used again then.
+  /// False without a further row, or if it was stopped; the statement can be used again then.
   bool step();
+  /// Whether it writes nothing.
+  [[nodiscard]] bool reads_only() const;
 
   // of the row; columns count from 0
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double number(int column) const;  ///< NaN for NULL
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] bool is_null(int column) const;
-  [[nodiscard]] bool is_text(int column) const;
+  [[nodiscard]] bool is_whole(int column) const;
   [[nodiscard]] bool is_number(int column) const;  ///< and no whole one
   [[nodiscard]] int columns() const;
   [[nodiscard]] std::string column_name(int column) const;
@@ -62,7 +65,9 @@ class Database {
   /// From now on no view, trigger or function of the file itself is used: a stranger may have put
   /// them where tables should be.
   void distrust();
-  /// One statement; more of them, or none, throw disk::Failed.
+  /// While a statement runs, `stop` is asked now and then, with null: not 0 ends it.
+  void stop_if(int (&stop)(void*));
+  /// One statement; more of them, or none, throw disk::Refused.
   [[nodiscard]] Statement prepare(std::string_view sql);
   /// Statements without a result.
   void run(const std::string& sql);

@@ -66,7 +66,18 @@ TEST(Database, PreparesOneStatement) {
   Database database(folder / "x.db", Access::create);
   EXPECT_TRUE(database.prepare("SELECT 1;  -- one\n ; ").step());
   for (const char* text : {"", ";", "-- nothing", "SELECT 1; SELECT 2", "SELECT 1; nonsense"})
-    EXPECT_THROW(static_cast<void>(database.prepare(text)), disk::Failed) << text;
+    EXPECT_THROW(static_cast<void>(database.prepare(text)), disk::Refused) << text;
+}
+
+TEST(Database, StopsAStatementWhenAsked) {
+  Database database(":memory:", Access::create);
+  static int asked = 0;
+  database.stop_if(*[](void*) { return ++asked == 3 ? 1 : 0; });
+  Statement endless = database.prepare(
+      "WITH RECURSIVE r(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM r) SELECT sum(i) FROM r");
+  EXPECT_TRUE(endless.reads_only());
+  EXPECT_FALSE(endless.step());
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(Database, ThatIsAStrangersHasNoViewsAndTriggers) {
@@ -77,7 +88,7 @@ TEST(Database, ThatIsAStrangersHasNoViewsAndTriggers) {
           "CREATE TRIGGER more AFTER INSERT ON t BEGIN INSERT INTO t VALUES (7); END");
   Database database(folder / "x.db", Access::write);
   database.distrust();
-  EXPECT_THROW(static_cast<void>(database.prepare("SELECT * FROM v")), disk::Failed);
+  EXPECT_THROW(static_cast<void>(database.prepare("SELECT * FROM v")), disk::Refused);
   database.run("INSERT INTO t VALUES (1)");
   Statement count = database.prepare("SELECT count(*) FROM t");
   ASSERT_TRUE(count.step());
