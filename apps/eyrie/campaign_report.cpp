@@ -173,16 +173,16 @@ int campaign_report(const CampaignReportOptions& options) {
   if (options.parquet)
     parquet.emplace(duckdb_library());
   const Summary summary = read_summary(options.folder);
+  listen_for_interrupts();
+  const std::string file =
+      options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
+  disk::OutputFile out(file, options.out.empty() || options.force);  // before it flies
   const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
   print_cells(summary);
   print_comparisons(summary, comparisons, options.of.empty() ? 20 : comparisons.size());
   print_effects(summary, effects(summary), interactions(summary));
   say("\n");
-  listen_for_interrupts();
   const std::vector<Way> ways = ways_to_draw(options, summary);
-  const std::string file =
-      options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
-  disk::OutputFile out(file, options.out.empty() || options.force);
   const CampaignDebrief debrief = campaign_debrief(options.folder, options.plugins);
   std::string_view page = kCampaignPage;
   for (const auto& [here, text] :

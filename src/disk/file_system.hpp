@@ -112,7 +112,7 @@ struct Refused : std::runtime_error {
 };
 
 /// Throws that `path` cannot be made because of `error` of errno: Refused if there cannot be
-/// anything of that name, Failed otherwise.
+/// anything of that name, or the user may not make it; Failed otherwise.
 [[noreturn]] void cannot_make(const std::string& path, int error);
 
 }  // namespace eyrie::disk

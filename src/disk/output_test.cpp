@@ -81,6 +81,23 @@ TEST(OutputFolder, IsMadeThoughItsPartIsTakenForAbandoned) {
   }
 }
 
+TEST(OutputFolder, IsRefusedWhereNobodyMayWrite) {
+  struct Forbidden final : FileSystem {
+    int make_folder(int, const char*, mode_t) override {
+      errno = error;
+      return -1;
+    }
+    int error = 0;
+  } forbidden;
+  const test::TempFolder folder;
+  const Instead instead(forbidden);
+  for (const int error : {EACCES, EROFS}) {
+    forbidden.error = error;
+    EXPECT_EQ(refusal(wish(folder, "run")),
+              "cannot make '" + (folder / "run") + "': " + words_of(error));
+  }
+}
+
 TEST(OutputFolder, IsNotThereUntilItIsComplete) {
   const test::TempFolder folder;
   {
