@@ -36,7 +36,8 @@ class Writer final : public sim::Observer {
         events_(scenario_),
         missiles_(scenario_),
         database_(":memory:", sql::Database::Access::create) {
-    database_.run("PRAGMA foreign_keys=OFF; PRAGMA user_version=1; BEGIN");
+    database_.run(
+        "PRAGMA temp_store=MEMORY; PRAGMA foreign_keys=OFF; PRAGMA user_version=1; BEGIN");
     const double dt = scenario_.simulation->dt();
     for (Table& table : tables_of(columns_, dt)) {
       database_.run(create(table));

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "disk/file_system.hpp"
 #include "sql/database.hpp"
 #include "support/acmi_reader.hpp"
 #include "support/program.hpp"
@@ -283,6 +284,45 @@ TEST(TablesProgram, WritesTheSameEveryTimeAndRefusesWhatIsNoSelection) {
 TEST(TablesPage, IsWhatTheProgramSays) {
   EXPECT_EQ(read_text("docs/tables.md"), tables::tables_markdown())
       << "eyrie catalog --tables > docs/tables.md";
+/// While it lives, SQLite can make no temporary file.
+class NoTemporaries {
+ public:
+  NoTemporaries() {
+    full_.zName = "no temporaries";
+    full_.xOpen = [](sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* out) {
+      file->pMethods = nullptr;
+      return name ? real_->xOpen(real_, name, file, flags, out) : SQLITE_FULL;
+    };
+    sqlite3_vfs_register(&full_, 1);
+  }
+  ~NoTemporaries() {
+    sqlite3_vfs_unregister(&full_);
+    sqlite3_vfs_register(real_, 1);
+  }
+  NoTemporaries(const NoTemporaries&) = delete;
+  NoTemporaries& operator=(const NoTemporaries&) = delete;
+
+ private:
+  inline static sqlite3_vfs* const real_ = sqlite3_vfs_find(nullptr);
+  sqlite3_vfs full_ = *real_;
+};
+
+TEST(Tables, NeedNoTemporaryFiles) {
+  const debrief::Recorded run = recorded_flight("sweep", 600);
+  const NoTemporaries full;
+  const auto bytes = tables::run_database(run, {}, not_stopped);
+  EXPECT_GT(bytes->size(), 2'500'000U) << "more than SQLite keeps in memory unasked";
+  Database unasked(":memory:", Database::Access::create);
+  try {
+    unasked.run(
+        "PRAGMA temp_store=FILE; CREATE TEMP TABLE t (x); INSERT INTO t WITH RECURSIVE r(i) AS "
+        "(SELECT 1 UNION ALL SELECT i + 1 FROM r LIMIT 10000) SELECT randomblob(1000) FROM r");
+    FAIL() << "there was room";
+  } catch (const disk::Failed& e) {
+    EXPECT_STREQ(e.what(), "a temporary file of SQLite: No space left on device");
+  }
+}
+
 }
 
 /// The blocks of a language on a page.
