@@ -70,6 +70,11 @@ int export_run(const ExportOptions& options) {
   const bool paths =
       options.format == ExportFormat::czml || options.format == ExportFormat::geojson;
   const bool packets = options.format == ExportFormat::pcap;
+  const bool csv = !paths && !packets && options.format != ExportFormat::sqlite;
+  const std::string end = fs::path(options.out).extension();
+  if (end == ".GZ" || (end == ".gz" && !csv))
+    refuse("--out {}: only CSV is compressed, and only for a name that ends with '.gz'",
+           quote_path(options.out));
   if ((paths || packets) &&
       (!options.player.empty() || !options.every.empty() || options.changes_only))
     refuse("--player, --every and --changes-only are for decisions: {} are those of all players",
