@@ -139,16 +139,18 @@ void Reflight::demand_the_same() {
 
 namespace {
 
-/// The first player, fleet by fleet and by id, who asks for something else.
-PlayerId asks_otherwise(const scenario::Scenario& s, const sim::World& a, const sim::World& b) {
+/// The players, fleet by fleet and by id, who ask for something else.
+std::vector<PlayerId> ask_otherwise(const scenario::Scenario& s, const sim::World& a,
+                                    const sim::World& b) {
+  std::vector<PlayerId> all;
   for (const auto& fleet : s.fleets)
     for (std::uint32_t i = 0; i < fleet->rows(a); ++i) {
       const PlayerId who = fleet->id(a, i);
       const auto j = fleet->row(b, who);
       if (j && !fleet->agents->want_alike(a, i, b, *j))
-        return who;
+        all.push_back(who);
     }
-  return {};
+  return all;
 }
 
 std::string leader_of(const scenario::Scenario& s, const sim::World& world, PlayerId who) {
@@ -215,15 +217,16 @@ std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight
   return {one, other};
 }
 
-/// Of two events that are not the same, what each is; null: there is none.
+/// Of two events that are not the same, what each is in its scenario; null: there is none.
 std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::Event* y,
-                                                const scenario::Scenario& scenario) {
-  const auto named = [&](const sim::Event& e) {
+                                                const scenario::Scenario& left,
+                                                const scenario::Scenario& right) {
+  const auto named = [](const sim::Event& e, const scenario::Scenario& scenario) {
     return fmt::format("{} {}{}", scenario.roster.name(e.who),
                        model::event_name(record::kind_of(e)),
                        e.whom ? " " + scenario.roster.name(e.whom) : "");
   };
-  std::string one = x ? named(*x) : "nothing", other = y ? named(*y) : "nothing";
+  std::string one = x ? named(*x, left) : "nothing", other = y ? named(*y, right) : "nothing";
   if (one != other)
     return {one, other};
   const auto compare = [&](std::string_view name, Dimension dimension, double mine, double its) {
@@ -233,15 +236,15 @@ std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::
       other += fmt::format(", {} {}", name, b);
     }
   };
-  const record::EventTable table(scenario);
+  const record::EventTable left_table(left), right_table(right);
   const auto values = model::event_values(record::kind_of(*x));
   for (std::size_t i = 0; i < x->values.size(); ++i) {
     const model::EventValue what = i < values.size() ? values[i] : model::EventValue{"value"};
-    const auto word = [&](const sim::Event& e) {
+    const auto word = [&](const sim::Event& e, const record::EventTable& table) {
       const record::Cell cell = table.value(e, what, e.values[i]);
       return std::holds_alternative<std::string>(cell) ? std::get<std::string>(cell) : "";
     };
-    if (const std::string a = word(*x), b = word(*y); a != b) {
+    if (const std::string a = word(*x, left_table), b = word(*y, right_table); a != b) {
       one += fmt::format(", {} {}", what.name, a);
       other += fmt::format(", {} {}", what.name, b);
     } else {
@@ -258,7 +261,8 @@ std::pair<std::string, std::string> event_texts(const sim::Event* x, const sim::
 
 /// The first event that is not the same, as both have it.
 std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
-                                       const scenario::Scenario& scenario) {
+                                       const scenario::Scenario& its,
+                                       const scenario::Scenario& others) {
   const auto left = a.events(), right = b.events();
   const auto same = [](const sim::Event& x, const sim::Event& y) {
     return std::memcmp(&x, &y, sizeof x) == 0;
@@ -267,8 +271,9 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
   for (std::size_t i = 0; i <= shared; ++i)
     if (i < shared ? !same(left[i], right[i]) : left.size() != right.size()) {
       const auto [one, other] = event_texts(i < left.size() ? &left[i] : nullptr,
-                                            i < right.size() ? &right[i] : nullptr, scenario);
-      return fmt::format("{}; and {} in the other", one, other);
+                                            i < right.size() ? &right[i] : nullptr, its, others);
+      if (one != other)
+        return fmt::format("{}; and {} in the other", one, other);
     }
   return std::nullopt;
 }
@@ -285,6 +290,13 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
     return std::nullopt;
   }
   const scenario::Scenario& scenario = *left.scenario;
+  const scenario::Roster &mine = scenario.roster, &its = right.scenario->roster;
+  for (PlayerId who{1}; mine.find(who) || its.find(who); ++who.value)
+    if (mine.name(who) != its.name(who)) {
+      problem = fmt::format("{} and {} have other players: {} is {} in the other", left.file,
+                            right.file, mine.name(who), its.name(who));
+      return std::nullopt;
+    }
   RunDifference found;
   Reflight a(left), b(right);
   const auto part = [&](std::optional<Parting>& place, std::string text) {
@@ -303,15 +315,14 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
     if (!more_left)
       break;
     ++found.steps;
-    if (!found.action) {
-      if (const PlayerId who = asks_otherwise(scenario, a.after(), b.after())) {
-        const auto [one, other] = wants_text(a, b, left, right, who);
-        part(found.action,
-             fmt::format("{}: {}; and {} in the other", scenario.roster.name(who), one, other));
-      }
-    }
+    if (!found.action)
+      for (const PlayerId who : ask_otherwise(scenario, a.after(), b.after()))
+        if (const auto [one, other] = wants_text(a, b, left, right, who);
+            one != other && !found.action)  // the same: nobody has decided anything yet
+          part(found.action,
+               fmt::format("{}: {}; and {} in the other", scenario.roster.name(who), one, other));
     if (!found.event)
-      if (const auto text = other_event(a, b, scenario))
+      if (const auto text = other_event(a, b, scenario, *right.scenario))
         part(found.event, *text);
     if (!found.world && a.after().hash() != b.after().hash())
       if (const auto difference = sim::first_difference(a.after(), b.after()))

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "support/program.hpp"
+#include "support/small_scenario.hpp"
 
 namespace eyrie::test {
 namespace {
@@ -25,6 +26,31 @@ TEST(DiffProgram, WritesValuesOfEventsInTheUnitsAskedFor) {
   };
   EXPECT_TRUE(has(event("us"), R"( range \S+ (nmi|ft); and [^;]+ range \S+ \1 in the other)"));
   EXPECT_TRUE(has(event("metric"), R"( range \S+ (k?m); and [^;]+ range \S+ \1 in the other)"));
+}
+
+TEST(DiffProgram, ComparesThoseOfTheSameNamesByWhatTheyDecide) {
+  const TempFolder folder;
+  folder.write("small.yaml", kSmallScenario);
+  folder.write("cobra.yaml", changed_scenario({{"    eagle:", "    cobra:"},
+                                               {"[eagle1, eagle2]", "[cobra1, cobra2]"}}));
+  const auto fly = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"fly"});
+    more.insert(more.end(), {"--quiet", "--no-debrief"});
+    ASSERT_EQ(run_program(folder, more).code, 0);
+  };
+  fly({"small.yaml", "--out", "a"});
+  fly({"small.yaml", "--out", "b", "--set", "blue.flights.eagle.start.heading=80 deg"});
+  fly({"cobra.yaml", "--out", "c"});
+  const Ran others = run_program(folder, {"diff", "a", "c"});
+  EXPECT_EQ(others.code, 2);
+  EXPECT_NE(others.err.find("have other players: eagle1 is cobra1 in the other"), std::string::npos)
+      << others.err;
+  const Ran parted = run_program(folder, {"diff", "a", "b"});
+  EXPECT_EQ(parted.code, 1);
+  EXPECT_TRUE(std::regex_search(parted.out, std::regex(R"(\naction +\S+  eagle\d: navigate)")))
+      << parted.out;
+  EXPECT_FALSE(std::regex_search(parted.out, std::regex(R"(: ([^\n]+); and \1 in the other)")))
+      << parted.out;
 }
 
 }  // namespace
