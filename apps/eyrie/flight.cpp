@@ -144,6 +144,7 @@ int Flight::fly(const std::function<void()>& steps) {
 int Flight::keep(bool with_page) {
   const std::string lost =
       recorder_.close(mission_.run().orders(), debrief::outcome_text(mission_, tally_));
+  timing_.kept_until = recorder_.kept_until();
   if (!run_.close())
     throw disk::Failed(run_.error());
   Beside beside{folder_};

@@ -192,8 +192,11 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   if (const auto refused = mission.run().world().refused_births(); refused > 0)
     say("no room in the world: {} {} could not be launched or born\n", refused,
         refused == 1 ? "player" : "players");
-  say("world hash {} after {} steps\n", hash_text(mission.run().world().hash()),
+  say("world hash {} after {} steps", hash_text(mission.run().world().hash()),
       mission.run().world().step());
+  if (timing.kept_until)
+    say("; the run file ends before, at {}", record::clock_text(*timing.kept_until));
+  say("\n");
   say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
       timing.wall > 0 ? time / timing.wall : 0);
   if (timing.pacing)
@@ -226,6 +229,8 @@ std::string json_report(const scenario::Mission& mission, const record::Tally& t
   j["wall_time_s"] = timing.wall;
   j["realtime_factor"] = timing.wall > 0 ? time / timing.wall : 0;
   j["hash"] = hash_text(mission.run().world().hash());
+  if (timing.kept_until)
+    j["kept_until_s"] = *timing.kept_until;
   j["refused_births"] = mission.run().world().refused_births();
   j["phases"] = nlohmann::json::array();
   for (const auto& phase : tally.phases())

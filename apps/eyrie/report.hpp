@@ -11,9 +11,10 @@
 
 namespace eyrie::app {
 
-/// How long flying took, and how well it kept to the clock.
+/// How long flying took, how well it kept to the clock, and what of it was kept.
 struct Timing {
   double wall = 0;                      ///< s
+  std::optional<double> kept_until{};   ///< s, if the run file ends before the flight
   std::optional<net::Pacing> pacing{};  ///< if that was asked for
   bool came_first = false;              ///< before all others of the machine
   std::uint64_t moves = 0;              ///< woken on another processor so often

@@ -258,6 +258,7 @@ std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string
     const auto later = std::find_if(orders.begin(), orders.end(),
                                     [&](const sim::Order& o) { return o.step >= end.step; });
     sink_.write(end.encoder.tail(trail_.steps_per_second(), {orders.begin(), later}, outcome));
+    kept_until_ = static_cast<double>(end.step) / trail_.steps_per_second();
     lost =
         fmt::format("{}; the run is kept up to {} s", error, end.step / trail_.steps_per_second());
   }

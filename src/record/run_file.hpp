@@ -91,6 +91,8 @@ class RunFileWriter final : public sim::Observer {
   /// not everything could be written, the run ends where there is room for its end, and the words
   /// for that are given; else "".
   [[nodiscard]] std::string close(std::span<const sim::Order> orders, std::string_view outcome);
+  /// After that: s, where the run ends in the file if that is not where it ended.
+  [[nodiscard]] std::optional<double> kept_until() const { return kept_until_; }
 
  private:
   /// Where the run could end in the file.
@@ -104,6 +106,7 @@ class RunFileWriter final : public sim::Observer {
   disk::Sink& sink_;
   RunEncoder encoder_;
   sim::TrailRecorder trail_;
+  std::optional<double> kept_until_;
   std::deque<End> ends_;  ///< the last ones that were written, or will be if nothing fails
 };
 

@@ -32,16 +32,21 @@ TEST(FullDisk, OneByteTooSmallIsNoticed) {
 
 /// The run file itself has no room: the run is kept up to where it has.
 TEST(FullDisk, KeepsTheRunSoFar) {
-  const auto fly = [] {
-    return app::fly({.scenario = "truck.yaml", .sets = {"until=10 min"}, .out = "made"});
-  };
   Fault at_limit, full;
   at_limit.file_size = full.files.room = 40'000;
   for (const Fault& fault : {at_limit, full}) {
+    const bool json = fault.file_size != 0;
+    const auto fly = [json] {
+      return app::fly(
+          {.scenario = "truck.yaml", .sets = {"until=10 min"}, .out = "made", .json = json});
+    };
     const Ground ground;
     const Ended ended = Child(ground.path(), fly, fault).wait();
     EXPECT_EQ(ended.ran.code, fault.file_size ? 128 + SIGXFSZ : 1) << ended.ran.err;
     EXPECT_NE(ended.ran.err.find("; the run is kept up to "), std::string::npos) << ended.ran.err;
+    EXPECT_NE(ended.ran.out.find(json ? "\"kept_until_s\": " : " steps; the run file ends before"),
+              std::string::npos)
+        << ended.ran.out;
     const Ended again = Child(ground.path(), [] { return app::replay({.run = "made"}); }).wait();
     EXPECT_EQ(again.ran.code, 0) << again.ran.err;
     EXPECT_NE(again.ran.out.find("the same, "), std::string::npos) << again.ran.out;
