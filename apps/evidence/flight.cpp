@@ -288,7 +288,7 @@ Evidence of_flight(const std::string& home) {
     }
     const FlightCondition ground = clean.at(0, 0);
     row({.claim = "fuel flow at full afterburner at rest, kg/h",
-         .here = 3600 * airframe.engine.flow_of(ground.thrust, 2, 0, ground.temperature),
+         .here = 3600 * clean.flow(ground, 2),
          .published = 3600 * a.rated_thrust * a.rated_tsfc,
          .tolerance = 0,
          .source = "rated thrust times rated TSFC of the engine",

@@ -14,8 +14,9 @@ namespace eyrie::app {
 
 /// [low, high], null for what there is not.
 [[nodiscard]] inline nlohmann::ordered_json interval_json(const std::optional<stats::Interval>& i) {
-  using Json = nlohmann::ordered_json;
-  return i ? Json{number_or_null(i->low), number_or_null(i->high)} : Json{nullptr, nullptr};
+  if (!i)
+    return {nullptr, nullptr};
+  return {number_or_null(i->low), number_or_null(i->high)};
 }
 
 /// [value, low, high], null for what there is not.

@@ -9,14 +9,10 @@ namespace eyrie::model::flight {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kMilitary = 1;  // throttle
 
 double thrust_of(const FlightCondition& c, Power power) {
   return power == Power::military ? c.thrust.military : c.thrust.afterburner;
-}
-
-double flow_at(const PointMass& model, const FlightCondition& c, double thrust) {
-  return Equations<double>({&model}).flow_of(
-      c.thrust, Engine::throttle_for(c.thrust, thrust, false), c.mach, c.temperature);
 }
 
 /// Where a function of the altitude or the Mach number, true below and false above, changes.
@@ -91,10 +87,16 @@ double Performance::acceleration_time(double altitude, double from, double to) c
   return time;
 }
 
+double Performance::flow(const FlightCondition& c, double throttle) const {
+  return Equations<double>({&model}).flow_of(c.thrust, throttle, c.mach, c.temperature);
+}
+
 double Performance::cruise_flow(double mach, double altitude) const {
   const FlightCondition c = at(mach, altitude);
   const double drag = c.drag(1);
-  return drag <= c.thrust.military && c.lift_limit >= 1 ? flow_at(model, c, drag) : kNever;
+  return drag <= c.thrust.military && c.lift_limit >= 1
+             ? flow(c, Engine::throttle_for(c.thrust, drag, false))
+             : kNever;
 }
 
 Cruise Performance::best_cruise(double lowest, double highest) const {
@@ -102,7 +104,7 @@ Cruise Performance::best_cruise(double lowest, double highest) const {
   const FlightCondition ground = at(0, 0);
   const double left = 0.07 * fuel;
   Performance now = *this;
-  now.fuel -= 120 * flow_at(model, ground, ground.thrust.military);
+  now.fuel -= 120 * flow(ground, kMilitary);
 
   Cruise best;
   double over_ground = 0;
@@ -114,10 +116,10 @@ Cruise Performance::best_cruise(double lowest, double highest) const {
       double range = over_ground, seconds = 0;
       for (int i = 0; i < 10; ++i) {
         piece.fuel = now.fuel - (i + 0.5) * share;
-        const double flow = piece.cruise_flow(mach, altitude);
-        seconds += share / flow;
-        range += share / flow * mach * standard_air(altitude).speed_of_sound;
-        if (flow == kNever)
+        const double burnt = piece.cruise_flow(mach, altitude);
+        seconds += share / burnt;
+        range += share / burnt * mach * standard_air(altitude).speed_of_sound;
+        if (burnt == kNever)
           range = -kNever;
       }
       if (range > best.range)
@@ -129,7 +131,7 @@ Cruise Performance::best_cruise(double lowest, double highest) const {
     const double rate = now.excess_power(mach, altitude, Power::military);
     if (rate < 1)
       break;
-    now.fuel -= kStep / rate * flow_at(model, c, c.thrust.military);
+    now.fuel -= kStep / rate * flow(c, kMilitary);
     over_ground += kStep / rate * mach * c.speed_of_sound;
   }
   return best;

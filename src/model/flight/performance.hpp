@@ -37,6 +37,8 @@ struct Performance {
   [[nodiscard]] double ceiling(double climb_rate, Power power) const;
   /// s in level flight with full afterburner; infinity if it does not get there.
   [[nodiscard]] double acceleration_time(double altitude, double from, double to) const;
+  /// kg/s at a throttle of 0 to 2, where 1 is military power and more is afterburner.
+  [[nodiscard]] double flow(const FlightCondition& condition, double throttle) const;
   /// kg/s in level flight; infinity where military power does not hold it.
   [[nodiscard]] double cruise_flow(double mach, double altitude) const;
   /// How far it flies on its fuel between `lowest` and `highest` altitude: two minutes at military
