@@ -301,12 +301,12 @@ bool needs_arguments(const Value& tree) {
 }
 
 void check_parameters(std::string_view name, const Value& tree, Diagnostics& diagnostics) {
-  static const Value kAny = Value::scalar("");
+  static const Value kNoArgument = Value::scalar("");
   const std::size_t before = diagnostics.count();
   Arguments arguments = declared(name, tree, diagnostics);
   for (auto& [parameter, argument] : arguments)
     if (!argument.value)
-      argument.value = &kAny;
+      argument.value = &kNoArgument;
   if (diagnostics.count() == before)
     static_cast<void>(filled(name, tree, arguments, diagnostics));
 }
