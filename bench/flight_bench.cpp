@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/flight/abreast.hpp"
 #include "model/flight/flight_system.hpp"
 #include "sim/simulation.hpp"
 #include "support/model/lapse.hpp"
@@ -83,18 +84,23 @@ struct Loop {
     }
   }
   void step() {
-    flight::FlightContext context{.reference = reference,
-                                  .environment = environment,
-                                  .routes = routes,
-                                  .load = {.mass = 600, .drag_area = 0.06},
-                                  .time = time,
-                                  .dt = kDt};
+    const flight::Sky sky{reference, environment, time, kDt};
     for (Row& row : rows) {
       if (turns)
         row.command.heading = row.kinematics.heading + 1;
       row.propulsion.fuel = 5000;
-      benchmark::DoNotOptimize(
-          fly(model, dynamics, context, {row.kinematics, row.flying, row.propulsion, row.command}));
+      flight::Flyer flyer{.model = &model,
+                          .kinematics = &row.kinematics,
+                          .flying = &row.flying,
+                          .propulsion = &row.propulsion,
+                          .command = &row.command,
+                          .routes = routes,
+                          .load = {.mass = 600, .drag_area = 0.06}};
+      if (dynamics == flight::Dynamics::laero)
+        flight::fly_laero(sky, flyer);
+      else
+        flight::fly(sky, std::span(&flyer, 1));
+      benchmark::DoNotOptimize(flyer.ran_dry);
     }
     time += kDt;
   }

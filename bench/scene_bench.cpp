@@ -15,7 +15,7 @@
 #include "debrief/decision.hpp"
 #include "debrief/recorded.hpp"
 #include "line_abreast.hpp"
-#include "model/flight/flight_system.hpp"
+#include "model/flight/abreast.hpp"
 #include "page/page_data.hpp"
 #include "scenario/mission.hpp"
 #include "support/no_allocation.hpp"
@@ -76,14 +76,15 @@ void bare_loop(benchmark::State& state) {
   NoAllocation guard;
   for (auto _ : state) {
     for (std::size_t i = 0; i < kinematics.size(); ++i) {
-      const model::flight::FlightContext context{.reference = library.reference,
-                                                 .environment = library.environment,
-                                                 .routes = library.flights[fit[i].flight].routes,
-                                                 .time = time,
-                                                 .dt = 0.02};
-      benchmark::DoNotOptimize(
-          model::flight::fly(flight_model, type.dynamics, context,
-                             {kinematics[i], flying[i], propulsion[i], command[i]}));
+      model::flight::Flyer flyer{.model = &flight_model,
+                                 .kinematics = &kinematics[i],
+                                 .flying = &flying[i],
+                                 .propulsion = &propulsion[i],
+                                 .command = &command[i],
+                                 .routes = library.flights[fit[i].flight].routes};
+      model::flight::fly({library.reference, library.environment, time, 0.02},
+                         std::span(&flyer, 1));
+      benchmark::DoNotOptimize(flyer.ran_dry);
     }
     time += 0.02;
   }

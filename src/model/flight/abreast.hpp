@@ -1,37 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Flies one step of point_mass for several aircraft side by side.
+/// \file  Flies one step of aircraft, those of point_mass several side by side.
 #include "model/ellipsoid.hpp"
 #include "model/flight/equations.hpp"
 #include "model/flight/steering.hpp"
 
 namespace eyrie::model::flight {
 
-/// m: of a level turn, with the distance flown while rolling into it.
-template <class Real>
-Real turn_radius(const Real& speed, const Real& rate, const Real& lag) {
-  return speed / math::max(rate, 1e-3) + speed * lag;
-}
+/// What surrounds all who fly a step.
+struct Sky {
+  const Reference& reference;
+  const Environment& environment;
+  double time = 0;  ///< s, at the beginning of the step
+  double dt = 0;    ///< s
+};
 
-/// One aircraft of them.
+/// One aircraft: the rows that flying reads and writes, and what it is.
 struct Flyer {
   const PointMass* model;
   Kinematics* kinematics;
   Flying* flying;
   Propulsion* propulsion;
   const Command* command;
-  std::span<const Route> routes;
-  Load load;
-  bool tells_energy;
-  bool ran_dry = false;  ///< in this step
+  std::span<const Route> routes = {};  ///< of its flight
+  Load load = {};                      ///< stores on board
+  bool tells_energy = true;            ///< Flying::energy is of this step
+  bool ran_dry = false;                ///< the tanks did in this step
 };
 
-/// What surrounds all of them.
-struct Sky {
-  const Reference& reference;
-  const Environment& environment;
-  double time, dt;  ///< s
-};
+/// Flies one step of point_mass as the commands ask.
+void fly(const Sky& sky, std::span<Flyer> flyers);
+/// Flies one step of laero.
+void fly_laero(const Sky& sky, Flyer& flyer);
+
+/// m: of a level turn, with the distance flown while rolling into it.
+template <class Real>
+Real turn_radius(const Real& speed, const Real& rate, const Real& lag) {
+  return speed / math::max(rate, 1e-3) + speed * lag;
+}
 
 /// Kinematics in lanes.
 template <class Real>
@@ -148,8 +154,5 @@ template <class Real>
 /// Flies in the lanes of AVX2 what fills them, and says how many that were; for a processor that
 /// has it.
 [[nodiscard]] std::size_t fly_in_lanes(const Sky& sky, std::span<Flyer> flyers);
-
-/// Flies one step of each.
-void fly_all(const Sky& sky, std::span<Flyer> flyers);
 
 }  // namespace eyrie::model::flight

@@ -125,8 +125,8 @@ TEST(Abreast, FliesInTheLanesOfThisProcessorAsItFliesAlone) {
   for (const std::size_t size : {Crowd::kSize, std::size_t{7}, std::size_t{1}}) {
     Crowd parts;
     parts.fly(60, [&](const Sky& sky, std::span<Flyer> flyers) {
-      fly_all(sky, flyers.first(size));
-      fly_all(sky, flyers.subspan(size));
+      flight::fly(sky, flyers.first(size));
+      flight::fly(sky, flyers.subspan(size));
     });
     expect_same(alone, parts);
   }

@@ -6,34 +6,6 @@
 #include "model/flight/collision.hpp"
 
 namespace eyrie::model::flight {
-namespace {
-
-/// Flies one step of laero. True when the tanks ran dry in it.
-bool fly_laero(const Sky& sky, const Flyer& flyer) {
-  const Airframe& airframe = flyer.model->airframe();
-  const Laero& laero = airframe.laero;
-  const Command& command = *flyer.command;
-  Kinematics& k = *flyer.kinematics;
-  Flying& flying = *flyer.flying;
-  const Air air = sky.environment.atmosphere.at(k.altitude);
-  const Vec3 wind = sky.environment.wind.at(k.altitude);
-  const double turn_limit = laero.turn_rate_limit(k.speed, std::max(command.load_factor, 1.0));
-  const RouteToFly plan{.routes = flyer.routes,
-                        .turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time)};
-  Guidance wanted = guide(airframe.autopilot, k, command, plan, flying, wind, sky.time, sky.dt);
-  if (wanted.climb)
-    wanted.altitude += k.speed * math::sin(*wanted.climb) * laero.altitude_time;
-  const auto most = static_cast<float>(1 / math::cos(laero.max_bank));
-  flying.energy = {
-      .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
-  laero.step(k, flying, wanted, turn_limit, *flyer.propulsion, air, wind, sky.dt);
-  flyer.propulsion->flow = flyer.propulsion->fuel > 0 ? laero.fuel_flow : 0;
-  set_vertical(k, sky.reference.vertical_at(k.position));
-  return burn(*flyer.propulsion, sky.dt);
-}
-
-}  // namespace
-
 Kinematics placed(const Reference& reference, const Environment& environment, const Vec3& position,
                   double heading, double speed) {
   Kinematics k;
@@ -46,33 +18,6 @@ Kinematics placed(const Reference& reference, const Environment& environment, co
   k.velocity = (speed * cosine + wind.x) * k.north + (speed * sine + wind.y) * k.east;
   k.mach = speed / environment.atmosphere.at(k.altitude).speed_of_sound;
   return k;
-}
-
-void fly_all(const Sky& sky, std::span<Flyer> flyers) {
-#ifdef __x86_64__
-  static const bool has_lanes = __builtin_cpu_supports("avx2");
-#else
-  constexpr bool has_lanes = false;
-#endif
-  for (std::size_t i = has_lanes ? fly_in_lanes(sky, flyers) : 0; i < flyers.size(); ++i)
-    fly_abreast<double>(sky, &flyers[i]);
-}
-
-bool fly(const PointMass& model, Dynamics dynamics, const FlightContext& context,
-         const FlightRows& rows) {
-  const Sky sky{context.reference, context.environment, context.time, context.dt};
-  Flyer one{.model = &model,
-            .kinematics = &rows.kinematics,
-            .flying = &rows.flying,
-            .propulsion = &rows.propulsion,
-            .command = &rows.command,
-            .routes = context.routes,
-            .load = context.load,
-            .tells_energy = context.tells_energy};
-  if (dynamics == Dynamics::laero)
-    return fly_laero(sky, one);
-  fly_abreast<double>(sky, &one);
-  return one.ran_dry;
 }
 
 FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const Library> library,
@@ -125,23 +70,24 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
         continue;
       const Type& type = types_[fit[i].type];
       Flyer& f = flyers[count];
-      f.model = &models_[type.airframe];
-      f.kinematics = &kinematics[i];
-      f.flying = &flying[i];
-      f.propulsion = &propulsion[i];
-      f.command = &command[i];
-      f.routes = fit[i].flight < library_->flights.size()
-                     ? std::span<const Route>(library_->flights[fit[i].flight].routes)
-                     : std::span<const Route>();
+      f = {.model = &models_[type.airframe],
+           .kinematics = &kinematics[i],
+           .flying = &flying[i],
+           .propulsion = &propulsion[i],
+           .command = &command[i],
+           .routes = fit[i].flight < library_->flights.size()
+                         ? std::span<const Route>(library_->flights[fit[i].flight].routes)
+                         : std::span<const Route>()};
       if (type.dynamics == Dynamics::laero) {
-        dry[i - begin] = fly_laero(sky, f);
+        fly_laero(sky, f);
+        dry[i - begin] = f.ran_dry;
         continue;
       }
       f.load = load_of(stores[i]);
       f.tells_energy = sim::due(info.step + 1, ids[i], period_);
       rows_of[count++] = i - begin;
     }
-    fly_all(sky, std::span(flyers).first(count));
+    fly(sky, std::span(flyers).first(count));
     for (std::size_t i = 0; i < count; ++i)
       dry[rows_of[i]] = flyers[i].ran_dry;
     for (std::size_t i = begin; i < end; ++i)

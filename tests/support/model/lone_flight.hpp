@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/angle.hpp"
+#include "model/flight/abreast.hpp"
 #include "model/flight/flight_system.hpp"
 
 namespace eyrie::model::test {
@@ -59,16 +60,20 @@ struct TestFlight {
 
   /// With the autopilot. True if the tanks ran dry.
   bool step() {
-    const flight::FlightContext context{.reference = reference,
-                                        .environment = environment,
-                                        .routes = routes,
-                                        .load = load,
-                                        .time = time,
-                                        .dt = kDt};
-    const bool dry =
-        flight::fly(model, dynamics, context, {kinematics, flying, propulsion, command});
+    const flight::Sky sky{reference, environment, time, kDt};
+    flight::Flyer flyer{.model = &model,
+                        .kinematics = &kinematics,
+                        .flying = &flying,
+                        .propulsion = &propulsion,
+                        .command = &command,
+                        .routes = routes,
+                        .load = load};
+    if (dynamics == flight::Dynamics::laero)
+      flight::fly_laero(sky, flyer);
+    else
+      flight::fly(sky, std::span(&flyer, 1));
     time += kDt;
-    return dry;
+    return flyer.ran_dry;
   }
   void run(double seconds) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds / kDt)); ++i)
