@@ -4,7 +4,7 @@
 namespace eyrie::pilot {
 
 Angles angles_of(const State& s, const Seen& target) {
-  const Vec3 his = s.velocity_of(target);
+  const Vec3 his = s.velocity_of(target) - s.wind();  // through the air, as the noses
   return {.off_nose = s.off_nose(target.ned),
           .off_tail = norm2(his) > 0 ? angle_between(his, target.ned) : 0.0,
           .crossing = norm2(his) > 0 ? angle_between(his, nose_of(s.own)) : 0.0};

@@ -30,6 +30,17 @@ TEST(Fight, TellsWhoIsBehindWhom) {
   is(3, 90, 0, 90);    // abeam, and he leaves
 }
 
+TEST(Fight, TellsWhoIsBehindWhomByTheMotionThroughTheAir) {
+  Desk desk;
+  desk.models = &windy_library();
+  desk.own.velocity.x += 60;
+  desk.own.heading = kPi / 2;
+  desk.track({0, 2000, 0}, kPi / 2).velocity.x += 60;  // drifts as the own aircraft does
+  const State s = desk.state();
+  EXPECT_NEAR(angles_of(s, s.seen[0]).crossing, 0, 1e-9);
+  EXPECT_NEAR(angles_of(s, s.seen[0]).off_tail, 0, 1e-9);
+}
+
 TEST(Fight, PullsWhatTheEnergyAllows) {
   Desk desk;  // 4 g sustained, 7 g available, corner speed 280 m/s
   const double slowest = 180;

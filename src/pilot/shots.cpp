@@ -6,8 +6,13 @@
 namespace eyrie::pilot {
 
 double time_of_flight(const State& state, const Seen& target, const model::MissileType& missile) {
-  const double own = target.range > 0 ? dot(target.ned, state.velocity_ned) / target.range : 0;
-  const double mean_speed = state.own.speed + missile.motor.ideal_speed_gain() / 2;
+  // along the line of sight, over the ground; the wind carries the missile, too
+  const auto along = [&](const Vec3& ned) {
+    return target.range > 0 ? dot(target.ned, ned) / target.range : 0;
+  };
+  const double own = along(state.velocity_ned);
+  const double mean_speed =
+      state.own.speed + missile.motor.ideal_speed_gain() / 2 + along(state.wind());
   const double closing = std::max(mean_speed + state.closing_on(target) - own, 50.0);
   return std::min(target.range / closing, missile.greatest_time);
 }

@@ -24,6 +24,14 @@ TEST(TimeOfFlight, IsLongerForATargetThatRuns) {
   EXPECT_GT(head_on, 15);
   EXPECT_LT(head_on, 30);
   EXPECT_LE(tail, missile.greatest_time);
+  // all three are carried along
+  desk.models = &windy_library();
+  desk.own.velocity.x += 60;
+  for (model::Track& track : std::span(desk.tracks.tracks).first(2))
+    track.velocity.x += 60;
+  const State carried = desk.state();
+  EXPECT_NEAR(time_of_flight(carried, carried.seen[0], missile), head_on, 1e-9);
+  EXPECT_NEAR(time_of_flight(carried, carried.seen[1], missile), tail, 1e-9);
 }
 
 TEST(FPole, IsTheRangeLessWhatBothFly) {

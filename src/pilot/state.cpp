@@ -68,7 +68,7 @@ const Seen* State::find(TrackId id) const {
 
 std::optional<team::Leader> State::leader() const {
   const model::Mate* mate = lead();
-  if (!mate)
+  if (!mate || leads())
     return std::nullopt;
   if (const auto heard = team::heard(*mate, time))
     return heard;

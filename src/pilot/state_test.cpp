@@ -132,15 +132,11 @@ TEST(State, AsksForZonesByTheSpeedsThroughTheAir) {
   const auto zone = calm.zone(testing::kMedium, calm.seen[0]);
   const double own_reach = calm.own_reach(calm.seen[0]).r_ne;
   const double his_reach = calm.reach_of(calm.seen[0]).r_ne;
-  model::Library windy = testing::library();
-  const model::WindLayer south{.speed = 60, .from = kPi};
-  windy.environment.wind = model::Wind(std::span(&south, 1));
+  s.models = &testing::windy_library();
   // both are carried along
   s.own.velocity += Vec3{60, 0, 0};
   he.velocity.x += 60;
-  const State carried({s.own, s.propulsion, s.flying, s.stores, s.gun, s.tracks, s.rwr, s.threats,
-                       s.datalink, s.command, s.agent},
-                      windy, s.fit, s.formation, s.time);
+  const State carried = s.state();
   EXPECT_NEAR(carried.zone(testing::kMedium, carried.seen[0]).r_max, zone.r_max, 1);
   EXPECT_NEAR(carried.own_reach(carried.seen[0]).r_ne, own_reach, 1);
   EXPECT_NEAR(carried.reach_of(carried.seen[0]).r_ne, his_reach, 1);

@@ -22,15 +22,16 @@ Decoys loaded(const Dispenser& dispenser) {
 }
 
 std::optional<DecoyNow> decoy_at(const Dispenser& d, const Decoy& decoy, const Vec3& down,
-                                 double time) {
+                                 const Vec3& wind, double time) {
   const bool chaff = decoy.kind == Dispense::chaff;
   const double age = time - decoy.time;
   if (decoy.kind == Dispense::none || age <= 0 || age > (chaff ? d.chaff_life : d.flare_life))
     return std::nullopt;
   const double slowing = chaff ? d.chaff_slowing : d.flare_slowing;
   const double left = math::exp(-age / slowing);
-  DecoyNow now{.position = decoy.position + slowing * (1 - left) * decoy.velocity,
-               .velocity = left * decoy.velocity};
+  const Vec3 through_air = decoy.velocity - wind;
+  DecoyNow now{.position = decoy.position + age * wind + slowing * (1 - left) * through_air,
+               .velocity = wind + left * through_air};
   if (chaff) {
     now.signature = d.chaff_section * (1 - math::exp(-age / d.chaff_bloom));
     return now;

@@ -97,14 +97,15 @@ struct Decoys {
 [[nodiscard]] Decoys loaded(const Dispenser& dispenser);
 
 /// How a decoy is at `time` (s): where, how fast, and how bright for its kind of seeker (m^2 or
-/// W/sr); nothing when it is over. `down` is the unit vector along which a flare falls.
+/// W/sr); nothing when it is over. `down` is the unit vector along which a flare falls, `wind` the
+/// velocity of the air (m/s, local frame): the drag ends at it.
 struct DecoyNow {
   Vec3 position{};
   Vec3 velocity{};
   double signature = 0;
 };
 [[nodiscard]] std::optional<DecoyNow> decoy_at(const Dispenser& dispenser, const Decoy& decoy,
-                                               const Vec3& down, double time);
+                                               const Vec3& down, const Vec3& wind, double time);
 
 /// Throws out what is asked for, if the program is due and any is left: one of each kind. Bits of
 /// Dispense that were thrown.

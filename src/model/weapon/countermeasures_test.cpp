@@ -29,29 +29,42 @@ TEST(Dispenser, IsDescribedRightly) {
 
 TEST(DecoyAt, LetsChaffStandInTheAirAfterItsTimeConstant) {
   const Dispenser d;
-  const DecoyNow late = *decoy_at(d, thrown(Dispense::chaff), kDownward, 15);
+  const DecoyNow late = *decoy_at(d, thrown(Dispense::chaff), kDownward, {}, 15);
   EXPECT_NEAR(late.position.x, 250 * d.chaff_slowing, 1e-3);
   EXPECT_LT(norm(late.velocity), 1e-3);
   EXPECT_NEAR(late.signature, d.chaff_section, 0.01);
-  EXPECT_NEAR(decoy_at(d, thrown(Dispense::chaff), kDownward, 10 + d.chaff_bloom)->signature,
+  EXPECT_NEAR(decoy_at(d, thrown(Dispense::chaff), kDownward, {}, 10 + d.chaff_bloom)->signature,
               d.chaff_section * (1 - std::exp(-1)), 1e-9);
-  EXPECT_FALSE(decoy_at(d, thrown(Dispense::chaff), kDownward, 10 + d.chaff_life + 0.01));
+  EXPECT_FALSE(decoy_at(d, thrown(Dispense::chaff), kDownward, {}, 10 + d.chaff_life + 0.01));
+}
+
+TEST(DecoyAt, LetsChaffDriftWithTheWind) {
+  const Dispenser d;
+  const Vec3 wind{-30, 40, 0};
+  Decoy carried = thrown(Dispense::chaff);
+  carried.velocity += wind;
+  for (const double time : {10.1, 12.0, 15.0}) {
+    const DecoyNow calm = *decoy_at(d, thrown(Dispense::chaff), kDownward, {}, time);
+    const DecoyNow now = *decoy_at(d, carried, kDownward, wind, time);
+    EXPECT_LT(norm(now.position - calm.position - (time - 10) * wind), 1e-9);
+    EXPECT_LT(norm(now.velocity - calm.velocity - wind), 1e-9);
+  }
 }
 
 TEST(DecoyAt, LetsAFlareFallTowardsItsTerminalSpeed) {
   Dispenser d;
   d.flare_life = 100;
-  const DecoyNow late = *decoy_at(d, thrown(Dispense::flares), kDownward, 60);
+  const DecoyNow late = *decoy_at(d, thrown(Dispense::flares), kDownward, {}, 60);
   EXPECT_NEAR(late.velocity.z, kGravity * d.flare_slowing, 1e-6);
   // the closed form is the integral of its own velocity
   double z = 0, x = 0;
   for (int i = 0; i < 5000; ++i) {
     const auto v =
-        decoy_at(d, thrown(Dispense::flares), kDownward, 10 + (i + 0.5) * 0.001)->velocity;
+        decoy_at(d, thrown(Dispense::flares), kDownward, {}, 10 + (i + 0.5) * 0.001)->velocity;
     z += 0.001 * v.z;
     x += 0.001 * v.x;
   }
-  const DecoyNow five = *decoy_at(d, thrown(Dispense::flares), kDownward, 15);
+  const DecoyNow five = *decoy_at(d, thrown(Dispense::flares), kDownward, {}, 15);
   EXPECT_NEAR(five.position.z, z, 1e-4);
   EXPECT_NEAR(five.position.x, x, 1e-3);
 }

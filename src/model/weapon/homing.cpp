@@ -268,6 +268,8 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
   const Dispenser& model = scene.library.dispensers[*dispenser];
   const auto& thrown = scene.decoys[row].thrown;
   const Kinematics& target = scene.kinematics[row];
+  const Vec3 wind_ned = scene.library.environment.wind.at(target.altitude);
+  const Vec3 wind = wind_ned.x * target.north + wind_ned.y * target.east;
   const SeekerView view = view_of(k, state.side);
   const auto los_of = [&](const DecoyNow& now) {
     return line_of_sight(now.position - k.position, now.velocity - k.velocity);
@@ -282,7 +284,7 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
     for (std::size_t i = 0; i < thrown.size() && state.decoy == 0; ++i) {
       if (thrown[i].kind != kind)
         continue;
-      const auto now = decoy_at(model, thrown[i], target.down, time);
+      const auto now = decoy_at(model, thrown[i], target.down, wind, time);
       if (!now ||
           !merged(seeker, {.line = line,
                            .range = range,
@@ -302,7 +304,7 @@ DecoyLook look_at_decoys(const MissileType& type, const Kinematics& k, double ti
       return DecoyLook::none;
   }
   const Decoy& decoy = thrown[state.decoy - 1U];
-  const auto now = decoy_at(model, decoy, target.down, time);
+  const auto now = decoy_at(model, decoy, target.down, wind, time);
   if (decoy.step != state.decoy_step || !now ||
       !visible(seeker, view, los_of(*now), now->velocity, now->signature)) {
     state.decoy = state.locked = 0;

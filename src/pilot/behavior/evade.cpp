@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/behavior/evade.hpp"
 
+#include "model/flight/guidance.hpp"
+
 namespace eyrie::pilot {
 
 /// s to go: a cloud or a flare that is thrown out earlier is over before the missile is here.
@@ -22,11 +24,15 @@ Status Evade<kDefault>::tick(const Tick& t, Proposal& out) const {
   }
   if (m.side == 0) {
     m.side = angle_between(m.bearing, s.own.heading) >= 0 ? 1 : -1;
-    if (kDefault.across)
+    // through its bearing, where that is not the way over the tail
+    if (kDefault.across && std::fabs(angle_between(s.own.heading, m.bearing)) <= kPi / 2)
       m.side = -m.side;
   }
   out.vote = this->vote_;
-  out.action.heading = wrap_tau(m.bearing + m.side * angle_);
+  // a notch is one of the motion over the ground, which a Doppler filter sees
+  const double course = m.bearing + m.side * angle_;
+  out.action.heading =
+      wrap_tau(&kDefault == &kNotch ? model::flight::crab(course, s.own.speed, s.wind()) : course);
   out.action.altitude = std::max(s.own.altitude - dive_, std::min(this->floor_, s.own.altitude));
   out.action.speed = this->speed_;
   out.action.load_factor = this->load(s, this->load_factor_);

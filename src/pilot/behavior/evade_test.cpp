@@ -42,6 +42,15 @@ TEST(Notch, PutsTheMissileOnTheNearerBeamNoseLow) {
   EXPECT_EQ(d.action().mode, model::AutopilotMode::hold);
 }
 
+TEST(Notch, IsOneOverTheGround) {
+  Desk desk = threatened(0, 7);  // from the north, as the wind goes
+  desk.models = &windy_library();
+  const double heading = *decide("notch", desk).action().heading;
+  // with 60 m/s from behind it turns so far the other way that none is left along the sight
+  EXPECT_NEAR(250 * std::cos(heading) + 60, 0, 1e-6);
+  EXPECT_NEAR(std::fabs(250 * std::sin(heading)), 242.7, 0.1);
+}
+
 TEST(Notch, KeepsItsSideWhileTheMissileCrossesTheNose) {
   Pilot pilot("notch");
   Desk desk = threatened(5 * kDegree, 7);
@@ -103,6 +112,9 @@ TEST(LastDitch, BreaksThroughTheBearingOfTheMissile) {
   EXPECT_NEAR(*d.action().heading, 110 * kDegree, 1e-9);
   EXPECT_EQ(d.action().call, Call::last_ditch);
   EXPECT_EQ(*d.action().load_factor, 9);
+  EXPECT_NEAR(*decide("last_ditch", threatened(110 * kDegree, 3)).action().heading, 20 * kDegree,
+              1e-9)
+      << "from behind the wings, the near way";
 }
 
 TEST(Evade, ThrowsOutChaffAndFlaresWhenTheMissileIsNear) {

@@ -144,7 +144,7 @@ Status Jink::tick(const Tick& t, Proposal& out) const {
   for (const Seen& seen : s.tracks_seen()) {
     if (!seen.hostile() || seen.range > within_ || s.off_nose(seen.ned) < kPi / 2)
       continue;
-    if (angle_between(s.velocity_of(seen), -seen.ned) > cone_)
+    if (angle_between(s.velocity_of(seen) - s.wind(), -seen.ned) > cone_)
       continue;
     if (m.side == 0 || ubf::passed(s.time, m.since, period_))
       m = {.since = s.time, .side = m.side > 0 ? -1.0 : 1.0};
@@ -173,12 +173,20 @@ Status Extend::tick(const Tick& t, Proposal& out) const {
 
 Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
   const State& s = t.state;
-  double soonest = warning_;
-  std::optional<Vec3> pass;  // from here to the other at the closest approach
+  double soonest = warning_, nearest2 = miss_ * miss_;
+  std::optional<Vec3> pass;    // from here to the other at the closest approach
+  std::optional<Vec3> beside;  // to who is too near and does not come nearer
   const auto look = [&](const Vec3& ned, const Vec3& velocity_ned) {
     const Vec3 relative = velocity_ned - s.velocity_ned;
-    const double speed2 = norm2(relative);
-    const double time = speed2 > 0 ? std::max(-dot(ned, relative) / speed2, 0.0) : 0.0;
+    const double approach = -dot(ned, relative);
+    if (approach <= 0) {
+      if (norm2(ned) < nearest2) {
+        nearest2 = norm2(ned);
+        beside = ned;
+      }
+      return;
+    }
+    const double time = approach / norm2(relative);
     const Vec3 there = ned + time * relative;
     if (time >= soonest || norm2(there) >= miss_ * miss_)
       return;
@@ -194,12 +202,14 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
     return false;
   });
   if (!pass)
+    pass = beside;
+  if (!pass)
     return fails(t, "nobody comes too near");
   // away from where he will be, as seen along the own path; to the right if that says nothing
   const Vec3 nose = nose_of(s.own);
-  const Vec3 beside = *pass - dot(*pass, nose) * nose;
+  const Vec3 aside = *pass - dot(*pass, nose) * nose;
   const auto [sine, cosine] = math::sin_cos(s.own.heading + kPi / 2);
-  const Vec3 away = norm(beside) > 0.1 * miss_ ? -normalized(beside, {}) : Vec3{cosine, sine, 0};
+  const Vec3 away = norm(aside) > 0.1 * miss_ ? -normalized(aside, {}) : Vec3{cosine, sine, 0};
   aim(s, nose + away, load_factor_, s.own.speed, floor_, out.action);
   out.vote = vote_;
   return Status::running;

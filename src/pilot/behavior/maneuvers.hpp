@@ -184,7 +184,8 @@ struct LostMemory {
 class Reacquire final : public ubf::WithMemory<Maneuver, LostMemory> {
  public:
   static constexpr std::string_view type_name = "reacquire";
-  static constexpr std::string_view help = "turns to where a lost target was last known";
+  static constexpr std::string_view help =
+      "turns to where a lost target was last known; for arbiters, which ask it while it is known";
   static constexpr auto params() {
     using R = Reacquire;
     return std::tuple_cat(

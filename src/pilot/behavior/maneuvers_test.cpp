@@ -231,5 +231,16 @@ TEST(AvoidCollision, KnowsTheMatesByDatalink) {
   EXPECT_EQ(decide("{avoid_collision: {miss: 100 m}}", desk).status, kRunning);
 }
 
+TEST(AvoidCollision, SeesWhoComesBehindAMateWhoIsNear) {
+  Desk desk;
+  const std::string tree = "{avoid_collision: {miss: 300 m, warning: 6 s}}";
+  desk.track({200, 60, 0}, 0, 250, model::Identity::friendly);  // flies the same way
+  EXPECT_LT(heading_of(decide(tree, desk)), 0) << "away from him";
+  desk.track({2000, -60, 0}, kPi, 250);  // head-on, a little left
+  EXPECT_GT(heading_of(decide(tree, desk)), 0) << "away from who comes";
+  desk.tracks.tracks[1].position = desk.own.position + Vec3{-2000, -60, 0};  // and is past
+  EXPECT_LT(heading_of(decide(tree, desk)), 0);
+}
+
 }  // namespace
 }  // namespace eyrie::pilot

@@ -33,10 +33,11 @@ double Pursue::altitude_of_choice(const State& s, const Seen& target) const {
   return altitude_of(s.own, target.ned);
 }
 
-double Pursue::speed_of_choice(const Seen& target) const {
+double Pursue::speed_of_choice(const State& s, const Seen& target) const {
   if (!overtake_ || target.range > level_range_)
     return speed_;
-  return std::clamp(norm(target.track->velocity) + *overtake_, speed_ / 2, speed_);
+  const double his = norm(s.velocity_of(target) - s.wind());
+  return std::clamp(his + *overtake_, speed_ / 2, speed_);
 }
 
 /// m, to go up (or down, from below) to stay clear of a mate who has the right of way.
@@ -107,7 +108,7 @@ Status Pursue::tick(const Tick& t, Proposal& out) const {
   }
 
   action.mode = model::AutopilotMode::hold;
-  action.speed = speed_of_choice(*target);
+  action.speed = speed_of_choice(s, *target);
   action.altitude = altitude;
   if (crank) {
     // to the side on which the nose already is, so that it never crosses the target

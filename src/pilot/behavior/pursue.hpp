@@ -66,7 +66,7 @@ class Pursue final : public Maneuver {
  private:
   void follow(const State& s, const Seen& target, double altitude, Action& action) const;
   [[nodiscard]] double altitude_of_choice(const State& s, const Seen& target) const;
-  [[nodiscard]] double speed_of_choice(const Seen& target) const;
+  [[nodiscard]] double speed_of_choice(const State& s, const Seen& target) const;
   [[nodiscard]] double clearance(const State& s) const;
   /// What is flown of a wanted heading.
   [[nodiscard]] double steadied(const State& s, const Seen& target, double heading) const;

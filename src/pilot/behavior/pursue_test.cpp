@@ -108,6 +108,9 @@ TEST(Pursue, SlowsDownBehindASlowTargetIfToldTo) {
   EXPECT_EQ(*decide("{pursue: {speed: 300 m/s}}", desk).action().speed, 300);
   EXPECT_NEAR(*decide("{pursue: {speed: 300 m/s, overtake: 30 m/s}}", desk).action().speed, 230,
               1e-9);
+  desk.models = &windy_library();  // from behind: he flies 200 m/s over the ground, 140 in the air
+  EXPECT_NEAR(*decide("{pursue: {speed: 250 m/s, overtake: 30 m/s}}", desk).action().speed, 170,
+              1e-9);
 }
 
 TEST(Pursue, StaysClearOfAMateOfABetterRank) {

@@ -60,6 +60,16 @@ const model::Library& library() {
   return l;
 }
 
+const model::Library& windy_library() {
+  static const model::Library windy = [] {
+    model::Library result = library();
+    const model::WindLayer south{.speed = 60, .from = kPi};
+    result.environment.wind = model::Wind(std::span(&south, 1));
+    return result;
+  }();
+  return windy;
+}
+
 Registry& registry() {
   static Registry all = make_registry();
   return all;

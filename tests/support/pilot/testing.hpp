@@ -30,6 +30,8 @@ enum Store : std::uint16_t { kMedium = 0, kShort = 1 };
 /// with a route to the north and a home 50 nmi to the south, and four red ones with nothing. The
 /// same for every test: finding the zones of the missiles takes a while.
 [[nodiscard]] const model::Library& library();
+/// The same where the wind blows from the south at 60 m/s.
+[[nodiscard]] const model::Library& windy_library();
 
 /// The nodes that decide() and Pilot know: those of pilot/catalog.hpp. What a test adds is known
 /// from then on.
@@ -56,6 +58,7 @@ struct Desk {
   model::Fit fit{.rank = 1, .side = model::Side::blue};
   Formation formation;
   double time = 100;
+  const model::Library* models = &library();
 
   /// A confirmed track, up to date, `ned` m from the ownship.
   model::Track& track(const Vec3& ned, double heading = kPi, double speed = 250,
@@ -108,7 +111,7 @@ struct Desk {
   [[nodiscard]] State state() const {
     return State(
         {own, propulsion, flying, stores, gun, tracks, rwr, threats, datalink, command, agent},
-        library(), fit, formation, time);
+        *models, fit, formation, time);
   }
 };
 
