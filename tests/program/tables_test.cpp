@@ -56,17 +56,17 @@ std::vector<Decision> decided_in(const debrief::Recorded& recorded) {
 
 /// Columns of a row from `first` on, against what a node or the root asked for.
 void expect_same_action(const Statement& row, int first, const std::vector<debrief::Value>& action,
-                        std::span<const tables::ActionColumn> columns, const std::string& what) {
+                        std::span<const tables::ActionColumn> columns) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int at = first + static_cast<int>(i);
     const auto value = std::find_if(action.begin(), action.end(),
                                     [&](const auto& v) { return v.name == columns[i].name; });
     if (value == action.end()) {
-      ASSERT_TRUE(row.is_null(at)) << what << " " << columns[i].name;
+      ASSERT_TRUE(row.is_null(at)) << columns[i].name;
     } else if (columns[i].is_words) {
-      ASSERT_EQ(row.text(at), value->text) << what << " " << columns[i].name;
+      ASSERT_EQ(row.text(at), value->text) << columns[i].name;
     } else {
-      ASSERT_EQ(row.number(at), *value->number) << what << " " << columns[i].name;
+      ASSERT_EQ(row.number(at), *value->number) << columns[i].name;
     }
   }
 }
@@ -92,15 +92,16 @@ void expect_lossless(const std::string& scenario, double until) {
     const auto at = by_name.find({who, row.integer(1)});
     ASSERT_NE(at, by_name.end()) << who << " decided nothing in step " << row.integer(1);
     const Decision& d = *at->second;
-    const std::string what = fmt::format("{} at {}", who, d.time);
-    ASSERT_EQ(row.number(0), d.time) << what;
-    ASSERT_EQ(row.text(3), d.tree) << what;
-    ASSERT_EQ(row.text(4), ubf::to_text(d.status)) << what;
-    ASSERT_EQ(row.number(5), static_cast<double>(d.nodes[0].vote)) << what;
+    // hundreds of thousands of rows: words only for one that is wrong
+    const auto what = [&] { return fmt::format("{} at {}", who, d.time); };
+    ASSERT_EQ(row.number(0), d.time) << what();
+    ASSERT_EQ(row.text(3), d.tree) << what();
+    ASSERT_EQ(row.text(4), ubf::to_text(d.status)) << what();
+    ASSERT_EQ(row.number(5), static_cast<double>(d.nodes[0].vote)) << what();
     ASSERT_EQ(row.is_null(7) ? "" : row.text(7),
               d.leader == ubf::kNone ? "" : d.nodes[d.leader].path)
-        << what;
-    ASSERT_NO_FATAL_FAILURE(expect_same_action(row, 9, d.nodes[0].action, columns, what));
+        << what();
+    ASSERT_NO_FATAL_FAILURE(expect_same_action(row, 9, d.nodes[0].action, columns)) << what();
   }
   EXPECT_EQ(rows, decisions.size());
 
@@ -114,14 +115,14 @@ void expect_lossless(const std::string& scenario, double until) {
     const Decision& d = *by_name.at({answer.text(2), answer.integer(1)});
     const std::string path = answer.text(4);
     const debrief::Answer& node = d.nodes[place.at(answer.text(3) + ":" + path)];
-    const std::string what = fmt::format("{} of {} at {}", path, answer.text(2), d.time);
-    ASSERT_TRUE(node.asked) << what;
-    ASSERT_EQ(answer.text(5), node.label) << what;
-    ASSERT_EQ(answer.text(6), ubf::to_text(node.status)) << what;
-    ASSERT_EQ(answer.number(7), static_cast<double>(node.vote)) << what;
-    ASSERT_EQ(answer.integer(8), node.halts) << what;
-    ASSERT_EQ(answer.is_null(9) ? "" : answer.text(9), node.why) << what;
-    ASSERT_NO_FATAL_FAILURE(expect_same_action(answer, 10, node.action, columns, what));
+    const auto what = [&] { return fmt::format("{} of {} at {}", path, answer.text(2), d.time); };
+    ASSERT_TRUE(node.asked) << what();
+    ASSERT_EQ(answer.text(5), node.label) << what();
+    ASSERT_EQ(answer.text(6), ubf::to_text(node.status)) << what();
+    ASSERT_EQ(answer.number(7), static_cast<double>(node.vote)) << what();
+    ASSERT_EQ(answer.integer(8), node.halts) << what();
+    ASSERT_EQ(answer.is_null(9) ? "" : answer.text(9), node.why) << what();
+    ASSERT_NO_FATAL_FAILURE(expect_same_action(answer, 10, node.action, columns)) << what();
   }
   EXPECT_EQ(rows, asked) << "each answer once, and no other";
 }

@@ -179,7 +179,7 @@ KeptZones::Table KeptZones::keep(std::string key, Table table) {
   if (fresh)
     order_.push_back(&place->first);
   Table kept = place->second;
-  if (order_.size() > kMost) {
+  if (order_.size() > most_) {
     tables_.erase(tables_.find(*order_.front()));
     order_.pop_front();
   }

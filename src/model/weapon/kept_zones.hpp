@@ -24,8 +24,8 @@ struct ZoneStore {
 /// flown one. May be used from any thread, never inside a step.
 class KeptZones {
  public:
-  /// Of that many types, 100 kB each; then the oldest is forgotten.
-  static constexpr std::size_t kMost = 256;
+  /// Of at most so many types, 100 kB each; then the oldest is forgotten.
+  explicit KeptZones(std::size_t most = 256) : most_(most) {}
 
   void use(ZoneStore store);
   /// The zone of a type, flown now if it is not kept.
@@ -55,6 +55,7 @@ class KeptZones {
   /// From the store, if it is kept there and believed; flown otherwise.
   Table fetch(const MissileType& type, const std::string& key);
 
+  std::size_t most_;
   mutable Mutex mutex_;
   std::map<std::string, Table> tables_;
   std::deque<const std::string*> order_;  ///< keys of tables_, the oldest first

@@ -13,17 +13,28 @@
 namespace eyrie::model::weapon {
 namespace {
 
-using test::medium_range;
-using test::short_range;
+/// Missiles that are flown for ten seconds, so that their zones are flown soon.
+MissileType brief(MissileType type) {
+  type.greatest_time = 10;
+  return type;
+}
+const MissileType& far() {
+  static const MissileType type = brief(test::medium_range());
+  return type;
+}
+const MissileType& near() {
+  static const MissileType type = brief(test::short_range());
+  return type;
+}
 
 const ZoneTable& flown_medium() {
-  static const ZoneTable table = fly_zone(medium_range());
+  static const ZoneTable table = fly_zone(far());
   return table;
 }
 /// A file with the zones of both missiles.
 const std::string& both() {
   static const std::string file = [] {
-    const std::array types{medium_range(), short_range()};
+    const std::array types{far(), near()};
     return KeptZones().encode(types);
   }();
   return file;
@@ -37,7 +48,7 @@ std::string sealed(std::string file) {
 }
 const std::string& medium() {
   static const std::string file = [] {
-    const std::array types{medium_range()};
+    const std::array types{far()};
     return KeptZones().encode(types);
   }();
   return file;
@@ -45,17 +56,17 @@ const std::string& medium() {
 
 TEST(KeptZones, FlyAZoneOnceAndGiveItsBitsFromThenOn) {
   KeptZones zones;
-  EXPECT_EQ(*zones.of(medium_range()).table(), flown_medium());
+  EXPECT_EQ(*zones.of(far()).table(), flown_medium());
   EXPECT_EQ(zones.flown(), 1U);
-  EXPECT_EQ(zones.of(medium_range()).table(), zones.of(medium_range()).table());
+  EXPECT_EQ(zones.of(far()).table(), zones.of(far()).table());
   EXPECT_EQ(zones.flown(), 1U);
 }
 
 TEST(KeptZones, OfAFileAreNotFlownAndHaveTheBitsOfFlownOnes) {
   KeptZones zones;
   EXPECT_EQ(zones.take(both()), 2U);
-  EXPECT_EQ(*zones.of(medium_range()).table(), flown_medium());
-  EXPECT_EQ(*zones.of(short_range()).table(), fly_zone(short_range()));
+  EXPECT_EQ(*zones.of(far()).table(), flown_medium());
+  EXPECT_EQ(*zones.of(near()).table(), fly_zone(near()));
   EXPECT_EQ(zones.flown(), 0U);
 }
 
@@ -67,15 +78,15 @@ TEST(KeptZones, KeepTheSeekerOfTheTypeThatAsks) {
                          .shooter_speed = 250,
                          .target_speed = 250,
                          .aspect = kPi};
-  behind.off_boresight = short_range().seeker.gimbal + 0.01;
-  EXPECT_FALSE(zones.of(short_range()).at(behind).possible());
-  EXPECT_TRUE(zones.of(medium_range()).at(behind).possible());
+  behind.off_boresight = near().seeker.gimbal + 0.01;
+  EXPECT_FALSE(zones.of(near()).at(behind).possible());
+  EXPECT_TRUE(zones.of(far()).at(behind).possible());
 }
 
 TEST(KeptZones, ServeATypeWithAnotherLabel) {
   KeptZones zones;
   zones.take(both());
-  MissileType renamed = medium_range();
+  MissileType renamed = far();
   renamed.label = "another";
   EXPECT_EQ(*zones.of(renamed).table(), flown_medium());
   EXPECT_EQ(zones.flown(), 0U);
@@ -84,7 +95,7 @@ TEST(KeptZones, ServeATypeWithAnotherLabel) {
 TEST(KeptZones, AreFlownWhenTheLastBitOfAParameterDiffers) {
   KeptZones zones;
   zones.take(both());
-  MissileType other = medium_range();
+  MissileType other = far();
   other.greatest_time = std::nextafter(other.greatest_time, 0.0);
   static_cast<void>(zones.of(other));
   EXPECT_EQ(zones.flown(), 1U);
@@ -99,7 +110,7 @@ TEST(KeptZones, AreNotBelievedWhenTheMissileNowFliesOtherwise) {
   file[key_size + sizeof key + key] ^= 1;
   KeptZones zones;
   EXPECT_EQ(zones.take(sealed(file)), 1U);
-  EXPECT_EQ(*zones.of(medium_range()).table(), flown_medium());
+  EXPECT_EQ(*zones.of(far()).table(), flown_medium());
   EXPECT_EQ(zones.flown(), 1U);
 }
 
@@ -112,7 +123,7 @@ TEST(KeptZones, AreTakenFromTheStoreAndGivenToIt) {
   for (const std::size_t flown : {1U, 0U}) {
     KeptZones zones;
     zones.use(store);
-    EXPECT_EQ(*zones.of(medium_range()).table(), flown_medium());
+    EXPECT_EQ(*zones.of(far()).table(), flown_medium());
     EXPECT_EQ(zones.flown(), flown);
   }
   EXPECT_GT(told, 10U);
@@ -120,7 +131,7 @@ TEST(KeptZones, AreTakenFromTheStoreAndGivenToIt) {
   kept.begin()->second = "nonsense";
   KeptZones zones;
   zones.use(store);
-  static_cast<void>(zones.of(medium_range()));
+  static_cast<void>(zones.of(far()));
   EXPECT_EQ(zones.flown(), 1U);
 }
 
@@ -153,18 +164,19 @@ TEST(KeptZones, OfAFileThatClaimsTooMuchAreFlown) {
 
 TEST(KeptZones, ForgetTheOldestWhenThereAreTooMany) {
   // impossible at once: it never gets faster than it must be
-  MissileType lame = medium_range();
+  MissileType lame = far();
   lame.greatest_time = 0.01;
-  KeptZones zones;
+  constexpr std::size_t kMost = 8;
+  KeptZones zones(kMost);
   static_cast<void>(zones.of(lame));
-  for (std::size_t i = 0; i < KeptZones::kMost; ++i) {
+  for (std::size_t i = 0; i < kMost; ++i) {
     MissileType other = lame;
     other.release_interval = 100.0 + static_cast<double>(i);
     static_cast<void>(zones.of(other));
   }
-  EXPECT_EQ(zones.flown(), KeptZones::kMost + 1);
+  EXPECT_EQ(zones.flown(), kMost + 1);
   static_cast<void>(zones.of(lame));
-  EXPECT_EQ(zones.flown(), KeptZones::kMost + 2);
+  EXPECT_EQ(zones.flown(), kMost + 2);
 }
 
 }  // namespace
