@@ -17,13 +17,16 @@ constexpr auto names_of(AutopilotMode) {
   return names_from_zero<AutopilotMode>("hold", "route", "follow", "loiter", "aim");
 }
 
+/// g: who may use less could neither turn nor end a descent.
+inline constexpr double kLeastLoadFactor = 1.2;
+
 /// The flight command of one aircraft, executed by the autopilot at the rate of the kinematics.
 struct Command {
   double heading = 0;   ///< rad, true: hold, aim
   double altitude = 0;  ///< m: hold, loiter, follow (the reference's altitude + offset)
   double speed = 0;     ///< m/s true airspeed: hold, loiter, aim; route where a waypoint says none
   double climb = 0;     ///< rad above the horizontal: aim
-  double load_factor = 5;  ///< g, the most that turning may use
+  double load_factor = 5;  ///< g, the most that turning may use; kLeastLoadFactor is always free
   /// follow: last known position of who is followed (local frame, m), valid at reference_time.
   /// loiter: the center.
   Vec3 reference_position = {};

@@ -21,6 +21,15 @@ struct VerticalOf {
 };
 using Vertical = VerticalOf<double>;
 
+/// By how much (rad, clockwise) north turns between two places close together, of which the first
+/// has that `east` and the second that `north`: who flies straight on has so much less heading. To
+/// the third order; seen from a pole places less than a few steps away are not close.
+template <class Real>
+[[nodiscard]] Real turn_of_north(const Vec3Of<Real>& east, const Vec3Of<Real>& north) {
+  const Real sine = dot(north, east);
+  return sine * (1 + sine * sine * (1.0 / 6));
+}
+
 /// Local axes to the geodetic NED axes at a place.
 [[nodiscard]] constexpr Vec3 to_ned(const Vertical& at, const Vec3& local) {
   return {dot(at.north, local), dot(at.east, local), dot(at.down, local)};

@@ -36,8 +36,9 @@ struct Kinematics {
   }
 };
 
-/// Of its place.
+/// Of its place. The direction of flight stays: the heading turns against north.
 inline void set_vertical(Kinematics& k, const Vertical& at) {
+  k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
   k.north = at.north;
   k.east = at.east;
   k.down = at.down;

@@ -21,7 +21,8 @@ void fly_laero(const Sky& sky, Flyer& flyer) {
   Flying& flying = *flyer.flying;
   const Air air = sky.environment.atmosphere.at(k.altitude);
   const Vec3 wind = sky.environment.wind.at(k.altitude);
-  const double turn_limit = laero.turn_rate_limit(k.speed, std::max(command.load_factor, 1.0));
+  const double turn_limit =
+      laero.turn_rate_limit(k.speed, std::max(command.load_factor, kLeastLoadFactor));
   const RouteToFly plan{.routes = flyer.routes,
                         .turn_radius = turn_radius(k.speed, turn_limit, laero.heading_time)};
   Guidance wanted = guide(airframe.autopilot, k, command, plan, flying, wind, sky.time, sky.dt);

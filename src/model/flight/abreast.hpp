@@ -89,7 +89,7 @@ template <class Real>
                           LoadOf<Real>{each([](const Flyer& f) { return f.load.mass; }),
                                        each([](const Flyer& f) { return f.load.drag_area; })});
   const Real load_factor =
-      math::max(each([](const Flyer& f) { return f.command->load_factor; }), 1);
+      math::max(each([](const Flyer& f) { return f.command->load_factor; }), kLeastLoadFactor);
   const Real most = math::min(load_factor, condition.lift_limit);
   const Real turn_rate =
       kGravity * math::sqrt(math::max(most * most - 1, 0)) / math::max(k.speed, 1);
@@ -125,6 +125,7 @@ template <class Real>
   equations.step(k, engines, condition, controls, {wind(&Vec3::x), wind(&Vec3::y), wind(&Vec3::z)},
                  sky.dt);
   const VerticalOf<Real> at = sky.reference.vertical_at(k.position);
+  k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
 
   for (std::size_t i = 0; i < kCount; ++i) {
     const auto of = [&](const Vec3Of<Real>& v) {

@@ -95,11 +95,11 @@ class Equations {
         math::min(math::min(load_factor, each(&FlightLimits::max_load_factor)), c.lift_limit),
         math::max(push_limit, 0));
     const auto [pitch, roll] = math::sin_cos(k.pitch, k.roll);
-    Lift lift{0, 0};
+    Lift lift{0, 0, 0};
     if (math::any(wanted.aims))
       lift = lift_towards(k, pitch, wanted, most);
     if (math::any(!wanted.aims)) {  // upwards first
-      const Real climb = wanted_climb(k, c, wanted, speed_wanted, slowest, fastest, power);
+      const Real climb = wanted_climb(k, c, wanted, most, speed_wanted, slowest, fastest, power);
       const Real climb_rate =
           (climb - pitch.sin) / (each(&Autopilot::climb_time) * math::max(pitch.cos, 0.1));
       const Real upwards = math::clamp(pitch.cos + speed * climb_rate / kGravity, push_limit, most);
@@ -109,12 +109,13 @@ class Equations {
       const Real room = math::sqrt(math::max(most * most - upwards * upwards, 0));
       const Real sideways = math::clamp(speed * pitch.cos * turn_rate / kGravity, -room, room);
       lift = {math::select(wanted.aims, lift.upwards, upwards),
-              math::select(wanted.aims, lift.sideways, sideways)};
+              math::select(wanted.aims, lift.sideways, sideways),
+              math::select(wanted.aims, lift.above, math::max(upwards, kLevelLift))};
     }
 
     // bank to that lift; while rolling, pull only what lies along the lift axis already
     ControlsOf<Real> controls;
-    controls.bank = math::atan2(lift.sideways, lift.upwards);
+    controls.bank = math::atan2(lift.sideways, lift.above);
     controls.load_factor =
         math::clamp(lift.upwards * roll.cos + lift.sideways * roll.sin, push_limit, most);
 
@@ -233,10 +234,11 @@ class Equations {
 
  private:
   using SinCos = math::SinCosOf<Real>;
-  static constexpr double kLeastSpeed = 1;  ///< m/s: a direction of flight must exist
-  /// Lift that is wanted, in g: upwards across the path, and to the right.
+  static constexpr double kLeastSpeed = 1;   ///< m/s: a direction of flight must exist
+  static constexpr double kLevelLift = 0.3;  ///< g: who lets the nose fall banks as with so much
+  /// Lift that is wanted, in g: upwards across the path, to the right, and upwards for the bank.
   struct Lift {
-    Real upwards, sideways;
+    Real upwards, sideways, above;
   };
 
   Real each(double Airframe::*of) const {
@@ -293,11 +295,16 @@ class Equations {
   /// Sine of the climb angle that leads to the altitude, as far as energy allows.
   template <class K>
   Real wanted_climb(const K& k, const FlightConditionOf<Real>& c, const WantedOf<Real>& wanted,
-                    const Real& speed_wanted, const Real& slowest, const Real& fastest,
-                    const Real& thrust) const {
+                    const Real& most_lift, const Real& speed_wanted, const Real& slowest,
+                    const Real& fastest, const Real& thrust) const {
     const Real speed_time = each(&Autopilot::speed_time);
     const Real speed = math::max(k.speed, 1);
-    const Real asked = (wanted.altitude - k.altitude) / (each(&Autopilot::altitude_time) * speed);
+    const Real error = wanted.altitude - k.altitude;
+    // sinks no faster than the lift it may use stops above the altitude; half of it is kept back
+    const Real stopping = kGravity * math::max(most_lift - 1, 0.05);
+    const Real asked = math::max(error / each(&Autopilot::altitude_time),
+                                 -math::sqrt(stopping * math::max(-error, 0))) /
+                       speed;
     const Real drag = c.drag(1);
     const Real excess = (thrust - drag) / c.mass;
     const Real too_slow = (speed_wanted - k.speed) / speed_time;
@@ -348,7 +355,8 @@ class Equations {
     const Real upwards = carry + turn * e_up, push_limit = each(&Autopilot::push_limit);
     // a little downwards is flown by letting go, not by rolling over
     const Mask lets_go = (upwards < push_limit) & (angle < radians(15));
-    return {math::select(lets_go, push_limit, upwards), turn * e_right};
+    return {math::select(lets_go, push_limit, upwards), turn * e_right,
+            math::select(lets_go, math::max(push_limit, kLevelLift), upwards)};
   }
 
   /// sin and cos of an angle a little further, for |turn| < 0.1: series to the fifth order.

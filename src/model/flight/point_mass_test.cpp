@@ -15,6 +15,21 @@ using test::ideal_airframe;
 using test::simple_airframe;
 using test::TestFlight;
 
+TEST(PointMass, FliesStraightOnWhereMeridiansMeet) {
+  for (const double latitude : {0.0, 60.0, 89.0}) {
+    TestFlight f(simple_airframe());
+    f.reference = Reference(Geodetic{.latitude = radians(latitude), .longitude = radians(10)});
+    f.start(5000, kPi / 2, 250);
+    for (int i = 0; i < 50 * 800; ++i) {
+      const FlightCondition c = f.condition();
+      f.step(Controls{.load_factor = std::cos(f.kinematics.pitch),
+                      .throttle = Engine::throttle_for(c.thrust, c.drag(1), true)});
+    }
+    EXPECT_GT(f.kinematics.position.y, 180e3) << latitude;
+    EXPECT_LT(std::abs(f.kinematics.position.x), 150) << latitude;
+  }
+}
+
 TEST(PointMass, KeepsItsEnergyWithoutThrustAndDrag) {
   TestFlight f(ideal_airframe());
   f.start(8000, 1, 300);
@@ -105,7 +120,7 @@ TEST(PointMass, FliesLeftAsItFliesRight) {
     ASSERT_NEAR(r.position.x, l.position.x, 1e-6);
     ASSERT_NEAR(r.position.y, -l.position.y, 1e-6);
     ASSERT_NEAR(r.altitude, l.altitude, 1e-6);
-    ASSERT_NEAR(r.heading, -l.heading, 1e-9);
+    ASSERT_NEAR(r.heading, -l.heading, 1e-8);
     ASSERT_NEAR(r.speed, l.speed, 1e-9);
     ASSERT_NEAR(r.roll, -l.roll, 1e-9);
   }

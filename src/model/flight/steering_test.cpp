@@ -48,6 +48,25 @@ TEST(Steering, DoesNotOvershootTheHeading) {
   EXPECT_NEAR(degrees(f.kinematics.heading), 120, 0.1);
 }
 
+TEST(Steering, DescendsWithLevelWingsAndStopsWithTheLiftItMayUse) {
+  for (const double load_factor : {1.0, 1.5, 2.0, 7.0}) {
+    TestFlight f(simple_airframe());
+    f.start(8000, 0.3, 240);
+    f.command.altitude = 300;
+    f.command.heading = 0.3 + 1e-4;
+    f.command.load_factor = load_factor;
+    double lowest = 1e9, most_roll = 0;
+    for (int i = 0; i < 50 * 400; ++i) {
+      f.step();
+      lowest = std::min(lowest, f.kinematics.altitude);
+      most_roll = std::max(most_roll, std::abs(f.kinematics.roll));
+    }
+    EXPECT_GT(lowest, 250) << load_factor;
+    EXPECT_LT(degrees(most_roll), 3) << load_factor;
+    EXPECT_NEAR(f.kinematics.altitude, 300, load_factor > 1 ? 5 : 200) << load_factor;
+  }
+}
+
 TEST(Steering, ClimbsOnExcessThrustAtTheSpeedAskedFor) {
   TestFlight f(simple_airframe());
   f.start(2000, 0, 230);

@@ -84,11 +84,7 @@ struct TestFlight {
   void step(const flight::Controls& controls) {
     model.step(kinematics, propulsion, condition(), controls,
                environment.wind.at(kinematics.altitude), kDt);
-    const Vertical vertical = reference.vertical_at(kinematics.position);
-    kinematics.north = vertical.north;
-    kinematics.east = vertical.east;
-    kinematics.down = vertical.down;
-    kinematics.altitude = vertical.altitude;
+    set_vertical(kinematics, reference.vertical_at(kinematics.position));
     time += kDt;
   }
 
