@@ -83,10 +83,12 @@ TEST(WhatIfSeeds, HaveNoStandardErrorIfItIsOne) {
   const Ran said = asked(words);
   EXPECT_NE(said.out.find(" +0.00 ± -\n"), std::string::npos) << said.out;
   words.emplace_back("--json");
-  for (const auto& figure : nlohmann::json::parse(asked(words).out)["over_seeds"]["figures"])
+  const auto one = nlohmann::json::parse(asked(words).out);
+  for (const auto& figure : one["over_seeds"]["figures"])
     EXPECT_TRUE(figure["standard_error"].is_null()) << figure;
   words[7] = "2";
-  for (const auto& figure : nlohmann::json::parse(asked(words).out)["over_seeds"]["figures"])
+  const auto two = nlohmann::json::parse(asked(words).out);
+  for (const auto& figure : two["over_seeds"]["figures"])
     EXPECT_TRUE(figure["standard_error"].is_number()) << figure;
 }
 
