@@ -2,6 +2,7 @@
 /// \file  What other trees remember when they are asked about a recorded run, and when they fly on.
 #include <gtest/gtest.h>
 
+#include "debrief/look.hpp"
 #include "debrief/what_if.hpp"
 #include "support/recorded.hpp"
 
@@ -128,6 +129,38 @@ TEST(WhatIf, ForgetsWithAnOrderToUseTheTreeThatIsUsed) {
   const auto same = with_changes(run, {"root/run_once/timeout/navigate.vote=10"});
   EXPECT_EQ(what_if(run, *same, PlayerId{1}, 0).different, 0U);
   branches_as_if_flown_so(run, {"root/run_once/timeout.after=2 s"});
+}
+
+std::vector<std::string> changes_of(const Recorded& run) {
+  std::vector<std::string> all;
+  for (const Change& change : look(run, PlayerId{1}, {.changes = true}).changes)
+    all.push_back(
+        fmt::format("{:.1f} {} -> {}: {}", change.now.time, change.from, change.to, change.why));
+  return all;
+}
+
+TEST(Look, SaysWhereTheTreeWasSwappedAndNamesWhoLedInTheOldOne) {
+  const std::string trees = R"(
+  other:
+    winner_takes_all: [navigate, {egress: {vote: 40}}]
+  pilot:
+    winner_takes_all: [egress, {navigate: {vote: 40}}]
+)";
+  const auto swapped =
+      changes_of(flight_by(trees, 20, "orders: [{at: 10 s, player: eagle1, swap_tree: other}]\n"));
+  ASSERT_EQ(swapped.size(), 2U) << "the same place in both trees";
+  EXPECT_TRUE(swapped[0].ends_with(" nobody -> navigate: the first decision")) << swapped[0];
+  EXPECT_TRUE(swapped[1].ends_with(" navigate -> egress: tree pilot was swapped for other"))
+      << swapped[1];
+  const auto there_and_back = changes_of(flight_by(kOnceForThreeSeconds, 20,
+                                                   "orders: [{at: 10 s, player: eagle1, swap_tree: "
+                                                   "other}, {at: 12 s, player: eagle1, swap_tree: "
+                                                   "pilot}]\n"));
+  ASSERT_EQ(there_and_back.size(), 5U);
+  EXPECT_TRUE(there_and_back[2].ends_with(" egress -> navigate: tree pilot was swapped for other"));
+  EXPECT_TRUE(
+      there_and_back[3].ends_with(" navigate -> navigate: tree other was swapped for pilot"));
+  EXPECT_TRUE(there_and_back[4].find(" navigate -> egress: ") != std::string::npos);
 }
 
 }  // namespace
