@@ -165,7 +165,7 @@ int what_if(const WhatIfOptions& options) {
   const double typed = options.at.empty() ? 0 : time_named("--at", options.at);
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   const double from = first_shown(recorded, typed);
-  const PlayerId who = player_named(recorded.scenario->roster, options.player);
+  const PlayerId who = decider_named(recorded.scenario->roster, options.player);
   demand_within(recorded, "--at", options.at, from);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
