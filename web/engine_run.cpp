@@ -186,7 +186,10 @@ std::shared_ptr<const scenario::Scenario> Engine::other(
   auto overrides = debrief::read_overrides(*run().scenario, player(name), sets, wrong);
   if (!wrong.ok())
     throw ConfigError(wrong);
-  return debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
+  auto changed = debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
+  if (changed->tree_count() != run().scenario->tree_count())
+    throw BadRequest("the change adds or removes a tree; change one that is there");
+  return changed;
 }
 
 Decided Engine::explain(const Otherwise& otherwise) const {

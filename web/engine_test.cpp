@@ -142,6 +142,9 @@ TEST(WebEngine, SaysHowManyDecisionsOtherTreesWouldHaveChanged) {
   EXPECT_EQ(slower.decisions, 10u);
   EXPECT_EQ(slower.different, 10u);
   EXPECT_EQ(slower.first->flown, "navigate");
+  EXPECT_THROW(static_cast<void>(engine.what_if(
+                   {.player = "eagle1", .sets = {"trees.another=navigate"}, .from = {}})),
+               BadRequest);
 }
 
 TEST(WebEngine, FliesOnOtherwiseFromAMoment) {

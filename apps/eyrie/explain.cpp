@@ -53,7 +53,7 @@ int explain(const ExplainOptions& options) {
     say_key_moments(recorded, options);
     return 0;
   }
-  const PlayerId who = player_named(roster, options.player);
+  const PlayerId who = decider_named(roster, options.player);
   wanted.from = first_shown(recorded, wanted.from);
   demand_within(recorded, wanted.once ? "--at" : "--from", wanted.once ? options.at : options.from,
                 wanted.from);

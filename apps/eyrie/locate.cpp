@@ -217,6 +217,13 @@ PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
   refuse("--player: {}", roster.unknown(name));
 }
 
+PlayerId decider_named(const scenario::Roster& roster, const std::string& name) {
+  const PlayerId who = player_named(roster, name);
+  if (roster.find(who)->remote)
+    refuse("{} is flown by another program: nobody knows why", name);
+  return who;
+}
+
 double time_named(std::string_view option, const std::string& text) {
   const auto colon = text.find(':');
   const auto seconds = plain(std::string_view(text).substr(colon == text.npos ? 0 : colon + 1));

@@ -58,6 +58,8 @@ struct Located {
                                          const std::vector<std::string>& plugins);
 /// A player by the name that --player gives. Throws Mistake.
 [[nodiscard]] PlayerId player_named(const scenario::Roster& roster, const std::string& name);
+/// The same of one who decides in this program. Throws Mistake.
+[[nodiscard]] PlayerId decider_named(const scenario::Roster& roster, const std::string& name);
 /// s: "312.4", "5 min", or "5:12.4" as the story says it. Throws Mistake, which names the option.
 [[nodiscard]] double time_named(std::string_view option, const std::string& text);
 /// s: the first step whose clock text is not before that time. Printed times are rounded to a

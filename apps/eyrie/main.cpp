@@ -134,7 +134,8 @@ void add_explain(CLI::App& app, Chosen& chosen) {
   add_run(explain, o);
   auto* player =
       explain->add_option("--player", o.player,
-                          "who; nobody: the decisions on which the run turned, whoever made them");
+                          "who; not given: the decisions on which the run turned, whoever made "
+                          "them");
   auto* at =
       explain->add_option("--at", o.at, "the decision at this time: 312.4, '5 min' or 5:12.4");
   auto* from =

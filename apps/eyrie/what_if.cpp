@@ -96,7 +96,8 @@ Json over_seeds(const debrief::Recorded& recorded,
             if (!one->fault.empty() && faults++ == 0)
               first_fault = fmt::format("seed {}: {}", one->seed, one->fault);
           }
-          for (Figure& figure : figures) {
+          const bool both_whole = both.first.fault.empty() && both.second.fault.empty();
+          for (Figure& figure : std::span(figures, both_whole ? std::size(figures) : 0)) {
             const double before = figure.of(both.first), after = figure.of(both.second);
             figure.flown.add(before);
             figure.other.add(after);
@@ -115,7 +116,10 @@ Json over_seeds(const debrief::Recorded& recorded,
   if (!quiet)
     say("\nover seeds 1 to {}: mean, and of the difference its standard error\n", flown);
   for (const Figure& figure : figures) {
-    const Json error = flown < 2 ? Json() : Json(figure.difference.error());  // of one: unknown
+    const std::uint64_t pairs = figure.difference.n();  // of seeds without a fault
+    if (pairs == 0)
+      break;
+    const Json error = pairs < 2 ? Json() : Json(figure.difference.error());  // of one: unknown
     if (!quiet)
       say("  {:<12} {:>8.2f} -> {:>8.2f}   {:+.2f} ± {}\n", figure.name, figure.flown.mean(),
           figure.other.mean(), figure.difference.mean(),
@@ -161,7 +165,7 @@ int what_if(const WhatIfOptions& options) {
   const double typed = options.at.empty() ? 0 : time_named("--at", options.at);
   const debrief::Recorded recorded = open_run(options.run, options.plugins);
   const double from = first_shown(recorded, typed);
-  const PlayerId who = player_named(recorded.scenario->roster, options.player);
+  const PlayerId who = decider_named(recorded.scenario->roster, options.player);
   demand_within(recorded, "--at", options.at, from);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);

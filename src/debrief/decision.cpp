@@ -71,8 +71,8 @@ std::string why_not(const Decision& now, ubf::NodeIndex before) {
   if (now.leader == ubf::kNone)
     return fmt::format("{} proposed nothing", then.label);
   const auto [mine, its] = parting(now.nodes, now.leader, before);
-  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].vote,
-                     now.nodes[mine].vote);
+  return fmt::format("{} voted {:g} against {:g}", then.label, now.nodes[its].counted(),
+                     now.nodes[mine].counted());
 }
 
 namespace {

@@ -57,6 +57,13 @@ TEST(Decision, ComparesTheVotesWhereTheBranchesMeet) {
   EXPECT_EQ(why_not(d, 5), "shoot voted 30 against 40");
 }
 
+TEST(Decision, ComparesTheVotesThatWereGivenInThePlaceOfTheirOwn) {
+  Decision d = in_two_phases(false);
+  d.nodes[2].given = 80.0F;
+  d.nodes[3].given = 1.5F;
+  EXPECT_EQ(why_not(d, 3), "navigate voted 1.5 against 80");
+}
+
 TEST(Decision, FindsWhereTwoWaysPart) {
   const Decision d = in_two_phases(false);
   const auto pair = [](ubf::NodeIndex a, ubf::NodeIndex b) { return std::pair(a, b); };

@@ -85,6 +85,12 @@ class Explainer {
   std::map<std::string, std::string> paths_;
 };
 
+team::LastDecision last_decision(const scenario::Scenario& scenario, const sim::World& world,
+                                 PlayerId who) {
+  const auto found = scenario.find(world, who);
+  return found ? found->fleet.agents->last_decision(world, found->row) : team::LastDecision{};
+}
+
 }  // namespace
 
 Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
@@ -98,8 +104,8 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
 
   std::optional<Decision> last;         // for events between two decisions
   std::map<double, Decision> released;  // s
-  std::optional<ubf::NodeIndex> leader;
-  std::string label = "nobody";
+  std::optional<team::LastDecision> leader;
+  std::string tree, label = "nobody";
   while (!stop() && flight.time() < wanted.to && flight.step()) {
     if (recorded.scenario->find(flight.after(), who))
       found.until = flight.time();
@@ -117,23 +123,27 @@ Found look(const Recorded& recorded, PlayerId who, const Wanted& wanted,
       continue;
     }
     if (wanted.changes) {
-      const ubf::NodeIndex now = recorded.scenario->leader(flight.after(), who);
-      if (leader == now)
+      const team::LastDecision now = last_decision(*recorded.scenario, flight.after(), who);
+      if (leader && leader->tree == now.tree && leader->node == now.node)
         continue;
       auto decision = explain();
       if (!decision)
         continue;
       Change change{.now = std::move(*decision), .why = "the first decision"};
-      change.to = label_of(change.now, now);
-      if (leader) {
-        change.why = why_not(change.now, *leader);
+      change.to = label_of(change.now, now.node);
+      if (leader && leader->tree != now.tree) {
+        change.from = label;
+        change.why = fmt::format("tree {} was swapped for {}", tree, change.now.tree);
+      } else if (leader) {
+        change.why = why_not(change.now, leader->node);
         if (change.from = label; change.from == change.to) {  // of another branch
-          change.from = branch_of(change.now, *leader);
-          change.to = branch_of(change.now, now);
+          change.from = branch_of(change.now, leader->node);
+          change.to = branch_of(change.now, now.node);
         }
       }
       leader = now;
-      label = label_of(change.now, now);
+      tree = change.now.tree;
+      label = label_of(change.now, now.node);
       if (flight.time() >= wanted.from - 1e-9)
         found.changes.push_back(std::move(change));
       continue;

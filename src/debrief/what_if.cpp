@@ -6,43 +6,76 @@
 namespace eyrie::debrief {
 namespace {
 
-/// Asks the trees of two fleets about the same states; the second keeps a memory of its own.
-class Twice {
+/// A player's trees of another scenario, asked about every state from the start of a run on, with a
+/// memory of their own.
+class OtherTrees {
  public:
-  Twice(const scenario::Fleet& flown, const scenario::Fleet& other, WhatIf& result)
-      : flown_(flown), other_(other), result_(result) {}
+  OtherTrees(const scenario::Fleet& flown, const scenario::Fleet& other, PlayerId who)
+      : flown_(flown), other_(other), who_(who) {}
 
-  void look(const team::AnyMoment& m) {
-    if (m.tree != tree_) {
-      tree_ = m.tree;
-      slab_ = m.memory_for(*other_.agents);
-    }
-    team::Comparison found = m.compare(*other_.agents, reinterpret_cast<std::byte*>(slab_.data()));
-    ++result_.decisions;
-    result_.steps.push_back(m.info.step);
-    result_.leaders.push_back(found.other);
-    const bool same = found.fields.empty();
-    if (!same) {
-      ++result_.different;
-      if (!result_.first)
-        result_.first = {m.info.step, m.info.time(), flown_.trees[tree_]->label(found.flown),
-                         other_.trees[tree_]->label(found.other), std::move(found.fields)};
-      if (in_a_row_)
-        result_.spans.back().second = m.info.time();
-      else
-        result_.spans.emplace_back(m.info.time(), m.info.time());
-    }
-    in_a_row_ = !same;
+  /// Looks at the next step: `use(moment, comparison)` if the player decided in it.
+  template <class Use>
+  void look(const Reflight& flight, Use use) {
+    for (const sim::Order& order : flight.orders())
+      if (order.player == who_ && swaps_tree(order))
+        tree_ = team::kNoTree;
+    flown_.agents->look_again(flight.before(), flight.after(), who_, flight.orders(),
+                              [&](const team::AnyMoment& m) {
+                                if (m.tree != tree_)  // with nothing remembered
+                                  slab_.assign(other_.trees[m.tree]->memory_bytes() / 8 + 1, 0);
+                                tree_ = m.tree;
+                                use(m, m.compare(*other_.agents, bytes()));
+                              });
+  }
+  /// Puts what they remember now into a row of a world of theirs.
+  void remember(sim::World& world, std::size_t row) {
+    const std::span<std::byte> memory = other_.agents->memory(world, row);
+    std::fill(memory.begin(), memory.end(), std::byte{0});
+    if (tree_ != team::kNoTree)
+      std::copy_n(bytes(), other_.trees[tree_]->memory_bytes(), memory.begin());
   }
 
  private:
+  [[nodiscard]] bool swaps_tree(const sim::Order& order) const {
+    return order.kind == flown_.agents->order_tree(order.step, who_, 0).kind &&
+           order.as<team::SwapTree>().tree < flown_.trees.size();
+  }
+  [[nodiscard]] std::byte* bytes() { return reinterpret_cast<std::byte*>(slab_.data()); }
+
   const scenario::Fleet& flown_;
   const scenario::Fleet& other_;
-  WhatIf& result_;
+  PlayerId who_;
   std::uint16_t tree_ = team::kNoTree;
   std::vector<std::uint64_t> slab_;
-  bool in_a_row_ = false;
 };
+
+bool any_remembers(const scenario::Scenario& scenario) {
+  for (const auto& fleet : scenario.fleets)
+    for (const ubf::AnyTree* tree : fleet->trees)
+      if (tree->memory_bytes() > 0)
+        return true;
+  return false;
+}
+
+/// Puts into a world of `other`, which was flown as recorded up to there, what its trees would
+/// remember. Memory of the trees that were flown means nothing to them.
+void remember(const Recorded& recorded, const scenario::Scenario& other, sim::World& world) {
+  std::vector<OtherTrees> players;
+  const auto each_row = [&](auto use) {
+    for (std::size_t f = 0, n = 0; f < other.fleets.size(); ++f)
+      for (std::size_t row = 0; row < other.fleets[f]->rows(world); ++row)
+        use(f, row, n++);
+  };
+  each_row([&](std::size_t f, std::size_t row, std::size_t) {
+    players.emplace_back(*recorded.scenario->fleets[f], *other.fleets[f],
+                         other.fleets[f]->id(world, row));
+  });
+  Reflight flight(recorded, recorded.scenario->world(recorded.run.seed));
+  while (any_remembers(other) && flight.after().step() < world.step() && flight.step())
+    for (OtherTrees& player : players)
+      player.look(flight, [](const auto&, const auto&) {});
+  each_row([&](std::size_t, std::size_t row, std::size_t n) { players[n].remember(world, row); });
+}
 
 }  // namespace
 
@@ -83,17 +116,35 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
                double from) {
   WhatIf result;
   const scenario::Scenario& flown = *recorded.scenario;
-  const scenario::Fleet& fleet = flown.fleet_of(who);
-  Twice twice(fleet, other.fleet_of(who), result);
+  const scenario::Fleet &fleet = flown.fleet_of(who), &others = other.fleet_of(who);
+  OtherTrees asked(fleet, others, who);
+  bool in_a_row = false;
+  const auto note = [&](const team::AnyMoment& m, team::Comparison found) {
+    const double time = m.info.time();
+    if (time < from - 1e-9)
+      return;
+    ++result.decisions;
+    result.steps.push_back(m.info.step);
+    result.leaders.push_back(found.other);
+    const bool same = found.fields.empty();
+    if (!same) {
+      ++result.different;
+      if (!result.first)
+        result.first = {m.info.step, time, fleet.trees[m.tree]->label(found.flown),
+                        others.trees[m.tree]->label(found.other), std::move(found.fields)};
+      if (in_a_row)
+        result.spans.back().second = time;
+      else
+        result.spans.emplace_back(time, time);
+    }
+    in_a_row = !same;
+  };
   Reflight flight(recorded);
   std::optional<Decision> first;  // which has the names
   while (flight.step()) {
     if (flown.find(flight.after(), who))
       result.until = flight.time();
-    if (flight.time() < from - 1e-9)
-      continue;
-    fleet.agents->look_again(flight.before(), flight.after(), who, flight.orders(),
-                             [&](const team::AnyMoment& m) { twice.look(m); });
+    asked.look(flight, note);
     if (!result.first || first)
       continue;
     first = explain(flown, flight.before(), flight.after(), who, flight.orders());
@@ -137,6 +188,7 @@ std::unique_ptr<Branch> branch(const Recorded& recorded,
         "the change gives another world than the one flown: other columns, or too little room";
     return nullptr;
   }
+  remember(recorded, *other, *world);
   return std::make_unique<Branch>(recorded, std::move(other), Past{std::move(*world), past.events},
                                   until);
 }
@@ -194,6 +246,8 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
   };
   const std::string tree = begin > 1 ? text.substr(0, colon) : tree_of(scenario, who);
   const auto paths = paths_of(scenario, tree);
+  if (tree.empty())
+    return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
   if (paths.empty())
     return wrong(0, fmt::format("there is no tree {}", quote(tree)));
   auto found = std::find(paths.begin(), paths.end(), node);

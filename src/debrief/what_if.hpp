@@ -30,9 +30,9 @@ struct WhatIf {
   double until = 0;  ///< s, when the player was last there
 };
 
-/// Asks the trees of `other`, which is the scenario of the run with overrides, about every state
-/// that an agent perceived from `from` (s) on. They begin there with what the agent remembered if
-/// its tree remembers the same things, and else with nothing.
+/// Asks the trees of `other`, which is the scenario of the run with overrides and has as many,
+/// about every state that an agent perceived. They remember what they were asked from the start on;
+/// decisions before `from` (s) are not counted.
 [[nodiscard]] WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other,
                              PlayerId who, double from);
 
@@ -82,8 +82,9 @@ class Branch {
   sim::World before_;
 };
 
-/// Flown as recorded up to `past`, and from there on with `other`. Null if that has another world,
-/// such as trees that remember more: `problem` says so.
+/// Flown as recorded up to `past`, and from there on with `other`, whose trees remember what they
+/// would if they had been asked about everything before. Null if that has another world, such as
+/// trees that remember more: `problem` says so.
 [[nodiscard]] std::unique_ptr<Branch> branch(const Recorded& recorded,
                                              std::shared_ptr<const scenario::Scenario> other,
                                              const Past& past, std::optional<double> until,

@@ -51,6 +51,7 @@ class ShapeBook {
       const auto& row = trace.row(node);
       append(letter(row.ticked, row.status));
       append(row.proposal.vote);
+      append(team::given_vote(trace, node).value_or(row.proposal.vote));
       append(trace.why(node));
       append(row.supplier);
     }
@@ -83,12 +84,15 @@ class ShapeBook {
   [[nodiscard]] Json shape(std::size_t tree, const std::vector<debrief::Answer>& blank,
                            ubf::NodeIndex leader, const ubf::Trace<Action>& trace) {
     std::string status;
-    Json votes = Json::array(), why = Json::array(), supplier = Json::array();
+    Json votes = Json::array(), given = Json::array(), why = Json::array(),
+         supplier = Json::array();
     for (std::size_t i = 0; i < blank.size(); ++i) {
       const auto node = static_cast<ubf::NodeIndex>(i);
       const auto& row = trace.row(node);
       status.push_back(letter(row.ticked, row.status));
       votes.push_back(row.proposal.vote);
+      if (const auto vote = team::given_vote(trace, node))
+        given.push_back({i, *vote});
       if (row.ticked && row.status == ubf::Status::failure) {
         const char* said = trace.why(node);
         const std::string words = said ? said : blank[i].why;
@@ -102,8 +106,10 @@ class ShapeBook {
         fields.push_back(index_of(from));
       supplier.push_back(std::move(fields));
     }
-    return {{"tree", tree}, {"leader", index_of(leader)}, {"status", status}, {"vote", votes},
-            {"why", why},   {"supplier", supplier}};
+    return {{"tree", tree},        {"leader", index_of(leader)},
+            {"status", status},    {"vote", votes},
+            {"given", given},      {"why", why},
+            {"supplier", supplier}};
   }
 
   TextBook& texts_;

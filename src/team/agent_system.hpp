@@ -124,6 +124,9 @@ class AgentSystem final : public Agents {
     const Agent& agent = world.rows(setup_.agents.agent)[row];
     return {.ticks = agent.ticks, .vote = agent.vote, .tree = agent.tree, .node = agent.node};
   }
+  [[nodiscard]] std::span<std::byte> memory(sim::World& world, std::size_t row) const override {
+    return world.bytes(setup_.agents.brain, row);
+  }
   [[nodiscard]] std::span<const ubf::ActionFieldInfo> action_fields() const override {
     return ubf::action_fields<Action>();
   }
@@ -200,9 +203,6 @@ class AgentSystem final : public Agents {
         if (Outside::says(asked_))
           Outside::overrule(asked_, m_.state, action);
       });
-    }
-    [[nodiscard]] std::vector<std::uint64_t> memory_for(const Agents& other) const override {
-      return team::memory_for(tree_of(other), tree_of(agents_), m_);
     }
     [[nodiscard]] Comparison compare(const Agents& other, std::byte* slab) const override {
       const auto was = ask_again(tree_of(agents_), m_);

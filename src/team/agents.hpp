@@ -45,8 +45,6 @@ class AnyMoment {
   /// What the tree of this number of `asked`, agents of the same platform, decides there, with
   /// every node's answer.
   [[nodiscard]] virtual Decision decision(const Agents& asked) const = 0;
-  /// What that tree remembers there, see team::memory_for.
-  [[nodiscard]] virtual std::vector<std::uint64_t> memory_for(const Agents& other) const = 0;
   /// Asks that tree too; it works on `slab`, which is as large as it needs.
   [[nodiscard]] virtual Comparison compare(const Agents& other, std::byte* slab) const = 0;
 };
@@ -59,6 +57,8 @@ class Agents : public sim::System {
   /// From `step` on the player uses that tree, which begins with nothing remembered.
   [[nodiscard]] virtual sim::Order order_tree(std::uint64_t step, PlayerId player,
                                               std::uint16_t tree) const = 0;
+  /// The memory of a row's tree.
+  [[nodiscard]] virtual std::span<std::byte> memory(sim::World& world, std::size_t row) const = 0;
   /// What an action of theirs consists of.
   [[nodiscard]] virtual std::span<const ubf::ActionFieldInfo> action_fields() const = 0;
   /// Whether two rows of controls have the same bytes.

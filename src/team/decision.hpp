@@ -24,9 +24,13 @@ struct Answer {
   bool is_leaf = true;
   ubf::Status status = ubf::Status::failure;
   float vote = 0;
-  std::uint16_t halts = 0;    ///< how often it was made to forget
+  std::optional<float> given = {};  ///< the vote that its arbiter put in the place of its own
+  std::uint16_t halts = 0;          ///< how often it was made to forget
   std::string why;            ///< it failed, or what its vote followed: "range 0.53"; may be ""
   std::vector<Value> action;  ///< the fields that it set
+
+  /// The vote by which it was compared.
+  [[nodiscard]] float counted() const { return given.value_or(vote); }
 };
 
 /// Somebody who proposed a field that another one won.

@@ -40,6 +40,14 @@ std::string why(const ubf::Tree<State, Action>& tree, const ubf::Trace<Action>& 
   return fmt::format("{}", fmt::join(said, "; "));
 }
 
+/// The vote that an arbiter put in the place of a node's own, if it did. Who abstains stays out.
+template <class Action>
+std::optional<float> given_vote(const ubf::Trace<Action>& trace, ubf::NodeIndex node) {
+  const float vote = trace.given_vote(node);
+  return std::isnan(vote) || trace.row(node).proposal.vote == 0 ? std::nullopt
+                                                                : std::optional(vote);
+}
+
 template <class State, class Action>
 std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Action>& tree,
                             const ubf::Trace<Action>& trace) {
@@ -50,6 +58,7 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
     answer.asked = row.ticked;
     answer.status = row.status;
     answer.vote = row.proposal.vote;
+    answer.given = given_vote(trace, index);
     answer.halts = row.halts;
     answer.action = values_of(row.proposal.action);
     std::string said = row.ticked ? why(tree, trace, index) : "";
@@ -80,8 +89,8 @@ std::vector<Won> contest(const std::vector<Answer>& nodes, const ubf::Trace<Acti
       const auto [its, mine] = parting(nodes, node, won.winner);
       won.rivals.push_back({.node = node,
                             .value = action_value(f.name, f.unit, *proposed),
-                            .against = nodes[mine].vote,
-                            .vote = nodes[its].vote});
+                            .against = nodes[mine].counted(),
+                            .vote = nodes[its].counted()});
     }
     std::sort(won.rivals.begin(), won.rivals.end(), [](const Rival& a, const Rival& b) {
       return a.vote != b.vote ? a.vote > b.vote : a.node < b.node;

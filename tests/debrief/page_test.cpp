@@ -8,6 +8,7 @@
 
 #include "core/text.hpp"
 #include "debrief/decision.hpp"
+#include "page/decisions.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
 #include "support/packed.hpp"
@@ -135,6 +136,30 @@ TEST_P(PageData, SaysOfEveryDecisionWhatTheExplainerSays) {
   // looking changed nothing: the same world as flown without a trace
   EXPECT_EQ(flight.after().hash(), recorded.run.trail.last_hash);
   EXPECT_GT(compared, 1000U);
+}
+
+TEST(PageShapes, HaveTheVotesThatWereGivenInThePlaceOfTheirOwn) {
+  ubf::Trace<pilot::Action> trace(3);
+  ubf::Proposal<pilot::Action> said;
+  said.action.heading = 1;
+  said.vote = 40;
+  TextBook texts;
+  ShapeBook shapes(texts);
+  const std::vector<debrief::Answer> nodes(3);
+  const auto number = [&](float given) {
+    trace.begin(3);
+    for (const ubf::NodeIndex node : std::array<ubf::NodeIndex, 3>{1, 2, 0}) {
+      trace.record(node, ubf::Status::running, said);
+      if (node == 2)
+        trace.voted(node, given);
+    }
+    return shapes.number(0, nodes, 1, trace);
+  };
+  EXPECT_EQ(number(1.5F), 0);
+  EXPECT_EQ(number(2.5F), 1);
+  EXPECT_EQ(number(1.5F), 0);
+  EXPECT_EQ(shapes.json().at(0).at("vote"), json::parse("[40, 40, 40]"));
+  EXPECT_EQ(shapes.json().at(0).at("given"), json::parse("[[2, 1.5]]"));
 }
 
 /// A page that grows gets everything once.

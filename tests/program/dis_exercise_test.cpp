@@ -97,6 +97,14 @@ TEST(DisExercise, IsOneMissionWhoseStoriesAgreeAndIsReplayedWithoutTheNetwork) {
       const Ran ran = run_program(exercise.folder, words);
       EXPECT_EQ(ran.code, 0) << words[0] << "\n" << ran.err;
     }
+    const std::string theirs = side == std::string("blue") ? "bandit1" : "viper1";
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"explain", side, "--player", theirs},
+             {"whatif", side, "--player", theirs, "--set", "root/wvr=fusion"}}) {
+      const Ran ran = run_program(exercise.folder, words);
+      EXPECT_EQ(ran.code, 2) << words[0];
+      EXPECT_EQ(ran.err, theirs + " is flown by another program: nobody knows why\n");
+    }
   }
 }
 

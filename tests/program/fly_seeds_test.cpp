@@ -100,10 +100,9 @@ TEST(FlySeeds, KeepsWhatWasFlownWhenItIsStopped) {
             fmt::format("eyrie: interrupted: {} of 1000000 seeds were flown\n", flown));
 }
 
-TEST(FlySeeds, GoesOnAfterAFaultAndNamesIt) {
-  const TempFolder folder;
-  const auto scenario = [&](int how) {
-    folder.write("small.yaml", fmt::format(R"(eyrie: 1
+/// One aircraft that misbehaves.
+std::string misbehaving(int how) {
+  return fmt::format(R"(eyrie: 1
 name: small
 reference: {{latitude: 33 deg, longitude: -68 deg}}
 until: 5 s
@@ -118,7 +117,13 @@ blue:
       tree: bad
       players: [eagle1]
 )",
-                                           how));
+                     how);
+}
+
+TEST(FlySeeds, GoesOnAfterAFaultAndNamesIt) {
+  const TempFolder folder;
+  const auto scenario = [&](int how) {
+    folder.write("small.yaml", misbehaving(how));
     return run_program(folder, {"fly", "small.yaml", "--seeds", "4..6", "--workers", "1",
                                 "--plugin", plugin("faulty")});
   };
@@ -135,6 +140,21 @@ blue:
             "eyrie: libfaulty.so called exit() and ended the program; eyrie fly "
             "small.yaml --seed 4 --plugin " +
                 plugin("faulty") + " shows it\n");
+}
+
+TEST(WhatIfOverSeeds, AddsNoFlightWithAFaultToTheMeans) {
+  const TempFolder folder;
+  folder.write("small.yaml", misbehaving(99));
+  ASSERT_EQ(run_program(folder, {"fly", "small.yaml", "--out", "run", "--no-debrief", "--plugin",
+                                 plugin("faulty")})
+                .code,
+            0);
+  const Ran ran = run_program(folder, {"whatif", "run", "--player", "eagle1", "--set", "root.how=0",
+                                       "--seeds", "2", "--json", "--plugin", plugin("faulty")});
+  EXPECT_EQ(ran.code, 1) << ran.err;
+  const json said = json::parse(ran.out)["over_seeds"];
+  EXPECT_EQ(said["faults"], 2);
+  EXPECT_EQ(said["figures"], json::array()) << "no seed was flown both ways";
 }
 
 }  // namespace

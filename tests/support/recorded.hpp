@@ -11,10 +11,9 @@
 namespace eyrie::test {
 
 /// A scenario flown for `until` s with a seed (none: its own).
-[[nodiscard]] inline debrief::Recorded recorded_flight(const std::string& name, double until,
-                                                       std::optional<std::uint64_t> seed = {},
-                                                       const std::vector<std::string>& sets = {}) {
-  const auto scenario = load_scenario(name, sets);
+[[nodiscard]] inline debrief::Recorded recorded_flight(
+    const std::shared_ptr<const scenario::Scenario>& scenario, const std::string& name,
+    double until, std::optional<std::uint64_t> seed = {}) {
   sim::TrailRecorder trail;
   scenario::Mission mission(scenario, seed.value_or(scenario->spec.seed), until);
   mission.run().attach(trail);
@@ -33,6 +32,17 @@ namespace eyrie::test {
            .outcome = ""};
   r.scenario = scenario;
   return r;
+}
+[[nodiscard]] inline debrief::Recorded recorded_flight(const std::string& name, double until,
+                                                       std::optional<std::uint64_t> seed = {},
+                                                       const std::vector<std::string>& sets = {}) {
+  return recorded_flight(load_scenario(name, sets), name, until, seed);
+}
+/// The text of a scenario.
+[[nodiscard]] inline debrief::Recorded recorded_text(const std::string& text, double until) {
+  scenario::Source source = scenario::Source::disk(".");
+  source.add("test.yaml", text);
+  return recorded_flight(scenario::load({.file = "test.yaml"}, std::move(source)), "test", until);
 }
 
 }  // namespace eyrie::test

@@ -40,6 +40,16 @@ test('each field has a winner, its reason, and rivals by the votes where they me
   assert.equal(target!.reason, 'nobody else asked for it');
 });
 
+test('votes that an arbiter gave count in the place of its children\'s own', () => {
+  const run = run_of(node('root', 'winner_takes_all', [leaf('pursue'), leaf('navigate')]),
+    [{ pursue: { vote: 40, heading: 1 }, navigate: { vote: 50, heading: 2 } }], (all) => {
+      all[1]!.given = 1.5;
+      all[2]!.given = 80;
+    });
+  assert.equal(contest(run, 0, 0)[0]!.reason, 'voted 80 against 1.5');
+  assert.equal(why_not(run.trees[0]!, run.shapes[0]!, 1), 'pursue voted 1.5 against 80');
+});
+
 test('a blend is won by the arbiter that made it', () => {
   const run = run_of(node('mix', 'fusion', [leaf('pursue'), leaf('follow'), leaf('navigate')]),
     [{ pursue: { vote: 40, speed: 250 }, follow: { vote: 20, speed: 200 }, navigate: { vote: 10, heading: 1 } }]);

@@ -19,6 +19,8 @@ export interface Proposal {
   /** Null: it was not asked. */
   status: Status | null;
   vote: number;
+  /** What its arbiter put in the place of that. */
+  given?: number;
   /** By field; NaN: not set. */
   action: Float64Array;
   /** By field the node that supplied it; -1: not set. */
@@ -113,6 +115,7 @@ function shape_of(all: Proposal[]): Shape {
     leader: all[0]!.leader,
     status: all.map((p) => p.status),
     vote: all.map((p) => p.vote),
+    counted: all.map((p) => p.given ?? p.vote),
     why: all.map(() => ''),
     supplier: all.map((p) => (p.supplier.some((s) => s >= 0) ? Int16Array.from(p.supplier) : null)),
   };

@@ -9,6 +9,7 @@
 #include "support/no_allocation.hpp"
 #include "support/pilot/networks.hpp"
 #include "support/pilot/testing.hpp"
+#include "team/explain.hpp"
 
 namespace eyrie::pilot {
 namespace {
@@ -176,6 +177,11 @@ TEST(LearnedVote, TellsWhoeverTracesWhatTheNetworkSaid) {
   EXPECT_EQ(trace.given_vote(2), 75);
   EXPECT_TRUE(std::isnan(trace.given_vote(0)));
   EXPECT_EQ(trace.row(1).proposal.vote, 90) << "its own";
+  const auto nodes = team::answers(team::unanswered(flown), flown, trace);
+  const team::Won speed = team::contest(nodes, trace).at(0);
+  EXPECT_EQ(speed.winner, 2);
+  EXPECT_EQ(speed.rivals.at(0).against, 75);
+  EXPECT_EQ(speed.rivals.at(0).vote, 50) << "that of the network decided";
 }
 
 TEST(LearnedVote, LeavesOutWhoAbstainsAndFailsWithNobody) {

@@ -68,6 +68,7 @@ export interface MissileData<C = Column> extends Omit<Missile, 'active' | 'motio
 }
 export interface ShapeData extends Pick<Shape, 'tree' | 'leader' | 'vote'> {
   status: string;  // a letter a node: '-' not asked, F, S, R
+  given: [node: number, vote: number][];  // votes that an arbiter put in the place of the node's own
   why: [node: number, text: number][];
   supplier: number[][];  // [node, supplier of field 0, of field 1, ...]
 }
@@ -155,11 +156,13 @@ function sights_of<C>(read: Read<C>, data: SightData<C>, texts: string[]): Sight
 
 export function shape_of(data: ShapeData, texts: string[]): Shape {
   const status = Array.from(data.status, (letter) => kStatus[letter] ?? null);
+  const counted = [...data.vote];
+  for (const [node, vote] of data.given) counted[node] = vote;
   const why = status.map(() => '');
   for (const [node, text] of data.why) why[node] = texts[text]!;
   const supplier: (Int16Array | null)[] = status.map(() => null);
   for (const [node, ...fields] of data.supplier) supplier[node!] = Int16Array.from(fields);
-  return { ...data, status, why, supplier };
+  return { ...data, status, counted, why, supplier };
 }
 
 function tree_of(data: Document['trees'][number]): Tree {

@@ -143,6 +143,7 @@ export interface Shape {
   leader: number;  // The node whose recommendation led; -1: nobody's.
   status: (Status | null)[];  // Per node; null: not asked.
   vote: number[];  // Per node, as it went up.
+  counted: number[];  // Per node the vote by which it was compared: its own, or that which its arbiter put in its place.
   why: string[];  // Per node why it failed; "" if it did not say or did not fail.
   /** Per node, per field of the action: the node that supplied it (a leaf, or the arbiter that
    * blended it), or -1: not set. Null for nodes that proposed nothing. */

@@ -67,7 +67,7 @@ export function contest(run: Run, player: number, index: number): Won[] {
     const rivals = tree.nodes.flatMap(({ children }, node): Rival[] => {
       if (node === winner || children.length > 0 || !(suppliers(shape, node)[field]! >= 0)) return [];
       const [its, mine] = parting(tree, node, winner);
-      return [{ node, value: value(node, field), vote: shape.vote[its]!, against: shape.vote[mine]! }];
+      return [{ node, value: value(node, field), vote: shape.counted[its]!, against: shape.counted[mine]! }];
     });
     rivals.sort((a, b) => b.vote - a.vote || a.node - b.node);
     const blended = tree.nodes[winner]!.children.length > 0;
@@ -121,5 +121,5 @@ export function why_not(tree: Tree, shape: Shape, before: number): string {
   if (shape.status[before] === 'failure') return `${then.label} ${answer_words(shape, before)}`;
   if (shape.leader < 0) return `${then.label} proposed nothing`;
   const [mine, its] = parting(tree, shape.leader, before);
-  return `${then.label} voted ${general(shape.vote[its]!)} against ${general(shape.vote[mine]!)}`;
+  return `${then.label} voted ${general(shape.counted[its]!)} against ${general(shape.counted[mine]!)}`;
 }
