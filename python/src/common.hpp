@@ -81,6 +81,23 @@ auto without_gil(Use use) {
 enum class ColumnKind { number, integer, words };
 
 /// (name, unit, help, kind, values or codes, words) of each column.
+/// While it lives nobody else may use a thing; it begins and ends with the GIL. Throws eyrie.Error
+/// with these words if somebody does.
+class InUse {
+ public:
+  InUse(bool& in_use, const char* words) : in_use_(in_use) {
+    if (in_use)
+      raise("Error", words);
+    in_use = true;
+  }
+  ~InUse() { in_use_ = false; }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  bool& in_use_;
+};
+
 using Columns = std::vector<std::tuple<std::string, std::string, std::string, std::string,
                                        nb::object, std::vector<std::string>>>;
 
