@@ -70,6 +70,7 @@ class World:
 
         Raises:
             FaultError: a step could not be made. The world is as it was before it.
+            KeyboardInterrupt: so is it then, and goes on with the next call.
         """
         if count < 0:
             raise ValueError(f"step: {count} steps")

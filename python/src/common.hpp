@@ -53,34 +53,34 @@ struct Recorded {
 /// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is
 /// to be asked in every step, tells now and then whether a signal handler wants
 /// the work to end, as Ctrl-C does; then what the handler raised is thrown at
-/// the end.
+/// the end, also instead of what `use` throws then.
 template <class Use>
 auto without_gil(Use use) {
   bool signaled = false;
-  auto result = [&] {
-    const nb::gil_scoped_release released;
-    unsigned asked = 0;
-    return use([&] {
-      constexpr unsigned kSteps = 1024;
-      if (!signaled && ++asked % kSteps == 0) {
-        const nb::gil_scoped_acquire held;
-        signaled = PyErr_CheckSignals() != 0;
-      }
-      return signaled;
-    });
-  }();
-  // what a behavior of Python has passed on is seen here at last
-  if (signaled || PyErr_CheckSignals() != 0)
-    throw nb::python_error();
-  return result;
+  // at the end also what a behavior of Python has passed on
+  const auto wants_end = [&] { return signaled || PyErr_CheckSignals() != 0; };
+  try {
+    auto result = [&] {
+      const nb::gil_scoped_release released;
+      unsigned asked = 0;
+      return use([&] {
+        constexpr unsigned kSteps = 1024;
+        if (!signaled && ++asked % kSteps == 0) {
+          const nb::gil_scoped_acquire held;
+          signaled = PyErr_CheckSignals() != 0;
+        }
+        return signaled;
+      });
+    }();
+    if (!wants_end())
+      return result;
+  } catch (...) {
+    if (!wants_end())
+      throw;
+  }
+  throw nb::python_error();
 }
 
-// --- Tables
-
-/// What a column holds: float64 (NaN: nothing), int64 (0: nothing), or words.
-enum class ColumnKind { number, integer, words };
-
-/// (name, unit, help, kind, values or codes, words) of each column.
 /// While it lives nobody else may use a thing; it begins and ends with the GIL. Throws eyrie.Error
 /// with these words if somebody does.
 class InUse {
@@ -98,6 +98,12 @@ class InUse {
   bool& in_use_;
 };
 
+// --- Tables
+
+/// What a column holds: float64 (NaN: nothing), int64 (0: nothing), or words.
+enum class ColumnKind { number, integer, words };
+
+/// (name, unit, help, kind, values or codes, words) of each column.
 using Columns = std::vector<std::tuple<std::string, std::string, std::string, std::string,
                                        nb::object, std::vector<std::string>>>;
 

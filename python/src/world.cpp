@@ -46,14 +46,19 @@ class World {
   std::uint64_t step(std::uint64_t count) {
     const InUse used = use();
     happened_.clear();
-    return without_gil([&](const auto& stop) {
-      std::uint64_t made = 0;
-      while (made < count && !stop() && mission_->step()) {
-        ++made;
-        keep_events();
-      }
-      return made;
-    });
+    try {
+      return without_gil([&](const auto& stop) {
+        std::uint64_t made = 0;
+        while (made < count && !stop() && mission_->step()) {
+          ++made;
+          keep_events();
+        }
+        return made;
+      });
+    } catch (const nb::python_error&) {  // of a signal, which is no fault of the step it came in
+      mission_->forgive();
+      throw;
+    }
   }
   /// Steps until a World::step(), without a word of the end of the mission or of what happened.
   void step_to(std::uint64_t step) {

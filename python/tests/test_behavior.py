@@ -44,10 +44,14 @@ def _is_high(
     return bool(state.altitude > above)
 
 
-def _with(node: str, *more: eyrie.Behavior, **options: Any) -> eyrie.Run:
+def _loaded(node: str, *more: eyrie.Behavior) -> eyrie.Scenario:
     text = "extends: merge\nname: mine\nuntil: 3 s\nreplace: {blue.flights.viper.tree: mine}\n"
     text += f"trees: {{mine: {{selector: [{node}, navigate]}}}}\n"
-    return eyrie.fly("mine", text=text, behaviors=[climb_away, _is_high, *more], **options)
+    return eyrie.load("mine", text=text, behaviors=[climb_away, _is_high, *more])
+
+
+def _with(node: str, *more: eyrie.Behavior, **options: Any) -> eyrie.Run:
+    return eyrie.fly(_loaded(node, *more), **options)
 
 
 def test_a_behavior_flies_and_is_explained(tmp_path: Path) -> None:
@@ -202,6 +206,37 @@ def test_wrong_definitions_are_named() -> None:
     with pytest.raises(ValueError, match="no unit 'nmii'"):
 
         @eyrie.behavior
+def test_an_interrupt_in_a_behavior_ends_what_was_asked_and_nothing_else() -> None:
+    pressed: list[float] = []
+    keys = [0.5]
+
+    @eyrie.behavior
+    def stopper(state: eyrie.State) -> eyrie.Proposal:
+        """presses the key"""
+        if keys and state.time >= keys[0]:
+            keys.clear()
+            os.kill(os.getpid(), signal.SIGINT)
+        pressed.append(state.time)
+        return eyrie.propose(50, heading=1.0, altitude=5000, mode="hold")
+
+    world = _loaded("stopper", stopper).world()
+    rows = world.rows("aircraft", "kinematics")
+    with pytest.raises(KeyboardInterrupt):
+        world.step(10**9)
+    assert world.outcome == "running" and 24 <= world.steps < 30
+    before = rows["position.x"].copy()
+    world.step(10**9)  # on from there
+    assert world.outcome == "time" and (rows["position.x"] != before).all()
+    run = _with("stopper", stopper)
+    assert run.hash == world.hash
+
+    keys.append(0.5)
+    with pytest.raises(KeyboardInterrupt):
+        run.tracks()
+    assert len(run.tracks())
+    assert max(pressed) > 2
+
+
         def unit(state: eyrie.State, to: float = eyrie.param(3, "nmii", help="x")) -> None:
             """has no such unit"""
 
