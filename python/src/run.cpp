@@ -237,7 +237,8 @@ std::string save(const Recorded& r, const std::string& folder, bool replace) {
     disk::OutputFolder out({.path = folder,
                             .names = record::kRunFolderNames,
                             .sign = record::kRunFileName,
-                            .replace = replace});
+                            .replace = replace,
+                            .to_replace = "say replace=True"});
     disk::Sink run = out.file(record::kRunFileName), events = out.file(record::kEventsName),
                acmi = out.file(record::kFlightName);
     run.write(record::encode(r.recorded.run));

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import errno
 import os
 import re
 import subprocess
@@ -51,7 +52,7 @@ def test_a_run_is_kept_and_opened(run: eyrie.Run, tmp_path: Path) -> None:
     for place in (folder, folder / "run.eyrie", str(folder)):
         again = eyrie.open(place)
         assert (again.hash, again.seed, again.outcome) == (run.hash, run.seed, run.outcome)
-    with pytest.raises(FileExistsError, match="run"):
+    with pytest.raises(FileExistsError, match="name another folder or say replace=True"):
         run.save(folder)
     assert run.save(folder, replace=True) == folder
     (folder / "mine.txt").write_text("not of a run")
@@ -61,6 +62,18 @@ def test_a_run_is_kept_and_opened(run: eyrie.Run, tmp_path: Path) -> None:
 
 
 def test_what_is_no_run_is_refused(tmp_path: Path) -> None:
+def test_where_nothing_can_be_made_is_told(run: eyrie.Run, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("x")
+    with pytest.raises(NotADirectoryError, match="cannot make"):
+        run.save(tmp_path / "file" / "below")
+    for place, code in (("x" * 300, errno.ENAMETOOLONG), ("", errno.EINVAL), ("..", errno.EINVAL)):
+        with pytest.raises(OSError) as caught:
+            run.save(place and tmp_path / place)
+        assert caught.value.errno == code and not isinstance(caught.value, FileExistsError)
+    with pytest.raises(FileExistsError, match="is a file"):
+        run.save(tmp_path / "file")
+
+
     with pytest.raises(eyrie.RunError, match="nothing"):
         eyrie.open(tmp_path / "nothing")
     (tmp_path / "run.eyrie").write_bytes(b"EYRIERUN and then nothing of it")
