@@ -96,8 +96,8 @@ class World:
     def order(self, order: str, *, at_step: int | None = None, **words: Any) -> None:
         """Gives an order to a player or to everybody of a flight.
 
-        ``world.order("tree", player="eagle1", tree="bvr")``; docs/live.md has all of them. Numbers
-        are in SI.
+        ``world.order("tree", player="eagle1", tree="short_skate")``; docs/live.md has all of
+        them. Numbers are in SI.
 
         Args:
             order: what kind: ``"tree"``, ``"manual"``, ``"weapons"``, ...
