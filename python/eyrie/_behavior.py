@@ -7,6 +7,8 @@ import inspect
 from collections.abc import Callable
 from typing import Any, NamedTuple, overload
 
+import numpy as np
+
 from . import _core
 
 #: What a behavior sees; good while it is asked.
@@ -31,7 +33,7 @@ class Proposal(NamedTuple):
 
 
 def param(
-    default: float | bool | str,
+    default: float | bool | str | np.generic,
     unit: str = "",
     limits: tuple[float | None, float | None] = (None, None),
     *,
@@ -66,11 +68,15 @@ def propose(vote: float, *, status: str = "running", **fields: Any) -> Proposal:
 class Behavior:
     """A behavior or condition that trees may name, made by :func:`behavior`.
 
-    It can still be called as the function that it is, with any object as its state.
+    It can still be called as the function that it is, with any object as its state; what is left out
+    is the default, in SI.
     """
 
-    def __init__(self, function: Callable[..., Any], core: _core.Behavior) -> None:
+    def __init__(
+        self, function: Callable[..., Any], core: _core.Behavior, parameters: list[str]
+    ) -> None:
         self._core = core
+        self._defaults = list(zip(parameters, core.defaults, strict=True))
         self.function = function
         self.__doc__ = function.__doc__
         self.__module__ = function.__module__
@@ -80,13 +86,8 @@ class Behavior:
         """What trees call it."""
         return self._core.name
 
-    def __call__(self, state: Any, **parameters: Any) -> Any:
-        defaults = {
-            name: one.default.default
-            for name, one in inspect.signature(self.function).parameters.items()
-            if isinstance(one.default, Parameter)
-        }
-        return self.function(state, **{**defaults, **parameters})
+    def __call__(self, state: Any, *values: Any, **named: Any) -> Any:
+        return self.function(state, *values, **{**dict(self._defaults[len(values) :]), **named})
 
     def __reduce__(self) -> str:
         return self.function.__qualname__  # found there by its name
@@ -132,10 +133,21 @@ def _made(function: Callable[..., Any], name: str | None, platform: str) -> Beha
         raise ValueError(f"platform: {platform!r} is neither 'pilot' nor 'driver'")
     lines = []
     names = []
-    for one in list(inspect.signature(function).parameters.values())[1:]:
+    parameters = list(inspect.signature(function).parameters.values())
+    if (
+        not parameters
+        or parameters[0].kind in (inspect.Parameter.KEYWORD_ONLY, inspect.Parameter.VAR_KEYWORD)
+        or isinstance(parameters[0].default, Parameter)
+    ):
+        raise TypeError("a behavior is called with the state first: def it(state, ...)")
+    for one in parameters[1:]:
         if not isinstance(one.default, Parameter):
             raise TypeError(f"{one.name}: its default is to be an eyrie.param(...)")
+        if one.kind is one.POSITIONAL_ONLY:
+            raise TypeError(f"{one.name}: it is called by its name, and stands before a '/'")
         value, unit, (least, most), help = one.default
+        if isinstance(value, np.generic):
+            value = value.item()
         if not isinstance(value, (bool, int, float, str)):
             raise TypeError(f"{one.name}: {value!r} is no number, switch or text")
         kind = "switch" if isinstance(value, bool) else "text" if isinstance(value, str) else "number"
@@ -147,12 +159,14 @@ def _made(function: Callable[..., Any], name: str | None, platform: str) -> Beha
 
     its_name = name or function.__name__
     help = inspect.cleandoc(function.__doc__ or "").split("\n")[0]
-    return Behavior(function, _core.behavior(its_name, help, platform, ask, lines))
+    return Behavior(function, _core.behavior(its_name, help, platform, ask, lines), names)
 
 
 def _answer(said: Any) -> tuple[int, float, dict[str, Any]]:
     if isinstance(said, Proposal):
-        return _STATUS[said.status], said.vote, said.fields
+        return _STATUS[said.status], float(said.vote), dict(said.fields)
+    if isinstance(said, np.bool_):
+        said = bool(said)
     if said is None or said is False:
         return _STATUS["failure"], 0.0, {}
     if said is True:

@@ -76,8 +76,12 @@ class Native:
             raise ValueError(f"num_envs: {worlds}")
         if not 1 <= threads <= 256:
             raise ValueError(f"threads: {threads} is outside [1, 256]")
+        if not isinstance(opponents, Mapping):
+            raise TypeError(f"opponents: {opponents!r} is no mapping of players to lists of trees")
+        if not isinstance(rewards, Mapping):
+            raise TypeError(f"rewards: {rewards!r} is no mapping of terms to weights")
         pool = _Pool()
-        trees = {who: [pool.tree(one) for one in trees] for who, trees in opponents.items()}
+        trees = {who: [pool.tree(one) for one in _list(who, its)] for who, its in opponents.items()}
         self._core: _core.VectorEnv | None = _core.vector_env(
             task,
             override_lines(set) + override_lines(pool.trees),
@@ -122,6 +126,8 @@ class Native:
         return Saved(self.core.save(), draws.bit_generator.state)
 
     def restore(self, saved: Saved, draws: np.random.Generator) -> None:
+        if not isinstance(saved, Saved):
+            raise TypeError(f"{saved!r} is not what save() gives")
         self.core.restore(saved.core)
         draws.bit_generator.state = saved.draws
 
@@ -158,6 +164,12 @@ def as_actions(actions: Any, shape: tuple[int, ...]) -> Floats:
     if numbers.shape != shape:
         raise ValueError(f"actions: shape {numbers.shape} is not {shape}")
     return numbers
+
+
+def _list(who: str, trees: Iterable[str | os.PathLike[str]]) -> list[str | os.PathLike[str]]:
+    if isinstance(trees, str | os.PathLike):
+        raise TypeError(f"opponents: {who}: {trees!r} is no list of trees")
+    return list(trees)
 
 
 def _weight(given: float | tuple[float, float, float]) -> tuple[float, tuple[float, float] | None]:

@@ -55,6 +55,8 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         dict[str, dict[str, Any]],
     ]:
         native = self._native
+        if missing := [who for who in self.agents if who not in actions]:
+            raise ValueError(f"actions: there is none of {', '.join(missing)}")
         self._numbers[:] = 0
         for who in self.agents:
             self._numbers[0, self._row[who]] = as_actions(actions[who], self._numbers.shape[2:])

@@ -170,6 +170,7 @@ class Run:
 
         Raises:
             FileExistsError: something is there; a run only with ``replace``, anything else always.
+            OSError: nothing can be made there.
         """
         return Path(self._core.save(os.fspath(folder), replace))
 

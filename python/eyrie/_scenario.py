@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import operator
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -165,9 +166,15 @@ def override_lines(sets: Sets) -> list[str]:
 
 def checked_seed(seed: int | None) -> int | None:
     """A seed that fits 64 bits."""
-    if seed is not None and not 0 <= seed < 2**64:
-        raise ValueError(f"seed: {seed} is outside [0, 2**64)")
-    return seed
+    if seed is None:
+        return None
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        raise TypeError(f"seed: {seed!r} is no whole number") from None
+    if not 0 <= number < 2**64:
+        raise ValueError(f"seed: {number} is outside [0, 2**64)")
+    return number
 
 
 def _yaml(value: Any, path: str) -> str:

@@ -23,8 +23,8 @@ class Column(NamedTuple):
 class Table(np.ndarray[Any, np.dtype[np.void]]):
     """A structured array of one dimension, a row for each element.
 
-    ``table["time_s"]`` is a column, ``table[3]`` a row, ``table[table["event"] == "launch"]`` a table
-    of some rows. A number that is not there is NaN, a whole number 0, words are "". ``columns`` says
+    ``table["time_s"]`` is a column, a plain array; ``table[3]`` a row; ``table[table["event"] ==
+    "launch"]`` a table of some rows. A number that is not there is NaN, a whole number 0, words are "". ``columns`` says
     what each column holds; it goes with slices.
     """
 
@@ -42,15 +42,17 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
         super().__setstate__(values)
         self.flags.writeable = writeable
 
-    if TYPE_CHECKING:
-
-        @overload  # type: ignore[override]
-        def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
-        @overload
-        def __getitem__(self, key: int) -> np.void: ...
-        @overload
-        def __getitem__(self, key: slice | list[int] | list[str] | npt.NDArray[Any]) -> Table: ...
-        def __getitem__(self, key: Any) -> Any: ...
+    @overload  # type: ignore[override]
+    def __getitem__(self, key: str) -> npt.NDArray[Any]: ...
+    @overload
+    def __getitem__(self, key: int) -> np.void: ...
+    @overload
+    def __getitem__(self, key: slice | list[int] | list[str] | npt.NDArray[Any]) -> Table: ...
+    def __getitem__(self, key: Any) -> Any:
+        got = super().__getitem__(key)
+        if isinstance(got, Table) and got.dtype.names is None:
+            return got.view(np.ndarray)
+        return got
 
     def to_pandas(self) -> pandas.DataFrame:
         """A data frame whose numbers are those of this table, not copied."""
@@ -69,7 +71,10 @@ class Table(np.ndarray[Any, np.dtype[np.void]]):
         arrays, fields = [], []
         for name in self.dtype.names or ():
             values = np.ascontiguousarray(self[name])
-            arrays.append(pyarrow.array(values.tolist() if values.dtype.kind == "U" else values))
+            if values.dtype.kind == "U":
+                arrays.append(pyarrow.array(values.tolist(), pyarrow.string()))
+            else:
+                arrays.append(pyarrow.array(values))
             about = self.columns.get(name, Column("", ""))
             fields.append(pyarrow.field(name, arrays[-1].type, metadata=about._asdict()))
         return pyarrow.Table.from_arrays(arrays, schema=pyarrow.schema(fields))

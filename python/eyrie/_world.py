@@ -70,6 +70,7 @@ class World:
 
         Raises:
             FaultError: a step could not be made. The world is as it was before it.
+            KeyboardInterrupt: so is it then, and goes on with the next call.
         """
         if count < 0:
             raise ValueError(f"step: {count} steps")
@@ -95,8 +96,8 @@ class World:
     def order(self, order: str, *, at_step: int | None = None, **words: Any) -> None:
         """Gives an order to a player or to everybody of a flight.
 
-        ``world.order("tree", player="eagle1", tree="bvr")``; docs/live.md has all of them. Numbers
-        are in SI.
+        ``world.order("tree", player="eagle1", tree="short_skate")``; docs/live.md has all of
+        them. Numbers are in SI.
 
         Args:
             order: what kind: ``"tree"``, ``"manual"``, ``"weapons"``, ...

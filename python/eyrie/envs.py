@@ -66,8 +66,8 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
     Args:
         task: one of :func:`tasks`.
         set: overrides of its scenario, as for :func:`eyrie.load`.
-        opponents: ``{"bandit1": ["ace", "novice", "past.safetensors"]}``: who begins each episode with
-            one of these, drawn by its seed: trees of the scenario, or policies (self-play). Others as
+        opponents: ``{"bandit1": ["veteran", "banzai", "past.safetensors"]}``: who begins each episode
+            with one of these, drawn by its seed: trees of the scenario, or policies (self-play). Others as
             the scenario says.
         rewards: other weights of the task's terms, or further terms (docs/train.md): ``{"win": 2,
             "closeness": (0.01, 500, 5000)}``, with the ends of a range where the term has one; 0 takes

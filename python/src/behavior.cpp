@@ -83,7 +83,21 @@ struct Over {
 std::string traceback_of(const nb::python_error& e) {
   const nb::object lines = nb::module_::import_("traceback")
                                .attr("format_exception")(e.type(), e.value(), e.traceback());
-  return nb::cast<std::string>(nb::str("").attr("join")(lines));
+  const nb::object whole = nb::str("").attr("join")(lines);
+  const auto bytes = nb::cast<nb::bytes>(whole.attr("encode")("utf-8", "backslashreplace"));
+  return {bytes.c_str(), bytes.size()};
+}
+
+/// The value of a parameter as a function of Python gets it.
+nb::object value_at(const BehaviorType& type, const Values& values, std::size_t i) {
+  switch (type.lines[i].type->kind) {
+    case ParamKind::boolean:
+      return nb::bool_(values.switches[i]);
+    case ParamKind::text:
+      return text(values.texts[i]);
+    default:
+      return nb::float_(values.numbers[i]);
+  }
 }
 
 nb::object field_value(const ubf::StateFieldInfo& info, double value) {
@@ -115,7 +129,7 @@ class Node final : public ubf::Behavior<S, Action> {
       nb::list arguments;
       arguments.append(nb::cast(state));
       for (std::size_t i = 0; i < type_->lines.size(); ++i)
-        arguments.append(value_at(i));
+        arguments.append(value_at(*type_, values, i));
       return take(type_->function(*nb::tuple(arguments)), out);
     } catch (nb::python_error& e) {
       const std::string words = traceback_of(e);
@@ -138,22 +152,18 @@ class Node final : public ubf::Behavior<S, Action> {
         fmt::format("there is no state field {}{}", quote(name), did_you_mean(name, names))
             .c_str());
   }
-  [[nodiscard]] nb::object value_at(std::size_t i) const {
-    switch (type_->lines[i].type->kind) {
-      case ParamKind::boolean:
-        return nb::bool_(values.switches[i]);
-      case ParamKind::text:
-        return text(values.texts[i]);
-      default:
-        return nb::float_(values.numbers[i]);
-    }
-  }
   /// (status, vote, fields) -> the proposal.
   static ubf::Status take(const nb::object& answer, ubf::Proposal<Action>& out) {
     const auto [status, vote, fields] = nb::cast<std::tuple<int, double, nb::dict>>(answer);
     out.vote = static_cast<float>(vote);
-    for (const auto [name, value] : fields)
-      set_action_field(out.action, nb::cast<std::string>(name), value);
+    for (const auto [name, value] : fields) {
+      std::string field;
+      if (!nb::try_cast(name, field))
+        throw nb::type_error(
+            fmt::format("an action has no field {}", nb::cast<std::string>(nb::repr(name)))
+                .c_str());
+      set_action_field(out.action, field, value);
+    }
     return static_cast<ubf::Status>(status);
   }
 
@@ -191,6 +201,17 @@ double in_si(const std::string& parameter, double number, const std::string& uni
   return to_si(number, *info);
 }
 
+/// The default of a parameter. Throws TypeError.
+template <class T>
+T default_of(const std::string& parameter, const nb::object& value) {
+  T got{};
+  if (!nb::try_cast(value, got))
+    throw nb::type_error(fmt::format("{}: its default cannot be {}", parameter,
+                                     nb::cast<std::string>(nb::repr(value)))
+                             .c_str());
+  return got;
+}
+
 Behavior behavior(std::string name, std::string help, const std::string& platform,
                   nb::object function, const std::vector<ParameterText>& parameters) {
   if (const auto problem = identifier_problem(name))
@@ -215,11 +236,11 @@ Behavior behavior(std::string name, std::string help, const std::string& platfor
     if (kind == "switch") {
       line.type = &eyrie::detail::TypeOf<bool>::value;
       line.member = kPlaces.switches[i];
-      type->defaults.switches[i] = nb::cast<bool>(value);
+      type->defaults.switches[i] = default_of<bool>(its_name, value);
     } else if (kind == "text") {
       line.type = &eyrie::detail::TypeOf<std::string>::value;
       line.member = kPlaces.texts[i];
-      type->defaults.texts[i] = nb::cast<std::string>(value);
+      type->defaults.texts[i] = default_of<std::string>(its_name, value);
     } else {
       line.type = &eyrie::detail::TypeOf<double>::value;
       line.member = kPlaces.numbers[i];
@@ -230,7 +251,7 @@ Behavior behavior(std::string name, std::string help, const std::string& platfor
         line.limits.min = in_si(its_name, *least, unit);
       if (most)
         line.limits.max = in_si(its_name, *most, unit);
-      const double number = in_si(its_name, nb::cast<double>(value), unit);
+      const double number = in_si(its_name, default_of<double>(its_name, value), unit);
       if (!std::isfinite(number) || !line.limits.contains(number))
         throw nb::value_error(
             fmt::format("{}: its default {} is outside its limits", its_name, number).c_str());
@@ -288,7 +309,16 @@ void add_behavior(nb::module_& m) {
           "A field of the state, in SI: docs/reference.md has them.");
   nb::class_<Behavior>(m, "Behavior", "A type of node that calls a function of Python.")
       .def_prop_ro(
-          "name", [](const Behavior& b) { return b.type->its_name; }, "What trees call it.");
+          "name", [](const Behavior& b) { return b.type->its_name; }, "What trees call it.")
+      .def_prop_ro(
+          "defaults",
+          [](const Behavior& b) {
+            std::vector<nb::object> all;
+            for (std::size_t i = 0; i < b.type->lines.size(); ++i)
+              all.push_back(value_at(*b.type, b.type->defaults, i));
+            return all;
+          },
+          "Of its parameters, in their order, in SI.");
   m.def("behavior", &behavior, nb::arg("name"), nb::arg("help"), nb::arg("platform"),
         nb::arg("function"), nb::arg("parameters"),
         "Makes one; the function answers (status, vote, fields).");

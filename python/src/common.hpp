@@ -53,27 +53,50 @@ struct Recorded {
 /// Calls `use(stop)` without the GIL and gives what it gives. `stop`, which is
 /// to be asked in every step, tells now and then whether a signal handler wants
 /// the work to end, as Ctrl-C does; then what the handler raised is thrown at
-/// the end.
+/// the end, also instead of what `use` throws then.
 template <class Use>
 auto without_gil(Use use) {
   bool signaled = false;
-  auto result = [&] {
-    const nb::gil_scoped_release released;
-    unsigned asked = 0;
-    return use([&] {
-      constexpr unsigned kSteps = 1024;
-      if (!signaled && ++asked % kSteps == 0) {
-        const nb::gil_scoped_acquire held;
-        signaled = PyErr_CheckSignals() != 0;
-      }
-      return signaled;
-    });
-  }();
-  // what a behavior of Python has passed on is seen here at last
-  if (signaled || PyErr_CheckSignals() != 0)
-    throw nb::python_error();
-  return result;
+  // at the end also what a behavior of Python has passed on
+  const auto wants_end = [&] { return signaled || PyErr_CheckSignals() != 0; };
+  try {
+    auto result = [&] {
+      const nb::gil_scoped_release released;
+      unsigned asked = 0;
+      return use([&] {
+        constexpr unsigned kSteps = 1024;
+        if (!signaled && ++asked % kSteps == 0) {
+          const nb::gil_scoped_acquire held;
+          signaled = PyErr_CheckSignals() != 0;
+        }
+        return signaled;
+      });
+    }();
+    if (!wants_end())
+      return result;
+  } catch (...) {
+    if (!wants_end())
+      throw;
+  }
+  throw nb::python_error();
 }
+
+/// While it lives nobody else may use a thing; it begins and ends with the GIL. Throws eyrie.Error
+/// with these words if somebody does.
+class InUse {
+ public:
+  InUse(bool& in_use, const char* words) : in_use_(in_use) {
+    if (in_use)
+      raise("Error", words);
+    in_use = true;
+  }
+  ~InUse() { in_use_ = false; }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  bool& in_use_;
+};
 
 // --- Tables
 

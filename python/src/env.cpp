@@ -43,7 +43,7 @@ class VectorEnv {
   VectorEnv& operator=(const VectorEnv&) = delete;
 
   void reset(std::uint64_t seed) {
-    const Use use(*this);
+    const InUse used = use();
     const nb::gil_scoped_release released;
     env_->reset(seed, arrays());
   }
@@ -54,7 +54,7 @@ class VectorEnv {
                                         actions.shape(0), actions.shape(1), actions.shape(2),
                                         shape_.envs, shape_.agents, shape_.action)
                                 .c_str());
-    const Use use(*this);
+    const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
     const nb::gil_scoped_release released;
     env_->step(numbers, arrays());
@@ -64,21 +64,21 @@ class VectorEnv {
     if (is_forked()) {
       static_cast<void>(env_.release());
     } else if (env_) {
-      const Use use(*this);
+      const InUse used = use();
       env_.reset();
     }
   }
   [[nodiscard]] Saved save() const {
-    const Use use(*this);
+    const InUse used = use();
     return {env_->save()};
   }
   void restore(const Saved& saved) {
-    const Use use(*this);
+    const InUse used = use();
     env_->restore(*saved.snapshot, arrays());
   }
   /// The run of the episode in a world, so far or that ended last.
   [[nodiscard]] Recorded episode(std::size_t world, bool last) const {
-    const Use use(*this);
+    const InUse used = use();
     const nb::gil_scoped_release released;
     debrief::Opened opened =
         debrief::open(env_->episode(world, last), "episode", {}, version_text());
@@ -142,25 +142,14 @@ class VectorEnv {
             .last_masks = last_masks_};
   }
   /// While it lives nobody else may use the environment.
-  class Use {
-   public:
-    explicit Use(const VectorEnv& env) : env_(env) {
-      env.demand_open();
-      if (env.is_forked())
-        raise("Error",
-              "an environment of several threads does not live on in a forked process: make it "
-              "there");
-      if (env.in_use_)
-        raise("Error", "this environment is being stepped by another thread");
-      env.in_use_ = true;
-    }
-    ~Use() { env_.in_use_ = false; }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
-
-   private:
-    const VectorEnv& env_;
-  };
+  [[nodiscard]] InUse use() const {
+    demand_open();
+    if (is_forked())
+      raise("Error",
+            "an environment of several threads does not live on in a forked process: make it "
+            "there");
+    return {in_use_, "this environment is being stepped by another thread"};
+  }
 
   void demand_open() const {
     if (!env_)

@@ -27,7 +27,11 @@ void translate(const std::exception_ptr& thrown, void*) {
   } catch (const disk::Failed& e) {
     set_error(nb::borrow(PyExc_OSError), nb::str(printable(e.what()).c_str()));
   } catch (const disk::Refused& e) {
-    set_error(nb::borrow(PyExc_FileExistsError), nb::str(printable(e.what()).c_str()));
+    const nb::str words(printable(e.what()).c_str());
+    if (e.error == 0)
+      set_error(nb::borrow(PyExc_FileExistsError), words);
+    else  // OSError itself chooses PermissionError, FileNotFoundError ...
+      set_error(nb::borrow(PyExc_OSError), nb::make_tuple(e.error, words));
   } catch (const nb::builtin_exception&) {  // nanobind's own
     throw;
   } catch (const std::runtime_error& e) {

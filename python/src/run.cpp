@@ -189,7 +189,7 @@ std::tuple<std::string, std::string> explain(const Recorded& r, const std::strin
                                .event = event};
   if (wanted.from > r.recorded.until())
     throw nb::value_error(
-        fmt::format("{} s: the run ends at {} s", wanted.from, r.recorded.until()).c_str());
+        fmt::format("{:g} s: the run ends at {:g} s", wanted.from, r.recorded.until()).c_str());
   const debrief::Found found =
       without_gil([&](const auto& stop) { return debrief::look(r.recorded, who, wanted, stop); });
   if (found.nothing())
@@ -237,7 +237,8 @@ std::string save(const Recorded& r, const std::string& folder, bool replace) {
     disk::OutputFolder out({.path = folder,
                             .names = record::kRunFolderNames,
                             .sign = record::kRunFileName,
-                            .replace = replace});
+                            .replace = replace,
+                            .to_replace = "say replace=True"});
     disk::Sink run = out.file(record::kRunFileName), events = out.file(record::kEventsName),
                acmi = out.file(record::kFlightName);
     run.write(record::encode(r.recorded.run));

@@ -38,22 +38,27 @@ class World {
   World& operator=(const World&) = delete;
 
   [[nodiscard]] std::unique_ptr<World> copy() const {
-    const Use use(*this);
+    const InUse used = use();
     return std::unique_ptr<World>(new World(*this, 0));
   }
 
   /// How many steps were made: fewer than `count` at the end of the mission.
   std::uint64_t step(std::uint64_t count) {
-    const Use use(*this);
+    const InUse used = use();
     happened_.clear();
-    return without_gil([&](const auto& stop) {
-      std::uint64_t made = 0;
-      while (made < count && !stop() && mission_->step()) {
-        ++made;
-        keep_events();
-      }
-      return made;
-    });
+    try {
+      return without_gil([&](const auto& stop) {
+        std::uint64_t made = 0;
+        while (made < count && !stop() && mission_->step()) {
+          ++made;
+          keep_events();
+        }
+        return made;
+      });
+    } catch (const nb::python_error&) {  // of a signal, which is no fault of the step it came in
+      mission_->forgive();
+      throw;
+    }
   }
   /// Steps until a World::step(), without a word of the end of the mission or of what happened.
   void step_to(std::uint64_t step) {
@@ -63,7 +68,7 @@ class World {
   }
 
   void order(const std::string& json, std::optional<std::uint64_t> at) {
-    const Use use(*this);
+    const InUse used = use();
     const scenario::OperatorOrders asked =
         scenario::orders_from_json(*scenario_, json, at.value_or(world().step()));
     if (!asked.problem.empty())
@@ -101,7 +106,7 @@ class World {
   /// lives on with them.
   [[nodiscard]] Bytes rows(nb::handle self, const std::string& table,
                            const std::string& column) const {
-    const Use use(*this);
+    const InUse used = use();
     const sim::Schema& schema = world().schema();
     const TableId in = table_named(table);
     const std::uint32_t index = schema.find_column(in, column);
@@ -119,7 +124,7 @@ class World {
   /// Table and row of a player; nothing if it is gone.
   [[nodiscard]] std::optional<std::tuple<std::string, std::uint32_t>> find(
       const std::string& player) const {
-    const Use use(*this);
+    const InUse used = use();
     const auto at = world().find(player_named(scenario_->roster, player));
     if (!at)
       return std::nullopt;
@@ -128,7 +133,7 @@ class World {
 
   /// What happened in the last step(), as a table.
   [[nodiscard]] Columns events() const {
-    const Use use(*this);
+    const InUse used = use();
     TableBuilder table;
     add_event_columns(table);
     record::EventTable rows = names_;
@@ -141,15 +146,15 @@ class World {
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
   [[nodiscard]] double until() const { return until_.value_or(scenario_->spec.until); }
   [[nodiscard]] unsigned workers() const { return workers_; }
-  [[nodiscard]] std::uint64_t steps() const { return Use(*this), world().step(); }
-  [[nodiscard]] double time() const { return Use(*this), run().time(); }
-  [[nodiscard]] std::string hash() const { return Use(*this), hash_text(world().hash()); }
+  [[nodiscard]] std::uint64_t steps() const { return use(), world().step(); }
+  [[nodiscard]] double time() const { return use(), run().time(); }
+  [[nodiscard]] std::string hash() const { return use(), hash_text(world().hash()); }
   [[nodiscard]] std::string outcome() const {
-    return Use(*this), std::string(enum_name(mission_->outcome()));
+    return use(), std::string(enum_name(mission_->outcome()));
   }
   /// Why the next step cannot be made; "" if nothing is known against it.
   [[nodiscard]] std::string fault() const {
-    const Use use(*this);
+    const InUse used = use();
     const sim::Fault* fault = run().fault();
     return fault ? printable_lines(
                        scenario::fault_text(*fault, scenario_->roster, scenario_->simulation->dt()))
@@ -172,31 +177,16 @@ class World {
         static_cast<void>(mission_->run().submit(order));  // it was accepted before
   }
 
-  /// While it lives nobody else may use the world; it begins and ends with the
-  /// GIL.
-  class Use {
-   public:
-    explicit Use(const World& world) : world_(world) {
-      if (world.is_forked())
-        raise("Error",
-              "a world with several workers does not live on in a "
-              "forked process: its "
-              "threads are not there; make it anew, or copy() one "
-              "with a single worker");
-      if (world.in_use_)
-        raise("Error",
-              "this world is being stepped, by another thread or by "
-              "who asks now; a "
-              "copy() may be used meanwhile");
-      world.in_use_ = true;
-    }
-    ~Use() { world_.in_use_ = false; }
-    Use(const Use&) = delete;
-    Use& operator=(const Use&) = delete;
-
-   private:
-    const World& world_;
-  };
+  /// While it lives nobody else may use the world.
+  InUse use() const {
+    if (is_forked())
+      raise("Error",
+            "a world with several workers does not live on in a forked process: its threads are "
+            "not there; make it anew, or copy() one with a single worker");
+    return {in_use_,
+            "this world is being stepped, by another thread or by who asks now; a copy() may be "
+            "used meanwhile"};
+  }
 
   [[nodiscard]] bool is_forked() const { return workers_ > 1 && process_ != ::getpid(); }
   [[nodiscard]] const sim::Run& run() const { return mission_->run(); }

@@ -9,6 +9,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
 import pytest
 
 import eyrie
@@ -44,10 +45,14 @@ def _is_high(
     return bool(state.altitude > above)
 
 
-def _with(node: str, *more: eyrie.Behavior, **options: Any) -> eyrie.Run:
+def _loaded(node: str, *more: eyrie.Behavior) -> eyrie.Scenario:
     text = "extends: merge\nname: mine\nuntil: 3 s\nreplace: {blue.flights.viper.tree: mine}\n"
     text += f"trees: {{mine: {{selector: [{node}, navigate]}}}}\n"
-    return eyrie.fly("mine", text=text, behaviors=[climb_away, _is_high, *more], **options)
+    return eyrie.load("mine", text=text, behaviors=[climb_away, _is_high, *more])
+
+
+def _with(node: str, *more: eyrie.Behavior, **options: Any) -> eyrie.Run:
+    return eyrie.fly(_loaded(node, *more), **options)
 
 
 def test_a_behavior_flies_and_is_explained(tmp_path: Path) -> None:
@@ -94,8 +99,12 @@ def test_conditions_are_behaviors_that_answer_yes_or_no() -> None:
 def test_a_behavior_is_called_with_any_state() -> None:
     low = SimpleNamespace(altitude=100, heading=1.0, player=1, time=0, leads=True)
     answer = climb_away(low)
-    assert answer.vote == 500 and answer.fields["altitude"] == 30000
-    assert climb_away(low, to=50.0) is None
+    assert answer.vote == 500 and answer.fields["altitude"] == 9144  # SI, as from a tree
+    assert climb_away(low, to=50.0) is None and climb_away(low, 50.0) is None
+    answer = climb_away(low, 7000.0, hurry=False)
+    assert answer.fields["altitude"] == 7000 and answer.fields["speed"] == 200
+    with pytest.raises(TypeError, match="multiple values"):
+        climb_away(low, 7000.0, to=50.0)
     assert climb_away.name == "climb_away" and "goes up" in (climb_away.__doc__ or "")
 
 
@@ -124,6 +133,11 @@ def test_what_a_behavior_raises_is_the_fault_of_the_run() -> None:
         (eyrie.propose(1, heading="north"), "'north' is no value"),
         (eyrie.propose(1, mode="hovering"), "no 'hovering'"),
         (eyrie.propose(1, release={"track": 3}), "'store'"),
+        (eyrie.propose(1, follow={"position": (0, 0, 0)}), "'velocity'"),
+        (eyrie.Proposal(None, {}), "NoneType"),  # type: ignore[arg-type]
+        (eyrie.Proposal(1, {3: 4}), "no field 3"),  # type: ignore[dict-item]
+        (eyrie.Proposal(1, {"\udc80": 4}), r"no field '\\udc80'"),
+        (np.float64(1), "not .*1.0"),
         ("what", "not 'what'"),
     ],
 )
@@ -192,6 +206,63 @@ def test_an_interrupt_in_a_behavior_ends_the_flight() -> None:
         _with("stopper", stopper)
 
 
+def test_an_interrupt_in_a_behavior_ends_what_was_asked_and_nothing_else() -> None:
+    pressed: list[float] = []
+    keys = [0.5]
+
+    @eyrie.behavior
+    def stopper(state: eyrie.State) -> eyrie.Proposal:
+        """presses the key"""
+        if keys and state.time >= keys[0]:
+            keys.clear()
+            os.kill(os.getpid(), signal.SIGINT)
+        pressed.append(state.time)
+        return eyrie.propose(50, heading=1.0, altitude=5000, mode="hold")
+
+    world = _loaded("stopper", stopper).world()
+    rows = world.rows("aircraft", "kinematics")
+    with pytest.raises(KeyboardInterrupt):
+        world.step(10**9)
+    assert world.outcome == "running" and 24 <= world.steps < 30
+    before = rows["position.x"].copy()
+    world.step(10**9)  # on from there
+    assert world.outcome == "time" and (rows["position.x"] != before).all()
+    run = _with("stopper", stopper)
+    assert run.hash == world.hash
+
+    keys.append(0.5)
+    with pytest.raises(KeyboardInterrupt):
+        run.tracks()
+    assert len(run.tracks())
+    assert max(pressed) > 2
+
+
+def test_traces_have_any_words() -> None:
+    @eyrie.behavior
+    def odd(state: eyrie.State) -> None:
+        """says what is no Unicode"""
+        raise ValueError("bad \udc80 name")
+
+    with pytest.raises(eyrie.FaultError, match=r"ValueError: bad \\udc80 name"):
+        _with("odd", odd)
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    @eyrie.behavior
+    def numbers(
+        state: eyrie.State,
+        whole: float = eyrie.param(np.int64(3), "km", (0, 9), help="x"),
+        half: float = eyrie.param(np.float32(0.5), help="x"),
+        flag: bool = eyrie.param(np.bool_(True), help="x"),
+    ) -> Any:
+        """is asked by NumPy"""
+        assert (whole, half, flag) == (3000.0, 0.5, True)
+        return np.bool_(state.altitude < 0)
+
+    assert not numbers(SimpleNamespace(altitude=3))
+    assert len(_with("numbers", numbers).decisions())
+
+
 def test_wrong_definitions_are_named() -> None:
     with pytest.raises(TypeError, match="to: its default"):
 
@@ -217,6 +288,13 @@ def test_wrong_definitions_are_named() -> None:
         eyrie.propose(1, status="done")
     with pytest.raises(ValueError, match="north"):
         eyrie.propose("north")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="n: its default cannot be 1000"):
+        eyrie.behavior(name="x")(lambda state, n=eyrie.param(10**400, help="x"): None)
+    with pytest.raises(TypeError, match="n: it is called by its name"):
+        eyrie.behavior(name="x")(lambda state, n=eyrie.param(1, help="x"), /: None)
+    for first in (lambda: None, lambda n=eyrie.param(1, help="x"): None, lambda *, state: None):
+        with pytest.raises(TypeError, match="the state first"):
+            eyrie.behavior(name="x")(first)
     with pytest.raises(TypeError, match="to: None is no number"):
         nothing = eyrie.param(None, help="x")  # type: ignore[arg-type]
         eyrie.behavior(name="none")(lambda state, to=nothing: None)

@@ -110,6 +110,13 @@ def test_wrong_options_are_named() -> None:
         envs.Env("merge", set={"nothing.of.that": 3})
     with pytest.raises((eyrie.ConfigError, ValueError), match="no_such_tree"):
         envs.Env("merge", opponents={"bandit1": ["no_such_tree"]})
+    wrong: Any
+    for wrong in (None, ["veteran"], {"bandit1": "veteran"}):
+        with pytest.raises(TypeError, match="opponents: "):
+            envs.Env("merge", opponents=wrong)
+    wrong = None
+    with pytest.raises(TypeError, match="rewards: None"):
+        envs.Env("merge", rewards=wrong)
     with pytest.raises(ValueError, match="num_envs"):
         envs.VectorEnv("merge", 0)
     for number in (0, 10**9):
@@ -123,8 +130,14 @@ def test_wrong_options_are_named() -> None:
     one.reset(seed=1)
     with pytest.raises(ValueError, match="shape"):
         one.step(np.zeros((len(one.actions), 1), np.float32))
+    with pytest.raises(TypeError, match="None is not what save"):
+        one.restore(wrong)
     with pytest.raises(ValueError, match="threads"):
         envs.VectorEnv("merge", 1, threads=0)
+    several = envs.parallel("sweep")
+    several.reset(seed=1)
+    with pytest.raises(ValueError, match="actions: there is none of eagle2, eagle3, eagle4"):
+        several.step({"eagle1": np.zeros(len(several.actions), np.float32)})
 
 
 def test_who_is_privileged_sees_more() -> None:

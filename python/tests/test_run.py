@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import errno
 import os
 import re
 import subprocess
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import eyrie
@@ -51,13 +53,25 @@ def test_a_run_is_kept_and_opened(run: eyrie.Run, tmp_path: Path) -> None:
     for place in (folder, folder / "run.eyrie", str(folder)):
         again = eyrie.open(place)
         assert (again.hash, again.seed, again.outcome) == (run.hash, run.seed, run.outcome)
-    with pytest.raises(FileExistsError, match="run"):
+    with pytest.raises(FileExistsError, match="name another folder or say replace=True"):
         run.save(folder)
     assert run.save(folder, replace=True) == folder
     (folder / "mine.txt").write_text("not of a run")
     with pytest.raises(FileExistsError):
         run.save(folder, replace=True)
     assert (folder / "mine.txt").exists()
+
+
+def test_where_nothing_can_be_made_is_told(run: eyrie.Run, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("x")
+    with pytest.raises(NotADirectoryError, match="cannot make"):
+        run.save(tmp_path / "file" / "below")
+    for place, code in (("x" * 300, errno.ENAMETOOLONG), ("", errno.EINVAL), ("..", errno.EINVAL)):
+        with pytest.raises(OSError) as caught:
+            run.save(place and tmp_path / place)
+        assert caught.value.errno == code and not isinstance(caught.value, FileExistsError)
+    with pytest.raises(FileExistsError, match="is a file"):
+        run.save(tmp_path / "file")
 
 
 def test_what_is_no_run_is_refused(tmp_path: Path) -> None:
@@ -85,7 +99,7 @@ def test_decisions_are_explained(run: eyrie.Run, player: str) -> None:
         run.explain("nobody9")
     with pytest.raises(ValueError, match="no such event"):
         run.explain(player, event="coffee")
-    with pytest.raises(ValueError, match="the run ends at"):
+    with pytest.raises(ValueError, match=rf"1e\+08 s: the run ends at {run.duration:g} s"):
         run.explain(player, at=1e8)
     with pytest.raises(ValueError, match="at: nan s"):
         run.explain(player, at=float("nan"))
@@ -110,5 +124,8 @@ def test_wrong_arguments_are_named(scenario: eyrie.Scenario) -> None:
         eyrie.fly(scenario, workers=0)
     with pytest.raises(TypeError):
         eyrie.fly(scenario, seed="one")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="seed: .*True.* is no whole number"):
+        eyrie.fly(scenario, seed=np.True_)  # type: ignore[arg-type]
+    assert eyrie.fly(scenario, seed=np.uint64(3), until=0.1).seed == 3  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="is loaded takes no"):
         eyrie.fly(scenario, set={"until": "10 s"})

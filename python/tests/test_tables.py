@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 from __future__ import annotations
 
+import json
 import pickle
 
 import numpy as np
+import pyarrow
 import pytest
 
 import eyrie
@@ -54,6 +56,18 @@ def test_decisions_have_the_fields_of_the_action(run: eyrie.Run, player: str) ->
     assert len(run.decisions()) > len(decisions)
 
 
+def test_columns_are_plain_arrays(run: eyrie.Run) -> None:
+    tracks = run.tracks()
+    column = tracks["altitude_m"]
+    assert type(column) is np.ndarray and np.shares_memory(column, tracks)
+    highest = column.max()
+    assert json.dumps(highest) and hash(highest) and isinstance(highest, float)
+    assert not hasattr(column, "to_pandas")  # which a column of a table has not
+    two = tracks[["time_s", "altitude_m"]]
+    assert isinstance(two, eyrie.Table) and list(two.to_pandas()) == ["time_s", "altitude_m"]
+    assert isinstance(tracks[3], np.void) and isinstance(tracks[:3], eyrie.Table)
+
+
 def test_pandas_sees_the_same_numbers(run: eyrie.Run) -> None:
     frame = run.events.to_pandas()
     assert list(frame.columns) == list(run.events.dtype.names or ())
@@ -79,3 +93,4 @@ def test_a_table_without_rows_has_its_columns() -> None:
     events = run.events[:0]
     assert events.dtype == run.events.dtype and events.columns
     assert events.to_pandas().empty and events.to_arrow().num_rows == 0
+    assert events.to_arrow().schema.field("event").type == pyarrow.string()

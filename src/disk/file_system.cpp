@@ -78,7 +78,7 @@ void cannot_make(const std::string& path, int error) {
   const std::string words = fmt::format("cannot make {}: {}", quote_path(path), words_of(error));
   if (error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG || error == ELOOP ||
       error == EINVAL || error == EACCES || error == EROFS)
-    throw Refused(words);
+    throw Refused(words, error);
   throw Failed(words);
 }
 

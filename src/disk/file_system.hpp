@@ -108,7 +108,9 @@ struct Failed : std::runtime_error {
 };
 /// The user's mistake: a place that is taken, that is none, or that may not be replaced.
 struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit Refused(const std::string& words, int code = 0)
+      : std::runtime_error(words), error(code) {}
+  int error;  ///< of errno; 0: of none, as where something is there
 };
 
 /// Throws that `path` cannot be made because of `error` of errno: Refused if there cannot be

@@ -120,8 +120,8 @@ std::optional<OutputFolder::Old> OutputFolder::find_old() const {
     cannot_make(path_, errno);
   old.empty = inside.empty();
   if (!old.empty && !wish_.replace)
-    throw Refused(
-        fmt::format("{} exists already; name another folder or add --force", quote_path(path_)));
+    throw Refused(fmt::format("{} exists already; name another folder or {}", quote_path(path_),
+                              wish_.to_replace));
   if (stand_in(*found))
     throw Refused(
         fmt::format("{} is where you are, or above; it is not replaced", quote_path(path_)));

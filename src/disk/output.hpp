@@ -36,7 +36,8 @@ struct FolderWish {
   const char* sign = "";       ///< the one without which it is no such folder
   const char* kind = "a run";  ///< what it is the folder of, for people
   bool replace = false;        ///< one that is there, with the sign and nothing but `names`
-  bool numbered = false;       ///< if it is taken: path.2, path.3 ...; nothing is replaced
+  const char* to_replace = "add --force";  ///< what who wants that has to do, for people
+  bool numbered = false;  ///< if it is taken: path.2, path.3 ...; nothing is replaced
 };
 
 class OutputFolder {

@@ -24,7 +24,8 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
   name_ = path_.substr(before_.size());
   if (name_.empty() || name_ == "." || name_ == "..")
     throw Refused(
-        fmt::format("{} is no place to write to: name something of its own", quote_path(path_)));
+        fmt::format("{} is no place to write to: name something of its own", quote_path(path_)),
+        EINVAL);
   if (parents == Parents::are_made)
     make_parents();
   folder_ = Handle(
@@ -34,7 +35,8 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
   const int error = errno;
   if (error == ENOENT)
     throw Refused(fmt::format("cannot make {}: there is no folder {}", quote_path(path_),
-                              quote_path(before_.substr(0, before_.size() - 1))));
+                              quote_path(before_.substr(0, before_.size() - 1))),
+                  error);
   cannot_make(path_, error);
 }
 

@@ -69,6 +69,12 @@ class Mission {
     run_.fail(std::move(fault));
     outcome_ = Outcome::fault;
   }
+  /// Goes on after a fault, with the step that could not be made.
+  void forgive() {
+    run_.forgive();
+    if (outcome_ == Outcome::fault)
+      outcome_ = Outcome::running;
+  }
   /// Ends it now, if it is not over.
   void stop() {
     if (outcome_ == Outcome::running)

@@ -82,6 +82,14 @@ TEST(FaultInAStep, IsTheFirstByRowForAnyNumberOfWorkers) {
     EXPECT_EQ(hashes.last, hashes.seen.back());
     EXPECT_EQ(run.world().rows(keys.vitals)[0].hits, 60U);
     EXPECT_TRUE(run.step().empty()) << "it is over";
+    // unless somebody says so
+    run.forgive();
+    EXPECT_FALSE(run.fault());
+    EXPECT_EQ(run.world().hash(), hashes.last);
+    run.step();
+    ASSERT_TRUE(run.fault()) << "it is made again";
+    EXPECT_EQ(run.fault()->what, "is 301");
+    EXPECT_EQ(run.world().hash(), hashes.last);
   }
 }
 

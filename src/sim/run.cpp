@@ -124,4 +124,11 @@ void Run::fail(Fault fault) {
   fault_ = std::move(fault);
 }
 
+void Run::forgive() {
+  if (!fault_)
+    return;
+  world_ = copy_;
+  fault_.reset();
+}
+
 }  // namespace eyrie::sim

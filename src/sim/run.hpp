@@ -77,6 +77,8 @@ class Run {
   /// The step that is being made ends here, with this fault: for whoever is called in the middle of
   /// it because the program is about to end. Needs steps_per_copy = 1.
   void fail(Fault fault);
+  /// Takes a fault back: the step after world() may be tried again.
+  void forgive();
 
   /// The first thing that a paranoid run found, if any.
   [[nodiscard]] const std::optional<Difference>& difference() const { return difference_; }
