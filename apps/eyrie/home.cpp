@@ -28,16 +28,6 @@ constexpr std::size_t kMostRuns = 20;
 constexpr const char* kJson = "application/json; charset=utf-8";
 constexpr const char* kHtml = "text/html; charset=utf-8";
 
-std::vector<std::string> scenario_names() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(fs::path(home()) / "scenarios", ignored))
-    if (entry.path().extension() == ".yaml")
-      names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// With who begins where, for a small picture: east, north (m) and side of each player.
 Object about(const std::string& name) {
   Object one{{"name", name}, {"help", ""}, {"players", Object::array()}};
@@ -130,7 +120,7 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
 
 void Home::furnish(net::WebOptions& site) {
   if (names_.empty()) {
-    names_ = scenario_names();
+    names_ = names_in("scenarios");
     Object all = Object::array();
     for (const std::string& name : names_)
       all.push_back(about(name));
