@@ -105,7 +105,7 @@ std::string value_of(const CLI::App& app, const CLI::Option& option) {
 
 std::string capitals(std::string text) {
   for (char& c : text)
-    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    c = to_capital(c);
   return text;
 }
 

@@ -2,8 +2,6 @@
 #include "home.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -50,8 +48,8 @@ Object about(const std::string& name) {
 /// A name that stands for itself in an address.
 bool is_plain(const std::string& name) {
   return !name.empty() && !name.starts_with('.') &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) {
-           return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.';
          });
 }
 
@@ -156,11 +154,9 @@ std::string Home::hear(net::ViewerId who, std::string_view text) {
     wish.sets.push_back(set);
   }
   if (const std::string number = seed; !number.empty()) {
-    std::uint64_t value = 0;
-    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (failed != std::errc{} || end != number.data() + number.size())
+    wish.seed = number_from<std::uint64_t>(number);
+    if (!wish.seed)
       return kWrong;
-    wish.seed = value;
   }
   return wishes_.put(std::move(wish)) ? "" : "too many wishes";
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/ranges.h>
 
-#include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"
@@ -35,12 +34,8 @@ std::string beside_program(const char* built, const char* installed) {
 
 /// A number that begins with a digit: no sign, no inf.
 std::optional<double> plain(std::string_view text) {
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
-  return digit && failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
-             ? std::optional(value)
-             : std::nullopt;
+  const auto value = number_from<double>(text);
+  return value && is_digit(text.front()) && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace
