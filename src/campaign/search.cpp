@@ -102,8 +102,7 @@ std::unique_ptr<const Search> parse_search(std::string text, const std::string& 
   auto search = std::make_unique<Search>();
   Diagnostics diagnostics;
   const Value document = parse_yaml(text, file, diagnostics);
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   static constexpr std::array<std::string_view, 1> kAlso{"optimize"};
   search->spec = bind_spec(document, file, kAlso, diagnostics);
   search->spec.text = std::move(text);
@@ -119,8 +118,7 @@ std::unique_ptr<const Search> parse_search(std::string text, const std::string& 
     diagnostics.error(document.where_of("seeds"), "seeds: those of a search are always paired");
   if (search->spec.factors.empty() && diagnostics.ok())
     diagnostics.error(document.where, "a search needs 'factors'");
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   return search;
 }
 

@@ -158,6 +158,11 @@ std::string Diagnostics::text(std::size_t limit) const {
   return result;
 }
 
+void Diagnostics::throw_if_any() const {
+  if (!ok())
+    throw ConfigError(*this);
+}
+
 ConfigError::ConfigError(Diagnostics diagnostics)
     : std::runtime_error(diagnostics.text()), diagnostics_(std::move(diagnostics)) {}
 

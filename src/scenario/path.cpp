@@ -110,17 +110,10 @@ void paths_below(const Value& at, const std::string& path,
   }
 }
 
-Value* value_of(Value& map, std::string_view key) {
-  for (Value::Entry& e : map.entries)
-    if (e.key == key)
-      return &e.value;
-  return nullptr;
-}
-
 Value* list_for(Value& at, std::string_view key) {
   if (at.is_list())
     return &at;
-  Value* children = value_of(at, key) ? nullptr : value_of(at, "children");
+  Value* children = at.find(key) ? nullptr : at.find("children");
   return children && children->is_list() ? children : nullptr;
 }
 
@@ -161,7 +154,7 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
     open_name(at);
   Value* list = list_for(at, key.text);
   if (!list) {
-    Value* next = value_of(at, key.text);
+    Value* next = at.find(key.text);
     if (!next)
       diagnostics.error(key.where, not_here(at, key.text));
     return pass(next);

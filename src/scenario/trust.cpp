@@ -95,8 +95,7 @@ TrustList TrustList::read(const std::string& file) {
     }
     wrong.error({file, line, 1}, std::move(problem));
   }
-  if (!wrong.ok())
-    throw ConfigError(wrong);
+  wrong.throw_if_any();
   return list;
 }
 
