@@ -85,7 +85,7 @@ function(eyrie_test_executable target)
   endif()
 endfunction()
 
-# What tests and benchmarks share: the counting allocator and the files of data/ without YAML.
+# What tests and benchmarks share: the counting allocator and the files of data/.
 if(EYRIE_TESTS OR EYRIE_BENCH)
   find_package(GTest REQUIRED)
   add_library(eyrie_test_support OBJECT EXCLUDE_FROM_ALL

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "web/engine.hpp"
 
-#include <charconv>
-
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "core/version.hpp"
 #include "debrief/what_if.hpp"
 #include "model/weapon/kept_zones.hpp"
@@ -112,10 +111,10 @@ About Engine::load(const Load& load) {
   auto scenario = loaded(load.texts);
   std::uint64_t seed = scenario->spec.seed;
   if (load.seed) {
-    const std::string& text = *load.seed;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    if (failed != std::errc{} || end != text.data() + text.size())
+    const auto given = number_from<std::uint64_t>(*load.seed);
+    if (!given)
       throw BadRequest("seed: expected digits of a number below 2^64");
+    seed = *given;
   }
   if (load.until)
     if (const auto problem = scenario::until_problem(scenario->spec, *load.until))

@@ -184,8 +184,7 @@ std::shared_ptr<const scenario::Scenario> Engine::other(
     const std::string& name, const std::vector<std::string>& sets) const {
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*run().scenario, player(name), sets, wrong);
-  if (!wrong.ok())
-    throw ConfigError(wrong);
+  wrong.throw_if_any();
   auto changed = debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
   if (changed->tree_count() != run().scenario->tree_count())
     throw BadRequest("the change adds or removes a tree; change one that is there");

@@ -94,13 +94,11 @@ std::vector<Plot> diagrams(const Aircraft& a, const Performance& armed) {
              .title = fmt::format(
                  "{}: specific excess power, full afterburner, half the fuel, armed", a.label),
              .x = "Mach",
-             .y = "m/s",
-             .series = {}};
+             .y = "m/s"};
   Plot turn{.file = fmt::format("turn_{}", a.name),
             .title = fmt::format("{}: turn rate, full afterburner, half the fuel, armed", a.label),
             .x = "Mach",
-            .y = "deg/s",
-            .series = {}};
+            .y = "deg/s"};
   for (const auto& [name, feet] : kLevels) {
     const double h = si(feet, "ft");
     power.series.push_back({name, curve(0.3, 2.4, 0.025, [&](double m) {
@@ -124,8 +122,7 @@ std::vector<Plot> diagrams(const Aircraft& a, const Performance& armed) {
   Plot envelope{.file = fmt::format("envelope_{}", a.name),
                 .title = fmt::format("{}: level flight, half the fuel, armed", a.label),
                 .x = "Mach",
-                .y = "km",
-                .series = {}};
+                .y = "km"};
   for (const auto& [power_name, which] :
        {std::pair{"afterburner", Power::afterburner}, {"military", Power::military}}) {
     std::vector<Point> slow, fast;
@@ -183,23 +180,19 @@ Evidence of_flight(const std::string& home) {
                     .title = "Acceleration at 30,000 ft from Mach 0.8, full afterburner, armed",
                     .x = "s",
                     .y = "Mach",
-                    .series = {},
                     .from_y = 0.8};
   Plot range{.file = "specific_range",
              .title = "Specific range at 36,000 ft, half the fuel, armed",
              .x = "Mach",
-             .y = "km/kg",
-             .series = {}};
+             .y = "km/kg"};
   Plot flow{.file = "cruise_flow",
             .title = "Fuel flow at the speed of best range, half the fuel, armed",
             .x = "altitude, km",
-            .y = "kg/h",
-            .series = {}};
+            .y = "kg/h"};
   Plot climb{.file = "climb",
              .title = "Time to height by the energy method, a quarter of the fuel, clean",
              .x = "s",
-             .y = "km",
-             .series = {}};
+             .y = "km"};
   for (const Aircraft& a : kAircraft) {
     const auto airframe = load<Airframe>(home, fmt::format("data/airframes/{}.yaml", a.name));
     const PointMass model(airframe);

@@ -69,13 +69,11 @@ Evidence of_missiles(const std::string& home) {
   Plot low{.file = "missile_speed_low",
            .title = "Missiles fired level at Mach 0.9, sea level",
            .x = "s",
-           .y = "Mach",
-           .series = {}};
+           .y = "Mach"};
   Plot high{.file = "missile_speed_high",
             .title = "Missiles fired level at Mach 0.9, 12 km",
             .x = "s",
-            .y = "Mach",
-            .series = {}};
+            .y = "Mach"};
   for (const Type& t : {Type{"aim120", "AIM-120", 0, 4},
                         {"r77", "R-77", 0, 4},
                         {"aim9", "AIM-9M", 2.5, 0},

@@ -20,7 +20,7 @@ struct Series {
 /// One picture: docs/models/plots/<file>.svg.
 struct Plot {
   std::string file, title, x, y;
-  std::vector<Series> series;
+  std::vector<Series> series{};
   double from_y = 0;  ///< lowest ordinate shown; curves below are cut off
 };
 

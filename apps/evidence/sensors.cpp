@@ -24,8 +24,7 @@ Plot radar_detection(const sensor::Radar& radar, const Jammer& jammer) {
   Plot plot{.file = "radar_detection",
             .title = "APG-63, chance of detection in one frame",
             .x = "nmi",
-            .y = "Pd",
-            .series = {}};
+            .y = "Pd"};
   const sensor::Detector detector(radar);
   for (const auto& [name, rcs, jams] : {std::tuple{"3.2 m²", 3.2, false},
                                         {"10 m²", 10.0, false},

@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "dis/station.hpp"
 #include "live.hpp"
 #include "net/endpoint.hpp"
@@ -16,28 +16,22 @@ namespace eyrie::app {
 
 std::function<std::string(std::string&)> whole_number(std::uint64_t least, std::uint64_t most) {
   return [=](std::string& text) {
-    std::uint64_t value = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool good = failed == std::errc{} && end == text.data() + text.size() && value >= least &&
-                      value <= most;
-    if (!good)
+    const auto value = number_from<std::uint64_t>(text);
+    if (!value || *value < least || *value > most)
       return fmt::format("{} is no whole number from {} to {}", quote(text), least, most);
-    text = std::to_string(value);
+    text = std::to_string(*value);
     return std::string{};
   };
 }
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_view text,
                                                                    std::string_view between) {
-  const auto read = [](std::string_view part, std::uint64_t& value) {
-    const auto [end, failed] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return failed == std::errc{} && end == part.data() + part.size();
-  };
-  std::pair<std::uint64_t, std::uint64_t> two;
   const std::size_t at = text.find(between);
-  const bool good = at != text.npos && read(text.substr(0, at), two.first) &&
-                    read(text.substr(at + between.size()), two.second);
-  return good ? std::optional(two) : std::nullopt;
+  if (at == text.npos)
+    return std::nullopt;
+  const auto one = number_from<std::uint64_t>(text.substr(0, at));
+  const auto other = number_from<std::uint64_t>(text.substr(at + between.size()));
+  return one && other ? std::optional(std::pair(*one, *other)) : std::nullopt;
 }
 
 std::string address(const std::string& text) {
@@ -78,12 +72,10 @@ std::string rate(std::string& text) {
     text = "0";
     return {};
   }
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool good = failed == std::errc{} && end == text.data() + text.size() &&
-                    value >= kSlowest && value <= kFastest;
-  return good ? std::string{}
-              : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
+  const auto value = number_from<double>(text);
+  return value && *value >= kSlowest && *value <= kFastest
+             ? std::string{}
+             : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
 }
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  debrief: a recorded run as a page that explains every decision.
-#include <unistd.h>
-
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -13,38 +11,13 @@
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
+#include "progress.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
 
 namespace eyrie::app {
 namespace {
 namespace fs = std::filesystem;
-
-/// Says on a terminal how far it is.
-class Counter {
- public:
-  explicit Counter(double end) : end_(end), shown_(::isatty(STDERR_FILENO)) {}
-  ~Counter() {
-    if (shown_ && percent_ >= 0)
-      complain("{}", Composed{"\r\033[K"});
-  }
-  Counter(const Counter&) = delete;
-  Counter& operator=(const Counter&) = delete;
-
-  void at(double time) {
-    const int percent = static_cast<int>(100 * time / end_);
-    if (!shown_ || percent == percent_)
-      return;
-    percent_ = percent;
-    complain("{}debrief page: {} %", Composed{"\r"}, percent);
-    std::fflush(stderr);
-  }
-
- private:
-  double end_;
-  bool shown_;
-  int percent_ = -1;
-};
 
 constexpr const char* kNoViewer =
     "the debrief page is not built: it needs npm and its packages; './eyrie fly' builds it when it "
@@ -60,9 +33,9 @@ disk::FileRead viewer() {
 page::Part data_of(const debrief::Recorded& recorded, const disk::FileRead& shell, bool columns) {
   if (!columns && recorded.plugins.empty() && page::has_engine(shell.bytes))
     return page::run_file_part(recorded.run);
-  Counter counter(recorded.until());
+  Progress progress("seconds of the page", static_cast<std::uint64_t>(recorded.until()));
   std::string data = page::page_data(recorded, [&](double time) {
-    counter.at(time);
+    progress.at(static_cast<std::uint64_t>(time));
     return !interrupted();
   });
   return {"run", std::move(data)};

@@ -105,7 +105,7 @@ std::string value_of(const CLI::App& app, const CLI::Option& option) {
 
 std::string capitals(std::string text) {
   for (char& c : text)
-    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    c = to_capital(c);
   return text;
 }
 
@@ -190,15 +190,6 @@ std::string roff(std::string_view text) {
   return out;
 }
 
-Names entries(const fs::path& folder, const char* extension) {
-  Names names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == extension)
-      names.push_back(entry.path().stem());
-  return names;
-}
-
 /// What an argument may be, by its name; none: nobody knows.
 Names values_of(const std::string& name, std::span<char*> words) {
   if (name == "--to") {
@@ -225,9 +216,9 @@ Names values_of(const std::string& name, std::span<char*> words) {
     return names;
   }
   if (name == "scenario" || name == "files")
-    return entries(fs::path(home()) / "scenarios", ".yaml");
+    return names_in("scenarios");
   if (name == "missiles")
-    return entries(fs::path(home()) / "data/missiles", ".yaml");
+    return names_in("data/missiles");
   if (name == "node") {
     const scenario::Source source = scenario::Source::disk(home());
     const scenario::Catalog all = scenario::make_catalog(source);

@@ -2,8 +2,6 @@
 #include "home.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -28,16 +26,6 @@ constexpr std::size_t kMostRuns = 20;
 constexpr const char* kJson = "application/json; charset=utf-8";
 constexpr const char* kHtml = "text/html; charset=utf-8";
 
-std::vector<std::string> scenario_names() {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(fs::path(home()) / "scenarios", ignored))
-    if (entry.path().extension() == ".yaml")
-      names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// With who begins where, for a small picture: east, north (m) and side of each player.
 Object about(const std::string& name) {
   Object one{{"name", name}, {"help", ""}, {"players", Object::array()}};
@@ -60,8 +48,8 @@ Object about(const std::string& name) {
 /// A name that stands for itself in an address.
 bool is_plain(const std::string& name) {
   return !name.empty() && !name.starts_with('.') &&
-         std::all_of(name.begin(), name.end(), [](unsigned char c) {
-           return std::isalnum(c) || c == '-' || c == '_' || c == '.';
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.';
          });
 }
 
@@ -130,7 +118,7 @@ std::optional<net::WebPage> debrief_at(std::string_view target) {
 
 void Home::furnish(net::WebOptions& site) {
   if (names_.empty()) {
-    names_ = scenario_names();
+    names_ = names_in("scenarios");
     Object all = Object::array();
     for (const std::string& name : names_)
       all.push_back(about(name));
@@ -166,11 +154,9 @@ std::string Home::hear(net::ViewerId who, std::string_view text) {
     wish.sets.push_back(set);
   }
   if (const std::string number = seed; !number.empty()) {
-    std::uint64_t value = 0;
-    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), value);
-    if (failed != std::errc{} || end != number.data() + number.size())
+    wish.seed = number_from<std::uint64_t>(number);
+    if (!wish.seed)
       return kWrong;
-    wish.seed = value;
   }
   return wishes_.put(std::move(wish)) ? "" : "too many wishes";
 }

@@ -3,8 +3,6 @@
 
 #include <fmt/ranges.h>
 
-#include <cctype>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +10,7 @@
 
 #include "commands.hpp"
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "record/run_file.hpp"
 #include "record/story.hpp"
@@ -35,12 +34,8 @@ std::string beside_program(const char* built, const char* installed) {
 
 /// A number that begins with a digit: no sign, no inf.
 std::optional<double> plain(std::string_view text) {
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool digit = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front()));
-  return digit && failed == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
-             ? std::optional(value)
-             : std::nullopt;
+  const auto value = number_from<double>(text);
+  return value && is_digit(text.front()) && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace
@@ -101,6 +96,16 @@ std::string launch_zones() {
   }
 }
 
+std::vector<std::string> names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(fs::path(home()) / folder, ignored))
+    if (entry.path().extension() == ".yaml")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::string scenario_file(const std::string& name) {
   const std::string wanted = name.empty() ? "sweep" : name;
   std::error_code ignored;
@@ -123,15 +128,10 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
       refuse("eyrie: --allow-include {}: there is no such folder", quote_path(folder));
   const std::string file = scenario_file(name);
   if (!fs::is_regular_file(file, ignored)) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(there) / "scenarios", ignored))
-      if (entry.path().extension() == ".yaml")
-        names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
     if (fs::exists(fs::path(file) / record::kRunFileName, ignored))
       refuse("eyrie: {} is a run, no scenario: 'eyrie replay' flies it again", quote(name));
     refuse("eyrie: there is no scenario {}{}", quote(name),
-           did_you_mean(fs::path(name).stem().string(), names));
+           did_you_mean(fs::path(name).stem().string(), names_in("scenarios")));
   }
   return {file, scenario::Source::disk(there, includes)};
 }

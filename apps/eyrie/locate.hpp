@@ -25,6 +25,9 @@ namespace eyrie::app {
 /// The launch zones of the shipped missiles, the files of data/zones one behind the other.
 [[nodiscard]] std::string launch_zones();
 
+/// The names of the YAML files in a folder of home(), "scenarios", without their ending, sorted.
+[[nodiscard]] std::vector<std::string> names_in(const std::string& folder);
+
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 

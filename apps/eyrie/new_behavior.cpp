@@ -24,23 +24,14 @@ constexpr std::size_t kLongestName = 40;
 constexpr std::array<std::string_view, 9> kReserved{"null", "true", "false", "yes", "no",
                                                     "on",   "off",  "any",   "tree"};
 
-bool is_small(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// "Break Turn-2" -> "break_turn_2": a name that may be used, or "" if nothing is left of it.
 std::string usable(std::string_view wanted) {
   std::string name;
   for (const char c : wanted) {
-    const bool large = c >= 'A' && c <= 'Z';
-    if (large && !name.empty() && is_small(name.back()))
+    if (is_capital(c) && !name.empty() && is_small(name.back()))
       name += '_';
-    const char small = large ? static_cast<char>(c - 'A' + 'a') : c;
-    if (is_small(small) || (is_digit(small) && !name.empty()))
-      name += small;
+    if (is_letter(c) || (is_digit(c) && !name.empty()))
+      name += to_small(c);
     else if (!name.empty() && name.back() != '_')
       name += '_';
   }
@@ -56,7 +47,7 @@ std::string camel(std::string_view name) {
   bool begins = true;
   for (const char c : name) {
     if (c != '_')
-      type += begins && is_small(c) ? static_cast<char>(c - 'a' + 'A') : c;
+      type += begins ? to_capital(c) : c;
     begins = c == '_';
   }
   return type;

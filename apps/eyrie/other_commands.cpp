@@ -79,8 +79,7 @@ int catalog(const CatalogOptions& options) {
   scenario::Plugins plugins;
   Diagnostics wrong;
   scenario::load_plugins(options.plugins, plugins, source, wrong);
-  if (!wrong.ok())
-    throw ConfigError(wrong);
+  wrong.throw_if_any();
   const scenario::Catalog all = scenario::make_catalog(source, plugins);
   if (!options.node.empty()) {
     const auto text = scenario::node_text(all, options.node);

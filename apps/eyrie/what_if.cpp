@@ -178,8 +178,7 @@ int what_if(const WhatIfOptions& options) {
     refuse(
         "eyrie: --at: flights over seeds begin at their start; only another tree can be asked of "
         "a time, without --seeds");
-  if (!wrong.ok())
-    throw ConfigError(wrong);
+  wrong.throw_if_any();
   const auto other =
       debrief::with_overrides(recorded, overrides.sets, std::move(overrides.changes));
   if (asks_trees && other->tree_count() != recorded.scenario->tree_count())

@@ -6,15 +6,13 @@
 /// SCENARIO: FILE[,PATH=VALUE]..., and behind a + only the values that no mission before it reads.
 #include <atomic>
 #include <deque>
-#include <exception>
 #include <functional>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <set>
 #include <sstream>
-#include <thread>
 
+#include "campaign/in_order.hpp"
 #include "debrief/health.hpp"
 #include "design.hpp"
 #include "judgement.hpp"
@@ -26,25 +24,13 @@ using namespace eyrie::sensitivity;
 
 /// Calls `work` with 0 .. count - 1, on all cores; throws what one of them throws.
 void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr thrown;
-  std::mutex mutex;
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-    workers.emplace_back([&] {
-      try {
-        for (std::size_t k; (k = next++) < count;)
-          work(k);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        thrown = std::current_exception();
-        next = count;
-      }
-    });
-  for (std::thread& worker : workers)
-    worker.join();
-  if (thrown)
-    std::rethrow_exception(thrown);
+  campaign::in_order<bool>(
+      count, std::max(1u, std::thread::hardware_concurrency()),
+      [&](std::uint64_t k) {
+        work(k);
+        return true;
+      },
+      [](std::uint64_t, bool more) { return more; });
 }
 
 using Scores = std::vector<double>;

@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdlib>
 #include <functional>
-#include <thread>
 
+#include "campaign/in_order.hpp"
 #include "debrief/health.hpp"
 #include "stats/share.hpp"
 
@@ -19,22 +18,16 @@ using debrief::Health;
 Health over_seeds(const std::string& file, const std::string& home, std::uint64_t seeds,
                   const std::vector<std::string>& sets = {}) {
   const auto scenario = scenario::load({file, sets}, scenario::Source::disk(home));
-  std::vector<Health> of(seeds);
-  std::atomic<std::uint64_t> next = 0;
-  std::vector<std::thread> workers;
-  for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-    workers.emplace_back([&] {
-      for (std::uint64_t k; (k = next++) < seeds;) {
-        of[k] = debrief::measure(scenario, k + 1);
-        fmt::print(stderr, "\r{}: {} of {} seeds ", file, k + 1, seeds);
-      }
-    });
-  for (std::thread& worker : workers)
-    worker.join();
-  fmt::print(stderr, "\n");
   Health all;
-  for (const Health& one : of)
-    all.add(one);
+  campaign::in_order<Health>(
+      seeds, std::max(1u, std::thread::hardware_concurrency()),
+      [&](std::uint64_t k) { return debrief::measure(scenario, k + 1); },
+      [&](std::uint64_t k, const Health& one) {
+        all.add(one);
+        fmt::print(stderr, "\r{}: {} of {} seeds ", file, k + 1, seeds);
+        return true;
+      });
+  fmt::print(stderr, "\n");
   return all;
 }
 

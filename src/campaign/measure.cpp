@@ -114,8 +114,7 @@ class Watcher final : public Watch {
       if (spec.what == What::time_in_phase)
         check_phase(spec, wrong);
     }
-    if (!wrong.ok())
-      throw ConfigError(wrong);
+    wrong.throw_if_any();
     fuels_.resize(scenario.roster.players.size(), math::kNaN);
   }
 

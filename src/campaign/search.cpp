@@ -4,12 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 
 #include "campaign/store.hpp"
 #include "core/bind.hpp"
 #include "core/math.hpp"
+#include "core/text.hpp"
 #include "core/yaml.hpp"
 
 namespace eyrie::campaign {
@@ -102,8 +102,7 @@ std::unique_ptr<const Search> parse_search(std::string text, const std::string& 
   auto search = std::make_unique<Search>();
   Diagnostics diagnostics;
   const Value document = parse_yaml(text, file, diagnostics);
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   static constexpr std::array<std::string_view, 1> kAlso{"optimize"};
   search->spec = bind_spec(document, file, kAlso, diagnostics);
   search->spec.text = std::move(text);
@@ -119,8 +118,7 @@ std::unique_ptr<const Search> parse_search(std::string text, const std::string& 
     diagnostics.error(document.where_of("seeds"), "seeds: those of a search are always paired");
   if (search->spec.factors.empty() && diagnostics.ok())
     diagnostics.error(document.where, "a search needs 'factors'");
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   return search;
 }
 
@@ -162,13 +160,11 @@ SearchLog::Seen SearchLog::next(std::uint64_t generation, std::size_t candidate,
   const std::size_t begin = line.find(',', line.find(',') + 1) + 1;
   const std::size_t end = std::min(line.find(',', begin), line.size());
   const std::string_view text = std::string_view(line).substr(begin, end - begin);
-  double score = 0;
-  const auto [stop, failed] = std::from_chars(text.data(), text.data() + text.size(), score);
-  const bool is_number = failed == std::errc{} && stop == text.data() + text.size();
-  if (line != line_of(generation, candidate, cell, text) || (!is_number && text != "none"))
+  const auto score = number_from<double>(text);
+  if (line != line_of(generation, candidate, cell, text) || (!score && text != "none"))
     throw ConfigError({file_, static_cast<int>(at_) + 2, 1},
                       "is not what this search has drawn there: the file was changed");
-  return {true, is_number ? std::optional(score) : std::nullopt};
+  return {true, score};
 }
 
 void SearchLog::add(std::uint64_t generation, std::size_t candidate, const Cell& cell,

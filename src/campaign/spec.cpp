@@ -112,8 +112,7 @@ Spec bind_spec(const Value& document, const std::string& file,
 Spec parse_spec(std::string text, const std::string& file) {
   Diagnostics diagnostics;
   const Value document = parse_yaml(text, file, diagnostics);
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   if (const Value* search = document.find("optimize"))
     throw ConfigError(search->where, "this is a search: eyrie optimize " + quote_path(file));
   static constexpr std::array<std::string_view, 2> kAlso{"design", "stop"};
@@ -129,8 +128,7 @@ Spec parse_spec(std::string text, const std::string& file) {
       diagnostics.error(document.where_of("replicates"),
                         "'stop' says how many replicates there are; leave out 'replicates'");
   }
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   spec.text = std::move(text);
   return spec;
 }
@@ -158,8 +156,7 @@ void check_parts(const Spec& spec) {
   if (spec.budget.replicates)
     diagnostics.error(budget->where_of("replicates"),
                       "budget: replicates: a part does not know how many the others have flown");
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
 }
 
 std::vector<Cell> cells_of(const Spec& spec) {

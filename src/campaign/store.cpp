@@ -33,18 +33,12 @@ CREATE TABLE faults (cell INTEGER, replicate INTEGER, seed INTEGER, what TEXT, c
 /// Before results are added, of which the hash is another one.
 constexpr const char* kBegin = "BEGIN; DELETE FROM campaign WHERE name = 'hash'";
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
-}
-
 /// Names of columns of a table that has those already: another one where SQL would not tell them
 /// apart.
 std::vector<std::string> distinct(std::vector<std::string> names, std::vector<std::string> taken) {
   for (std::string& name : names) {
     while (std::any_of(taken.begin(), taken.end(),
-                       [&](const std::string& t) { return lower(t) == lower(name); }))
+                       [&](const std::string& t) { return to_small(t) == to_small(name); }))
       name += '_';
     taken.push_back(name);
   }

@@ -58,8 +58,7 @@ std::string whole_scenario(const std::string& file, const std::vector<std::strin
   Value document = scenario::load_document(file, source, diagnostics);
   if (diagnostics.ok())
     scenario::apply_overrides(document, sets, diagnostics);
-  if (!diagnostics.ok())
-    throw ConfigError(diagnostics);
+  diagnostics.throw_if_any();
   std::erase_if(document.entries, [](const auto& e) { return e.key == "include"; });
   std::string text;
   for (Value::Entry& e : document.entries) {

@@ -21,10 +21,6 @@ constexpr std::size_t kLongestName = 64;
 /// Of what somebody else wrote, in one line of ours.
 constexpr std::size_t kLongestQuote = 60, kLongestPath = 200, kLongestLine = 1000;
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Optimal string alignment distance, or something above `most` as soon as it is known to exceed
 /// that; both texts are at most kLongestName long.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
@@ -36,10 +32,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t mo
     auto& row = rows[i % 3];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+      const bool same = to_small(a[i - 1]) == to_small(b[j - 1]);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
-      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
-                           lower(a[i - 2]) == lower(b[j - 1]);
+      const bool swapped = i > 1 && j > 1 && to_small(a[i - 1]) == to_small(b[j - 2]) &&
+                           to_small(a[i - 2]) == to_small(b[j - 1]);
       if (swapped)
         row[j] = std::min(row[j], before[j - 2] + 1);
     }
@@ -160,6 +156,11 @@ std::string Diagnostics::text(std::size_t limit) const {
     result += fmt::format("{}... and {} more", printed == 0 ? "" : "\n",
                           rest == 0 ? "perhaps" : fmt::format("{}{}", rest, dropped ? " or" : ""));
   return result;
+}
+
+void Diagnostics::throw_if_any() const {
+  if (!ok())
+    throw ConfigError(*this);
 }
 
 ConfigError::ConfigError(Diagnostics diagnostics)

@@ -57,6 +57,8 @@ class Diagnostics {
   void merge(const Diagnostics& other);
 
   [[nodiscard]] bool ok() const { return count_ == 0; }
+  /// Throws ConfigError with all of them if there are any.
+  void throw_if_any() const;
   /// Mistakes reported so far, duplicates included.
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Whether more need not be looked for.

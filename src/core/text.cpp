@@ -20,11 +20,8 @@ bool is_in(const Points (&ranges)[N], char32_t point) {
                      [&](Points r) { return point >= r.first && point <= r.last; });
 }
 
-bool is_letter_or_digit(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
 bool begins_identifier(char c) {
-  return is_letter_or_digit(c) || c == '_';
+  return is_letter(c) || is_digit(c) || c == '_';
 }
 bool continues_identifier(char c) {
   return begins_identifier(c) || c == '-' || c == '.';
@@ -35,6 +32,12 @@ bool breaks_line(char32_t c) {
 }
 
 }  // namespace
+
+std::string to_small(std::string text) {
+  for (char& c : text)
+    c = to_small(c);
+  return text;
+}
 
 Utf8 first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) -> char32_t {
@@ -190,12 +193,12 @@ std::optional<std::string> from_base64(std::string_view text) {
   std::uint32_t digits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    const int digit = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+'             ? 62
-                      : c == '/'             ? 63
-                                             : 0;
+    const int digit = is_capital(c) ? c - 'A'
+                      : is_small(c) ? c - 'a' + 26
+                      : is_digit(c) ? c - '0' + 52
+                      : c == '+'    ? 62
+                      : c == '/'    ? 63
+                                    : 0;
     digits = digits << 6 | static_cast<std::uint32_t>(digit);
     if (i % 4 == 3)
       for (const int shift : {16, 8, 0})

@@ -2,12 +2,45 @@
 #pragma once
 /// \file  Text from outside: made fit for a terminal, which obeys control characters, and what
 /// names that machines use and text that people read may hold.
+#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace eyrie {
+
+// Of ASCII alone, whatever the user's language is.
+[[nodiscard]] constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+[[nodiscard]] constexpr bool is_small(char c) {
+  return c >= 'a' && c <= 'z';
+}
+[[nodiscard]] constexpr bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+[[nodiscard]] constexpr bool is_letter(char c) {
+  return is_small(c) || is_capital(c);
+}
+[[nodiscard]] constexpr char to_small(char c) {
+  return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+}
+[[nodiscard]] constexpr char to_capital(char c) {
+  return is_small(c) ? static_cast<char>(c - 'a' + 'A') : c;
+}
+/// With small letters in place of capitals.
+[[nodiscard]] std::string to_small(std::string text);
+
+/// The number that a whole text is, without spaces and '+'; nothing if it is none or T cannot hold
+/// it.
+template <class T>
+[[nodiscard]] std::optional<T> number_from(std::string_view text) {
+  T number{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, failed] = std::from_chars(text.data(), end, number);
+  return failed == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+}
 
 /// At most `longest` characters of it and then "...", with \x1b-like escapes, byte by byte, for
 /// what a terminal would obey or cannot show: control characters (C0, DEL, C1), the marks that turn

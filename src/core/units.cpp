@@ -8,11 +8,11 @@
 #endif
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 
 #include "core/assert.hpp"
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 
 namespace eyrie {
 namespace {
@@ -116,14 +116,6 @@ constexpr bool is_space(char c) {
   return c == ' ' || c == '\t';
 }
 
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-constexpr bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_space(text.front()))
     text.remove_prefix(1);
@@ -133,11 +125,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool equal_but_for_case(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
+                    [](char x, char y) { return to_small(x) == to_small(y); });
 }
 
 /// The unit that an unknown spelling was meant to be, preferring the expected dimension.

@@ -47,6 +47,14 @@ const Value* Value::find(std::string_view key) const {
   return entry ? &entry->value : nullptr;
 }
 
+Value::Entry* Value::find_entry(std::string_view key) {
+  return const_cast<Entry*>(std::as_const(*this).find_entry(key));
+}
+
+Value* Value::find(std::string_view key) {
+  return const_cast<Value*>(std::as_const(*this).find(key));
+}
+
 std::string Value::shown() const {
   switch (kind) {
     case Kind::null:

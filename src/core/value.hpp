@@ -30,7 +30,9 @@ struct Value {
 
   /// The first entry of that key, or null. Null for everything that is not a map.
   [[nodiscard]] const Value* find(std::string_view key) const;
+  [[nodiscard]] Value* find(std::string_view key);
   [[nodiscard]] const Entry* find_entry(std::string_view key) const;
+  [[nodiscard]] Entry* find_entry(std::string_view key);
   /// Where the value of that key stands; if there is none, where this stands.
   [[nodiscard]] const Location& where_of(std::string_view key) const {
     const Value* value = find(key);

@@ -3,20 +3,14 @@
 
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "core/text.hpp"
 #include "record/json_text.hpp"
 #include "record/names.hpp"
 
 namespace eyrie::debrief {
 namespace {
-
-std::string small_letters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// The events with the word in them that the player has to do with, and the decisions they come of.
 class EventTimes final : public sim::Observer {
@@ -24,7 +18,7 @@ class EventTimes final : public sim::Observer {
   EventTimes(const scenario::Scenario& scenario, PlayerId who, std::string word)
       : scenario_(scenario),
         who_(who),
-        word_(small_letters(std::move(word))),
+        word_(to_small(std::move(word))),
         story_(scenario, [this](const record::StoryLine& line) {
           if (line.who == scenario_.roster.name(who_) && has_word(line.text))
             found_ = line.decided;
@@ -54,7 +48,7 @@ class EventTimes final : public sim::Observer {
 
  private:
   [[nodiscard]] bool has_word(const std::string& text) const {
-    return small_letters(text).find(word_) != std::string::npos;
+    return to_small(text).find(word_) != std::string::npos;
   }
   const scenario::Scenario& scenario_;
   PlayerId who_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/entity_type.hpp"
 
-#include <charconv>
+#include "core/text.hpp"
 
 namespace eyrie::model {
 
@@ -23,10 +23,7 @@ std::optional<EntityType> entity_type_of(std::string_view text) {
 }
 
 std::optional<std::uint16_t> emitter_of(std::string_view text) {
-  std::uint16_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [next, failed] = std::from_chars(text.data(), end, number);
-  return failed == std::errc{} && next == end ? std::optional(number) : std::nullopt;
+  return number_from<std::uint16_t>(text);
 }
 
 }  // namespace eyrie::model

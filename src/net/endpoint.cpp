@@ -4,18 +4,11 @@
 #include <fmt/format.h>
 
 #include <boost/asio/ip/address.hpp>
-#include <charconv>
+
+#include "core/text.hpp"
 
 namespace eyrie::net {
 namespace {
-
-std::optional<std::uint16_t> port_of(std::string_view text) {
-  std::uint16_t port = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), port);
-  if (failed != std::errc{} || end != text.data() + text.size())
-    return {};
-  return port;
-}
 
 std::optional<boost::asio::ip::address> address_of(const std::string& text) {
   boost::system::error_code failed;
@@ -39,7 +32,7 @@ std::string Endpoint::text() const {
 
 std::optional<Endpoint> endpoint_of(std::string_view text, const Endpoint& standard) {
   Endpoint found = standard;
-  if (const auto port = port_of(text)) {
+  if (const auto port = number_from<std::uint16_t>(text)) {
     found.port = *port;
     return found;
   }
@@ -48,7 +41,7 @@ std::optional<Endpoint> endpoint_of(std::string_view text, const Endpoint& stand
   const std::size_t colon = text.rfind(':');
   const bool one = colon != text.npos && text.find(':') == colon;
   if (colon != text.npos && (one || text.substr(0, colon).ends_with(']'))) {
-    const auto port = port_of(text.substr(colon + 1));
+    const auto port = number_from<std::uint16_t>(text.substr(colon + 1));
     if (!port)
       return {};
     found.port = *port;

@@ -5,15 +5,13 @@
 #include <cmath>
 
 #include "core/assert.hpp"
+#include "core/bytes.hpp"
 
 namespace eyrie::page {
 namespace {
 
-void put_varint(std::int64_t value, std::string& out) {
-  auto bits = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
-  for (; bits >= 128; bits >>= 7)
-    out.push_back(static_cast<char>(bits | 128));
-  out.push_back(static_cast<char>(bits));
+std::uint64_t zigzag(std::int64_t value) {
+  return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
 }
 
 std::string encoded(const std::vector<std::int64_t>& values, int order) {
@@ -22,7 +20,7 @@ std::string encoded(const std::vector<std::int64_t>& values, int order) {
   std::int64_t last = 0, slope = 0;
   for (const std::int64_t value : values) {
     const std::int64_t difference = value - last;
-    put_varint(order == 0 ? value : order == 1 ? difference : difference - slope, out);
+    put_varint(out, zigzag(order == 0 ? value : order == 1 ? difference : difference - slope));
     last = value;
     slope = difference;
   }

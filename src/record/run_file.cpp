@@ -2,6 +2,7 @@
 #include "record/run_file.hpp"
 
 #include "core/assert.hpp"
+#include "core/bytes.hpp"
 
 namespace eyrie::record {
 namespace {
@@ -15,8 +16,7 @@ class Writer {
  public:
   template <class T>
   void number(T x) {
-    static_assert(std::is_arithmetic_v<T>);
-    raw(&x, sizeof x);
+    put_number(out_, x);
   }
   void text(std::string_view s) {
     number<std::uint64_t>(s.size());
@@ -35,56 +35,6 @@ class Writer {
 
  private:
   std::string out_;
-};
-
-/// Reads what Writer wrote. Everything is checked against what is left; after the first failure
-/// all reads give zero and ok() is false.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : left_(bytes) {}
-
-  [[nodiscard]] bool ok() const { return ok_; }
-  [[nodiscard]] bool at_end() const { return left_.empty(); }
-
-  template <class T>
-  T number() {
-    T x{};
-    take(&x, sizeof x);
-    return x;
-  }
-  std::string_view bytes(std::uint64_t size) {
-    if (!has(size, 1))
-      return {};
-    const std::string_view part = left_.substr(0, size);
-    left_.remove_prefix(size);
-    return part;
-  }
-  std::string text() { return std::string(bytes(number<std::uint64_t>())); }
-  template <class T>
-  std::vector<T> block() {
-    const auto count = number<std::uint64_t>();
-    if (!has(count, sizeof(T)))
-      return {};
-    std::vector<T> items(count);
-    take(items.data(), count * sizeof(T));
-    return items;
-  }
-  /// Whether `count` items of at least `size` bytes can follow.
-  bool has(std::uint64_t count, std::size_t size) {
-    ok_ = ok_ && count <= left_.size() / size;
-    return ok_;
-  }
-
- private:
-  void take(void* to, std::size_t size) {
-    if (!has(size, 1) || size == 0)
-      return;
-    std::memcpy(to, left_.data(), size);
-    left_.remove_prefix(size);
-  }
-
-  std::string_view left_;
-  bool ok_ = true;
 };
 
 bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>& b) {
@@ -152,8 +102,8 @@ std::string RunEncoder::tail(std::uint32_t steps_per_second, std::span<const sim
   w.block(orders);
   w.text(outcome);
   std::string bytes = hashed(w.take());
-  const std::uint64_t sum = hasher_.value();
-  return bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+  put_number(bytes, hasher_.value());
+  return bytes;
 }
 
 std::string RunEncoder::hashed(std::string bytes) {
@@ -175,7 +125,7 @@ Decoded decode(std::string_view bytes) {
   const std::size_t head = kMagic.size() + 2 * sizeof(std::uint32_t);
   if (bytes.size() < head + kChecksum)
     return {{}, "the run file is cut"};
-  Reader r(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kChecksum));
+  ByteReader r(bytes.substr(kMagic.size(), bytes.size() - kMagic.size() - kChecksum));
   const auto version = r.number<std::uint32_t>();
   if (r.number<std::uint32_t>() != kByteOrder)
     return {{}, "the run file comes from a machine of another byte order"};
@@ -184,8 +134,7 @@ Decoded decode(std::string_view bytes) {
             fmt::format("the run file has format version {}, and this Eyrie reads version {}: open "
                         "it with the one that recorded it",
                         version, kRunFileVersion)};
-  std::uint64_t sum = 0;
-  std::memcpy(&sum, bytes.data() + bytes.size() - kChecksum, kChecksum);
+  const auto sum = ByteReader(bytes.substr(bytes.size() - kChecksum)).number<std::uint64_t>();
   if (sum != scenario::hash_of(bytes.substr(0, bytes.size() - kChecksum)))
     return {{}, "the run file is cut or corrupt: its checksum does not fit"};
 
@@ -195,17 +144,17 @@ Decoded decode(std::string_view bytes) {
   run.scenario = r.text();
   const auto files = r.number<std::uint64_t>();
   for (std::uint64_t i = 0; r.has(files - i, 16) && i < files; ++i) {
-    std::string name = r.text();
+    std::string name(r.text());
     run.files[std::move(name)] = r.text();
   }
   const auto sets = r.number<std::uint64_t>();
   for (std::uint64_t i = 0; r.has(sets - i, 8) && i < sets; ++i)
-    run.sets.push_back(r.text());
+    run.sets.emplace_back(r.text());
   run.seed = r.number<std::uint64_t>();
   run.layout_hash = r.number<std::uint64_t>();
   const auto plugins = r.number<std::uint64_t>();
   for (std::uint64_t i = 0; r.has(plugins - i, 16) && i < plugins; ++i) {
-    std::string path = r.text();
+    std::string path(r.text());
     run.plugins.push_back({std::move(path), r.number<std::uint64_t>()});
   }
   std::string spans;

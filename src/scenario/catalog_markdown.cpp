@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/ranges.h>
 
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "scenario/catalog.hpp"
 #include "ubf/spec.hpp"
@@ -86,8 +87,8 @@ constexpr std::string_view kSequencer =
 
 /// Helps begin small; here each begins a sentence.
 std::string sentence(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  if (!text.empty())
+    text[0] = to_capital(text[0]);
   return text + ".";
 }
 

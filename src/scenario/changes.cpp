@@ -255,7 +255,7 @@ class Changer {
       } else if (change.what == Change::What::remove) {
         gone.push_back(map.entries[change.at].key);
         note_removal(gone.back(), change, map);
-      } else if (value_of(map, change.key)) {
+      } else if (map.find(change.key)) {
         error(change.where, fmt::format("{} is inserted twice", quote(change.path)));
       } else {
         map.entries.push_back({change.key, change.where, change.value});

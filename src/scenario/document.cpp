@@ -61,7 +61,7 @@ class Merger {
         add_entry(e);
         continue;
       }
-      Value* there = value_of(document_, e.key);
+      Value* there = document_.find(e.key);
       if ((e.key == "blue" || e.key == "red") && there && there->is_map() && e.value.is_map())
         add_side(*there, e);
       else
@@ -73,14 +73,14 @@ class Merger {
   using Index = std::unordered_map<std::string, std::size_t>;
 
   static void put(Value& map, const Value::Entry& e) {
-    if (Value* there = value_of(map, e.key))
+    if (Value* there = map.find(e.key))
       *there = e.value;
     else
       map.entries.push_back(e);
   }
   void add_side(Value& side, const Value::Entry& own) {
     for (const Value::Entry& e : own.value.entries) {
-      Value* there = value_of(side, e.key);
+      Value* there = side.find(e.key);
       if (e.key != "home" && there && there->is_map() && e.value.is_map())
         add_map(*there, e.value, own.key + "." + e.key);
       else
@@ -95,7 +95,7 @@ class Merger {
                                      quote(e.key), did_you_mean(e.key, kMergeable)));
       return;
     }
-    Value* there = value_of(document_, e.key);
+    Value* there = document_.find(e.key);
     if (e.key == "plugins")
       return there ? add_plugins(*there, std::move(e.value))
                    : document_.entries.push_back(std::move(e));

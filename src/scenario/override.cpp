@@ -66,7 +66,7 @@ class Override {
     const bool names_child =
         list && std::any_of(list->items.begin(), list->items.end(),
                             [&](const Value& item) { return item_name(item) == last.text; });
-    if (at->is_map() && !value_of(*at, last.text) && !names_child)
+    if (at->is_map() && !at->find(last.text) && !names_child)
       at->entries.push_back({last.text, last.where, std::move(value)});
     else if (Value* there = step(*at, last, diagnostics_))
       *there = std::move(value);

@@ -8,24 +8,20 @@ namespace eyrie::scenario {
 
 std::optional<std::size_t> check_package(const LoadRequest& request, Source source) {
   Diagnostics diagnostics;
-  const auto stop_if_wrong = [&] {
-    if (!diagnostics.ok())
-      throw ConfigError(diagnostics);
-  };
   Plugins plugins;
   load_plugins(request.plugins, plugins, source, diagnostics);
   const Value document = load_document(request.file, source, diagnostics);
-  stop_if_wrong();
+  diagnostics.throw_if_any();
   if (!is_package(document))
     return std::nullopt;
   if (const Value* v = document.find("plugins"))
     load_plugins(*v, request.may_open, plugins, source, diagnostics);
-  stop_if_wrong();
+  diagnostics.throw_if_any();
   const Value* trees = document.find("trees");
   static_cast<void>(TreeBook::read(trees, {}, {}, plugins.registries(), {}, diagnostics, &source));
   model::Library library;
   static_cast<void>(DataLoader(library, document.find("data"), source, diagnostics));
-  stop_if_wrong();
+  diagnostics.throw_if_any();
   return trees ? trees->entries.size() : 0;
 }
 

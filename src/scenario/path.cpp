@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/text.hpp"
 
@@ -19,14 +18,6 @@ std::vector<std::string> names_in(const Value& v) {
     if (!item_name(item).empty())
       names.emplace_back(item_name(item));
   return names;
-}
-
-/// The whole of a key that is a number, or nothing.
-std::optional<std::size_t> index_in(std::string_view key) {
-  std::size_t index = 0;
-  const auto [end, failed] = std::from_chars(key.data(), key.data() + key.size(), index);
-  return failed == std::errc{} && end == key.data() + key.size() ? std::optional(index)
-                                                                 : std::nullopt;
 }
 
 /// A name as a path has it.
@@ -85,7 +76,7 @@ std::string_view item_name(const Value& item) {
 std::string not_here(const Value& at, std::string_view key, std::string_view note) {
   std::string rest = at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
                                                  : fmt::format(", only {}", at.shown());
-  if (at.is_scalar() && is_identifier(at.text) && !index_in(at.text))
+  if (at.is_scalar() && is_identifier(at.text) && !number_from<std::size_t>(at.text))
     rest += fmt::format(" ({} if that is a node)", quote(fmt::format("{}.{}", at.text, key)));
   return fmt::format("there is no {} here{}{}", quote(key), note, rest);
 }
@@ -102,10 +93,11 @@ void paths_below(const Value& at, const std::string& path,
     const Value& item = at.items[i];
     const std::string_view name = item_name(item);
     // one that --set can type
-    const bool is_named =
-        !name.empty() && name.find_first_of(" \"") == name.npos && !index_in(name) &&
-        std::count_if(at.items.begin(), at.items.end(),
-                      [&](const Value& other) { return item_name(other) == name; }) == 1;
+    const bool is_named = !name.empty() && name.find_first_of(" \"") == name.npos &&
+                          !number_from<std::size_t>(name) &&
+                          std::count_if(at.items.begin(), at.items.end(), [&](const Value& other) {
+                            return item_name(other) == name;
+                          }) == 1;
     const std::string below =
         fmt::format("{}.{}", path, is_named ? in_path(name) : std::to_string(i));
     if (is_named && item.is_map()) {
@@ -118,17 +110,10 @@ void paths_below(const Value& at, const std::string& path,
   }
 }
 
-Value* value_of(Value& map, std::string_view key) {
-  for (Value::Entry& e : map.entries)
-    if (e.key == key)
-      return &e.value;
-  return nullptr;
-}
-
 Value* list_for(Value& at, std::string_view key) {
   if (at.is_list())
     return &at;
-  Value* children = value_of(at, key) ? nullptr : value_of(at, "children");
+  Value* children = at.find(key) ? nullptr : at.find("children");
   return children && children->is_list() ? children : nullptr;
 }
 
@@ -138,7 +123,7 @@ std::optional<std::size_t> item_index(const Value& list, const PathKey& key,
     diagnostics.error(key.where, message);
     return std::nullopt;
   };
-  if (const auto index = index_in(key.text)) {
+  if (const auto index = number_from<std::size_t>(key.text)) {
     if (*index < list.items.size())
       return index;
     return error(fmt::format("there is no item {} here: the list has {}, counted from 0", key.text,
@@ -169,7 +154,7 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
     open_name(at);
   Value* list = list_for(at, key.text);
   if (!list) {
-    Value* next = value_of(at, key.text);
+    Value* next = at.find(key.text);
     if (!next)
       diagnostics.error(key.where, not_here(at, key.text));
     return pass(next);
@@ -180,7 +165,7 @@ Value* step(Value& at, const PathKey& key, Diagnostics& diagnostics,
   if (!index)
     return nullptr;
   Value& item = *pass(&list->items[*index]);
-  if (index_in(key.text))
+  if (number_from<std::size_t>(key.text))
     return &item;
   if (item.is_scalar())
     open_name(item);

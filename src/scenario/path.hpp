@@ -34,9 +34,6 @@ struct PathKey {
 [[nodiscard]] std::optional<std::size_t> item_index(const Value& list, const PathKey& key,
                                                     Diagnostics& diagnostics);
 
-/// The value of that key, without children left out; null if there is none.
-[[nodiscard]] Value* value_of(Value& map, std::string_view key);
-
 /// The value below `at` that the key names, or null after saying why there is none. Of an item that
 /// is named it is what stands behind the name; a bare name becomes a map with nothing: `eagle2` to
 /// `{eagle2: {}}`. What is passed on the way goes to `passed`.

@@ -2,10 +2,10 @@
 #include "scenario/plan.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "core/bind.hpp"
+#include "core/text.hpp"
 #include "model/datalink/datalink.hpp"
 
 namespace eyrie::scenario {
@@ -17,10 +17,9 @@ constexpr std::size_t kMostGroups = 5000;
 
 /// Flights and convoys have one name in the file, in tables and in formats of other programs.
 bool is_group_name(std::string_view name) {
-  return !name.empty() && name.size() <= kLongestGroup && name.front() >= 'a' &&
-         name.front() <= 'z' && std::all_of(name.begin(), name.end(), [](char c) {
-           return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-         });
+  return !name.empty() && name.size() <= kLongestGroup && is_small(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [](char c) { return is_small(c) || is_digit(c) || c == '_'; });
 }
 
 /// The number behind the flight's name, or nothing.
@@ -28,12 +27,7 @@ std::optional<std::uint16_t> rank_of(std::string_view player, std::string_view f
   if (!player.starts_with(flight))
     return std::nullopt;
   const std::string_view digits = player.substr(flight.size());
-  std::uint16_t rank = 0;
-  const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), rank);
-  if (failed != std::errc{} || end != digits.data() + digits.size() || rank == 0 ||
-      digits.front() == '0')
-    return std::nullopt;
-  return rank;
+  return digits.starts_with('0') ? std::nullopt : number_from<std::uint16_t>(digits);
 }
 
 class Reader {
@@ -128,7 +122,7 @@ class Reader {
 
   template <class Plan>
   void group(Plan plan, std::vector<Plan>& plans, const Value::Entry& entry, model::Side side) {
-    if (!is_group_name(entry.key) || (entry.key.back() >= '0' && entry.key.back() <= '9'))
+    if (!is_group_name(entry.key) || is_digit(entry.key.back()))
       return error(entry.where,
                    fmt::format("{} cannot name a {}: lower-case letters, digits and '_', with a "
                                "letter first and no digit last, at most {} in all",

@@ -2,6 +2,7 @@
 #include "scenario/plugins.hpp"
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "disk/sink.hpp"
 #include "driver/behaviors.hpp"
 #include "pilot/catalog.hpp"
@@ -78,7 +79,7 @@ std::uint64_t hash_of(std::string_view bytes) {
 
 std::string shell_word(std::string_view path) {
   const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+    return is_letter(c) || is_digit(c) ||
            std::string_view("/._-+:@%=,").find(c) != std::string_view::npos;
   };
   const auto shown = [](char c) { return c >= ' ' && c <= '~'; };

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "core/diagnostics.hpp"
+#include "core/text.hpp"
 #include "disk/output.hpp"
 #include "disk/sink.hpp"
 #include "scenario/plugin_file.hpp"
@@ -26,8 +27,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kDigits = 64;
 constexpr std::string_view kBetween = "  ";
 
-bool is_digit(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+bool is_hexadecimal(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'f');
 }
 bool is_control(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
@@ -35,7 +36,7 @@ bool is_control(char c) {
 
 /// What is wrong with a line; empty if nothing is.
 std::string line_problem(std::string_view line) {
-  if (line.size() < kDigits || !std::all_of(line.begin(), line.begin() + kDigits, is_digit) ||
+  if (line.size() < kDigits || !std::all_of(line.begin(), line.begin() + kDigits, is_hexadecimal) ||
       line.substr(kDigits, kBetween.size()) != kBetween)
     return "expected a SHA-256 (64 small hexadecimal digits), two spaces and a path";
   const std::string_view path = line.substr(kDigits + kBetween.size());
@@ -94,8 +95,7 @@ TrustList TrustList::read(const std::string& file) {
     }
     wrong.error({file, line, 1}, std::move(problem));
   }
-  if (!wrong.ok())
-    throw ConfigError(wrong);
+  wrong.throw_if_any();
   return list;
 }
 

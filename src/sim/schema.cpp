@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/hash.hpp"
+#include "core/text.hpp"
 #include "sim/world.hpp"
 
 namespace eyrie::sim {
@@ -20,11 +21,10 @@ constexpr std::uint32_t kWidestSlab = 1u << 20;
 }
 
 void demand_identifier(std::string_view name) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto letter = [](char c) { return is_small(c) || c == '_'; };
   const bool good =
       !name.empty() && letter(name[0]) &&
-      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); });
+      std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || is_digit(c); });
   if (!good)
     misuse(fmt::format("'{}' is not a lower-case identifier", name));
 }

@@ -9,19 +9,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-template <class T>
-void put(std::string& out, T number) {
-  char bytes[sizeof number];
-  std::memcpy(bytes, &number, sizeof number);
-  out.append(bytes, sizeof number);
-}
-
-void put_varint(std::string& out, std::uint64_t number) {
-  for (; number >= 128; number >>= 7)
-    out.push_back(static_cast<char>(number | 128));
-  out.push_back(static_cast<char>(number));
-}
-
 constexpr char kSamePlayers = 0, kOtherPlayers = 1;
 
 /// Steps of any run.
@@ -48,9 +35,9 @@ void parted(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t
 void TrailPacker::mark(const Mark& mark) {
   put_varint(out_, mark.step - last_.step);
   for (const std::uint16_t fold : folds_)
-    put(out_, fold);
-  put(out_, mark.hash);
-  put(out_, mark.digest.header);
+    put_number(out_, fold);
+  put_number(out_, mark.hash);
+  put_number(out_, mark.digest.header);
   put_fields(mark.digest.fields);
   put_rows(mark.digest.rows);
   folds_.clear();
@@ -65,7 +52,7 @@ void TrailPacker::put_fields(const std::vector<std::uint16_t>& fields) {
     EYRIE_ASSERT(last.empty());
     put_varint(out_, fields.size());
     for (const std::uint16_t field : fields)
-      put(out_, field);
+      put_number(out_, field);
     return;
   }
   now_.clear();
@@ -78,7 +65,7 @@ void TrailPacker::put_fields(const std::vector<std::uint16_t>& fields) {
   for (const std::uint32_t other : others_)
     put_varint(out_, other - std::exchange(at, other));
   for (const std::uint32_t i : now_)
-    put(out_, fields[i]);
+    put_number(out_, fields[i]);
   changed_.swap(now_);
 }
 
@@ -94,109 +81,85 @@ void TrailPacker::put_rows(const std::vector<Digest::Row>& rows) {
     }
   }
   for (const Digest::Row& row : rows)
-    put(out_, row.hash);
+    put_number(out_, row.hash);
 }
 
 std::string TrailPacker::take() {
   return std::exchange(out_, {});
 }
 
-template <class T>
-T TrailUnpacker::number() {
-  T number{};
-  ok_ = ok_ && left_.size() >= sizeof number;
-  if (!ok_)
-    return 0;
-  std::memcpy(&number, left_.data(), sizeof number);
-  left_.remove_prefix(sizeof number);
-  return number;
-}
-
-std::uint64_t TrailUnpacker::varint() {
-  std::uint64_t result = 0;
-  for (unsigned shift = 0; shift < 63; shift += 7) {
-    const auto byte = number<std::uint8_t>();
-    result |= std::uint64_t{byte & 127U} << shift;
-    if (byte < 128)
-      return result;
-  }
-  ok_ = false;
-  return 0;
-}
-
 bool TrailUnpacker::next() {
-  if (left_.empty() || !ok_)
+  if (left_.at_end() || !ok_)
     return false;
-  ok_ = read_span() && ok_;
+  ok_ = read_span() && left_.ok();
   any_ = true;
   return ok_;
 }
 
 bool TrailUnpacker::read_span() {
   // the first span is the start, without folds; each other one has steps
-  const std::uint64_t steps = varint();
-  if (!ok_ || (any_ && steps == 0) || steps > kMost - mark_.step)
+  const std::uint64_t steps = left_.varint();
+  if (!left_.ok() || (any_ && steps == 0) || steps > kMost - mark_.step)
     return false;
   const std::uint64_t end = mark_.step + steps;
   begin_ = any_ ? mark_.step : end;
   const std::uint64_t folds = end / period_ - begin_ / period_;
-  if (folds > left_.size() / sizeof(std::uint16_t))
+  if (!left_.has(folds, sizeof(std::uint16_t)))
     return false;
-  folds_ = left_.substr(0, folds * sizeof(std::uint16_t));
-  left_.remove_prefix(folds_.size());
+  folds_ = left_.bytes(folds * sizeof(std::uint16_t));
   mark_.step = mark_.digest.step = end;
-  mark_.hash = number<std::uint64_t>();
-  mark_.digest.header = number<std::uint16_t>();
+  mark_.hash = left_.number<std::uint64_t>();
+  mark_.digest.header = left_.number<std::uint16_t>();
   return read_fields() && read_rows();
 }
 
 bool TrailUnpacker::read_fields() {
   std::vector<std::uint16_t>& fields = mark_.digest.fields;
-  const std::uint64_t count = varint();
-  if (!ok_ || count > left_.size() / (any_ ? 1 : sizeof(std::uint16_t)))
+  const std::uint64_t count = left_.varint();
+  if (!left_.has(count, any_ ? 1 : sizeof(std::uint16_t)))
     return false;
   if (!any_) {
     fields.resize(count);
     for (std::uint16_t& field : fields)
-      field = number<std::uint16_t>();
-    return ok_;
+      field = left_.number<std::uint16_t>();
+    return left_.ok();
   }
   others_.clear();
   std::uint64_t at = 0;
   for (std::uint64_t i = 0; i < count; ++i) {
-    const std::uint64_t gap = varint();
-    if (!ok_ || gap >= fields.size() - at || (gap == 0 && i > 0))
+    const std::uint64_t gap = left_.varint();
+    if (!left_.ok() || gap >= fields.size() - at || (gap == 0 && i > 0))
       return false;
     at += gap;
     others_.push_back(static_cast<std::uint32_t>(at));
   }
   parted(changed_, others_, now_);
   changed_.swap(now_);
-  if (changed_.size() > left_.size() / sizeof(std::uint16_t))
+  if (!left_.has(changed_.size(), sizeof(std::uint16_t)))
     return false;
   for (const std::uint32_t i : changed_)
-    fields[i] = number<std::uint16_t>();
-  return ok_;
+    fields[i] = left_.number<std::uint16_t>();
+  return left_.ok();
 }
 
 bool TrailUnpacker::read_rows() {
   std::vector<Digest::Row>& rows = mark_.digest.rows;
-  const char kind = number<char>();
+  const char kind = left_.number<char>();
   if (kind != kSamePlayers && kind != kOtherPlayers)
     return false;
   if (kind == kOtherPlayers) {
-    const std::uint64_t count = varint();
-    if (!ok_ || count > left_.size() / 4)  // table, player, digest
+    const std::uint64_t count = left_.varint();
+    if (!left_.has(count, 4))  // table, player, digest
       return false;
     rows.resize(count);
     for (Digest::Row& row : rows) {
-      row.table = static_cast<std::uint32_t>(varint());
-      row.player = PlayerId{static_cast<std::uint32_t>(varint())};
+      row.table = static_cast<std::uint32_t>(left_.varint());
+      row.player = PlayerId{static_cast<std::uint32_t>(left_.varint())};
     }
   }
   for (Digest::Row& row : rows)
-    row.hash = number<std::uint16_t>();
-  return ok_;
+    row.hash = left_.number<std::uint16_t>();
+  return left_.ok();
 }
 
 std::uint16_t TrailUnpacker::fold(std::uint64_t step) const {

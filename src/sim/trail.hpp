@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Hashes of a run along the way: recorded, packed, and compared by a replay.
+#include "core/bytes.hpp"
 #include "sim/difference.hpp"
 #include "sim/system.hpp"
 #include "sim/world.hpp"
@@ -77,14 +78,12 @@ class TrailUnpacker {
   [[nodiscard]] std::uint16_t fold(std::uint64_t step) const;
 
  private:
-  template <class T>
-  T number();
-  std::uint64_t varint();
   bool read_span();
   bool read_fields();
   bool read_rows();
 
-  std::string_view left_, folds_;
+  ByteReader left_;
+  std::string_view folds_;
   std::uint64_t period_, begin_ = 0;  ///< step of the mark before
   bool ok_ = true, any_ = false;
   Mark mark_;

@@ -118,22 +118,18 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                  "What the run is: a name and a text each.",
                  {{"item", "TEXT PRIMARY KEY", "", "`scenario`, `seed`, `step_s`, `outcome`, ..."},
                   {"content", "TEXT", "", "its value"}},
-                 ") WITHOUT ROWID",
-                 ""});
+                 ") WITHOUT ROWID"});
   all.push_back({"units",
                  "What every column of every table and view holds.",
                  {{"table_name", "TEXT", "", "the table or view"},
                   {"column_name", "TEXT", "", "the column"},
                   {"unit", "TEXT", "", "of its numbers; empty: none"},
                   {"meaning", "TEXT", "", "what it holds"}},
-                 ", PRIMARY KEY (table_name, column_name)) WITHOUT ROWID",
-                 ""});
+                 ", PRIMARY KEY (table_name, column_name)) WITHOUT ROWID"});
   all.push_back({"texts",
                  "Words that stand in other tables as numbers.",
                  {{"text_id", "INTEGER PRIMARY KEY", "", "stands for it"},
-                  {"content", "TEXT", "", "the words"}},
-                 ")",
-                 ""});
+                  {"content", "TEXT", "", "the words"}}});
   all.push_back({"players",
                  "Players and the missiles that they shot.",
                  {{"player_id", "INTEGER PRIMARY KEY", "", "as in every other table"},
@@ -147,9 +143,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"born_s", "REAL", "s", "when it appeared"},
                   {"gone_s", "REAL", "s", "when it left the run; empty: it was there at the end"},
                   {"fate", "TEXT", "",
-                   "how it left: `home`, `lost`; of a missile `kill`, `miss`, `trashed`"}},
-                 ")",
-                 ""});
+                   "how it left: `home`, `lost`; of a missile `kill`, `miss`, `trashed`"}}});
   all.push_back({"nodes",
                  "The nodes of the trees that decided, a tree in pre-order.",
                  {{"node_id", "INTEGER PRIMARY KEY", "", "of all trees together"},
@@ -159,13 +153,11 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"label", "TEXT", "", "as the tree calls it"},
                   {"type", "TEXT", "", "its kind, as in docs/reference.md"},
                   {"path", "TEXT", "", "labels from the root, `root/bvr/pursue`"},
-                  {"is_leaf", "INTEGER", "", "1: it has no children"}},
-                 ")",
-                 ""});
-  all.push_back({"events", "Everything that happened: docs/events.md.", event_columns(), ")", ""});
+                  {"is_leaf", "INTEGER", "", "1: it has no children"}}});
+  all.push_back({"events", "Everything that happened: docs/events.md.", event_columns()});
   all.push_back({"tracks",
                  "Where everybody was: players every second, missiles five times a second.",
-                 track_columns(), ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID", ""});
+                 track_columns(), ", PRIMARY KEY (player_id, time_s)) WITHOUT ROWID"});
   all.push_back({"decision_spans",
                  "Decisions in a row at one distance, of one tree and with one leader. The view "
                  "decisions has each of them.",
@@ -176,8 +168,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"root_id", "INTEGER REFERENCES nodes", "", "of the tree"},
                   {"leader_id", "INTEGER REFERENCES nodes", "", "who led; empty: nobody"},
                   {"attacks_id", "INTEGER REFERENCES players", "", "who the target really is"}},
-                 ", PRIMARY KEY (player_id, from_step)) WITHOUT ROWID",
-                 ""});
+                 ", PRIMARY KEY (player_id, from_step)) WITHOUT ROWID"});
   const Columns changing{
       {"why", "INTEGER REFERENCES texts", "", "it failed, or what its vote followed"},
       {"vote", "REAL", "", "0: none"}};
@@ -191,8 +182,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"hands_on_id", "INTEGER REFERENCES nodes", "",
                    "the leaf whose whole action it hands on; its own fields are empty then"}},
                  changing),
-            action(columns, true)),
-       ")", ""});
+            action(columns, true))});
   all.push_back(
       {"answer_spans",
        "Decisions in a row in which a node answered the same. The views answers and "
@@ -204,7 +194,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"form_id", "INTEGER REFERENCES answer_forms", "", "all that is empty here"}},
                  changing),
             action(columns, true, true)),
-       ", PRIMARY KEY (player_id, node_id, from_step)) WITHOUT ROWID", ""});
+       ", PRIMARY KEY (player_id, node_id, from_step)) WITHOUT ROWID"});
 
   const std::string time = fmt::format("one.step * {}", step);
   all.push_back({"decisions", "Every decision with its action.",

@@ -16,8 +16,8 @@ struct Table {
   std::string name;
   std::string help;
   std::vector<TableColumn> columns;
-  std::string keys;   ///< what stands behind the columns, and after them
-  std::string query;  ///< of a view; "": a table
+  std::string keys = ")";  ///< what stands behind the columns, and after them
+  std::string query{};     ///< of a view; "": a table
 };
 
 /// In the order in which they are made. `step` (s) is that of the simulation.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/text.hpp"
+
 namespace eyrie::ubf {
 namespace {
 
@@ -11,14 +13,11 @@ using detail::Instruction;
 using detail::Op;
 using detail::Operand;
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
+bool begins_word(char c) {
+  return is_letter(c) || c == '_';
 }
 bool is_word(char c) {
-  return is_letter(c) || is_digit(c) || c == '.';
+  return begins_word(c) || is_digit(c) || c == '.';
 }
 bool is_keyword(std::string_view word) {
   return word == "and" || word == "or" || word == "not";
@@ -181,7 +180,7 @@ class Parser {
       return std::nullopt;
     }
     Side side{.at = at_, .text = {}, .field = {}};
-    if (is_letter(text_[at_])) {
+    if (begins_word(text_[at_])) {
       side.text = word_at(at_);
       if (is_keyword(side.text)) {
         fail(at_, fmt::format("expected a state field or a quantity, got {}", quote(side.text)));
@@ -230,7 +229,7 @@ class Parser {
   }
 
   bool flag(const Side& side) {
-    if (!side.field && is_letter(side.text.front()))
+    if (!side.field && begins_word(side.text.front()))
       return unknown(side);
     if (!side.field)
       return fail(side.at, fmt::format("{} is compared with nothing", quote(side.text)));
@@ -250,9 +249,9 @@ class Parser {
 
   bool compare(const Side& left, Op op, const Side& right) {
     if (!left.field && !right.field) {
-      const Side& word = is_letter(left.text.front()) ? left : right;
-      return is_letter(word.text.front()) ? unknown(word)
-                                          : fail(left.at, "neither side is a state field");
+      const Side& word = begins_word(left.text.front()) ? left : right;
+      return begins_word(word.text.front()) ? unknown(word)
+                                            : fail(left.at, "neither side is a state field");
     }
     const Side& field = left.field ? left : right;
     const Side& other = left.field ? right : left;
@@ -291,7 +290,7 @@ class Parser {
                                  did_you_mean(other.text, f.choices)));
       return std::nullopt;
     }
-    if (is_letter(other.text.front())) {
+    if (begins_word(other.text.front())) {
       unknown(other);
       return std::nullopt;
     }

@@ -296,9 +296,7 @@ Value NodeReader::with_pending(const NodeType& type, const Value& body) {
   else if (is_child_alone(type, body))
     whole = Value::map({entry(std::string(type.child_keys.front()), body)}, body.where);
   for (const NodeChange* change : std::exchange(pending_, {})) {
-    const auto there = std::find_if(whole.entries.begin(), whole.entries.end(),
-                                    [&](const Value::Entry& e) { return e.key == change->key; });
-    if (there != whole.entries.end())
+    if (Value::Entry* there = whole.find_entry(change->key))
       *there = {change->key, change->where, change->value};
     else
       whole.entries.push_back({change->key, change->where, change->value});

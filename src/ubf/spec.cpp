@@ -39,7 +39,7 @@ const Value& root_of(const Value& tree) {
 }
 
 bool is_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  return is_letter(c) || is_digit(c) || c == '_';
 }
 
 /// Puts arguments in place of `$name`, everywhere below a value.

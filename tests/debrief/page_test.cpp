@@ -31,22 +31,10 @@ class Reader {
   }
   [[nodiscard]] std::vector<double> column(const json& place) const {
     std::vector<double> out;
-    std::size_t at = columns_ + place[0].get<std::size_t>();
-    std::int64_t last = 0, slope = 0;
-    while (out.size() < place[1].get<std::size_t>()) {
-      std::uint64_t bits = 0;
-      for (int shift = 0;; shift += 7) {
-        const auto byte = static_cast<unsigned char>(all_.at(at++));
-        bits |= std::uint64_t{byte & 127U} << shift;
-        if (byte < 128)
-          break;
-      }
-      const auto value =
-          static_cast<std::int64_t>(bits >> 1) ^ -static_cast<std::int64_t>(bits & 1);
-      slope = place[3] == 2 ? slope + value : value;
-      last = place[3] == 0 ? value : last + slope;
-      out.push_back(static_cast<double>(last) * place[2].get<double>());
-    }
+    for (const std::int64_t quanta :
+         test::read_column(std::string_view(all_).substr(columns_ + place[0].get<std::size_t>()),
+                           place[1], place[3]))
+      out.push_back(static_cast<double>(quanta) * place[2].get<double>());
     return out;
   }
   json document;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  Reads the files of data/ in tests of layers that know no YAML library: block maps by
-/// indentation, flow lists and flow maps on one or more lines, comments. Nothing else of YAML.
+/// \file  Reads the files of data/ in tests of layers below the one that loads scenarios.
 #include <stdexcept>
 #include <string>
 
@@ -11,7 +10,7 @@
 
 namespace eyrie::test {
 
-/// The file as a value; throws with a message when it cannot be read.
+/// The file as a value, on top of its `base`; throws with a message when it cannot be read.
 [[nodiscard]] Value read_data_file(const std::string& path);
 
 /// Paths are relative to the root of the source tree, where tests run.

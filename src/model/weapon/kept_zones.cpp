@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "model/weapon/kept_zones.hpp"
 
-#include <cstring>
-
+#include "core/bytes.hpp"
 #include "core/hash.hpp"
 #include "model/weapon/engagement.hpp"
 
@@ -45,46 +44,16 @@ std::uint64_t trial_flights(const MissileType& type) {
   return checksum(ends);
 }
 
-/// Takes pieces off the front of a file; one that is not whole is not there.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : left_(bytes) {}
-
-  template <class T>
-  std::optional<T> value() {
-    const auto bytes = piece(sizeof(T));
-    if (!bytes)
-      return std::nullopt;
-    T result;
-    std::memcpy(&result, bytes->data(), sizeof result);
-    return result;
-  }
-  std::optional<std::string_view> piece(std::uint64_t size) {
-    if (size > left_.size())
-      return std::nullopt;
-    const std::string_view taken = left_.substr(0, size);
-    left_.remove_prefix(size);
-    return taken;
-  }
-  [[nodiscard]] bool at_end() const { return left_.empty(); }
-
- private:
-  std::string_view left_;
-};
-
 /// One zone as bytes: what it is, how much follows, and a checksum of all that.
 std::string section(std::string_view key, std::uint64_t trial, const ZoneTable& table) {
   std::string file(kMagic);
-  const auto add = [&](std::uint64_t value) {
-    file.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
   const std::size_t cells = table.cells.size() * sizeof(ZoneTable::Cell);
-  add(2 * sizeof(std::uint64_t) + key.size() + cells);
-  add(key.size());
+  put_number<std::uint64_t>(file, 2 * sizeof trial + key.size() + cells);
+  put_number<std::uint64_t>(file, key.size());
   file += key;
-  add(trial);
+  put_number(file, trial);
   file.append(reinterpret_cast<const char*>(table.cells.data()), cells);
-  add(checksum(file));
+  put_number(file, checksum(file));
   return file;
 }
 
@@ -92,16 +61,13 @@ std::string section(std::string_view key, std::uint64_t trial, const ZoneTable& 
 std::optional<std::string_view> next_section(std::string_view& file) {
   if (!file.starts_with(kMagic))
     return std::nullopt;
-  Reader reader(file.substr(kMagic.size()));
-  const auto size = reader.value<std::uint64_t>();
-  const auto body = size ? reader.piece(*size) : std::nullopt;
-  const auto sum = reader.value<std::uint64_t>();
-  if (!body || !sum)
+  ByteReader reader(file.substr(kMagic.size()));
+  const std::string_view body = reader.text();
+  const auto sum = reader.number<std::uint64_t>();
+  const std::size_t whole = kMagic.size() + sizeof(std::uint64_t) + body.size();
+  if (!reader.ok() || checksum(file.substr(0, whole)) != sum)
     return std::nullopt;
-  const std::size_t whole = kMagic.size() + sizeof *size + body->size();
-  if (checksum(file.substr(0, whole)) != *sum)
-    return std::nullopt;
-  file.remove_prefix(whole + sizeof *sum);
+  file.remove_prefix(whole + sizeof sum);
   return body;
 }
 
@@ -196,16 +162,15 @@ std::string KeptZones::encode(std::span<const MissileType> types) {
 std::size_t KeptZones::take(std::string_view file) {
   std::map<std::string, Offer> offers;
   while (const auto body = next_section(file)) {
-    Reader reader(*body);
-    const auto size = reader.value<std::uint64_t>();
-    const auto key = size ? reader.piece(*size) : std::nullopt;
-    const auto trial = reader.value<std::uint64_t>();
+    ByteReader reader(*body);
+    std::string key(reader.text());
+    const auto trial = reader.number<std::uint64_t>();
     ZoneTable table;
-    const auto cells = reader.piece(table.cells.size() * sizeof(ZoneTable::Cell));
-    if (!key || !trial || !cells || !reader.at_end())
+    const auto cells = reader.bytes(table.cells.size() * sizeof(ZoneTable::Cell));
+    if (!reader.ok() || !reader.at_end())
       break;
-    std::memcpy(table.cells.data(), cells->data(), cells->size());
-    offers[std::string(*key)] = {std::make_shared<const ZoneTable>(std::move(table)), *trial};
+    std::memcpy(table.cells.data(), cells.data(), cells.size());
+    offers[std::move(key)] = {std::make_shared<const ZoneTable>(std::move(table)), trial};
   }
   const std::size_t count = offers.size();
   const std::lock_guard lock(mutex_);

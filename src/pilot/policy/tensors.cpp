@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "core/text.hpp"
 #include "core/yaml.hpp"
 
 namespace eyrie::pilot {
@@ -14,11 +14,7 @@ namespace {
 constexpr std::size_t kLength = 8, kMostDimensions = 8;
 
 std::optional<std::size_t> whole_number(const Value& value) {
-  std::size_t number = 0;
-  const char* const end = value.text.data() + value.text.size();
-  const auto [stop, error] = std::from_chars(value.text.data(), end, number);
-  return value.is_scalar() && error == std::errc{} && stop == end ? std::optional(number)
-                                                                  : std::nullopt;
+  return value.is_scalar() ? number_from<std::size_t>(value.text) : std::nullopt;
 }
 
 std::optional<std::vector<std::size_t>> whole_numbers(const Value* list, std::size_t most) {
