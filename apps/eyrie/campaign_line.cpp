@@ -34,8 +34,8 @@ void add_report(CLI::App& app, Chosen& chosen) {
   CLI::App* report = app.add_subcommand("report", "What a campaign found: tables, and a page");
   CampaignReportOptions& o = options_of(report, campaign_report, chosen);
   add_results(report, o);
-  report->add_option("--out", o.out, "the page (default: report.html in the folder)");
-  report->add_flag("--force", o.force, "replace the file given by --out");
+  auto* out = report->add_option("--out", o.out, "the page (default: report.html in the folder)");
+  report->add_flag("--force", o.force, "replace the file given by --out")->needs(out);
   report->add_option("--of", o.of, "a measure: compare each cell with every other, by it alone");
   report->add_option("--ways", o.ways, "replicates of each cell whose ways are drawn: flown again")
       ->transform(number(0, 1000));
@@ -48,8 +48,11 @@ void add_query(CLI::App& app, Chosen& chosen) {
   QueryOptions& o = options_of(query, app::query, chosen);
   add_results(query, o);
   query->add_option("sql", o.sql, "a SELECT; the answer is CSV");
-  query->add_option("--decisions", o.decisions,
-                    "first add what the lost decided in their last '10 s': they are flown again");
+  auto* decisions = query->add_option(
+      "--decisions", o.decisions,
+      "first add what the lost decided in their last '10 s': they are flown again");
+  for (const char* of_flights : {"--workers", "--plugin"})
+    query->get_option(of_flights)->needs(decisions);
 }
 
 void add_optimize(CLI::App& app, Chosen& chosen) {

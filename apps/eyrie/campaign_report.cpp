@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file  report and query: what the results of a campaign say, on the terminal, as a page, and in
 /// SQL.
+#include <fmt/ranges.h>
+
 #include "campaign/compare.hpp"
 #include "campaign/last_decisions.hpp"
 #include "campaign/parquet.hpp"
@@ -161,8 +163,9 @@ std::optional<std::size_t> measure_named(const std::string& name, const Summary&
   for (const Measure& m : summary.measures)
     names.push_back(m.name);
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    refuse("--of: there is no measure {}{}", quote(name), did_you_mean(name, names));
+  if (const std::string hint = did_you_mean(name, names); found == names.end())
+    refuse("--of: there is no measure {}{}", quote(name),
+           hint.empty() ? fmt::format(", only {}", fmt::join(names, ", ")) : hint);
   return static_cast<std::size_t>(found - names.begin());
 }
 

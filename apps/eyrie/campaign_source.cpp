@@ -16,7 +16,8 @@ using campaign::Spec;
 
 /// Plug-ins that the campaign names are opened as those that a scenario names: if they are trusted.
 void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
-  for (const std::string& plugin : spec.plugins) {
+  for (std::size_t i = 0; i < spec.plugins.size(); ++i) {
+    const std::string& plugin = spec.plugins[i];
     std::error_code ignored;
     const auto same = [&](const std::string& other) {
       return fs::equivalent(plugin, other, ignored);
@@ -27,8 +28,8 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
     const std::string why =
         scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
     if (read.problem.empty() && !why.empty())
-      throw ConfigError({spec.file, 0, 0}, fmt::format("plug-in {}: {}", quote_path(plugin),
-                                                       scenario::not_opened(why, plugin)));
+      throw ConfigError(spec.plugins_where[i], fmt::format("plug-in {}: {}", quote_path(plugin),
+                                                           scenario::not_opened(why, plugin)));
   }
 }
 
@@ -36,6 +37,7 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
 
 CampaignSource::CampaignSource(Spec& spec, const std::vector<std::string>& typed,
                                const std::vector<std::string>& includes) {
+  static_cast<void>(locate(spec.scenario, includes, spec.scenario_where));
   demand_trust(spec, typed);
   spec.plugins.insert(spec.plugins.end(), typed.begin(), typed.end());
   plugins_ = spec.plugins;

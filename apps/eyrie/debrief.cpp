@@ -54,6 +54,11 @@ std::string page_of(const disk::FileRead& shell, std::vector<page::Part> parts) 
 
 }  // namespace
 
+void demand_viewer() {
+  if (const disk::FileRead shell = viewer(); !shell.problem.empty())
+    throw disk::Failed(shell.problem);
+}
+
 PageWritten write_page(const debrief::Recorded& recorded, const std::string& file) {
   const disk::FileRead shell = viewer();
   if (!shell.problem.empty())

@@ -2,6 +2,7 @@
 #include "flight.hpp"
 
 #include <filesystem>
+#include <map>
 
 #include "command.hpp"
 #include "core/text.hpp"
@@ -9,6 +10,7 @@
 #include "disk/file_system.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
+#include "scenario/path.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -53,13 +55,48 @@ struct Beside {
   }
 };
 
+/// The last would win, and the others do nothing.
+void refuse_what_is_set_twice(const FlyOptions& options) {
+  std::map<std::string, std::string> setters;  // by path
+  if (options.seed || !options.seeds.empty())
+    setters["seed"] = options.seed ? "--seed" : "--seeds";
+  if (!options.until.empty())
+    setters["until"] = "--until";
+  if (!options.ours.empty())
+    setters["ours"] = "--ours";
+  for (const std::string& set : options.sets) {
+    const std::string path = set.substr(0, scenario::path_size(set));
+    const auto [other, fresh] = setters.emplace(path, "--set " + quote(set));
+    if (!fresh)
+      refuse("eyrie: --set {}: {} sets {}, too", quote(set), Composed{other->second}, quote(path));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> overrides(const FlyOptions& options) {
+  refuse_what_is_set_twice(options);
   std::vector<std::string> sets = options.sets;
   if (!options.ours.empty())
     sets.push_back(fmt::format("ours=[{}]", options.ours));
   return sets;
+}
+
+std::shared_ptr<const scenario::Scenario> load_scenario(const FlyOptions& options) {
+  const std::vector<std::string> sets = overrides(options);
+  try {
+    return load_scenario(options.scenario, sets, options.plugins, options.includes);
+  } catch (const ConfigError& error) {
+    if (options.ours.empty())
+      throw;
+    Diagnostics named;  // as it was typed
+    for (Diagnostic d : error.diagnostics().sorted()) {
+      if (d.where.file == FileName("--set " + sets.back()))
+        d.where = {"--ours " + options.ours, 0, 0};
+      named.error(d.where, d.message);
+    }
+    throw ConfigError(named);
+  }
 }
 
 Flight::Flight(const FlyOptions& options, const std::shared_ptr<const scenario::Scenario>& scenario,

@@ -15,6 +15,8 @@ namespace eyrie::app {
 
 /// What the options change in the scenario: `--set`, and `--ours`.
 [[nodiscard]] std::vector<std::string> overrides(const FlyOptions& options);
+/// The scenario with them. Throws Mistake or ConfigError.
+[[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(const FlyOptions& options);
 
 class Flight {
  public:

@@ -67,8 +67,7 @@ int fly(const FlyOptions& options, Flown& flown) {
       refuse("--until: {}", time.error);
     until = time.value;
   }
-  const auto scenario =
-      load_scenario(options.scenario, overrides(options), options.plugins, options.includes);
+  const auto scenario = load_scenario(options);
   if (const auto problem = until ? scenario::until_problem(scenario->spec, *until) : std::nullopt)
     refuse("--until: {}", *problem);
   for (const auto& [name, text] : scenario->files)

@@ -38,7 +38,7 @@ int fly_and_watch(const FlyOptions& options) {
   const std::string file = scenario_file(options.scenario);
   std::set<std::string> files{file};
   std::error_code ignored;
-  for (;;) {
+  for (bool first = true;; first = false) {
     auto before = stamps(files);
     Flown flown;
     bool in_files = false;  // a mistake that a change of them may mend
@@ -52,7 +52,8 @@ int fly_and_watch(const FlyOptions& options) {
         throw;
       }
     });
-    if (code == 2 && !(in_files && fs::exists(file, ignored)))
+    // later, the scenario may be away for a moment: editors rename it
+    if (code == 2 && first && !(in_files && fs::exists(file, ignored)))
       return code;
     if (!flown.folder.empty()) {  // the next ones go to the same place
       again.out = flown.folder;

@@ -120,20 +120,34 @@ std::string scenario_file(const std::string& name) {
                                                                     : shipped.generic_string();
 }
 
-Located locate(const std::string& name, const std::vector<std::string>& includes) {
+namespace {
+
+/// Of a name that stands there in a file, or that was typed.
+[[noreturn]] void refuse_at(const Location& where, const std::string& words) {
+  if (where.line > 0)
+    throw ConfigError(where, words);
+  refuse("eyrie: {}", words);
+}
+
+}  // namespace
+
+Located locate(const std::string& name, const std::vector<std::string>& includes,
+               const Location& where) {
   const std::string there = home();
   std::error_code ignored;
   for (const std::string& folder : includes)
     if (!fs::is_directory(folder, ignored))
       refuse("eyrie: --allow-include {}: there is no such folder", quote_path(folder));
   const std::string file = scenario_file(name);
-  if (!fs::is_regular_file(file, ignored)) {
-    if (fs::exists(fs::path(file) / record::kRunFileName, ignored))
-      refuse("eyrie: {} is a run, no scenario: 'eyrie replay' flies it again", quote(name));
-    refuse("eyrie: there is no scenario {}{}", quote(name),
-           did_you_mean(fs::path(name).stem().string(), names_in("scenarios")));
-  }
-  return {file, scenario::Source::disk(there, includes)};
+  if (fs::is_regular_file(file, ignored))
+    return {file, scenario::Source::disk(there, includes)};
+  if (fs::exists(fs::path(file) / record::kRunFileName, ignored))
+    refuse_at(where, quote(name) + " is a run, no scenario: 'eyrie replay' flies it again");
+  if (const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest); !read.missing)
+    refuse_at(where, fmt::format("{} {}", quote_path(name), read.problem));
+  refuse_at(where,
+            fmt::format("there is no scenario {}{}", quote(name),
+                        did_you_mean(fs::path(name).stem().string(), names_in("scenarios"))));
 }
 
 std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,

@@ -31,12 +31,14 @@ namespace eyrie::app {
 /// The file that a name means: itself if it is one, or scenarios/<name>.yaml.
 [[nodiscard]] std::string scenario_file(const std::string& name);
 
-/// The same, and what it is read from. Throws Mistake if there is no such file.
+/// The same, and what it is read from. Throws Mistake if there is no such file, or ConfigError if a
+/// file names it at `where`.
 struct Located {
   std::string file;
   scenario::Source source;
 };
-[[nodiscard]] Located locate(const std::string& name, const std::vector<std::string>& includes);
+[[nodiscard]] Located locate(const std::string& name, const std::vector<std::string>& includes,
+                             const Location& where = {});
 
 /// Loads it. Throws Mistake or ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(

@@ -46,25 +46,27 @@ void add_variation(CLI::App* command, FlyOptions& o) {
   command->add_option("--set", o.sets, "override: path.in.the.file=value")->allow_extra_args(false);
 }
 
-/// Of who takes part in a flight, or watches it.
-void add_others(CLI::App* command, FlyOptions& o, bool waits) {
-  const auto live = [command](const char* name, std::string& at, const char* port, auto check,
-                              const char* help) {
+/// Of who takes part in a flight, or watches it. One that is served goes by the clock anyhow.
+void add_others(CLI::App* command, FlyOptions& o, bool served) {
+  const std::string clock = served ? "" : "; by the clock, if --real-time says nothing else";
+  const auto live = [&](const char* name, std::string& at, const char* port, auto check,
+                        const std::string& help) {
     return command->add_option(name, at, help)->expected(0, 1)->default_str(port)->check(check);
   };
-  auto* tacview = live("--tacview", o.tacview, "42674", endpoint,
-                       "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT; "
-                       "by the clock, if --real-time says nothing else");
+  auto* tacview =
+      live("--tacview", o.tacview, "42674", endpoint,
+           "let Tacview watch, here at this port, or at 0.0.0.0 or ADDRESS:PORT" + clock);
   command
       ->add_option("--tacview-password", o.tacview_password,
                    "a file whose first line Tacview has to know")
       ->needs(tacview);
-  if (waits)  // viewers would wait with it
+  if (!served)  // viewers would wait with it
     command->add_flag("--tacview-wait", o.tacview_wait, "begin when Tacview has joined")
         ->needs(tacview);
   auto* dis = live("--dis", o.dis, "3000", datagram_endpoint,
                    "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
-                   "machine, a network or a group; by the clock, likewise");
+                   "machine, a network or a group" +
+                       clock);
   command
       ->add_option("--dis-station", o.dis_station,
                    "exercise, site and application (default: 1.1.1)")
@@ -111,7 +113,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
       ->expected(0, 1)
       ->default_str("1")
       ->transform(CLI::Validator(rate, ""));
-  add_others(fly, o, true);
+  add_others(fly, o, false);
   fly->add_flag("--force", o.force, "replace the folder given by --out")->needs(out);
   fly->add_flag("--quiet", o.quiet, "no story, only how it ended");
   fly->add_flag("!--no-debrief", o.debrief, "do not write the page debrief.html");
@@ -123,7 +125,7 @@ void add_fly(CLI::App& app, Chosen& chosen) {
                 "each, and one for all");
   add_units(fly);
   for (const char* of_one : {"--seed", "--out", "--paranoid", "--real-time", "--tacview", "--dis",
-                             "--force", "--quiet", "--no-debrief"})
+                             "--force", "--quiet", "--no-debrief", "--units"})
     seeds->excludes(fly->get_option(of_one));
 }
 
@@ -226,7 +228,7 @@ void add_serve(CLI::App& app, Chosen& chosen) {
   served->add_flag("--paused", o.paused, "begin when somebody says so");
   served->add_option("--workers", flight.workers, "threads that share the step; never the result")
       ->transform(number(1, 256));
-  add_others(served, flight, false);
+  add_others(served, flight, true);
 }
 
 void add_playground(CLI::App& app, Chosen& chosen) {
@@ -247,9 +249,10 @@ void add_zones(CLI::App& app, Chosen& chosen) {
   auto* draw = zones->add_flag("--draw", o.draw, "draw each over the aspect, as NAME.svg");
   draw->excludes(check);
   zones->add_flag("--force", o.force, "replace drawings")->needs(draw);
-  for (auto* of_drawing : {zones->add_option("--out", o.out, "the folder of the drawings"),
-                           zones->add_option("--altitude", o.altitude, "of both in a drawing"),
-                           zones->add_option("--speed", o.speed, "of both in a drawing")})
+  for (auto* of_drawing :
+       {zones->add_option("--out", o.out, "the folder of the drawings"),
+        zones->add_option("--altitude", o.altitude, "of both in a drawing: 300 m to 15 km"),
+        zones->add_option("--speed", o.speed, "of both in a drawing: 100 to 550 m/s")})
     of_drawing->needs(draw)->capture_default_str();
 }
 
@@ -361,6 +364,7 @@ int run(int argc, char** argv) {
         add_catalog, add_replay, add_trust, add_new, add_completion})
     add(app, chosen);
   set_help(app);
+  refuse_flag_values(app);
   keep_zones();
   if (argc > 2 && std::string_view(argv[1]) == "completion" &&
       std::string_view(argv[2]) == "--for") {
@@ -376,7 +380,8 @@ int run(int argc, char** argv) {
     typed.insert(typed.begin() + std::min<std::ptrdiff_t>(std::ssize(typed), 2), help);
   const std::span<char*> words(typed);
   try {
-    if (const std::string problem = empty_text(words); !problem.empty())
+    if (const std::string problem = asks ? word_behind_help(app, words) : empty_text(words);
+        !problem.empty())
       return say_wrong(app, words, problem);
     app.parse(static_cast<int>(typed.size()), typed.data());
   } catch (const CLI::ParseError& e) {

@@ -199,7 +199,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   say("\n");
   say("{:.0f} s flown in {:.3f} s, {:.0f} x real time\n", time, timing.wall,
       timing.wall > 0 ? time / timing.wall : 0);
-  if (timing.pacing)
+  if (timing.pacing && timing.pacing->frames() > 0)
     say("{}", Composed{pacing_text(timing)});
   if (const auto& t = timing.tacview)
     say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,

@@ -148,7 +148,9 @@ int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& a
 
 int serve_scenario(const ServeOptions& options) {
   const std::string& name = options.what.front();
-  const auto scenario = load_scenario(name, overrides(options.flight), {}, {});
+  FlyOptions flight = options.flight;
+  flight.scenario = name;
+  const auto scenario = load_scenario(flight);
   if (!scenario->plugins.empty())
     refuse("eyrie: {} uses plug-ins, which browsers cannot: 'eyrie fly' flies it",
            quote_path(name));
@@ -161,6 +163,7 @@ int serve_scenario(const ServeOptions& options) {
 int serve_home(const ServeOptions& options) {
   if (options.flight.seed || !options.flight.sets.empty())
     refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
+  demand_viewer();
   listen_for_interrupts();
   Place place(options);
   Home home(!options.flight.dis.empty(), overrides(options.flight));

@@ -6,6 +6,7 @@
 #include <map>
 #include <sstream>
 
+#include "arguments.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "help.hpp"
@@ -123,6 +124,28 @@ std::string word_too_many(const CLI::App& command, const std::string& extra,
   return fmt::format("{} has no use for {}{}", name_of(command), quote(extra), hint);
 }
 
+/// A flag that was given a value, or "".
+std::string flag_with_value(const CLI::App& command, std::span<char*> words) {
+  for (const std::string_view word : words) {
+    const std::string name(word.substr(0, word.find('=')));
+    const CLI::Option* option = name == word ? nullptr : command.get_option_no_throw(name);
+    if (option && option->get_expected_max() == 0)
+      return name;
+    if (word == "--")
+      break;
+  }
+  return "";
+}
+
+/// The first that is one more than an argument takes, or "".
+std::string argument_too_many(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (const auto most = static_cast<std::size_t>(option->get_expected_max());
+        option->get_positional() && option->results().size() > most)
+      return option->results()[most];
+  return "";
+}
+
 /// What is wrong with the words of a command.
 std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::ParseError& e,
                        std::span<char*> words) {
@@ -151,6 +174,10 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
     return fmt::format("{} needs one of {}", name_of(command), fmt::join(any, ", "));
   }
   const std::string said = e.what();
+  if (const std::string flag = flag_with_value(command, words); !flag.empty())
+    return flag + " takes no value";
+  if (const std::string extra = argument_too_many(command); !extra.empty())
+    return word_too_many(command, extra, words);
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) && said.starts_with("--"))
     return fmt::format("{} {}", said.substr(0, said.find(':')),
                        said.find("At Most") == said.npos ? "needs a value" : "is given twice");
@@ -177,6 +204,23 @@ std::string unknown_command(const CLI::App& app, std::string_view word) {
 }
 
 }  // namespace
+
+void refuse_flag_values(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_expected_max() == 0)
+      option->disable_flag_override();
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    refuse_flag_values(*command);
+}
+
+std::string word_behind_help(const CLI::App& app, std::span<char*> words) {
+  const CLI::App* command = command_of(app, words);
+  if (words.size() <= 3 || !command)
+    return empty_text(words);
+  const CLI::App* below = command_named(*command, words[3]);
+  const std::size_t extra = below ? 4 : 3;
+  return words.size() > extra ? "help has no use for " + quote(words[extra]) : "";
+}
 
 int say_wrong(const CLI::App& app, std::span<char*> words, std::string_view problem) {
   constexpr std::size_t kLongest = 300;

@@ -22,7 +22,8 @@ namespace eyrie::app {
 namespace fs = std::filesystem;
 namespace {
 
-using model::weapon::EmploymentZone;
+namespace weapon = model::weapon;
+using weapon::EmploymentZone;
 
 std::string contents(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -157,10 +158,15 @@ void write(const fs::path& path, const std::string& bytes, bool replace) {
   finish(file);
 }
 
-double positive(std::string_view option, const std::string& text, Dimension dimension) {
+/// What the zones were flown for; beyond, they are those of the nearest end.
+double in_table(std::string_view option, const std::string& text, Dimension dimension, double least,
+                double most) {
   const Parsed read = parse_quantity(text, dimension);
-  if (!read || !(read.value > 0))
-    refuse("eyrie: {} {}: {}", option, quote(text), read ? "must be above 0" : read.error);
+  if (!read || !(read.value >= least && read.value <= most))
+    refuse("eyrie: {} {}: {}", option, quote(text),
+           read ? fmt::format("must be from {} to {}, for which zones are flown",
+                              exact_quantity(least, dimension), exact_quantity(most, dimension))
+                : read.error);
   return read.value;
 }
 
@@ -184,8 +190,10 @@ int zones(const ZonesOptions& options) {
   for (const std::string& name : names) {
     const model::MissileType type = loaded(name, source);
     if (options.draw) {
-      const double altitude = positive("--altitude", options.altitude, Dimension::length);
-      const double speed = positive("--speed", options.speed, Dimension::speed);
+      const double altitude = in_table("--altitude", options.altitude, Dimension::length,
+                                       weapon::kLowestZone, weapon::kHighestZone);
+      const double speed = in_table("--speed", options.speed, Dimension::speed,
+                                    weapon::kSlowestZone, weapon::kFastestZone);
       write(fs::path(options.out) / (name + ".svg"), drawing(type, altitude, speed), options.force);
       continue;
     }

@@ -105,32 +105,35 @@ constexpr std::array<Direction, kSobolDimensions - 1> kDirections{{
 
 }  // namespace
 
-std::optional<std::string> problem_of(const Design& design, std::span<const Factor> factors) {
+std::optional<Diagnostic> problem_of(const Design& design, std::span<const Factor> factors) {
   const std::string_view kind = enum_name(design.kind);
   if (has_levels_only(design.kind)) {
     if (design.cells)
-      return fmt::format("the levels say how many cells {} has, not 'cells'", kind);
+      return Diagnostic{{}, fmt::format("the levels say how many cells {} has, not 'cells'", kind)};
     double cells = 1;
     for (const Factor& f : factors) {
       if (f.distribution)
-        return fmt::format(
-            "{} needs levels: give {} some, as with !range, or choose "
-            "latin_hypercube, sobol or random",
-            kind, f.name);
+        return Diagnostic{f.where,
+                          fmt::format("{} needs levels: give {} some, as with !range, or choose "
+                                      "latin_hypercube, sobol or random",
+                                      kind, f.name)};
       cells *= static_cast<double>(f.levels.size());
     }
     if (design.kind == DesignKind::full_factorial && cells > Design::kMostCells)
-      return fmt::format("{:.0f} combinations; at most {} cells are flown", cells,
-                         Design::kMostCells);
+      return Diagnostic{{},
+                        fmt::format("{:.0f} combinations; at most {} cells are flown", cells,
+                                    Design::kMostCells)};
     return std::nullopt;
   }
   if (!design.cells)
-    return fmt::format("{} needs 'cells'", kind);
+    return Diagnostic{{}, fmt::format("{} needs 'cells'", kind)};
   if (factors.empty())
-    return fmt::format("{} needs factors", kind);
+    return Diagnostic{{}, fmt::format("{} needs factors", kind)};
   if (design.kind == DesignKind::sobol && factors.size() > kSobolDimensions)
-    return fmt::format("sobol takes at most {} factors, here are {}; choose latin_hypercube",
-                       kSobolDimensions, factors.size());
+    return Diagnostic{
+        {},
+        fmt::format("sobol takes at most {} factors, here are {}; choose latin_hypercube",
+                    kSobolDimensions, factors.size())};
   return std::nullopt;
 }
 

@@ -42,9 +42,9 @@ struct Design {
   std::uint64_t seed = 1;
 };
 
-/// Why these factors have no such design, in words.
-[[nodiscard]] std::optional<std::string> problem_of(const Design& design,
-                                                    std::span<const Factor> factors);
+/// Why these factors have no such design, in words, and where the factor stands if it is one.
+[[nodiscard]] std::optional<Diagnostic> problem_of(const Design& design,
+                                                   std::span<const Factor> factors);
 /// In the order in which they are numbered. Without factors it is one, with no values. The design
 /// must have no problem.
 [[nodiscard]] std::vector<Cell> cells_of(const Design& design, std::span<const Factor> factors);

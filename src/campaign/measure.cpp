@@ -63,6 +63,9 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
     if (e.key != "what" && may.find(fmt::format(" {} ", e.key)) == may.npos)
       diagnostics.error(e.where, fmt::format("{}: '{}' says nothing of {}", spec.name, e.key,
                                              enum_name(spec.what)));
+  if (std::find(spec.is.begin(), spec.is.end(), scenario::Outcome::running) != spec.is.end())
+    diagnostics.error(spec.text.where_of("is"),
+                      fmt::format("{}: no flight ends 'running'", spec.name));
   if (!must.empty() && !spec.text.find(must))
     diagnostics.error(spec.text.where,
                       fmt::format("{}: {} needs '{}'", spec.name, enum_name(spec.what), must));

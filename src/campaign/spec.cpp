@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/bind.hpp"
 #include "core/yaml.hpp"
 #include "disk/sink.hpp"
+#include "scenario/path.hpp"
 #include "scenario/source.hpp"
 
 namespace eyrie::campaign {
@@ -61,6 +63,67 @@ Design read_design(const Value& value, Diagnostics& diagnostics) {
   return design;
 }
 
+/// Where each of the texts of a key stands.
+std::vector<Location> places_of(const Value& document, std::string_view key) {
+  std::vector<Location> all;
+  if (const Value* list = document.find(key))
+    for (const Value& item : list->is_list() ? std::span(list->items) : std::span(list, 1))
+      if (!item.is_null())
+        all.push_back(item.where);
+  return all;
+}
+
+/// What `set:` says that does nothing.
+void refuse_idle_sets(const Spec& spec, Diagnostics& diagnostics) {
+  constexpr std::string_view kSeed = "'seed' does nothing here: 'seeds' says which are flown";
+  std::map<std::string, std::size_t> first;
+  for (std::size_t i = 0; i < spec.sets.size() && i < spec.sets_where.size(); ++i) {
+    const std::string& set = spec.sets[i];
+    const Location& where = spec.sets_where[i];
+    const std::string path = set.substr(0, scenario::path_size(set));
+    if (path.size() == set.size())
+      diagnostics.error(where, fmt::format("set: expected path=value, got {}", quote(set)));
+    else if (path == "seed")
+      diagnostics.error(where, fmt::format("set: {}", kSeed));
+    else if (const auto [there, fresh] = first.emplace(path, i); !fresh)
+      diagnostics.error(where, fmt::format("set: {} is set twice (also at {})", quote(path),
+                                           spec.sets_where[there->second].text()));
+  }
+  for (const Factor& factor : spec.factors)
+    if (std::find(factor.paths.begin(), factor.paths.end(), "seed") != factor.paths.end())
+      diagnostics.error(factor.where, fmt::format("{}: {}", factor.name, kSeed));
+}
+
+std::string refuses(std::string_view what, std::string_view value) {
+  return fmt::format("{}: the scenario refuses {}", what, quote(value));
+}
+
+/// Who in the campaign sets what the first of these mistakes is in, and where; nothing if it is in
+/// the scenario itself.
+std::optional<Diagnostic> setter_of(const Diagnostics& wrong, const Spec& spec, const Cell& cell) {
+  const std::string file(wrong.sorted().front().where.file.text());
+  const auto is_in = [&](const std::string& set) { return file == "--set " + set; };
+  for (std::size_t f = 0; f < spec.factors.size(); ++f) {
+    const Factor& factor = spec.factors[f];
+    const std::string& value = cell.values[f];
+    const std::vector<std::string> sets = factor.sets_of(value);
+    if (std::none_of(sets.begin(), sets.end(), is_in))
+      continue;
+    const auto level = std::find_if(factor.levels.begin(), factor.levels.end(),
+                                    [&](const Level& l) { return l.name == value; });
+    return Diagnostic{level == factor.levels.end() ? factor.where : level->where,
+                      refuses(factor.name, value)};
+  }
+  for (std::size_t i = 0; i < spec.sets_where.size(); ++i)
+    if (is_in(spec.sets[i]))
+      return Diagnostic{spec.sets_where[i], refuses("set", spec.sets[i])};
+  for (std::size_t i = 0; i < spec.plugins_where.size(); ++i)
+    if (file == "--plugin " + spec.plugins[i])
+      return Diagnostic{spec.plugins_where[i],
+                        fmt::format("plugins: {} cannot be used", quote_path(spec.plugins[i]))};
+  return std::nullopt;
+}
+
 void try_it(const Spec& spec, const Cell& cell, const Load& load) {
   static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
 }
@@ -96,12 +159,12 @@ Spec bind_spec(const Value& document, const std::string& file,
     spec.scenario = scenario::relative_to(file, spec.scenario);
   for (std::string& plugin : spec.plugins)
     plugin = scenario::relative_to(file, plugin);
-  for (const std::string& set : spec.sets)
-    if (set.find('=') == set.npos)
-      diagnostics.error(document.where_of("set"),
-                        fmt::format("set: expected path=value, got {}", quote(set)));
+  spec.scenario_where = document.where_of("scenario");
+  spec.sets_where = places_of(document, "set");
+  spec.plugins_where = places_of(document, "plugins");
   if (const Value* factors = document.find("factors"))
     spec.factors = read_factors(*factors, diagnostics);
+  refuse_idle_sets(spec, diagnostics);
   if (const Value* measures = document.find("measures"))
     spec.measures = read_measures(*measures, diagnostics);
   else
@@ -121,7 +184,8 @@ Spec parse_spec(std::string text, const std::string& file) {
     spec.design = read_design(*design, diagnostics);
   if (diagnostics.ok())
     if (const auto problem = problem_of(spec.design, spec.factors))
-      diagnostics.error(document.where_of("design"), "design: " + *problem);
+      diagnostics.error(problem->where.line > 0 ? problem->where : document.where_of("design"),
+                        "design: " + problem->message);
   if (const Value* stop = document.find("stop")) {
     spec.stop = read_stop(*stop, spec.measures, diagnostics);
     if (document.find("replicates"))
@@ -180,7 +244,15 @@ std::string cell_text(const Spec& spec, const Cell& cell) {
 
 void check(const Spec& spec, const Load& load) {
   const std::vector<Cell> cells = cells_of(spec);
-  try_it(spec, cells.front(), load);
+  try {
+    try_it(spec, cells.front(), load);
+  } catch (const ConfigError& error) {
+    Diagnostics all;
+    if (const auto setter = setter_of(error.diagnostics(), spec, cells.front()))
+      all.error(setter->where, setter->message);
+    all.merge(error.diagnostics());
+    throw ConfigError(std::move(all));
+  }
   for (std::size_t f = 0; f < spec.factors.size(); ++f) {
     const Factor& factor = spec.factors[f];
     std::vector<std::pair<std::string, Location>> values;
@@ -203,7 +275,7 @@ void check(const Spec& spec, const Load& load) {
         try_it(spec, cell, load);
       } catch (const ConfigError& error) {
         Diagnostics all;
-        all.error(where, fmt::format("{}: the scenario refuses {}", factor.name, quote(value)));
+        all.error(where, refuses(factor.name, value));
         all.merge(error.diagnostics());
         throw ConfigError(std::move(all));
       }

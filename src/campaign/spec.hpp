@@ -86,6 +86,8 @@ struct Spec {
   int eyrie = 1;
   std::string name, help_text, scenario;
   std::vector<std::string> sets, plugins;
+  Location scenario_where;  ///< where the file says it
+  std::vector<Location> sets_where, plugins_where;
   std::vector<std::string> includes{};  ///< folders that the scenario may include from
   std::vector<Factor> factors;
   Design design;

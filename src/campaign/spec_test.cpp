@@ -102,8 +102,14 @@ TEST(Spec, TriesEachLevelOnceBeforeAnythingIsFlown) {
       "--set blue.flights.eagle.bingo=2200 lbf:1:26: bingo: expected a mass such as '900 kg', "
       "got '2200 lbf' (a force)");
   EXPECT_EQ(refused(with("path: blue.flights.eagle.bingo", "path: blue.flights.eagel.bingo")),
+            "c.yaml:6:52: bingo: the scenario refuses '1800 kg'\n"
             "--set blue.flights.eagel.bingo=1800 kg:1:14: there is no 'eagel' here; did you mean "
             "'eagle'?");
+  EXPECT_EQ(refused(with("1800 kg", "1800 ft")).substr(0, 55),
+            "c.yaml:6:52: bingo: the scenario refuses '1800 ft'\n--se");
+  EXPECT_EQ(refused(with("until=60 min", "a.b=1")),
+            "c.yaml:4:7: set: the scenario refuses 'a.b=1'\n"
+            "--set a.b=1:1:1: there is no 'a' here");
   EXPECT_EQ(refused(with("who: eagle", "who: eagel")),
             "c.yaml:16:32: left: there is no side, flight or player 'eagel'; did you mean "
             "'eagle'?");
@@ -175,7 +181,12 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"seeds:", "seedz:",
                 "c.yaml:11:1: campaign has no parameter 'seedz'; did you mean 'seeds'?"},
         Mistake{"scenario: sweep\n", "", "c.yaml:1:1: campaign needs the parameter 'scenario'"},
-        Mistake{"until=60 min", "until", "c.yaml:4:6: set: expected path=value, got 'until'"},
+        Mistake{"until=60 min", "until", "c.yaml:4:7: set: expected path=value, got 'until'"},
+        Mistake{"until=60 min", "seed=7",
+                "c.yaml:4:7: set: 'seed' does nothing here: 'seeds' says which are flown"},
+        Mistake{"until=60 min", "until=60 min, until=50 min",
+                "c.yaml:4:21: set: 'until' is set twice (also at c.yaml:4:7)"},
+        Mistake{"[red_lost]", "[running]", "c.yaml:14:28: won: no flight ends 'running'"},
         Mistake{"{first: 10}", "{first: 10 s}",
                 "c.yaml:11:16: seeds.first: expected a whole number, got '10 s'"},
         // factors
@@ -216,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "latin_hypercube, sobol, random, got 'sobel'; did you mean 'sobol'?"},
         Mistake{"seeds:", "design: sobol\nseeds:", "c.yaml:11:9: design: sobol needs 'cells'"},
         Mistake{"[1800 kg, 2200 kg]", "!uniform {low: 1 kg, high: 2 kg}",
-                "c.yaml:1:1: design: full_factorial needs levels: give bingo some, as with !range, "
+                "c.yaml:6:3: design: full_factorial needs levels: give bingo some, as with !range, "
                 "or choose latin_hypercube, sobol or random"},
         // measures
         Mistake{"what: outcome", "what: outcom",

@@ -62,8 +62,8 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
   for (const std::string_view name : names) {
     if (name == wrong)
       return fmt::format("; did you mean '{}'?", name);
-    if (name.empty() || name.size() > kLongestName)
-      continue;
+    if (best_distance == 0 || name.empty() || name.size() > kLongestName)
+      continue;  // only the same name is nearer than one that differs in letter case alone
     // as many edits as one is longer than the other it takes at least
     const std::size_t longer = std::max(wrong.size(), name.size());
     const std::size_t most = std::min(tolerance(wrong, name), best_distance - 1);

@@ -145,6 +145,10 @@ TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {
             "; did you mean 'line'?");
   EXPECT_EQ(did_you_mean("lane", std::vector<std::string>{"line", "lone"}),
             "; did you mean 'line'?");
+  const std::vector<std::string> eagles{"eagle1", "eagle2"};
+  EXPECT_EQ(did_you_mean("Eagle1", eagles), "; did you mean 'eagle1'?");
+  EXPECT_EQ(did_you_mean("Eagle1", std::vector<std::string>{"eagle1", "eagle2", "Eagle1"}),
+            "; did you mean 'Eagle1'?");
 }
 
 RC_GTEST_PROP(DidYouMean, FindsANameAfterAnySingleEdit, ()) {

@@ -56,7 +56,7 @@ const std::vector<EventColumn>& event_columns() {
         {"time_s", "since the beginning of the run, at the end of the step", "{:.3f}"},
         {"step", "of the simulation, from 0", "{:.0f}"},
         {"event", "its kind"},
-        {"who", "who does it: a player, or a missile as `AIM-120C #7 of eagle1`"},
+        {"who", "who does it: a player, or a missile as `AIM-120 #7 of eagle1`"},
         {"who_id", "its number", "{:.0f}"},
         {"whom", "whom it is done to; empty: nobody"},
         {"whom_id", "its number", "{:.0f}"},

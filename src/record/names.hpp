@@ -34,7 +34,7 @@ namespace eyrie::record {
 /// Label of a missile type by its index in the library, "?" if there is none.
 [[nodiscard]] std::string store_label(const scenario::Scenario& scenario, float index);
 
-/// A player's name; "AIM-120C #7 of eagle1" of a missile that flies in this world, "missile 7" of
+/// A player's name; "AIM-120 #7 of eagle1" of a missile that flies in this world, "missile 7" of
 /// one that does not.
 [[nodiscard]] std::string name_in(const scenario::Scenario& scenario, const sim::World& world,
                                   PlayerId id);
@@ -51,7 +51,7 @@ class Missiles {
   /// To be told every event, before its missile is asked for.
   void note(const sim::Event& e);
   [[nodiscard]] const Missile* find(PlayerId id) const;
-  /// "AIM-120C #7 of eagle1", of anybody else its name in the roster.
+  /// "AIM-120 #7 of eagle1", of anybody else its name in the roster.
   [[nodiscard]] std::string name(PlayerId id) const;
 
  private:

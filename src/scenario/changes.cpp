@@ -96,6 +96,11 @@ class Changer {
       for (const std::string_view word : {"before ", "after "})
         if (written.starts_with(word))
           side = word;
+    static constexpr std::array<std::string_view, 2> kSides{"before", "after"};
+    const std::string_view word = std::string_view(written).substr(0, written.find(' '));
+    if (what == Change::What::insert && side.empty() && word.size() < written.size())
+      if (const std::string hint = did_you_mean(word, kSides); !hint.empty())
+        return error(where, fmt::format("{} is no place to insert at{}", quote(word), hint));
     change.path.erase(0, side.size());
     Location place = where;
     place.column += static_cast<int>(side.size());

@@ -106,6 +106,9 @@ TEST(Extends, RefusesWhatIsNoScenario) {
   EXPECT_EQ(compose({{"own.yaml", "extends: bsae\n"}}).mistakes,
             "own.yaml:1:10: there is no scenario 'bsae' (a file is named with its ending, as in "
             "'bsae.yaml'); did you mean 'base'?");
+  EXPECT_EQ(compose({{"own.yaml", "extends: bsae\ntrees: {lurk: navigate}\n"}}).mistakes,
+            "own.yaml:1:10: there is no scenario 'bsae' (a file is named with its ending, as in "
+            "'bsae.yaml'); did you mean 'base'?");
   EXPECT_EQ(compose({{"own.yaml", "extends: bas.yaml\n"}, {"base.yaml", ""}}).mistakes,
             "own.yaml:1:10: cannot read 'bas.yaml'; did you mean 'base.yaml'?");
   EXPECT_EQ(compose({{"own.yaml", "extends: scenarios/pack.yaml\n"}}).mistakes,
@@ -229,6 +232,8 @@ TEST(Changes, SayWhatIsWrongWithTheirPaths) {
            Case{"replace: {" + in + ".7: x}",
                 "2:39: there is no item 7 here: the list has 3, counted from 0"},
            Case{"replace: {a..b: x}", "2:13: an empty name in the path"},
+           Case{"insert: {befor trees.wall.winner_takes_all.evade: x}",
+                "2:10: 'befor' is no place to insert at; did you mean 'before'?"},
            Case{"replace: {before seed: x}",
                 "2:11: there is no 'before seed' here ('insert' adds what is new)"},
            Case{"remove: blue.flights.eagel",

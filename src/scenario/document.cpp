@@ -186,17 +186,17 @@ class Composer {
   Value whole(Value own, const std::string& file) {
     chain_.push_back(normal(file));
     Value document;
-    const Value* extended = own.find("extends");
-    if (extended)
+    if (const Value* extended = own.find("extends"))
       document = base(*extended, file);
-    if (document.is_null()) {
+    const bool has_base = !document.is_null();
+    if (!has_base) {
       document = own;
       std::erase_if(document.entries, [](const Value::Entry& e) {
         return e.key != "include" && is_done_before_sets(e.key);
       });
     }
     Merger merger(document, own.where.file, diagnostics_);
-    if (extended)
+    if (has_base)
       merger.add_own(own);
     if (const Value* found = own.find("include"))
       follow(*found, file, merger);
@@ -257,12 +257,7 @@ class Composer {
   Value read(const std::string& file, const Location& from) {
     const auto text = source_.read(file);
     if (!text) {
-      diagnostics_.error(from, source_.is_outside(file)
-                                   ? fmt::format("{} is outside the folder of the scenario and "
-                                                 "the installation; --allow-include DIR allows it",
-                                                 quote_path(file))
-                                   : "cannot read " + quote_path(file) +
-                                         source_.nearest(file, std::string(from.file.text())));
+      diagnostics_.error(from, source_.why_unread(file, std::string(from.file.text())));
       return {};
     }
     const std::size_t before = diagnostics_.count();

@@ -317,7 +317,6 @@ class Loader {
     for (const OrderSpec& order : out_->spec.orders) {
       const auto index = static_cast<std::size_t>(&order - out_->spec.orders.data());
       const Value& item = list->items[index];
-      const Location where = item.where;
       if (step_at(order.at) >= step_at(out_->spec.until))
         error(item.where_of("at"),
               fmt::format("an order at {} is never given: the flight ends at {} (until)",
@@ -325,10 +324,11 @@ class Loader {
                           exact_quantity(out_->spec.until, Dimension::time)));
       const auto who = out_->roster.find(order.player);
       if (!who)
-        error(where, out_->roster.unknown(order.player));
+        error(item.where_of("player"), out_->roster.unknown(order.player));
+      const Location where = item.where_of("swap_tree");
       if (order.lose == order.swap_tree.has_value())
-        error(where, fmt::format("what is ordered of {}? Either 'swap_tree' or 'lose: true'",
-                                 quote(order.player)));
+        error(item.where, fmt::format("what is ordered of {}? Either 'swap_tree' or 'lose: true'",
+                                      quote(order.player)));
       else if (who)
         give(order, *who, where);
       else if (order.swap_tree && !out_->driver_trees->find(*order.swap_tree))

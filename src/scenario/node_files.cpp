@@ -15,14 +15,9 @@ std::optional<std::string> NodeFiles::read(const Value& name, Diagnostics& diagn
   auto bytes = source_.read_bytes(path);
   if (bytes && bytes->size() <= Source::kLargestBytes)
     return bytes;
-  diagnostics.error(
-      name.where,
-      bytes ? fmt::format("{} is larger than {} MB", quote_path(path), Source::kLargestBytes >> 20)
-      : source_.is_outside(path)
-          ? fmt::format("{} is outside the folder of the scenario and the installation; "
-                        "--allow-include DIR allows it",
-                        quote_path(path))
-          : "cannot read " + quote_path(path) + source_.nearest(path, asker));
+  diagnostics.error(name.where, bytes ? fmt::format("{} is larger than {} MB", quote_path(path),
+                                                    Source::kLargestBytes >> 20)
+                                      : source_.why_unread(path, asker));
   return std::nullopt;
 }
 

@@ -31,10 +31,6 @@ void Source::confine_to_folder_of(const std::string& file) {
     folders_->confine_to_folder_of(file);
 }
 
-bool Source::is_outside(const std::string& name) const {
-  return folders_ && !files_.contains(name) && folders_->is_outside(name);
-}
-
 std::string Source::named_by(const std::string& asker, const std::string& name) const {
   if (!name.starts_with("data/") || asker.starts_with("data/") || asker.starts_with(kOwn))
     return name;
@@ -43,14 +39,19 @@ std::string Source::named_by(const std::string& asker, const std::string& name) 
   return files_.contains(own) || (text && text != folders_->read(name)) ? own : name;
 }
 
-std::string Source::nearest(const std::string& name, const std::string& asker) const {
+std::string Source::why_unread(const std::string& name, const std::string& asker) const {
+  if (folders_ && folders_->is_outside(name))
+    return quote_path(name) +
+           " is outside the folder of the scenario and the installation; --allow-include DIR "
+           "allows it";
+  const std::string cannot = "cannot read " + quote_path(name);
   if (folders_)
-    return folders_->nearest(name, asker);
+    return cannot + folders_->why_unread(name, asker);
   std::vector<std::string> names;
   for (const auto& [there, text] : files_)
     if (there != asker)
       names.push_back(there);
-  return did_you_mean(name, names);
+  return cannot + did_you_mean(name, names);
 }
 
 std::optional<std::string> Source::read(const std::string& name) {

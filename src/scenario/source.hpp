@@ -28,13 +28,12 @@ class Source {
   /// allowed is read, symbolic links resolved. A scenario is often somebody else's: it must not
   /// show what else is on the disk.
   void confine_to_folder_of(const std::string& file);
-  /// Whether that is why there is no text.
-  [[nodiscard]] bool is_outside(const std::string& name) const;
+  /// Why there is no text of a file that the file `asker` names, with the nearest name if there is
+  /// no file.
+  [[nodiscard]] std::string why_unread(const std::string& name, const std::string& asker) const;
   /// The name under which a file is read that the file `asker`, or the user himself (""), names: of
   /// his own in data/ of the working folder "./data/x.yaml", because "data/x.yaml" is below `home`.
   [[nodiscard]] std::string named_by(const std::string& asker, const std::string& name) const;
-  /// "; did you mean 'x'?" for a file that is not there and that the file `asker` names, or "".
-  [[nodiscard]] std::string nearest(const std::string& name, const std::string& asker) const;
 
   /// The bytes of a file that is no text, or nothing in the same cases; of one that is larger than
   /// kLargestBytes any part. Among files() it stands in base64, so that all of them are texts.
@@ -79,8 +78,9 @@ class Source {
     virtual void confine_to_folder_of(const std::string& file) = 0;
     [[nodiscard]] virtual bool is_outside(const std::string& name) const = 0;
     [[nodiscard]] virtual std::optional<std::string> read(const std::string& name) const = 0;
-    [[nodiscard]] virtual std::string nearest(const std::string& name,
-                                              const std::string& asker) const = 0;
+    /// ": is a folder, not a file" or "; did you mean 'x'?", or "".
+    [[nodiscard]] virtual std::string why_unread(const std::string& name,
+                                                 const std::string& asker) const = 0;
     /// The names of the YAML files in a folder below home, without their ending.
     [[nodiscard]] virtual std::vector<std::string> names_in(const std::string& folder) const = 0;
   };

@@ -76,8 +76,11 @@ class Disk final : public Source::Folders {
     return text;
   }
 
-  std::string nearest(const std::string& name, const std::string& asker) const override {
-    return disk::nearest_file(place_of(name), asker);
+  std::string why_unread(const std::string& name, const std::string& asker) const override {
+    const disk::FileRead read = disk::read_file(place_of(name), Source::kLargest);
+    return read.missing           ? disk::nearest_file(place_of(name), asker)
+           : read.problem.empty() ? ""
+                                  : ": it " + read.problem;
   }
 
   std::vector<std::string> names_in(const std::string& folder) const override {

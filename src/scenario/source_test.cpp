@@ -79,6 +79,17 @@ TEST_F(SourceOnDisk, GivesNothingForWhatIsNoFile) {
   EXPECT_TRUE(source.files().empty());
 }
 
+TEST_F(SourceOnDisk, SaysWhyAFileIsNotRead) {
+  const Source source = Source::disk(folder_.string());
+  const std::string folder = (folder_ / "data").string();
+  EXPECT_EQ(source.why_unread(folder, ""),
+            "cannot read '" + folder + "': it is a folder, not a file");
+  write("near.yaml", "x");
+  const std::string missing = (folder_ / "neer.yaml").string();
+  EXPECT_EQ(source.why_unread(missing, ""),
+            "cannot read '" + missing + "'; did you mean 'near.yaml'?");
+}
+
 TEST_F(SourceOnDisk, ReadsNoMoreOfAHugeFileThanAParserNeedsToRefuseIt) {
   const std::string file = write("huge.yaml", "x");
   fs::resize_file(file, Source::kLargest * 4);

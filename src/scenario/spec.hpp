@@ -28,9 +28,9 @@ struct PlaceSpec {
   static constexpr auto params() {
     return std::tuple{
         param("north", &PlaceSpec::north, "m", range(-500e3, 500e3),
-              "distance north of the reference point, along its meridian"),
+              "north of the reference point, in its tangent plane"),
         param("east", &PlaceSpec::east, "m", range(-500e3, 500e3),
-              "distance east of the reference point, along its parallel"),
+              "east of the reference point, in its tangent plane"),
         param("latitude", &PlaceSpec::latitude, "rad", range(-kPi / 2, kPi / 2),
               "geodetic latitude, WGS-84"),
         param("longitude", &PlaceSpec::longitude, "rad", range(-kTau, kTau), "longitude, WGS-84")};

@@ -9,13 +9,19 @@
 namespace eyrie::scenario {
 namespace {
 
+constexpr double kHighest = 30e3;  // m, of a start
+
 /// What is wrong with the range of one start, in words.
 std::optional<std::string> problem(const Spread& s) {
   const auto length = [](double x) { return exact_quantity(x, Dimension::length); };
   const auto speed = [](double x) { return exact_quantity(x, Dimension::speed); };
-  if (s.altitude < s.by.altitude)
+  const double altitude = s.altitude - s.offset.z;
+  if (altitude < s.by.altitude)
     return fmt::format("altitude: {} below a start at {} is below the surface",
-                       length(s.by.altitude), length(s.altitude));
+                       length(s.by.altitude), length(altitude));
+  if (altitude + s.by.altitude > kHighest)
+    return fmt::format("altitude: {} above a start at {} is above {}", length(s.by.altitude),
+                       length(altitude), length(kHighest));
   if (s.speed - s.by.speed < 1)
     return fmt::format("speed: {} slower than a start at {} does not fly", speed(s.by.speed),
                        speed(s.speed));
@@ -28,15 +34,32 @@ std::optional<std::string> problem(const Spread& s) {
   return std::nullopt;
 }
 
+/// The same of its place beside its lead, unmoved.
+std::optional<std::string> problem_in_formation(const Spread& s) {
+  const auto length = [](double x) { return exact_quantity(x, Dimension::length); };
+  const double altitude = s.altitude - s.offset.z;
+  if (altitude >= 0 && altitude <= kHighest)
+    return std::nullopt;
+  return fmt::format("{} {} its lead, which starts at {}, is {}", length(std::fabs(s.offset.z)),
+                     altitude < 0 ? "below" : "above", length(s.altitude),
+                     altitude < 0 ? "below the surface" : "above " + length(kHighest));
+}
+
 }  // namespace
 
 std::optional<Spread> spread_of(const PlayerPlan& player, Spread of, const Reference& reference,
                                 Diagnostics& diagnostics) {
   const StartSpec& start = player.spec.start;
   of.by = player.spec.spread;
-  if (of.by == SpreadSpec{} || !start.altitude || !start.heading || !start.speed)
+  if (!start.altitude || !start.heading || !start.speed)
     return std::nullopt;
   of.altitude = *start.altitude;
+  if (const auto wrong = problem_in_formation(of)) {
+    diagnostics.error(player.where, fmt::format("{}: {}", player.name, *wrong));
+    return std::nullopt;
+  }
+  if (of.by == SpreadSpec{})
+    return std::nullopt;
   of.heading = *start.heading;
   of.speed = *start.speed;
   if (player.own && player.own->find("spread")) {

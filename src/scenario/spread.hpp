@@ -25,7 +25,8 @@ struct Spread {
 /// What is said of a player; nothing if it begins the same with every seed. `of` has the player,
 /// the lead of its flight, the place where it begins or to which its offset is, and that offset.
 /// Whoever says it himself is moved by himself, everybody else as his flight is. Reported are
-/// starts that could be below the surface, slower than anything flies, or beyond the local frame.
+/// starts that are or could be below the surface or above what anybody may begin at, slower than
+/// anything flies, or beyond the local frame.
 [[nodiscard]] std::optional<Spread> spread_of(const PlayerPlan& player, Spread of,
                                               const Reference& reference, Diagnostics& diagnostics);
 

@@ -12,24 +12,25 @@ namespace eyrie::scenario {
 namespace {
 
 /// Two F-15s side by side, `flight` and `second` beside what else is said of them.
-std::shared_ptr<const Scenario> pair(const std::string& flight, const std::string& second = "") {
+std::shared_ptr<const Scenario> pair(const std::string& flight, const std::string& second = "",
+                                     const std::string& altitude = "5000 m") {
   auto source = Source::disk(".");
   source.add("pair.yaml",
              "eyrie: 1\nname: pair\nreference: {latitude: 33 deg, longitude: -68 deg}\n"
              "trees: {on: {navigate: {vote: 1}}}\n"
              "blue:\n  flights:\n    eagle:\n      aircraft: f15c\n      tree: on\n"
              "      formation: {abreast: 1000 m, behind: 0 m, below: 100 m}\n"
-             "      start: {north: 0 km, east: 10 km, altitude: 5000 m, heading: 0 deg, speed: 200 "
-             "m/s}\n" +
-                 flight + "      players:\n        - eagle1\n        - eagle2: {" + second + "}\n");
+             "      start: {north: 0 km, east: 10 km, altitude: " +
+                 altitude + ", heading: 0 deg, speed: 200 m/s}\n" + flight +
+                 "      players:\n        - eagle1\n        - eagle2: {" + second + "}\n");
   return load({"pair.yaml", {}}, std::move(source));
 }
 const model::Kinematics& motion(const Scenario& s, const sim::World& world, std::size_t row) {
   return world.rows(s.aircraft.kinematics)[row];
 }
-std::string mistake(const std::string& flight) {
+std::string mistake(const std::string& flight, const std::string& altitude = "5000 m") {
   try {
-    pair(flight);
+    pair(flight, "", altitude);
   } catch (const ConfigError& e) {
     return e.what();
   }
@@ -102,8 +103,12 @@ TEST(Spread, IsRefusedWhereAStartCouldNotBeFlown) {
   EXPECT_EQ(mistake("      spread: {altitude: 6 km}\n"),
             "pair.yaml:12:15: eagle1: spread.altitude: 6 km below a start at 5 km is below the "
             "surface\n"
-            "pair.yaml:12:15: eagle2: spread.altitude: 6 km below a start at 5 km is below the "
+            "pair.yaml:12:15: eagle2: spread.altitude: 6 km below a start at 4900 m is below the "
             "surface");
+  EXPECT_EQ(mistake("      spread: {altitude: 4950 m}\n"),
+            "pair.yaml:12:15: eagle2: spread.altitude: 4950 m below a start at 4900 m is below "
+            "the surface");
+  EXPECT_NE(mistake("      spread: {altitude: 26 km}\n"), "");
   EXPECT_NE(mistake("      spread: {speed: 200 m/s}\n").find("slower than a start at 200 m/s"),
             std::string::npos);
   EXPECT_NE(mistake("      start: {north: 490 km, east: 0 km, altitude: 5 km, heading: 0 deg, "
@@ -111,6 +116,13 @@ TEST(Spread, IsRefusedWhereAStartCouldNotBeFlown) {
             "");
   EXPECT_NE(mistake("      spread: {positon: 2 km}\n").find("did you mean 'position'?"),
             std::string::npos);
+}
+
+TEST(Spread, OfNothingLeavesNoWingmanBelowTheSurface) {
+  EXPECT_EQ(mistake("", "99 m"),
+            "pair.yaml:14:11: eagle2: 100 m below its lead, which starts at 99 m, is below the "
+            "surface");
+  EXPECT_EQ(mistake("", "100 m"), "");
 }
 
 }  // namespace

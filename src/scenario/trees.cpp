@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/trees.hpp"
 
+#include <set>
 #include <unordered_map>
 
 #include "core/text.hpp"
@@ -57,6 +58,32 @@ std::vector<ubf::NodeChange> changes_of(const ubf::NamedSpec& tree,
     if (one.tree == tree.name)
       mine.push_back(one.change);
   return mine;
+}
+
+/// Adds the trees that a value refers to, and what they refer to: those whose fields it renames, or
+/// `all`.
+void note_references(const Value& value, bool all, const std::vector<ubf::NamedSpec>& named,
+                     std::set<std::string>& found) {
+  const Value* body = value.tag == ubf::kTreeTag ? &value : value.find(ubf::kTreeReference);
+  Diagnostics ignored;
+  const auto reference = body ? ubf::read_reference(*body, value.where, ignored) : std::nullopt;
+  if (reference && (all || !reference->renames.empty()) && found.insert(reference->name).second)
+    for (const ubf::NamedSpec& tree : named)
+      if (tree.name == reference->name)
+        note_references(*tree.value, true, named, found);
+  for (const Value& item : value.items)
+    note_references(item, all, named, found);
+  for (const Value::Entry& e : value.entries)
+    note_references(e.value, all, named, found);
+}
+
+/// Whether a tree is part of one that others refer to under other names of state fields: it may be
+/// nothing by itself.
+bool is_read_renamed(const std::string& tree, const std::vector<ubf::NamedSpec>& named) {
+  std::set<std::string> found;
+  for (const ubf::NamedSpec& one : named)
+    note_references(*one.value, false, named, found);
+  return found.contains(tree);
 }
 
 /// Whether an order gives a tree to a player of a kind.
@@ -174,6 +201,10 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
       sound = air.add(spec, in_air);
       if (both || !sound)
         sound |= ground.add(spec, on_ground);
+      if (!sound && is_read_renamed(spec.name, named)) {
+        book.templates_.push_back(spec.name);
+        continue;  // who refers to it reads it
+      }
       if (!sound)
         diagnostics.merge(on_ground.count() < in_air.count() ? on_ground : in_air);
     }

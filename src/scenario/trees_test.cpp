@@ -66,6 +66,18 @@ TEST(TreeBook, RunsWhatWasWrittenForOnePlatformOnTheOtherUnderItsOwnNames) {
   EXPECT_FALSE(b.trees.drivers()->find("wary")) << "a driver's state has no range";
 }
 
+TEST(TreeBook, DoesNotReadByItselfWhatIsReadUnderOtherNamesAlone) {
+  const std::string trees =
+      "trees:\n"
+      "  near: distance < 5 km\n"
+      "  patrol: {guard: {when: {tree: near}, child: navigate}}\n"
+      "  air: {tree: {patrol: {fields: {distance: range}}}}\n";
+  EXPECT_EQ(book_of(trees, "air", "").mistakes, "");
+  EXPECT_EQ(book_of(trees + "  lost: distance < 5 km\n", "air", "").mistakes,
+            "a:5:9: there is no state field 'distance'");
+  EXPECT_EQ(book_of(trees, "patrol", "").mistakes, "a:2:9: there is no state field 'distance'");
+}
+
 TEST(TreeBook, SaysThatATruckCannotFlyAndAnAircraftCannotScatter) {
   EXPECT_EQ(book_of("trees: {air: pursue, road: scatter}", "air", "air").mistakes,
             "a:4:27: truck1 is a vehicle, and tree 'air' is for pilots (a:1:14: there is no node "

@@ -220,10 +220,7 @@ class Parser {
   }
 
   [[nodiscard]] const StateFieldInfo& info(const Side& side) const { return fields_[*side.field]; }
-  bool unknown(const Side& side) {
-    return fail(side.at, fmt::format("there is no state field {}{}", quote(side.text),
-                                     did_you_mean(side.text, names_.known(fields_))));
-  }
+  bool unknown(const Side& side) { return fail(side.at, names_.unknown(fields_, side.text)); }
   static Operand operand(std::size_t field) {
     return {.field = static_cast<std::uint32_t>(field), .number = 0};
   }

@@ -98,8 +98,7 @@ std::optional<std::size_t> NodeReader::field(const Value& name) {
   const std::size_t found = names_.find(registry_.fields_, name.text);
   if (found < registry_.fields_.size())
     return found;
-  error(name.where, fmt::format("there is no state field {}{}", quote(name.text),
-                                did_you_mean(name.text, names_.known(registry_.fields_))));
+  error(name.where, names_.unknown(registry_.fields_, name.text));
   return std::nullopt;
 }
 

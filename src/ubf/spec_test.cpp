@@ -106,6 +106,9 @@ TEST(Subtree, ReadsStateFieldsUnderTheNamesOfItsReference) {
                "{holds: not busy}]}",
                trees),
       "test.yaml:1:92: there is no state field 'busy'");
+  EXPECT_EQ(mistakes("{tree: {close: {fields: {distance: rnge, busy: alarm}}}}", trees),
+            "close.yaml:1:16: 'distance' means 'rnge' here, and there is no state field 'rnge'; "
+            "did you mean 'range'?");
 }
 
 TEST(Subtree, MistakesAreSaidWithTheirPlace) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/state_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/diagnostics.hpp"
 
 namespace eyrie::ubf {
 
-std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string_view name) {
+/// The name of the platform's field, there or not.
+std::string_view FieldNames::meant(std::string_view name) {
   std::string_view wanted = name;
   for (auto layer = renames_.rbegin(); layer != renames_.rend(); ++layer) {
     const auto rename = std::find_if(layer->begin(), layer->end(),
@@ -15,19 +20,27 @@ std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string
     rename->used = true;
     wanted = rename->to;
   }
+  return wanted;
+}
+
+std::size_t FieldNames::find(std::span<const StateFieldInfo> fields, std::string_view name) {
+  const std::string_view wanted = meant(name);
   const auto field = std::find_if(fields.begin(), fields.end(),
                                   [&](const StateFieldInfo& f) { return f.name == wanted; });
   return static_cast<std::size_t>(field - fields.begin());
 }
 
-std::vector<std::string> FieldNames::known(std::span<const StateFieldInfo> fields) const {
+std::string FieldNames::unknown(std::span<const StateFieldInfo> fields, std::string_view name) {
   std::vector<std::string> names;
   for (const StateFieldInfo& field : fields)
     names.emplace_back(field.name);
+  if (const std::string wanted(meant(name)); wanted != name)
+    return fmt::format("{} means {} here, and there is no state field {}{}", quote(name),
+                       quote(wanted), quote(wanted), did_you_mean(wanted, names));
   for (const auto& layer : renames_)
     for (const FieldRename& rename : layer)
       names.push_back(rename.from);
-  return names;
+  return fmt::format("there is no state field {}{}", quote(name), did_you_mean(name, names));
 }
 
 std::vector<FieldRename> FieldNames::pop() {

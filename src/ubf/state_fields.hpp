@@ -96,14 +96,16 @@ class FieldNames {
  public:
   /// The index of the field called `name` here, or the number of fields.
   [[nodiscard]] std::size_t find(std::span<const StateFieldInfo> fields, std::string_view name);
-  /// Names to suggest.
-  [[nodiscard]] std::vector<std::string> known(std::span<const StateFieldInfo> fields) const;
+  /// What is said of a name that find() does not know.
+  [[nodiscard]] std::string unknown(std::span<const StateFieldInfo> fields, std::string_view name);
 
   void push(std::vector<FieldRename> renames) { renames_.push_back(std::move(renames)); }
   /// Ends a subtree; gives back what it renamed, with what was used.
   [[nodiscard]] std::vector<FieldRename> pop();
 
  private:
+  [[nodiscard]] std::string_view meant(std::string_view name);
+
   std::vector<std::vector<FieldRename>> renames_;
 };
 

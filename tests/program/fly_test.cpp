@@ -142,9 +142,9 @@ TEST(FlyJson, SaysTheSameForTheSameSeedAndOtherForAnother) {
 
 TEST(FlySet, ReachesFlightsPlayersAndLists) {
   const TempFolder folder;
-  const Ran ran = run_program(
-      folder, merge({"--json", "--set", "seed=9", "--set", "name=mine", "--set",
-                     "red.flights.bandit.route.0.altitude=15000 ft", "--set", "until=1 s"}));
+  const Ran ran =
+      run_program(folder, merge({"--json", "--set", "seed=9", "--set", "name=mine", "--set",
+                                 "red.flights.bandit.route.0.altitude=15000 ft"}));
   ASSERT_EQ(ran.code, 0) << ran.err;
   const json j = json::parse(ran.out);
   EXPECT_EQ(j["seed"], 9);
@@ -203,6 +203,20 @@ TEST(FlyWatch, FliesAgainWhenAFileChangesIntoTheSameFolder) {
   for (const char* seconds : {"2 s flown", "3 s flown", "4 s flown"})
     EXPECT_NE(ran.out.find(seconds), std::string::npos) << ran.out << said;
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "runs"), {}), 2);
+}
+
+/// An editor that saves renames the old file first.
+TEST(FlyWatch, WaitsForAScenarioThatIsAwayForAMoment) {
+  const TempFolder folder;
+  folder.write("x.yaml", kSmallScenario);
+  const Ran ran = run_line(folder, R"sh(
+    flown() { until [ "$(grep -c waiting said)" = $1 ]; do sleep 0.02; done; }
+    "$EYRIE" fly x.yaml --watch --quiet --no-debrief 2>said & flying=$!
+    flown 1; mv x.yaml away
+    flown 2; sed 's/until: 2 s/until: 3 s/' away >x.yaml
+    flown 3; kill -TERM $flying; wait $flying)sh");
+  EXPECT_EQ(ran.code, 128 + SIGTERM) << ran.err;
+  EXPECT_NE(ran.out.find("3 s flown"), std::string::npos) << ran.out;
 }
 
 TEST(FlyOut, TakesAnEmptyFolderAndReplacesARunOnlyByForce) {

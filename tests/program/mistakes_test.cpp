@@ -145,8 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"UnknownPlayerAndTreeOfAnOrder",
                 {{"ends: time",
                   "ends: time\norders:\n  - {at: 1 s, player: eagel1, swap_tree: crusie}"}},
-                "x.yaml:7:5: there is no player 'eagel1'; did you mean 'eagle1'?\n"
-                "x.yaml:7:5: there is no tree 'crusie'; did you mean 'cruise'?\n"},
+                "x.yaml:7:23: there is no player 'eagel1'; did you mean 'eagle1'?\n"
+                "x.yaml:7:42: there is no tree 'crusie'; did you mean 'cruise'?\n"},
         Mistake{"OrderAfterTheEnd",
                 {{"ends: time", "ends: time\norders: [{at: 500 s, player: eagle1, lose: true}]"}},
                 "x.yaml:6:15: an order at 500 s is never given: the flight ends at 2 s (until)\n"},

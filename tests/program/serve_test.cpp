@@ -32,6 +32,13 @@ TEST(Serve, GivesTheDebriefPageUntilItIsEnded) {
   EXPECT_TRUE(ran.err.ends_with("eyrie: 1 page sent, 0 refused\n")) << ran.err;
 }
 
+TEST(Serve, DoesNotBeginWithAHomePageThatLeadsNowhere) {
+  const TempFolder folder;
+  const Ran ran = run_program(folder, {"serve", "--port", "0"}, {.viewer = "/none"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_TRUE(ran.err.starts_with("eyrie: the debrief page is not built")) << ran.err;
+}
+
 TEST(Serve, AsksOthersForAToken) {
   ServedRun site({"--address", "0.0.0.0"});
   const std::size_t token = site.address.find("?token=");

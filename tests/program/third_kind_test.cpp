@@ -91,7 +91,7 @@ TEST_F(ThirdKind, HasItsMistakesNamed) {
       mistake("      heading: 90 deg\n      route: [", "      heeding: 90 deg\n      route: ["),
       "sea.yaml:25:7: task_group has no parameter 'heeding'; did you mean 'heading'?\n");
   EXPECT_EQ(mistake("swap_tree: home", "swap_tree: hume"),
-            "sea.yaml:7:5: there is no tree 'hume'; did you mean 'home'?\n");
+            "sea.yaml:7:44: there is no tree 'hume'; did you mean 'home'?\n");
 }
 
 TEST_F(ThirdKind, IsFlownToldAndRecorded) {

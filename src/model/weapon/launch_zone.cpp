@@ -26,6 +26,10 @@ constexpr std::array kOffBoresight{0.0, 0.5, 1.0};  // of farthest_off()
 constexpr std::size_t kInner = kShooterSpeed.size() * kTargetSpeed.size() * kOffBoresight.size();
 static_assert(kAspect.size() * kAltitude.size() * kClimb.size() * kInner == ZoneTable::kCells);
 
+static_assert(kAltitude.front() == kLowestZone && kAltitude.back() == kHighestZone);
+static_assert(kShooterSpeed.front() == kSlowestZone && kTargetSpeed.front() == kSlowestZone &&
+              kShooterSpeed.back() == kFastestZone && kTargetSpeed.back() == kFastestZone);
+
 constexpr double kFarthestOff = radians(60);
 constexpr double kLowest = 100;      // m, no target is lower
 constexpr double kNearest = 100;     // m, nothing is launched nearer

@@ -66,6 +66,10 @@ struct ZoneTable {
   bool operator==(const ZoneTable&) const = default;
 };
 
+/// The ends of the table, where shooter and target fly alike: m, and m/s.
+inline constexpr double kLowestZone = 300, kHighestZone = 15e3, kSlowestZone = 100,
+                        kFastestZone = 550;
+
 /// Says how much of a table has been found, 0 to 1; called from any thread.
 using ZoneProgress = std::function<void(double)>;
 /// Flies the missile against targets that keep their course and that escape, and bisects the ranges

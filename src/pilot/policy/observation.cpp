@@ -15,8 +15,7 @@ std::optional<Feature> read_feature(LayoutLine& line) {
   const std::string_view name = line.word();
   Feature feature{.field = static_cast<std::uint32_t>(names.find(kInfos, name))};
   if (feature.field == kInfos.size()) {
-    line.fail(fmt::format("there is no state field {}{}", quote(name),
-                          did_you_mean(name, names.known(kInfos))));
+    line.fail(names.unknown(kInfos, name));
     return std::nullopt;
   }
   static constexpr auto kTransforms = enum_names<Transform>();
