@@ -85,12 +85,12 @@ TEST(Health, SeesThatTrueTracksAreFlownMoreSteadily) {
     const auto scenario = scenario::load({"scenarios/sweep_phases.yaml", std::move(sets)},
                                          scenario::Source::disk("."));
     Health all;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6})
+    for (std::uint64_t seed = 1; seed <= 16; ++seed)
       all.add(debrief::measure(scenario, seed));
     return static_cast<double>(all.reversals) / all.pursued;
   };
   EXPECT_LT(
-      2 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
+      1.3 * steadiness({"blue.flights.eagle.privileged=true", "red.flights.bogey.privileged=true"}),
       steadiness({}));
 }
 

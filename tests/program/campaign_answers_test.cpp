@@ -209,7 +209,7 @@ TEST_F(Campaign, TellsWhatTheLostDecidedBefore) {
   folder.write("c.yaml", R"(eyrie: 1
 name: lost
 scenario: merge
-replicates: 3
+replicates: 5
 measures:
   blue: {what: losses, who: blue}
   red: {what: losses, who: red}

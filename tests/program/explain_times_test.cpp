@@ -16,8 +16,8 @@ Ran asked(const std::vector<std::string>& arguments) {
   struct Merge {
     TempFolder folder;
     Merge() {
-      EXPECT_EQ(run_program(folder, {"fly", "merge", "--set", "ends=time", "--until", "9 min",
-                                     "--quiet", "--no-debrief", "--out", "m"})
+      EXPECT_EQ(run_program(folder, {"fly", "merge", "--seed", "1", "--set", "ends=time", "--until",
+                                     "9 min", "--quiet", "--no-debrief", "--out", "m"})
                     .code,
                 0);
     }
@@ -61,10 +61,10 @@ TEST(ExplainTimes, OfMoreThanOneDecimalAreExact) {
 
 TEST(WhatIfTimes, SayUntilWhenAPlayerWasThere) {
   const Ran gone =
-      asked({"whatif", "m", "--player", "viper1", "--set", "root.vote=2", "--at", "8:40"});
+      asked({"whatif", "m", "--player", "bandit1", "--set", "root.vote=2", "--at", "8:40"});
   EXPECT_EQ(gone.code, 2);
   EXPECT_EQ(gone.out, "");
-  EXPECT_EQ(gone.err, asked({"explain", "m", "--player", "viper1", "--at", "8:40"}).err);
+  EXPECT_EQ(gone.err, asked({"explain", "m", "--player", "bandit1", "--at", "8:40"}).err);
   EXPECT_NE(gone.err.find("it was there until"), std::string::npos) << gone.err;
 }
 
