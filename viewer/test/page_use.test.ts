@@ -119,8 +119,8 @@ test('the strips lead to a time, zoom, and play as fast as asked', { skip: kNoPa
 test('what is under the pointer in timeline and strips is said above all else, inside of the window', { skip: kNoPage }, async () => {
   for (const [width, height] of [[1280, 800], [1920, 1080]] as const) {
     await on_page(open_page(browser, { width, height }), async (other) => {
-      for (const row of ['events', 'leader eagle1', 'altitude', 'range']) {
-        const box = await other.box(`[data-row="${row}"]`);
+      for (const row of ['events', 'leader ', 'altitude', 'range']) {
+        const box = await other.box(`[data-row^="${row}"]`);
         for (const part of [0.1, 0.3, 0.97]) {
           await other.mouse.move(box.x + box.width * part, box.y + box.height / 2);
           const seen = await other.evaluate(() => {
@@ -144,7 +144,7 @@ test('it opens at the first shot with its decision, and each key moment leads to
     const written = await fresh.evaluate(() => window.eyrie!.scene.svg());
     for (const name of ['eagle1', 'bogey1']) assert.ok(written.includes(`>${name}<`), `${name} is in the picture`);
     const moments = await fresh.$$eval('.moment', (all) => all.map((e) => (e as HTMLElement).dataset['moment']));
-    assert.deepEqual([...new Set(moments)].sort(), ['kill', 'launch', 'phase']);
+    for (const kind of ['kill', 'launch', 'phase']) assert.ok(moments.includes(kind), kind);
     await fresh.click('[data-moment=kill]');
     const who = await fresh.$eval('[data-moment=kill] b', (e) => e.textContent!);
     await fresh.waitForFunction((text) => text.includes(document.querySelector<HTMLElement>('.inspector')!.dataset['player']!), who);
