@@ -105,7 +105,7 @@ const take_over = (): Promise<void> => page.$$eval('.orders button', (all) => (a
 
 test('an aircraft is taken over, turned, shoots, and is handed back', { skip: kNoProgram }, async () => {
   // until a missile reaches somebody
-  await rate('100');
+  await rate('20');
   await page.waitForFunction(() => {
     const [own, ...others] = window.eyrie!.run.players.filter(({ index, side, end }) => index === 0 || (side === 'red' && !end)).map(({ motion }) => motion);
     return others.some(({ east, north }) => Math.hypot(east.at(-1)! - own!.east.at(-1)!, north.at(-1)! - own!.north.at(-1)!) < 50_000);
