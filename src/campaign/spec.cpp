@@ -124,8 +124,18 @@ std::optional<Diagnostic> setter_of(const Diagnostics& wrong, const Spec& spec, 
   return std::nullopt;
 }
 
-void try_it(const Spec& spec, const Cell& cell, const Load& load) {
-  static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
+/// Throws ConfigError if the scenario refuses a cell; who is to blame, if anybody is, is said
+/// first.
+void try_it(const Spec& spec, const Cell& cell, const Load& load, auto blame) {
+  try {
+    static_cast<void>(watch(spec, *load(sets_of(spec, cell))));
+  } catch (const ConfigError& error) {
+    Diagnostics all;
+    if (const std::optional<Diagnostic> first = blame(error.diagnostics()))
+      all.error(first->where, first->message);
+    all.merge(error.diagnostics());
+    throw ConfigError(std::move(all));
+  }
 }
 
 }  // namespace
@@ -244,15 +254,8 @@ std::string cell_text(const Spec& spec, const Cell& cell) {
 
 void check(const Spec& spec, const Load& load) {
   const std::vector<Cell> cells = cells_of(spec);
-  try {
-    try_it(spec, cells.front(), load);
-  } catch (const ConfigError& error) {
-    Diagnostics all;
-    if (const auto setter = setter_of(error.diagnostics(), spec, cells.front()))
-      all.error(setter->where, setter->message);
-    all.merge(error.diagnostics());
-    throw ConfigError(std::move(all));
-  }
+  try_it(spec, cells.front(), load,
+         [&](const Diagnostics& wrong) { return setter_of(wrong, spec, cells.front()); });
   for (std::size_t f = 0; f < spec.factors.size(); ++f) {
     const Factor& factor = spec.factors[f];
     std::vector<std::pair<std::string, Location>> values;
@@ -271,14 +274,9 @@ void check(const Spec& spec, const Load& load) {
       Cell cell = cells.front();
       if (std::exchange(cell.values[f], value) == value)
         continue;
-      try {
-        try_it(spec, cell, load);
-      } catch (const ConfigError& error) {
-        Diagnostics all;
-        all.error(where, refuses(factor.name, value));
-        all.merge(error.diagnostics());
-        throw ConfigError(std::move(all));
-      }
+      try_it(spec, cell, load, [&](const auto&) {
+        return Diagnostic{where, refuses(factor.name, value)};
+      });
     }
   }
 }
@@ -286,15 +284,11 @@ void check(const Spec& spec, const Load& load) {
 void check_cells(const Spec& spec, std::span<const Cell> cells, const Load& load) {
   constexpr std::size_t kMost = 2000;
   for (std::size_t c = 0; c < std::min(cells.size(), kMost); ++c)
-    try {
-      try_it(spec, cells[c], load);
-    } catch (const ConfigError& error) {
-      Diagnostics all;
-      all.error({spec.file, 0, 0},
-                fmt::format("the scenario refuses cell {} ({})", c, cell_text(spec, cells[c])));
-      all.merge(error.diagnostics());
-      throw ConfigError(std::move(all));
-    }
+    try_it(spec, cells[c], load, [&](const auto&) {
+      return Diagnostic{
+          {spec.file, 0, 0},
+          fmt::format("the scenario refuses cell {} ({})", c, cell_text(spec, cells[c]))};
+    });
 }
 
 }  // namespace eyrie::campaign

@@ -70,10 +70,12 @@ void remember(const Recorded& recorded, const scenario::Scenario& other, sim::Wo
     players.emplace_back(*recorded.scenario->fleets[f], *other.fleets[f],
                          other.fleets[f]->id(world, row));
   });
-  Reflight flight(recorded, recorded.scenario->world(recorded.run.seed));
-  while (any_remembers(other) && flight.after().step() < world.step() && flight.step())
-    for (OtherTrees& player : players)
-      player.look(flight, [](const auto&, const auto&) {});
+  if (any_remembers(other)) {
+    Reflight flight(recorded, recorded.scenario->world(recorded.run.seed));
+    while (flight.after().step() < world.step() && flight.step())
+      for (OtherTrees& player : players)
+        player.look(flight, [](const auto&, const auto&) {});
+  }
   each_row([&](std::size_t, std::size_t row, std::size_t n) { players[n].remember(world, row); });
 }
 

@@ -36,13 +36,18 @@ struct Kinematics {
   }
 };
 
-/// Of its place. The direction of flight stays: the heading turns against north.
+/// Of its place.
 inline void set_vertical(Kinematics& k, const Vertical& at) {
-  k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
   k.north = at.north;
   k.east = at.east;
   k.down = at.down;
   k.altitude = at.altitude;
+}
+/// Of the place to which it moved in a step. It goes on in the same direction: the heading turns
+/// against north.
+inline void carry_to(Kinematics& k, const Vertical& at) {
+  k.heading = wrap_pi(k.heading - turn_of_north(k.east, at.north));
+  set_vertical(k, at);
 }
 
 /// Where a player waits who is in the run and has not appeared: on the other side of the Earth, so

@@ -33,7 +33,7 @@ void fly_laero(const Sky& sky, Flyer& flyer) {
       .available = most, .sustained = most, .corner_speed = static_cast<float>(k.speed)};
   laero.step(k, flying, wanted, turn_limit, *flyer.propulsion, air, wind, sky.dt);
   flyer.propulsion->flow = flyer.propulsion->fuel > 0 ? laero.fuel_flow : 0;
-  set_vertical(k, sky.reference.vertical_at(k.position));
+  carry_to(k, sky.reference.vertical_at(k.position));
   flyer.ran_dry = burn(*flyer.propulsion, sky.dt);
 }
 

@@ -14,7 +14,7 @@ constexpr double kSlowest = 0.1;
 
 /// Level, on the surface, with the velocity along the heading.
 void put_down(Kinematics& k, const Reference& reference) {
-  set_vertical(k, reference.vertical_at(k.position));
+  carry_to(k, reference.vertical_at(k.position));
   k.position = k.position + k.altitude * k.down;
   k.altitude = 0;
   const auto [sine, cosine] = math::sin_cos(k.heading);

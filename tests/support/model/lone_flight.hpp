@@ -84,7 +84,7 @@ struct TestFlight {
   void step(const flight::Controls& controls) {
     model.step(kinematics, propulsion, condition(), controls,
                environment.wind.at(kinematics.altitude), kDt);
-    set_vertical(kinematics, reference.vertical_at(kinematics.position));
+    carry_to(kinematics, reference.vertical_at(kinematics.position));
     time += kDt;
   }
 
