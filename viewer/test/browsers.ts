@@ -101,8 +101,10 @@ export class UserPage {
     return (await (await this.find(selector)).boundingBox())!;
   }
   async screenshot(of?: string | BoundingBox): Promise<Buffer> {
-    if (typeof of === 'string') return Buffer.from(await (await this.find(of)).screenshot());
-    return Buffer.from(await this.page.screenshot(of ? { clip: of } : {}));
+    // else Chromium makes the window as small as what is asked for, and a narrow page is another one
+    const as_it_is = { captureBeyondViewport: false };
+    if (typeof of === 'string') return Buffer.from(await (await this.find(of)).screenshot(as_it_is));
+    return Buffer.from(await this.page.screenshot(of ? { clip: of, ...as_it_is } : as_it_is));
   }
   /** When nothing moves any more. */
   async at_rest(selector: string): Promise<Buffer> {

@@ -99,8 +99,9 @@ function FlyOn({ player }: { player: Player }) {
   const changes = use_cell(page.changes);
   const [future, put] = useState<(Omit<AskedOf<Future>, 'key'> & { from: number }) | null>(null);
   const asked = useRef(0);
+  const shown = useRef<Other | null>(null);
   const show = (other: Other | null): void => {
-    page.other.set(other);
+    page.other.set((shown.current = other));
     const { time, zoom } = page.store.get();
     const end = Math.max(...[page.run, page.twin?.run, other?.run].map((run) => run?.about.duration ?? 0));
     page.store.set({ end, time: Math.min(time, end), zoom: zoom && zoom[1] > end ? null : zoom });
@@ -108,7 +109,8 @@ function FlyOn({ player }: { player: Player }) {
   const forget = (): void => {
     ++asked.current;  // whoever answers is too late
     put(null);
-    if (page.other.get()?.label === kFlownOn) show(null);
+    // who comes after this one may have its own by then
+    if (shown.current && page.other.get() === shown.current) show(null);
   };
   // while a mission is flown, the player is another object at each drawing
   useEffect(() => forget, [changes, player.index]);
