@@ -23,6 +23,7 @@ import { Strips } from './strips.tsx';
 import { Events, Overview } from './timeline.tsx';
 import { Transport } from './transport.tsx';
 import { kNarrow, use_view } from './use.ts';
+import { ForgetFuture } from './what_if.tsx';
 
 type Panel = 'left' | 'right' | 'bottom';
 type Sizes = Record<Panel, number>;
@@ -128,6 +129,7 @@ export function App({ pages, back, onScene }: {
           {pages.filter((page) => !ghosts || page === active).map((page) => (
             <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
           ))}
+          {pages.map((page) => <PageContext.Provider key={page.letter} value={page}><ForgetFuture /></PageContext.Provider>)}
           {active.live && <LiveOver live={active.live} />}
         </main>
         {layout.shown('right') && <aside class="right" aria-label="Decision">{active.live && <Orders live={active.live} />}<Inspector key={active.letter} /></aside>}
