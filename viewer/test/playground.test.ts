@@ -18,6 +18,8 @@ const kHome = join(env['EYRIE_VIEWER_FOLDER'] ?? '', '..');
 const kNone = kPlayground && kProgram ? false : 'EYRIE_PLAYGROUND or EYRIE_PROGRAM is not set: no playground to open';
 const kUrl = pathToFileURL(join(kPlayground, 'index.html')).href;
 const kSweep = 'scenarios/sweep.yaml';
+/** As long as one can be. */
+const kSeed = '18446744073709551615';
 
 /** The hash that the program gives for a text of a scenario and a seed. */
 async function flown_by_program(text: string, seed: string): Promise<string> {
@@ -128,7 +130,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
 
     test('what was edited flies with a seed to the world to which the program flies it', async () => {
       const text = readFileSync(join(kHome, kSweep), 'utf8').replace('bingo: 2200 kg\n', 'bingo: 2200 kg\n      fuel: 4000 kg\n');
-      assert.equal(await fly(page, '7'), await flown_by_program(text, '7'));
+      assert.equal(await fly(page, kSeed), await flown_by_program(text, kSeed));
       assert.equal((await page.$$('.flights tbody tr')).length, 2);
     });
 
@@ -137,7 +139,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.waitForFunction(() => location.hash.startsWith('#s='));
       const other = await open(browser, await page.evaluate(() => location.hash));
       assert.ok((await text_now(other.page)).includes('fuel: 4000 kg'));
-      assert.equal(await other.page.$eval('[aria-label=Seed]', (field) => (field as HTMLInputElement).value), '7');
+      assert.equal(await other.page.$eval('[aria-label=Seed]', (field) => (field as HTMLInputElement).value), kSeed);
       assert.equal(await other.page.$('.last'), null);
       assert.deepEqual(other.complaints, []);
       await other.page.close();

@@ -269,7 +269,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         </select>
         <label class="seed">seed{' '}
           <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(text)} value={project.seed}
-            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 19) })} />
+            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 20) })} />
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
           onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>
