@@ -175,6 +175,16 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });
 
+    test('the way back of the browser leads from the debrief to the editor, too', async () => {
+      const flights = (await page.$$('.flights tbody tr')).length;
+      await page.click('.does .fly');
+      await page.waitForSelector('body[data-ready=true]');
+      await page.evaluate(() => history.back());
+      await page.waitForFunction(() => !document.querySelector('.debriefed'));
+      assert.equal((await page.$$('.flights tbody tr')).length, flights);
+      assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
+    });
+
     test('edits are dropped, and had again by the button or by undoing', async () => {
       const press = (label: string) => page.$$eval('.top button', (all, wanted) => all.find((one) => one.textContent === wanted)!.click(), label);
       const until = (edited: boolean) => page.waitForFunction((wanted) => wanted === [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-line')].some((one) => one.textContent!.includes('fuel: 4000 kg')), edited);

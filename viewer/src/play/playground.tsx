@@ -157,12 +157,16 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
     try {
+      await write_link(project);
+      history.replaceState('editor', '');
+      history.pushState('debrief', '');
       await write_link(runs.at(-1)!.project);
       const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
       const engines = new Set<RunningEngine | undefined>();
       let is_open = true;
       const leave = (): void => {
         is_open = false;
+        unlisten();
         set_theme(window.eyrie?.store.get().theme ?? theme);
         for (const engine of engines) engine?.end();
         box.remove();
@@ -170,13 +174,13 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         void write_link(now.current.project);  // it is of the editor again
         document.title = 'Eyrie playground';
       };
-      const back = {
-        label: 'editor',
-        go: () => {
-          leave();
-          closing.then((shown) => shown.close(), () => {});
-        },
+      const close = (): void => {
+        leave();
+        closing.then((shown) => shown.close(), () => {});
       };
+      // the browser's own way back is to the editor, too
+      const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
+      const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
       const flights = runs.map((run): Opening => (told, begun) => flown_again(module, run.file!, told, (part) => {
         engines.add(part.engine);
         document.body.append(box);
