@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
+import { deflateSync, inflateSync } from 'node:zlib';
 import type { Browser } from 'puppeteer-core';
 import { kBrowsers, launch, open_url, type Opened, type UserPage } from './browsers.ts';
 
@@ -33,6 +34,8 @@ async function flown_by_program(text: string, seed: string): Promise<string> {
     rmSync(folder, { recursive: true });
   }
 }
+
+const link = (value: object): string => `#s=${deflateSync(JSON.stringify(value)).toString('base64url')}`;
 
 const open = async (browser: Browser, fragment = ''): Promise<Opened> => {
   const opened = await open_url(browser, kUrl + fragment, { width: 1440, height: 900 });
@@ -145,16 +148,31 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await other.page.close();
     });
 
+    test('what no link can hold is told, and no link is given that nobody can open', async () => {
+      const line = `# ${'x'.repeat(97)}\n`;
+      const filled = (lines: number): object => ({ v: 1, scenario: kSweep, edits: { [kSweep]: `# last\n${line.repeat(lines)}` } });
+      // as large as a link may be, but for less than a line
+      const fragment = link(filled(Math.floor((1_000_000 - JSON.stringify(filled(0)).length) / JSON.stringify(line).slice(1, -1).length)));
+      const { page: other, complaints } = await open(browser, fragment);
+      await type_behind(other, '# last', line.trim());
+      await reads(other);
+      await other.$$eval('.top button', (all) => all.find((one) => one.textContent === 'Share')!.click());
+      await other.waitForFunction(() => document.querySelector('.top [role=status]')!.textContent === 'The changes are too large for a link.');
+      const given = await other.evaluate(() => location.hash.slice('#s='.length));
+      assert.ok(inflateSync(Buffer.from(given, 'base64url')).length <= 1_000_000);
+      assert.deepEqual(complaints, []);
+      await other.close();
+    });
+
     test('a hostile link does nothing but say why it cannot be used', async () => {
-      const link = (value: object) => promisify(execFile)(process.execPath, ['-e', 'process.stdout.write(require("zlib").deflateSync(process.argv[1]).toString("base64url"))', JSON.stringify(value)]).then(({ stdout }) => `#s=${stdout}`);
-      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [await link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
+      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
         assert.deepEqual(complaints, []);
         await other.close();
       }
       const evil = `<img src=x onerror=window.pwned=1><script>window.pwned=1</script>`;
-      const { page: other, complaints } = await open(browser, await link({ v: 1, scenario: kSweep, edits: { [kSweep]: `name: "${evil}"\n${evil}: [` } }));
+      const { page: other, complaints } = await open(browser, link({ v: 1, scenario: kSweep, edits: { [kSweep]: `name: "${evil}"\n${evil}: [` } }));
       assert.ok((await text_now(other)).includes(evil));
       assert.ok((await problems(other)).length > 0);
       assert.equal(await other.evaluate(() => (window as { pwned?: number }).pwned), undefined);

@@ -46,12 +46,13 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
 }
 
 /** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
- * else is edited. */
-async function write_link(project: Project): Promise<void> {
+ * else is edited. False: it cannot hold that much. */
+async function write_link(project: Project): Promise<boolean> {
   const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
   const link = is_first ? '' : await link_of(project);
-  if (said_in(link).get('s') === said_in(location.hash).get('s')) return;
-  history.replaceState(history.state, '', link || location.pathname + location.search);
+  if (!link && !is_first) return false;
+  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
+  return true;
 }
 
 /** The names that a key takes from the texts. */
@@ -152,7 +153,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     is_restored(true);
   };
   const share = async (): Promise<void> => {
-    await write_link(project);
+    if (!(await write_link(project))) return put_note('The changes are too large for a link.');
     put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
