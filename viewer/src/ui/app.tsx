@@ -23,7 +23,7 @@ import { Strips } from './strips.tsx';
 import { Events, Overview } from './timeline.tsx';
 import { Transport } from './transport.tsx';
 import { kNarrow, use_view } from './use.ts';
-import { ForgetFuture } from './what_if.tsx';
+import { forget, ForgetFuture } from './what_if.tsx';
 
 type Panel = 'left' | 'right' | 'bottom';
 type Sizes = Record<Panel, number>;
@@ -111,7 +111,10 @@ export function App({ pages, back, onScene }: {
   const active = pages.find((page) => page.letter === letter) ?? pages[0]!;
   const [ghosts, set_ghosts] = useState(false);
   const show_ghosts = (wanted: boolean): void => {
-    for (const { other, twin } of pages) other.set(wanted && twin ? { from: 0, run: twin.run, label: twin.letter } : null);
+    for (const page of pages) {
+      forget(page);
+      page.other.set(wanted && page.twin ? { from: 0, run: page.twin.run, label: page.twin.letter } : null);
+    }
     set_ghosts(wanted);
   };
   const [help] = useState(() => new Cell(false));

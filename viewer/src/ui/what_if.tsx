@@ -100,7 +100,8 @@ function show(page: Page, other: Other | null): void {
   page.store.set({ end, time: Math.min(time, end), zoom: zoom && zoom[1] > end ? null : zoom });
 }
 
-function forget(page: Page): void {
+/** As if nothing had been flown on. */
+export function forget(page: Page): void {
   const run = page.future.get()?.value?.run;
   page.future.set(null);  // whoever answers is too late
   // who comes after this one may have its own by then
