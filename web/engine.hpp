@@ -49,8 +49,8 @@ class Engine {
   Advanced advance(const Advance& advance, std::string& packed);
   /// Goes to a step of the run.
   Moment seek(const Step& step);
-  /// What a player decided in the step that follows, or would have with other trees.
-  [[nodiscard]] Decided explain(const Otherwise& otherwise) const;
+  /// What a player decided in the step that follows.
+  [[nodiscard]] Decided explain(const Decider& decider) const;
   /// What it would have decided during the whole run, its states being what they were.
   [[nodiscard]] debrief::WhatIf what_if(const Otherwise& otherwise);
   /// How the run ended.

@@ -191,16 +191,14 @@ std::shared_ptr<const scenario::Scenario> Engine::other(
   return changed;
 }
 
-Decided Engine::explain(const Otherwise& otherwise) const {
+Decided Engine::explain(const Decider& decider) const {
   const scenario::Scenario& scenario = *run().scenario;
-  const PlayerId who = player(otherwise.player);
-  const auto asked =
-      otherwise.sets.empty() ? run().scenario : other(otherwise.player, otherwise.sets);
+  const PlayerId who = player(decider.player);
   debrief::Reflight flight(run(), *here_);
   if (!flight.step())
     return {};
-  const auto decision = debrief::explain(scenario, flight.before(), flight.after(), who,
-                                         flight.orders(), asked.get());
+  const auto decision =
+      debrief::explain(scenario, flight.before(), flight.after(), who, flight.orders());
   return decision ? Decided{debrief::decision_json(*decision, scenario.roster)} : Decided{};
 }
 

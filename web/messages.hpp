@@ -91,6 +91,11 @@ struct Step {
       "Step", "A moment of a run.",
       Member{"step", &Step::step, "Steps made before it: 0 is the start."}};
 };
+struct Decider {
+  std::string player;
+  static constexpr Description kMessage{"Decider", "Who decided.",
+                                        Member{"player", &Decider::player, "Whose name."}};
+};
 struct Otherwise {
   std::string player;
   std::vector<std::string> sets;

@@ -109,9 +109,8 @@ const std::array kQuestions{
         "(src/live/grown.ts), none if it is not to be drawn. seek() and the others know what was "
         "flown so far."),
     question<Step, Moment, &Engine::seek>("seek", "Goes to a step of the run."),
-    question<Otherwise, Decided, &Engine::explain>(
-        "explain",
-        "What a player decided in the step that follows, or would have with other trees."),
+    question<Decider, Decided, &Engine::explain>("explain",
+                                                 "What a player decided in the step that follows."),
     question<Otherwise, debrief::WhatIf, &Engine::what_if>(
         "what_if",
         "What it would have decided during the whole run, its states being what they were."),

@@ -117,12 +117,11 @@ void put_names(std::string& text, const Decision& decision, const scenario::Scen
 
 std::optional<Decision> explain(const scenario::Scenario& scenario, const sim::World& before,
                                 const sim::World& after, PlayerId who,
-                                std::span<const sim::Order> orders,
-                                const scenario::Scenario* other) {
+                                std::span<const sim::Order> orders) {
   std::optional<Decision> decision;
   if (const auto found = scenario.find(before, who))
     found->fleet.agents->look_again(before, after, who, orders, [&](const team::AnyMoment& m) {
-      decision = m.decision(*(other ? *other : scenario).fleet_of(who).agents);
+      decision = m.decision();
       for (Perceived& one : decision->perceived)
         one.name = debrief_name(one, scenario, before);
       each_value(*decision, [&](Value& value) { put_names(value.text, *decision, scenario); });

@@ -21,13 +21,11 @@ using team::parting, team::Won;
 /// Why somebody else leads now: what became of who led before (an index into now.nodes).
 [[nodiscard]] std::string why_not(const Decision& now, ubf::NodeIndex before);
 
-/// From the worlds before and after a step to the decision that an agent made in it, or would have
-/// made with the trees of `other`. Nothing if it had no decision due in the step, has no tree, or
-/// left the run in it.
+/// From the worlds before and after a step to the decision that an agent made in it. Nothing if it
+/// had no decision due in the step, has no tree, or left the run in it.
 [[nodiscard]] std::optional<Decision> explain(const scenario::Scenario& scenario,
                                               const sim::World& before, const sim::World& after,
-                                              PlayerId who, std::span<const sim::Order> orders,
-                                              const scenario::Scenario* other = nullptr);
+                                              PlayerId who, std::span<const sim::Order> orders);
 
 /// Puts names for the numbers in the text of a value: "#3 (bogey1)", "AIM-120 at #3 (bogey1)". The
 /// decision says who is #3; those that explain() gives have them.

@@ -161,7 +161,7 @@ TEST(Outside, WhatWasDecidedAndDoneIsFoundAgain) {
     const sim::World before = *war.world;
     war.step();
     war.system->look_again(before, *war.world, kEagle, {}, [&](const team::AnyMoment& moment) {
-      const team::Decision d = moment.decision(*war.system);
+      const team::Decision d = moment.decision();
       ++decisions;
       ASSERT_FALSE(d.overruled.empty());
       EXPECT_EQ(d.overruled[0].name, "heading");

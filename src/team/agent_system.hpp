@@ -198,8 +198,8 @@ class AgentSystem final : public Agents {
           agents_(agents),
           m_(m),
           asked_(asked) {}
-    [[nodiscard]] Decision decision(const Agents& asked) const override {
-      return decision_of(m_, tree_of(asked), tree_of(agents_), [&](Action& action) {
+    [[nodiscard]] Decision decision() const override {
+      return decision_of(m_, tree_of(agents_), [&](Action& action) {
         if (Outside::says(asked_))
           Outside::overrule(asked_, m_.state, action);
       });

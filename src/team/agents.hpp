@@ -42,10 +42,10 @@ class AnyMoment {
   std::uint16_t tree;
   std::span<const std::byte> memory;  ///< of its tree, before the decision
 
-  /// What the tree of this number of `asked`, agents of the same platform, decides there, with
-  /// every node's answer.
-  [[nodiscard]] virtual Decision decision(const Agents& asked) const = 0;
-  /// Asks that tree too; it works on `slab`, which is as large as it needs.
+  /// The decision again, with every node's answer.
+  [[nodiscard]] virtual Decision decision() const = 0;
+  /// Asks the tree of this number of `other`, agents of the same platform, too; it works on `slab`,
+  /// which is as large as it needs.
   [[nodiscard]] virtual Comparison compare(const Agents& other, std::byte* slab) const = 0;
 };
 

@@ -136,15 +136,14 @@ std::vector<Changed> changes(const Action& flown, const Action& other) {
   return all;
 }
 
-/// Asks `tree` where an agent has decided by `flown`, with a trace. What an agent perceived comes
-/// from perceived(state), found next to the state.
+/// Asks the tree of an agent again, with a trace. What it perceived comes from perceived(state),
+/// found next to the state.
 /// `overrule` puts into an action what somebody outside asked for instead.
 template <class State, class Action, class Overrule>
 Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tree,
-                     const ubf::Tree<State, Action>& flown, Overrule overrule) {
+                     Overrule overrule) {
   ubf::Trace<Action> trace(tree.size());
-  auto memory = memory_for(tree, flown, m);
-  const auto out = ask_again(tree, m, reinterpret_cast<std::byte*>(memory.data()), &trace);
+  const auto out = ask_again(tree, m, &trace);
   Decision d;
   d.status = trace.row(0).status;
   d.step = m.info.step;

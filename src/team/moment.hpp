@@ -41,27 +41,12 @@ ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Mome
             out);
   return out;
 }
-/// What `tree` remembers at a moment of an agent that has flown with `flown`: the same if both
-/// remember the same things in the same places, otherwise nothing. Allocates.
-template <class State, class Action>
-std::vector<std::uint64_t> memory_for(const ubf::Tree<State, Action>& tree,
-                                      const ubf::Tree<State, Action>& flown,
-                                      const Moment<State>& m) {
-  std::vector<std::uint64_t> slab(tree.memory_bytes() / 8 + 1);
-  bool alike = tree.size() == flown.size() && tree.memory_bytes() == flown.memory_bytes();
-  for (std::size_t i = 0; alike && i < tree.size(); ++i) {
-    const auto node = static_cast<ubf::NodeIndex>(i);
-    alike = tree.node(node).type() == flown.node(node).type();
-  }
-  if (alike)
-    std::copy_n(m.memory.begin(), tree.memory_bytes(), reinterpret_cast<std::byte*>(slab.data()));
-  return slab;
-}
 /// The same on a copy of what the agent remembered then. Allocates.
 template <class State, class Action>
 ubf::Proposal<Action> ask_again(const ubf::Tree<State, Action>& tree, const Moment<State>& m,
                                 ubf::Trace<Action>* trace = nullptr) {
-  auto slab = memory_for(tree, tree, m);
+  std::vector<std::uint64_t> slab(tree.memory_bytes() / 8 + 1);
+  std::copy_n(m.memory.begin(), tree.memory_bytes(), reinterpret_cast<std::byte*>(slab.data()));
   return ask_again(tree, m, reinterpret_cast<std::byte*>(slab.data()), trace);
 }
 

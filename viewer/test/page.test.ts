@@ -254,6 +254,15 @@ describe('what if', { skip: kNoPage }, () => {
     assert.ok(!(await both(540)), 'nothing is drawn of it');
     await go_to(480);
   });
+  test('the other future stays where the panel that asked for it is hidden', { skip: kNoProgram }, async () => {
+    await page.click('.future button');
+    await page.waitForSelector('.future [data-outcome]');
+    await page.click('button[aria-label="Hide: Decision"]');
+    await page.waitForTimeout(200);
+    assert.ok(await page.$('[data-row="leader flown on"]'), 'it is gone');
+    await page.click('button[aria-label="Show: Decision"]');
+    await page.waitForSelector('.future [data-outcome]');
+  });
   test('is as flown again after a reset', async () => {
     // out from under the title of its section
     await page.$eval('.what-if header button', (e) => e.scrollIntoView({ block: 'center' }));

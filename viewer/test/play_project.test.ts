@@ -52,6 +52,7 @@ test('a link brings back scenario, seed and edits', async () => {
   assert.deepEqual(await read_link(`${link}&t=312&p=eagle1`, kShipped), project);
   assert.equal(await read_link('#t=312', kShipped), null);
   assert.ok(link.length < 250, `${link.length} characters`);
+  assert.equal(await link_of(edited(kProject, kProject.scenario, 'x'.repeat(2_000_000))), '', 'a link that cannot be read');
 });
 
 test('a link that is not ours is refused in words', async () => {

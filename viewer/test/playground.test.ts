@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { after, before, describe, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { promisify } from 'node:util';
+import { deflateSync, inflateSync } from 'node:zlib';
 import type { Browser } from 'puppeteer-core';
 import { kBrowsers, launch, open_url, type Opened, type UserPage } from './browsers.ts';
 
@@ -18,6 +19,8 @@ const kHome = join(env['EYRIE_VIEWER_FOLDER'] ?? '', '..');
 const kNone = kPlayground && kProgram ? false : 'EYRIE_PLAYGROUND or EYRIE_PROGRAM is not set: no playground to open';
 const kUrl = pathToFileURL(join(kPlayground, 'index.html')).href;
 const kSweep = 'scenarios/sweep.yaml';
+/** As long as one can be. */
+const kSeed = '18446744073709551615';
 
 /** The hash that the program gives for a text of a scenario and a seed. */
 async function flown_by_program(text: string, seed: string): Promise<string> {
@@ -31,6 +34,8 @@ async function flown_by_program(text: string, seed: string): Promise<string> {
     rmSync(folder, { recursive: true });
   }
 }
+
+const link = (value: object): string => `#s=${deflateSync(JSON.stringify(value)).toString('base64url')}`;
 
 const open = async (browser: Browser, fragment = ''): Promise<Opened> => {
   const opened = await open_url(browser, kUrl + fragment, { width: 1440, height: 900 });
@@ -128,7 +133,7 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
 
     test('what was edited flies with a seed to the world to which the program flies it', async () => {
       const text = readFileSync(join(kHome, kSweep), 'utf8').replace('bingo: 2200 kg\n', 'bingo: 2200 kg\n      fuel: 4000 kg\n');
-      assert.equal(await fly(page, '7'), await flown_by_program(text, '7'));
+      assert.equal(await fly(page, kSeed), await flown_by_program(text, kSeed));
       assert.equal((await page.$$('.flights tbody tr')).length, 2);
     });
 
@@ -137,22 +142,37 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.waitForFunction(() => location.hash.startsWith('#s='));
       const other = await open(browser, await page.evaluate(() => location.hash));
       assert.ok((await text_now(other.page)).includes('fuel: 4000 kg'));
-      assert.equal(await other.page.$eval('[aria-label=Seed]', (field) => (field as HTMLInputElement).value), '7');
+      assert.equal(await other.page.$eval('[aria-label=Seed]', (field) => (field as HTMLInputElement).value), kSeed);
       assert.equal(await other.page.$('.last'), null);
       assert.deepEqual(other.complaints, []);
       await other.page.close();
     });
 
+    test('what no link can hold is told, and no link is given that nobody can open', async () => {
+      const line = `# ${'x'.repeat(97)}\n`;
+      const filled = (lines: number): object => ({ v: 1, scenario: kSweep, edits: { [kSweep]: `# last\n${line.repeat(lines)}` } });
+      // as large as a link may be, but for less than a line
+      const fragment = link(filled(Math.floor((1_000_000 - JSON.stringify(filled(0)).length) / JSON.stringify(line).slice(1, -1).length)));
+      const { page: other, complaints } = await open(browser, fragment);
+      await type_behind(other, '# last', line.trim());
+      await reads(other);
+      await other.$$eval('.top button', (all) => all.find((one) => one.textContent === 'Share')!.click());
+      await other.waitForFunction(() => document.querySelector('.top [role=status]')!.textContent === 'The changes are too large for a link.');
+      const given = await other.evaluate(() => location.hash.slice('#s='.length));
+      assert.ok(inflateSync(Buffer.from(given, 'base64url')).length <= 1_000_000);
+      assert.deepEqual(complaints, []);
+      await other.close();
+    });
+
     test('a hostile link does nothing but say why it cannot be used', async () => {
-      const link = (value: object) => promisify(execFile)(process.execPath, ['-e', 'process.stdout.write(require("zlib").deflateSync(process.argv[1]).toString("base64url"))', JSON.stringify(value)]).then(({ stdout }) => `#s=${stdout}`);
-      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [await link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
+      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
         assert.deepEqual(complaints, []);
         await other.close();
       }
       const evil = `<img src=x onerror=window.pwned=1><script>window.pwned=1</script>`;
-      const { page: other, complaints } = await open(browser, await link({ v: 1, scenario: kSweep, edits: { [kSweep]: `name: "${evil}"\n${evil}: [` } }));
+      const { page: other, complaints } = await open(browser, link({ v: 1, scenario: kSweep, edits: { [kSweep]: `name: "${evil}"\n${evil}: [` } }));
       assert.ok((await text_now(other)).includes(evil));
       assert.ok((await problems(other)).length > 0);
       assert.equal(await other.evaluate(() => (window as { pwned?: number }).pwned), undefined);
@@ -170,6 +190,16 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.click('.back');
       await page.waitForSelector('.playground');
       assert.equal(await page.$('.debriefed'), null);
+      assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
+    });
+
+    test('the way back of the browser leads from the debrief to the editor, too', async () => {
+      const flights = (await page.$$('.flights tbody tr')).length;
+      await page.click('.does .fly');
+      await page.waitForSelector('body[data-ready=true]');
+      await page.evaluate(() => history.back());
+      await page.waitForFunction(() => !document.querySelector('.debriefed'));
+      assert.equal((await page.$$('.flights tbody tr')).length, flights);
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
     });
 

@@ -48,6 +48,11 @@ export interface Decided {
   decision?: object;  // As `eyrie explain --json` prints it.
 }
 
+/** Who decided. */
+export interface Decider {
+  player: string;  // Whose name.
+}
+
 /** The first other decision. */
 export interface FirstOther {
   step: number;  // Of the world.
@@ -219,8 +224,8 @@ export interface Engine {
   advance(request: Advance): Promise<Advanced & { bytes: Uint8Array }>;
   /** Goes to a step of the run. */
   seek(request: Step): Promise<Moment>;
-  /** What a player decided in the step that follows, or would have with other trees. */
-  explain(request: Otherwise): Promise<Decided>;
+  /** What a player decided in the step that follows. */
+  explain(request: Decider): Promise<Decided>;
   /** What it would have decided during the whole run, its states being what they were. */
   what_if(request: Otherwise): Promise<WhatIf>;
   /** How the run ended. */

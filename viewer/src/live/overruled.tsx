@@ -37,7 +37,7 @@ export function Overruled({ player, index }: { player: Player; index: number }) 
   const asked = use_asked(since === null ? null : `${player.name} ${step}`, async () => {
     const engine = run.engine!;
     // in one go, so that nobody else goes to another step in between
-    const [, { decision }] = await Promise.all([engine.seek({ step }), engine.explain({ player: player.name, sets: [] })]);
+    const [, { decision }] = await Promise.all([engine.seek({ step }), engine.explain({ player: player.name })]);
     return (decision as Told | undefined)?.overruled ?? [];
   }, kRest);
   if (since === null || !asked) return null;

@@ -130,7 +130,7 @@ export function make_editor(host: HTMLElement, options: EditorOptions): Editor {
     lineNumbers(), lintGutter(), foldGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
     highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(), yaml(), syntaxHighlighting(kColors), kTheme,
     autocompletion({ override: [completions(options)], icons: false }), meaning(options), EditorState.tabSize.of(2),
-    EditorView.contentAttributes.of({ 'aria-label': 'Scenario text', spellcheck: 'false' }),
+    EditorView.contentAttributes.of({ 'aria-label': 'Scenario text', 'aria-description': 'Tab indents; Escape and then Tab leaves the text', spellcheck: 'false' }),
     keymap.of([
       { key: 'Mod-Enter', run: () => (options.fly(), true) }, ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...lintKeymap,
       ...historyKeymap, ...defaultKeymap, indentWithTab,

@@ -46,12 +46,13 @@ function use_loader(module: WebAssembly.Module, project: Project): Said {
 }
 
 /** The address holds what is edited: reloading, or sending it to somebody, brings it back. A moment that it names stays until something
- * else is edited. */
-async function write_link(project: Project): Promise<void> {
+ * else is edited. False: it cannot hold that much. */
+async function write_link(project: Project): Promise<boolean> {
   const is_first = project.scenario === kFirst && !project.seed && !Object.keys(project.edits).length;
   const link = is_first ? '' : await link_of(project);
-  if (said_in(link).get('s') === said_in(location.hash).get('s')) return;
-  history.replaceState(history.state, '', link || location.pathname + location.search);
+  if (!link && !is_first) return false;
+  if (said_in(link).get('s') !== said_in(location.hash).get('s')) history.replaceState(history.state, '', link || location.pathname + location.search);
+  return true;
 }
 
 /** The names that a key takes from the texts. */
@@ -152,17 +153,21 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     is_restored(true);
   };
   const share = async (): Promise<void> => {
-    await write_link(project);
+    if (!(await write_link(project))) return put_note('The changes are too large for a link.');
     put_note((await copy_text(location.href, null)) ? 'The link is copied: it holds your changes.' : 'The address bar has the link: it holds your changes.');
   };
   const debrief = async (runs: Flight[], first: Partial<View>): Promise<void> => {
     try {
+      await write_link(project);
+      history.replaceState('editor', '');
+      history.pushState('debrief', '');
       await write_link(runs.at(-1)!.project);
       const box = Object.assign(document.createElement('div'), { className: 'debriefed' });
       const engines = new Set<RunningEngine | undefined>();
       let is_open = true;
       const leave = (): void => {
         is_open = false;
+        unlisten();
         set_theme(window.eyrie?.store.get().theme ?? theme);
         for (const engine of engines) engine?.end();
         box.remove();
@@ -170,13 +175,13 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         void write_link(now.current.project);  // it is of the editor again
         document.title = 'Eyrie playground';
       };
-      const back = {
-        label: 'editor',
-        go: () => {
-          leave();
-          closing.then((shown) => shown.close(), () => {});
-        },
+      const close = (): void => {
+        leave();
+        closing.then((shown) => shown.close(), () => {});
       };
+      // the browser's own way back is to the editor, too
+      const unlisten = listen(window, { popstate: ({ state }) => state === 'editor' && close() });
+      const back = { label: 'editor', go: () => (history.state === 'debrief' ? history.back() : close()) };
       const flights = runs.map((run): Opening => (told, begun) => flown_again(module, run.file!, told, (part) => {
         engines.add(part.engine);
         document.body.append(box);
@@ -269,7 +274,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
         </select>
         <label class="seed">seed{' '}
           <input type="text" inputMode="numeric" pattern="\d{1,20}" aria-label="Seed" size={6} placeholder={seed_of(text)} value={project.seed}
-            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 19) })} />
+            onInput={(event) => put({ ...project, seed: event.currentTarget.value.replace(/\D/g, '').slice(0, 20) })} />
         </label>
         <button type="button" class="quiet" title="Another seed" aria-label="Another seed"
           onClick={() => put({ ...project, seed: String(1 + Math.floor(Math.random() * 999)) })}>⚄</button>

@@ -108,7 +108,7 @@ function Welcome({ help }: { help: string }) {
         <li><b>Fly</b> it, a thousand times faster than real time, or <b>Watch</b> it from the start.</li>
         <li><b>Debrief</b> it: every decision of every agent, and why; ask what if, and fly on from there.</li>
         <li><b>Change</b> the text: a vote, an arbiter, a missile, the weather. The loader reads along, Ctrl Space proposes, and
-          a key explains itself under the pointer. Fly again and compare.</li>
+          a key explains itself under the pointer; Tab indents, Esc and then Tab leaves the text. Fly again and compare.</li>
         <li><b>Share</b> a link that holds what you changed.</li>
       </ol>
       <p class="dim">Everything runs in this page: the same program, and for a text and a seed the same bits, as <code>./eyrie fly</code>. Nothing is sent anywhere.</p>

@@ -33,10 +33,13 @@ async function through(bytes: Uint8Array<ArrayBuffer>, stream: ReadableWritableP
   return new Uint8Array(await new Blob(parts as Uint8Array<ArrayBuffer>[]).arrayBuffer());
 }
 
+/** "" if it would be too long to be read. */
 export async function link_of({ scenario, seed, edits }: Project): Promise<string> {
   const shared: Shared = { v: 1, scenario, ...(seed && { seed }), ...(Object.keys(edits).length && { edits: { ...edits } }) };
-  const packed = await through(new TextEncoder().encode(JSON.stringify(shared)), new CompressionStream('deflate'), Infinity);
+  const bytes = new TextEncoder().encode(JSON.stringify(shared));
+  const packed = await through(bytes, new CompressionStream('deflate'), Infinity);
   const base64 = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
+  if (bytes.length > kLargest || base64.length > kLongestLink) return '';
   return `#s=${base64.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '')}`;
 }
 

@@ -23,6 +23,7 @@ import { Strips } from './strips.tsx';
 import { Events, Overview } from './timeline.tsx';
 import { Transport } from './transport.tsx';
 import { kNarrow, use_view } from './use.ts';
+import { forget, ForgetFuture } from './what_if.tsx';
 
 type Panel = 'left' | 'right' | 'bottom';
 type Sizes = Record<Panel, number>;
@@ -110,7 +111,10 @@ export function App({ pages, back, onScene }: {
   const active = pages.find((page) => page.letter === letter) ?? pages[0]!;
   const [ghosts, set_ghosts] = useState(false);
   const show_ghosts = (wanted: boolean): void => {
-    for (const { other, twin } of pages) other.set(wanted && twin ? { from: 0, run: twin.run, label: twin.letter } : null);
+    for (const page of pages) {
+      forget(page);
+      page.other.set(wanted && page.twin ? { from: 0, run: page.twin.run, label: page.twin.letter } : null);
+    }
     set_ghosts(wanted);
   };
   const [help] = useState(() => new Cell(false));
@@ -128,6 +132,7 @@ export function App({ pages, back, onScene }: {
           {pages.filter((page) => !ghosts || page === active).map((page) => (
             <PageContext.Provider key={page.letter} value={page}><Stage onMount={(scene) => onScene(page, scene)} /></PageContext.Provider>
           ))}
+          {pages.map((page) => <PageContext.Provider key={page.letter} value={page}><ForgetFuture /></PageContext.Provider>)}
           {active.live && <LiveOver live={active.live} />}
         </main>
         {layout.shown('right') && <aside class="right" aria-label="Decision">{active.live && <Orders live={active.live} />}<Inspector key={active.letter} /></aside>}

@@ -9,7 +9,7 @@ import { Cell, type Store, type View } from '../store.ts';
 import { marks_of, type Mark } from './marks.ts';
 import { kNarrow } from './use.ts';
 import type { QuantityKey } from './series.ts';
-import type { Change } from './what_if_answer.ts';
+import type { Change, FlownOn } from './what_if_answer.ts';
 
 /** What the strips show. */
 export interface StripChoice {
@@ -36,6 +36,7 @@ export interface Page {
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
   marks: Mark[];  // In order of time.
   changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
+  future: Cell<FlownOn | null>;  // What was flown on with the changes, for the selected player.
   node: Cell<number>;  // The node of the tree that is looked into; -1: none.
   pointed: Cell<number>;  // The node of the tree that something else on the page speaks of now; -1: none.
   hover: Cell<Hover | null>;  // What of the strips is under the pointer.
@@ -69,6 +70,7 @@ export function make_page(run: Run, store: Store, letter: string): Page {
     get duration() { return store.get().end; },
     other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),
+    future: new Cell<FlownOn | null>(null),
     node: new Cell(-1),
     pointed: new Cell(-1),
     hover: new Cell<Hover | null>(null),

@@ -8,10 +8,10 @@ import { kFlownOn, type Other } from '../scene/other.ts';
 import { clock_text, count_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { Chip } from './leaders.tsx';
-import { use_page } from './page.ts';
-import { use_cell } from './use.ts';
+import { use_page, type Page } from './page.ts';
+import { use_cell, use_view } from './use.ts';
 import {
-  command_of, branch, use_answer, use_question, type Change, type Asked as AskedOf, type Future,
+  command_of, branch, use_answer, use_question, type Change, type Asked as AskedOf, type FlownOn,
 } from './what_if_answer.ts';
 
 /** Where the clipboard is closed to a file, the words are at least marked. */
@@ -93,40 +93,49 @@ function tally(of: Outcome): string {
   return `${of.outcome.replaceAll('_', ' ')} at ${clock_text(of.time ?? 0)}; ${side('blue')}; ${side('red')}`;
 }
 
+function show(page: Page, other: Other | null): void {
+  page.other.set(other);
+  const { time, zoom } = page.store.get();
+  const end = Math.max(...[page.run, page.twin?.run, other?.run].map((run) => run?.about.duration ?? 0));
+  page.store.set({ end, time: Math.min(time, end), zoom: zoom && zoom[1] > end ? null : zoom });
+}
+
+/** As if nothing had been flown on. */
+export function forget(page: Page): void {
+  const run = page.future.get()?.value?.run;
+  page.future.set(null);  // whoever answers is too late
+  // who comes after this one may have its own by then
+  if (run && page.other.get()?.run === run) show(page, null);
+}
+
+/** Forgets what was flown on when another one is asked or something else, whichever panels are shown. */
+export function ForgetFuture() {
+  const page = use_page();
+  const changes = use_cell(page.changes);
+  const selected = use_view(page.store, (v) => v.selected);
+  // while a mission is flown, the page is another object at each drawing
+  useEffect(() => () => forget(page), [changes, selected]);
+  return null;
+}
+
 /** The other future from now on: how it ends, and in the air picture where everybody would be. */
 function FlyOn({ player }: { player: Player }) {
   const page = use_page();
   const changes = use_cell(page.changes);
-  const [future, put] = useState<(Omit<AskedOf<Future>, 'key'> & { from: number }) | null>(null);
-  const asked = useRef(0);
-  const shown = useRef<Other | null>(null);
-  const show = (other: Other | null): void => {
-    page.other.set((shown.current = other));
-    const { time, zoom } = page.store.get();
-    const end = Math.max(...[page.run, page.twin?.run, other?.run].map((run) => run?.about.duration ?? 0));
-    page.store.set({ end, time: Math.min(time, end), zoom: zoom && zoom[1] > end ? null : zoom });
-  };
-  const forget = (): void => {
-    ++asked.current;  // whoever answers is too late
-    put(null);
-    // who comes after this one may have its own by then
-    if (shown.current && page.other.get() === shown.current) show(null);
-  };
-  // while a mission is flown, the player is another object at each drawing
-  useEffect(() => forget, [changes, player.index]);
+  const future = use_cell(page.future);
   const fly = (): void => {
-    const mine = ++asked.current;
     const { time } = page.store.get();
     const { dt, steps } = page.run.about;
     const step = Math.min(Math.round(time / dt), steps);
-    put({ from: time });
+    const mine: FlownOn = { from: time };
+    page.future.set(mine);
     branch(page.run, player.index, changes, step).then(
       (value) => {
-        if (mine !== asked.current) return;
-        put({ from: time, value });
-        show({ from: step * dt, run: value.run, label: kFlownOn });
+        if (page.future.get() !== mine) return;
+        page.future.set({ ...mine, value });
+        show(page, { from: step * dt, run: value.run, label: kFlownOn });
       },
-      (error: unknown) => mine === asked.current && put({ from: time, problem: words_of(error) }),
+      (error: unknown) => page.future.get() === mine && page.future.set({ ...mine, problem: words_of(error) }),
     );
   };
   return (
@@ -140,7 +149,7 @@ function FlyOn({ player }: { player: Player }) {
             <dt>as flown</dt><dd>{tally(future.value.flown)}</dd>
             <dt>with it from {clock_text(future.from)}, hollow and broken in the air picture</dt><dd>{tally(future.value.other)}</dd>
           </dl>
-          <button type="button" onClick={forget}>only as flown</button>
+          <button type="button" onClick={() => forget(page)}>only as flown</button>
         </>
       )}
     </div>

@@ -138,6 +138,11 @@ export interface Future {
   run: Run;
 }
 
+/** The one that is shown, or was asked for. */
+export interface FlownOn extends Omit<Asked<Future>, 'key'> {
+  from: number;  // s
+}
+
 /** Flies on from a step with the changes. */
 export async function branch(run: Run, player: number, changes: readonly Change[], step: number): Promise<Future> {
   const engine = run.engine!;
