@@ -95,16 +95,21 @@ NodeTypes Engine::node_types() {
           types(plugins.registries().drivers.catalog())};
 }
 
+Problems problems_of(const ConfigError& error) {
+  Problems all;
+  for (const Diagnostic& one : error.diagnostics().sorted())
+    all.problems.push_back(
+        {std::string(one.where.file.text()), one.where.line, one.where.column, one.message});
+  return all;
+}
+
 Problems Engine::validate(const Texts& texts) {
-  Problems result;
   try {
     static_cast<void>(loaded(texts));
+    return {};
   } catch (const ConfigError& e) {
-    for (const Diagnostic& one : e.diagnostics().sorted())
-      result.problems.push_back(
-          {std::string(one.where.file.text()), one.where.line, one.where.column, one.message});
+    return problems_of(e);
   }
-  return result;
 }
 
 About Engine::load(const Load& load) {

@@ -82,11 +82,11 @@ class Engine {
   std::optional<sim::World> here_;
 };
 
+/// Its mistakes, each with its place.
+[[nodiscard]] Problems problems_of(const ConfigError& error);
+
 /// Answers one request in JSON. `bytes` are those that came with it, and afterwards those that go
 /// with the answer. Never throws but for a lack of memory.
 [[nodiscard]] std::string answer(Engine& engine, std::string_view request, std::string& bytes);
-
-/// viewer/src/engine/questions.ts, made of the list of questions that dispatches them.
-[[nodiscard]] std::string declarations();
 
 }  // namespace eyrie::web

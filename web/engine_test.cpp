@@ -287,15 +287,5 @@ TEST(WebQuestions, NameEveryMistakeOfATextWithItsPlace) {
   EXPECT_NE(all.find("\"file\":\"a.yaml\",\"line\":"), std::string::npos) << all;
 }
 
-TEST(WebQuestions, AreDeclaredInTypeScript) {
-  const std::string file = "viewer/src/engine/questions.ts";
-  std::ifstream in(file, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (text == declarations())
-    return;
-  std::ofstream("questions.ts.new", std::ios::binary) << declarations();
-  ADD_FAILURE() << file << " is not what the questions are: put questions.ts.new in its place";
-}
-
 }  // namespace
 }  // namespace eyrie::web

@@ -166,48 +166,4 @@ void from_json(const Json& json, T& value, const std::string& path) {
   }
 }
 
-/// How TypeScript calls the type; interfaces that it needs are added to `declared` by name.
-template <class T>
-[[nodiscard]] std::string typescript(std::map<std::string, std::string>& declared) {
-  if constexpr (Described<T>) {
-    const std::string name(described<T>.name);
-    if (declared.contains(name))
-      return name;
-    declared[name];  // it may hold itself
-    std::string text = fmt::format("/** {} */\nexport interface {} {{\n", described<T>.help, name);
-    std::apply(
-        [&](const auto&... member) {
-          [[maybe_unused]] const auto declare = [&](const auto& one) {
-            using V = std::remove_cvref_t<decltype(std::declval<T>().*one.at)>;
-            if constexpr (detail::is_optional<V>)
-              text += fmt::format("  {}?: {};  // {}\n", one.name,
-                                  typescript<typename V::value_type>(declared), one.help);
-            else
-              text +=
-                  fmt::format("  {}: {};  // {}\n", one.name, typescript<V>(declared), one.help);
-          };
-          (declare(member), ...);
-        },
-        described<T>.members);
-    declared[name] = text + "}\n";
-    return name;
-  } else if constexpr (detail::is_list<T>) {
-    return fmt::format("Array<{}>", typescript<typename T::value_type>(declared));
-  } else if constexpr (detail::is_map<T>) {
-    return fmt::format("Record<string, {}>", typescript<typename T::mapped_type>(declared));
-  } else if constexpr (std::same_as<T, bool>) {
-    return "boolean";
-  } else if constexpr (std::floating_point<T>) {
-    return "number | null";
-  } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-    return "number";
-  } else if constexpr (std::same_as<T, std::pair<double, double>>) {
-    return "[number, number]";
-  } else if constexpr (std::same_as<T, Json>) {
-    return "object";
-  } else {
-    return "string";
-  }
-}
-
 }  // namespace eyrie::web

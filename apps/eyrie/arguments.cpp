@@ -13,6 +13,14 @@
 #include "net/endpoint.hpp"
 
 namespace eyrie::app {
+namespace {
+
+/// "" if it is right, else that the text is no such thing.
+std::string unless(bool right, const std::string& text, std::string_view what) {
+  return right ? std::string{} : fmt::format("{} is no {}", quote(text), what);
+}
+
+}  // namespace
 
 std::function<std::string(std::string&)> whole_number(std::uint64_t least, std::uint64_t most) {
   return [=](std::string& text) {
@@ -36,34 +44,23 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> two_numbers(std::string_v
 
 std::string address(const std::string& text) {
   const auto found = net::endpoint_of(text, {});
-  return found && found->address == text
-             ? std::string{}
-             : fmt::format("{} is no address such as 0.0.0.0", quote(text));
+  return unless(found && found->address == text, text, "address such as 0.0.0.0");
 }
 
 std::string endpoint(const std::string& text) {
-  return net::endpoint_of(text, {}) ? std::string{}
-                                    : fmt::format(
-                                          "{} is no port or address such as 42674, 0.0.0.0 "
-                                          "or 192.168.1.5:42674",
-                                          quote(text));
+  return unless(net::endpoint_of(text, {}).has_value(), text,
+                "port or address such as 42674, 0.0.0.0 or 192.168.1.5:42674");
 }
 
 std::string datagram_endpoint(const std::string& text) {
   const auto at = net::endpoint_of(text, kDisStandard);
-  return at && at->port != 0 && at->address.find(':') == std::string::npos
-             ? std::string{}
-             : fmt::format(
-                   "{} is no port or IPv4 address such as 3000, 239.1.2.3 or 192.168.1.255:3000",
-                   quote(text));
+  return unless(at && at->port != 0 && at->address.find(':') == std::string::npos, text,
+                "port or IPv4 address such as 3000, 239.1.2.3 or 192.168.1.255:3000");
 }
 
 std::string station(const std::string& text) {
-  return dis::station_of(text)
-             ? std::string{}
-             : fmt::format(
-                   "{} is no exercise (1 to 255), site and application (1 to 65534), such as 1.1.1",
-                   quote(text));
+  return unless(dis::station_of(text).has_value(), text,
+                "exercise (1 to 255), site and application (1 to 65534), such as 1.1.1");
 }
 
 std::string rate(std::string& text) {
@@ -73,9 +70,8 @@ std::string rate(std::string& text) {
     return {};
   }
   const auto value = number_from<double>(text);
-  return value && *value >= kSlowest && *value <= kFastest
-             ? std::string{}
-             : fmt::format("{} is no rate: {} to {}, or max", quote(text), kSlowest, kFastest);
+  return unless(value && *value >= kSlowest && *value <= kFastest, text,
+                fmt::format("rate: {} to {}, or max", kSlowest, kFastest));
 }
 
 std::function<std::string(const std::string&)> one_of(std::vector<std::string_view> names) {

@@ -287,6 +287,20 @@ compdef _eyrie eyrie
 
 }  // namespace
 
+std::vector<std::string> command_names(const CLI::App& app) {
+  Names names;
+  for (const CLI::App* command : commands_of(app))
+    names.push_back(command->get_name());
+  return names;
+}
+
+const CLI::App* command_named(const CLI::App& app, std::string_view name) {
+  for (const CLI::App* command : commands_of(app))
+    if (command->get_name() == name)
+      return command;
+  return nullptr;
+}
+
 std::string usage_of(const CLI::App& app) {
   std::string usage;
   for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -326,20 +340,13 @@ void add_completion(CLI::App& app, std::function<int()>& chosen) {
 
 std::string completions(const CLI::App& app, std::span<char*> words) {
   const std::string begun = words.empty() ? "" : words.back();
-  const CLI::App* command = nullptr;
-  Names names;
-  for (const CLI::App* one : commands_of(app)) {
-    names.push_back(one->get_name());
-    if (words.size() > 1 && one->get_name() == words[0])
-      command = one;
-  }
+  const CLI::App* command = words.size() > 1 ? command_named(app, words[0]) : nullptr;
+  Names names = command_names(app);
   const bool help = words.size() == 2 && std::string_view(words[0]) == "help";
   if (words.size() < 2)
     names.emplace_back("help");
   if (command) {
-    names.clear();
-    for (const CLI::App* below : commands_of(*command))
-      names.push_back(below->get_name());
+    names = command_names(*command);
     const std::string before = words[words.size() - 2];
     const CLI::Option* option =
         before.starts_with("--") ? command->get_option_no_throw(before) : nullptr;

@@ -12,6 +12,10 @@ namespace eyrie::app {
   return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
+[[nodiscard]] std::vector<std::string> command_names(const CLI::App& app);
+/// Null if there is none.
+[[nodiscard]] const CLI::App* command_named(const CLI::App& app, std::string_view name);
+
 /// "[SCENARIO] [options]"
 [[nodiscard]] std::string usage_of(const CLI::App& app);
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -20,14 +19,16 @@ namespace eyrie::app {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file that was built or installed with the program, or "".
-std::string beside_program(const char* built, const char* installed) {
-  std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const fs::path prefix = program.parent_path().parent_path();
+/// What the environment variable says, or a file that was built or installed with the program; ""
+/// if there is none.
+std::string named_or_beside_program(const char* variable, const char* built,
+                                    const char* installed) {
+  if (const char* set = std::getenv(variable))
+    return set;
+  const fs::path prefix = program_prefix();
   std::error_code missing;  // of a place that is not there
   for (const char* place : {built, installed})
-    if (!failed && fs::is_regular_file(prefix / place, missing))
+    if (!prefix.empty() && fs::is_regular_file(prefix / place, missing))
       return (prefix / place).string();
   return "";
 }
@@ -40,14 +41,18 @@ std::optional<double> plain(std::string_view text) {
 
 }  // namespace
 
+fs::path program_prefix() {
+  std::error_code failed;
+  return fs::read_symlink("/proc/self/exe", failed).parent_path().parent_path();
+}
+
 std::string home() {
   const char* set = std::getenv("EYRIE_HOME");
   set = set && *set ? set : nullptr;
   std::string found = set ? set : EYRIE_HOME_DEFAULT;
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const fs::path share = program.parent_path().parent_path() / "share" / "eyrie";
-  if (!set && !failed && fs::is_directory(share / "scenarios", failed))
+  const fs::path prefix = program_prefix(), share = prefix / "share" / "eyrie";
+  if (!set && !prefix.empty() && fs::is_directory(share / "scenarios", failed))
     found = share.string();  // installed: beside the program
   if (fs::is_directory(fs::path(found) / "data", failed))
     return found;
@@ -57,9 +62,7 @@ std::string home() {
 }
 
 std::string viewer_file() {
-  if (const char* set = std::getenv("EYRIE_VIEWER"))
-    return set;
-  return beside_program("viewer/debrief.html", "share/eyrie/debrief.html");
+  return named_or_beside_program("EYRIE_VIEWER", "viewer/debrief.html", "share/eyrie/debrief.html");
 }
 
 std::string playground_file() {
@@ -68,9 +71,7 @@ std::string playground_file() {
 }
 
 std::string mpi_library() {
-  if (const char* set = std::getenv("EYRIE_MPI"))
-    return set;
-  return beside_program("bin/libeyrie_mpi.so", "lib/eyrie/libeyrie_mpi.so");
+  return named_or_beside_program("EYRIE_MPI", "bin/libeyrie_mpi.so", "lib/eyrie/libeyrie_mpi.so");
 }
 
 std::string duckdb_library() {

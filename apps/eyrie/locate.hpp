@@ -48,6 +48,9 @@ struct Located {
 /// it was built from. Throws Mistake if it is not there.
 [[nodiscard]] std::string home();
 
+/// The folder above the one that this program lies in; "" if nobody knows.
+[[nodiscard]] std::filesystem::path program_prefix();
+
 /// The user's folder for Eyrie in the one that an environment variable names, or below his home;
 /// "" if there is none. A relative path is none (XDG Base Directory Specification 0.8).
 [[nodiscard]] std::filesystem::path user_folder(const char* variable, const char* below_home);

@@ -81,10 +81,9 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 /// ./eyrie has put beside the build. Empty if there is none.
 std::string package() {
   std::error_code failed;
-  const fs::path program = fs::read_symlink("/proc/self/exe", failed);
-  const fs::path prefix = program.parent_path().parent_path();
+  const fs::path prefix = program_prefix();
   for (const fs::path& place : {prefix, prefix / "package"})
-    if (!failed && fs::exists(place / "lib/cmake/Eyrie/EyrieConfig.cmake", failed))
+    if (!prefix.empty() && fs::exists(place / "lib/cmake/Eyrie/EyrieConfig.cmake", failed))
       return place.string();
   return {};
 }

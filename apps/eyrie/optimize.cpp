@@ -7,7 +7,6 @@
 #include "campaign/whole_scenario.hpp"
 #include "campaign_json.hpp"
 #include "campaign_source.hpp"
-#include "campaign_text.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/text.hpp"

@@ -19,11 +19,6 @@ std::string version_text() {
 
 namespace {
 
-/// "1 flight", "2 flights"
-std::string counted(std::size_t n, std::string_view what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
-
 /// "6 aircraft in 2 flights and 5 vehicles in 1 convoy"
 std::string players_text(const scenario::Scenario& scenario) {
   std::string text;

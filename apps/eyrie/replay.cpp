@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  replay: a recorded run once more, with the plug-ins that it had; diff: two of them.
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"

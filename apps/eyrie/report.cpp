@@ -104,11 +104,10 @@ std::string pacing_text(const Timing& timing) {
       late.percentile(0.99) * 1e3, late.percentile(0.999) * 1e3, late.max() * 1e3, 100 * p.load(),
       100 * work.max() / p.frame(), timing.came_first ? "before all" : "no sooner than",
       timing.moves == 0 ? ""
-                        : fmt::format(", {} {} on another processor", timing.moves,
-                                      timing.moves == 1 ? "time" : "times"));
+                        : fmt::format(", {} on another processor", counted(timing.moves, "time")));
   if (p.stalls())
-    text += fmt::format("fell behind {} {} and gave up {:.1f} s\n", p.stalls(),
-                        p.stalls() == 1 ? "time" : "times", p.given_up());
+    text += fmt::format("fell behind {} and gave up {:.1f} s\n", counted(p.stalls(), "time"),
+                        p.given_up());
   return text;
 }
 
@@ -190,8 +189,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   const double time = mission.run().time();
   say("{}\n", debrief::outcome_text(mission, tally));
   if (const auto refused = mission.run().world().refused_births(); refused > 0)
-    say("no room in the world: {} {} could not be launched or born\n", refused,
-        refused == 1 ? "player" : "players");
+    say("no room in the world: {} could not be launched or born\n", counted(refused, "player"));
   say("world hash {} after {} steps", hash_text(mission.run().world().hash()),
       mission.run().world().step());
   if (timing.kept_until)
@@ -202,9 +200,8 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   if (timing.pacing && timing.pacing->frames() > 0)
     say("{}", Composed{pacing_text(timing)});
   if (const auto& t = timing.tacview)
-    say("Tacview: {} {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n", t->joined,
-        t->joined == 1 ? "client" : "clients", t->refused, t->dropped,
-        static_cast<double>(t->bytes) / 1e6);
+    say("Tacview: {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n",
+        counted(t->joined, "client"), t->refused, t->dropped, static_cast<double>(t->bytes) / 1e6);
   if (const auto& d = timing.dis) {
     say("DIS: {} packets sent, {:.0f} kB, {} dropped{}\n", d->sent.sent,
         static_cast<double>(d->sent.bytes) / 1e3, d->sent.dropped,

@@ -7,7 +7,6 @@
 
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 
 #include "core/text.hpp"
 
@@ -69,6 +68,11 @@ struct Mistake : std::runtime_error {
 template <class... T>
 [[noreturn]] void refuse(Format<T...> format, const T&... values) {
   throw Mistake(shown<T...>(format, values...));
+}
+
+/// "1 flight", "2 flights"
+[[nodiscard]] inline std::string counted(std::uint64_t n, std::string_view what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
 /// Whether standard output is a terminal that wants colors (https://no-color.org).

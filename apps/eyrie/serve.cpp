@@ -72,11 +72,10 @@ auto listening(Place& place, Make make) {
 }
 
 void tell(const net::WebHost::Counts& counts, bool live) {
-  complain("eyrie: {} {} sent, ", counts.pages, counts.pages == 1 ? "page" : "pages");
+  complain("eyrie: {} sent, ", counted(counts.pages, "page"));
   if (live)
-    complain("{} {}, {:.1f} kB to them, {} dropped as too slow, ", counts.viewers,
-             counts.viewers == 1 ? "viewer" : "viewers", static_cast<double>(counts.bytes) / 1e3,
-             counts.dropped);
+    complain("{}, {:.1f} kB to them, {} dropped as too slow, ", counted(counts.viewers, "viewer"),
+             static_cast<double>(counts.bytes) / 1e3, counts.dropped);
   complain("{} refused\n", counts.refused);
 }
 

@@ -17,19 +17,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names command_names(const CLI::App& app) {
-  Names names;
-  for (const CLI::App* command : commands_of(app))
-    names.push_back(command->get_name());
-  return names;
-}
-/// The subcommand of that name, or null.
-const CLI::App* command_named(const CLI::App& app, std::string_view name) {
-  for (const CLI::App* command : commands_of(app))
-    if (command->get_name() == name)
-      return command;
-  return nullptr;
-}
 const CLI::App* command_of(const CLI::App& app, std::span<char*> words) {
   return words.size() > 1 ? command_named(app, words[1]) : nullptr;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 /// \file  whatif: another tree or parameter for a recorded run.
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "campaign/in_order.hpp"

@@ -3,7 +3,6 @@
 /// zones of everybody's own missiles are kept between runs.
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>

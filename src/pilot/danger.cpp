@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pilot/danger.hpp"
 
-#include "pilot/controller.hpp"
 #include "pilot/shots.hpp"
 
 namespace eyrie::pilot {

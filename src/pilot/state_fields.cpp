@@ -60,120 +60,41 @@ Vec3 to_place(const State& s, const team::Leader& lead) {
 }
 
 /// What `of` says of the chosen target; no value without one.
-template <auto of>
-double of_target(const State& s) {
-  const Seen* target = s.target();
-  return target ? of(s, *target) : kNoValue;
+template <class Of>
+constexpr auto of_target(Of) {
+  return [](const State& s) -> double {
+    const Seen* target = s.target();
+    return target ? Of{}(s, *target) : kNoValue;
+  };
 }
-constexpr auto kTargetRange = [](const State&, const Seen& t) { return t.range; };
-constexpr auto kTargetClosing = [](const State& s, const Seen& t) { return s.closing_on(t); };
-constexpr auto kTargetOffNose = [](const State& s, const Seen& t) { return s.off_nose(t.ned); };
-constexpr auto kTargetOffTail = [](const State& s, const Seen& t) {
-  return angles_of(s, t).off_tail;
-};
-constexpr auto kTargetCrossing = [](const State& s, const Seen& t) {
-  return angles_of(s, t).crossing;
-};
-constexpr auto kTargetUnseen = [](const State& s, const Seen& t) {
-  const double seen = t.track->seen_time;
-  return seen == model::kNever ? std::numeric_limits<double>::infinity() : s.time - seen;
-};
-constexpr auto kTargetHeight = [](const State& s, const Seen& t) {
-  return altitude_of(s.own, t.ned) - s.own.altitude;
-};
-constexpr auto kTargetAge = [](const State& s, const Seen& t) { return s.time - t.track->time; };
-constexpr auto kTargetAltitude = [](const State& s, const Seen& t) {
-  return altitude_of(s.own, t.ned);
-};
-constexpr auto kTargetSpeed = [](const State& s, const Seen& t) { return norm(s.velocity_of(t)); };
-constexpr auto kTargetClimb = [](const State& s, const Seen& t) {
-  return elevation_of(s.velocity_of(t));
-};
-constexpr auto kTargetCourse = [](const State& s, const Seen& t) {
-  return right_of_nose(s, bearing_of(s.velocity_of(t)));
-};
-constexpr auto kTargetAspect = [](const State& s, const Seen& t) {
-  return angle_between(bearing_of(s.velocity_of(t)), bearing_of(-t.ned));
-};
-constexpr auto kTargetRight = [](const State& s, const Seen& t) {
-  return right_of_nose(s, bearing_of(t.ned));
-};
-constexpr auto kTargetUp = [](const State&, const Seen& t) { return elevation_of(t.ned); };
-constexpr auto kTargetAzimuth = [](const State& s, const Seen& t) {
-  return in_body(s, t.ned).azimuth;
-};
-constexpr auto kTargetElevation = [](const State& s, const Seen& t) {
-  return in_body(s, t.ned).elevation;
-};
-constexpr auto kDriftRight = [](const State& s, const Seen& t) { return drift(s, t).right; };
-constexpr auto kDriftUp = [](const State& s, const Seen& t) { return drift(s, t).up; };
-constexpr auto kShots = [](const State& s, const Seen& t) {
-  return static_cast<double>(s.agent.flying_at(t.id(), s.time));
-};
-constexpr auto kOverRMax = [](const State& s, const Seen& t) {
-  return over(t.range, s.own_reach(t).r_max);
-};
-constexpr auto kOverRNe = [](const State& s, const Seen& t) {
-  return over(t.range, s.own_reach(t).r_ne);
-};
-constexpr auto kOverHisRMax = [](const State& s, const Seen& t) {
-  return over(t.range, s.reach_of(t).r_max);
-};
-constexpr auto kOverHisRNe = [](const State& s, const Seen& t) {
-  return over(t.range, s.reach_of(t).r_ne);
-};
-constexpr auto kInZone = [](const State& s, const Seen& t) -> double {
-  return s.own_reach(t).store.has_value();
-};
 
 /// What `of` says of the sight on the chosen target; no value without target or gun.
-template <auto of>
-double of_sight(const State& s) {
-  const Seen* target = s.target();
-  const std::optional<Sight> sight = target ? s.gun_sight(*target) : std::nullopt;
-  return sight ? of(s, *sight) : kNoValue;
+template <class Of>
+constexpr auto of_sight(Of) {
+  return [](const State& s) -> double {
+    const Seen* target = s.target();
+    const std::optional<Sight> sight = target ? s.gun_sight(*target) : std::nullopt;
+    return sight ? Of{}(s, *sight) : kNoValue;
+  };
 }
-constexpr auto kGunAzimuth = [](const State& s, const Sight& g) {
-  return in_body(s, g.aim).azimuth;
-};
-constexpr auto kGunElevation = [](const State& s, const Sight& g) {
-  return in_body(s, g.aim).elevation;
-};
-constexpr auto kGunReach = [](const State& s, const Sight& g) {
-  return over(g.range, s.library.guns[*s.type.index.gun].greatest_range);
-};
 
 /// What `of` says of the missile to worry about; no value without one.
-template <auto of>
-double of_missile(const State& s) {
-  const model::InboundMissile* missile = s.threat();
-  return missile ? of(s, *missile) : kNoValue;
+template <class Of>
+constexpr auto of_missile(Of) {
+  return [](const State& s) -> double {
+    const model::InboundMissile* missile = s.threat();
+    return missile ? Of{}(s, *missile) : kNoValue;
+  };
 }
-constexpr auto kMissileRange = [](const State&, const model::InboundMissile& m) {
-  return m.has_position ? m.range : kNoValue;
-};
-constexpr auto kMissileRight = [](const State& s, const model::InboundMissile& m) {
-  return right_of_nose(s, m.bearing);
-};
-constexpr auto kMissileTime = [](const State& s, const model::InboundMissile& m) {
-  return time_to_go(s, m).value_or(kNoValue);
-};
 
 /// What `of` says of who is followed; no value for who leads, or who has not heard of the lead.
-template <auto of>
-double of_lead(const State& s) {
-  const std::optional<team::Leader> lead = s.leader();
-  return lead ? of(s, *lead) : kNoValue;
+template <class Of>
+constexpr auto of_lead(Of) {
+  return [](const State& s) -> double {
+    const std::optional<team::Leader> lead = s.leader();
+    return lead ? Of{}(s, *lead) : kNoValue;
+  };
 }
-constexpr auto kPlaceAhead = [](const State& s, const team::Leader& l) { return to_place(s, l).x; };
-constexpr auto kPlaceRight = [](const State& s, const team::Leader& l) { return to_place(s, l).y; };
-constexpr auto kPlaceAbove = [](const State& s, const team::Leader& l) {
-  return -to_place(s, l).z;
-};
-constexpr auto kLeadCourse = [](const State& s, const team::Leader& l) {
-  return right_of_nose(s, s.forward_of(l));
-};
-constexpr auto kLeadSpeed = [](const State&, const team::Leader& l) { return norm(l.velocity); };
 
 template <bool (Seen::*is)() const>
 std::size_t count(const State& s) {
@@ -237,13 +158,18 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            [](const State& s) { return double(s.lost); }),
     flag("leads", "the own rank is the first", [](const State& s) -> double { return s.leads(); }),
     number("place_ahead", "m", "from here to the own place in the formation, along the own heading",
-           of_lead<kPlaceAhead>),
-    number("place_right", "m", "likewise to the right", of_lead<kPlaceRight>),
-    number("place_above", "m", "likewise up", of_lead<kPlaceAbove>),
+           of_lead([](const State& s, const team::Leader& l) { return to_place(s, l).x; })),
+    number("place_right", "m", "likewise to the right",
+           of_lead([](const State& s, const team::Leader& l) { return to_place(s, l).y; })),
+    number("place_above", "m", "likewise up",
+           of_lead([](const State& s, const team::Leader& l) { return -to_place(s, l).z; })),
     number("lead_course", "rad",
            "of who is followed, from the own heading, in (-180°, 180°], positive right",
-           of_lead<kLeadCourse>),
-    number("lead_speed", "m/s", "of who is followed, over the ground", of_lead<kLeadSpeed>),
+           of_lead([](const State& s, const team::Leader& l) {
+             return right_of_nose(s, s.forward_of(l));
+           })),
+    number("lead_speed", "m/s", "of who is followed, over the ground",
+           of_lead([](const State&, const team::Leader& l) { return norm(l.velocity); })),
     number("tracks", "", "that this pilot knows",
            [](const State& s) { return double(s.seen_count); }),
     number("hostiles", "", "tracks identified as hostile",
@@ -254,67 +180,97 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
          [](const State& s) -> double { return s.target() != nullptr; }),
     flag("hostile", "the chosen target is identified as hostile",
          [](const State& s) -> double { return s.target() && s.target()->hostile(); }),
-    number("range", "m", "to the chosen target", of_target<kTargetRange>),
+    number("range", "m", "to the chosen target",
+           of_target([](const State&, const Seen& t) { return t.range; })),
     number("closing", "m/s", "of the chosen target, positive if the range shrinks",
-           of_target<kTargetClosing>),
+           of_target([](const State& s, const Seen& t) { return s.closing_on(t); })),
     number("off_nose", "rad",
            "between the nose and the chosen target, up and down too: without a side, in [0, 180°]",
-           of_target<kTargetOffNose>),
+           of_target([](const State& s, const Seen& t) { return s.off_nose(t.ned); })),
     number("off_tail", "rad", "of the chosen target, in [0, 180°]: 0 right behind him",
-           of_target<kTargetOffTail>),
+           of_target([](const State& s, const Seen& t) { return angles_of(s, t).off_tail; })),
     number("crossing", "rad", "of the chosen target's path and the own one, in [0, 180°]",
-           of_target<kTargetCrossing>),
+           of_target([](const State& s, const Seen& t) { return angles_of(s, t).crossing; })),
     number("unseen", "s", "since an own eye saw the chosen target; none did: infinite",
-           of_target<kTargetUnseen>),
+           of_target([](const State& s, const Seen& t) {
+             const double seen = t.track->seen_time;
+             return seen == model::kNever ? std::numeric_limits<double>::infinity() : s.time - seen;
+           })),
     number("target_above", "m", "altitude of the chosen target less the own",
-           of_target<kTargetHeight>),
-    number("target_age", "s", "since anything told of the chosen target", of_target<kTargetAge>),
-    number("target_altitude", "m", "of the chosen target", of_target<kTargetAltitude>),
-    number("target_speed", "m/s", "of the chosen target, over the ground", of_target<kTargetSpeed>),
+           of_target([](const State& s, const Seen& t) {
+             return altitude_of(s.own, t.ned) - s.own.altitude;
+           })),
+    number("target_age", "s", "since anything told of the chosen target",
+           of_target([](const State& s, const Seen& t) { return s.time - t.track->time; })),
+    number("target_altitude", "m", "of the chosen target",
+           of_target([](const State& s, const Seen& t) { return altitude_of(s.own, t.ned); })),
+    number("target_speed", "m/s", "of the chosen target, over the ground",
+           of_target([](const State& s, const Seen& t) { return norm(s.velocity_of(t)); })),
     number("target_climb", "rad", "of the chosen target's path above the horizon",
-           of_target<kTargetClimb>),
+           of_target([](const State& s, const Seen& t) { return elevation_of(s.velocity_of(t)); })),
     number("target_course", "rad",
            "of the chosen target from the own heading, in (-180°, 180°], positive right",
-           of_target<kTargetCourse>),
+           of_target([](const State& s, const Seen& t) {
+             return right_of_nose(s, bearing_of(s.velocity_of(t)));
+           })),
     number("target_aspect", "rad",
            "of this aircraft from the chosen target's course, in (-180°, 180°], positive on his "
            "right: 0 in front of him",
-           of_target<kTargetAspect>),
+           of_target([](const State& s, const Seen& t) {
+             return angle_between(bearing_of(s.velocity_of(t)), bearing_of(-t.ned));
+           })),
     number("target_right", "rad",
            "the chosen target off the own heading along the horizon, in (-180°, 180°], positive "
            "right",
-           of_target<kTargetRight>),
-    number("target_up", "rad", "the chosen target above the horizon", of_target<kTargetUp>),
+           of_target(
+               [](const State& s, const Seen& t) { return right_of_nose(s, bearing_of(t.ned)); })),
+    number("target_up", "rad", "the chosen target above the horizon",
+           of_target([](const State&, const Seen& t) { return elevation_of(t.ned); })),
     number("target_azimuth", "rad",
            "the chosen target off the nose in the plane of the wings, in (-180°, 180°], positive "
            "right",
-           of_target<kTargetAzimuth>),
+           of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).azimuth; })),
     number("target_elevation", "rad",
            "the chosen target out of the plane of the wings, positive up",
-           of_target<kTargetElevation>),
+           of_target([](const State& s, const Seen& t) { return in_body(s, t.ned).elevation; })),
     number("drift_right", "rad/s", "at which the line of sight to the chosen target turns right",
-           of_target<kDriftRight>),
-    number("drift_up", "rad/s", "at which it turns up", of_target<kDriftUp>),
+           of_target([](const State& s, const Seen& t) { return drift(s, t).right; })),
+    number("drift_up", "rad/s", "at which it turns up",
+           of_target([](const State& s, const Seen& t) { return drift(s, t).up; })),
     number("over_r_max", "",
            "range of the chosen target over the longest r_max of the missiles on board; infinite "
            "if none reaches him",
-           of_target<kOverRMax>),
-    number("over_r_ne", "", "the same over the longest r_ne", of_target<kOverRNe>),
+           of_target(
+               [](const State& s, const Seen& t) { return over(t.range, s.own_reach(t).r_max); })),
+    number("over_r_ne", "", "the same over the longest r_ne",
+           of_target(
+               [](const State& s, const Seen& t) { return over(t.range, s.own_reach(t).r_ne); })),
     number("over_his_r_max", "",
            "range over the r_max of the farthest-reaching radar missile that he might have",
-           of_target<kOverHisRMax>),
-    number("over_his_r_ne", "", "the same over its r_ne", of_target<kOverHisRNe>),
+           of_target(
+               [](const State& s, const Seen& t) { return over(t.range, s.reach_of(t).r_max); })),
+    number(
+        "over_his_r_ne", "", "the same over its r_ne",
+        of_target([](const State& s, const Seen& t) { return over(t.range, s.reach_of(t).r_ne); })),
     flag("in_zone", "the chosen target is in the zone of a missile that may leave now",
-         [](const State& s) -> double { return of_target<kInZone>(s) == 1; }),
-    number("shots", "", "own missiles on their way to the chosen target", of_target<kShots>),
+         [](const State& s) -> double {
+           return s.target() && s.own_reach(*s.target()).store.has_value();
+         }),
+    number("shots", "", "own missiles on their way to the chosen target",
+           of_target([](const State& s, const Seen& t) {
+             return static_cast<double>(s.agent.flying_at(t.id(), s.time));
+           })),
     flag("supporting", "an own missile on its way needs the radar",
          [](const State& s) -> double { return support_needed(s); }),
     number("gun_azimuth", "rad", "where to aim the gun at the chosen target, as target_azimuth",
-           of_sight<kGunAzimuth>),
-    number("gun_elevation", "rad", "likewise as target_elevation", of_sight<kGunElevation>),
+           of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).azimuth; })),
+    number("gun_elevation", "rad", "likewise as target_elevation",
+           of_sight([](const State& s, const Sight& g) { return in_body(s, g.aim).elevation; })),
     number("over_gun_range", "",
            "range of the chosen target over the farthest that the gun is good for",
-           of_sight<kGunReach>),
+           of_sight([](const State& s, const Sight& g) {
+             return over(g.range, s.library.guns[*s.type.index.gun].greatest_range);
+           })),
     flag("in_gun",
          "the gun is on the chosen target: in its range and its aim cone, with rounds left",
          [](const State& s) -> double { return in_gun(s); }),
@@ -324,8 +280,13 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
            [](const State& s) { return double(s.threats.count); }),
     number("missile_right", "rad",
            "the missile to worry about off the own heading, in (-180°, 180°], positive right",
-           of_missile<kMissileRight>),
-    number("missile_time", "s", "until it is here, if that is known", of_missile<kMissileTime>),
+           of_missile([](const State& s, const model::InboundMissile& m) {
+             return right_of_nose(s, m.bearing);
+           })),
+    number("missile_time", "s", "until it is here, if that is known",
+           of_missile([](const State& s, const model::InboundMissile& m) {
+             return time_to_go(s, m).value_or(kNoValue);
+           })),
     flag("spiked", "a radar tracks this aircraft",
          [](const State& s) -> double { return spike(s) != nullptr; }),
     number("spike_right", "rad", "that radar off the own heading, in (-180°, 180°], positive right",
@@ -334,7 +295,9 @@ constexpr std::array kFields = std::to_array<ubf::StateField<State>>({
              return warning ? right_of_nose(s, warning->bearing) : kNoValue;
            }),
     number("missile_range", "m", "to the missile to worry about, if its range is known",
-           of_missile<kMissileRange>),
+           of_missile([](const State&, const model::InboundMissile& m) {
+             return m.has_position ? m.range : kNoValue;
+           })),
 });
 
 /// The position in `seen` of the i-th hostile.

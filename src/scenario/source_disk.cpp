@@ -2,7 +2,6 @@
 #include <dirent.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <memory>

@@ -2,7 +2,6 @@
 #include "scenario/trees.hpp"
 
 #include <set>
-#include <unordered_map>
 
 #include "core/text.hpp"
 #include "scenario/node_files.hpp"

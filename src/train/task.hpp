@@ -78,7 +78,4 @@ struct TaskSpec {
 /// One of them; throws std::invalid_argument with the nearest name.
 [[nodiscard]] const TaskSpec& task(std::string_view name);
 
-/// All of them with what is observed, done and rewarded, as docs/train.md has it.
-[[nodiscard]] std::string tasks_markdown();
-
 }  // namespace eyrie::train

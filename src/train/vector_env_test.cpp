@@ -340,14 +340,6 @@ TEST(VectorEnv, SaysWhatIsWrongWithATask) {
                ConfigError);
 }
 
-TEST(Tasks, AreWhatThePageSays) {
-  std::ifstream file("docs/train.md");
-  const std::string page(std::istreambuf_iterator<char>(file), {});
-  EXPECT_NE(page.find(tasks_markdown()), std::string::npos)
-      << "the tables at the end of docs/train.md are others:\n"
-      << tasks_markdown();
-}
-
 TEST(VectorEnv, AllocatesNothingInAStepEvenWhereAnEpisodeBegins) {
   for (const unsigned workers : {1U, 2U}) {
     Trainer t(brief("merge", 4), {.envs = 4, .workers = workers, .keep_episodes = 4});

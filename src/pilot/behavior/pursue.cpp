@@ -2,7 +2,6 @@
 #include "pilot/behavior/pursue.hpp"
 
 #include "model/flight/guidance.hpp"
-#include "pilot/fight.hpp"
 #include "pilot/gunnery.hpp"
 #include "pilot/sort.hpp"
 

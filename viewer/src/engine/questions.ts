@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Made from web/messages.hpp and web/questions.cpp: a test writes what has changed.
+// Made from web/messages.hpp and web/questions.hpp: a test writes what has changed.
 
 /** What was loaded. */
 export interface About {

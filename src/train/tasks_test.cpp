@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
+/// \file  docs/train.md has the tables of the tasks.
 #include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
 
 #include "train/task.hpp"
 
@@ -24,8 +29,6 @@ std::string range_of(const Reward& r) {
   return r.high > r.low ? fmt::format("{:g} to {:g} m", r.low, r.high) : "";
 }
 
-}  // namespace
-
 std::string tasks_markdown() {
   std::string text;
   for (const TaskSpec& task : tasks()) {
@@ -48,4 +51,13 @@ std::string tasks_markdown() {
   return text;
 }
 
+TEST(Tasks, AreWhatThePageSays) {
+  std::ifstream file("docs/train.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(page.find(tasks_markdown()), std::string::npos)
+      << "the tables at the end of docs/train.md are others:\n"
+      << tasks_markdown();
+}
+
+}  // namespace
 }  // namespace eyrie::train
