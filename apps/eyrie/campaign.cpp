@@ -55,11 +55,11 @@ Spec spec_for(const CampaignOptions& options) {
 std::string folder_for(const CampaignOptions& options, const Spec& spec, const std::string& whole) {
   const std::uint64_t of = parts_in(whole);
   if (!options.part.empty() && of != 0 && of != spec.part.of)
-    refuse("eyrie: {} holds parts of {}, not of {}", whole, of, spec.part.of);
+    refuse("eyrie: {} holds parts of {}, not of {}", quote_path(whole), of, spec.part.of);
   if (!options.part.empty())
     return part_folder(whole, spec.part);
   if (of != 0 && !options.join && !std::filesystem::exists(whole + "/" + kStoreName))
-    refuse("eyrie: {} holds parts of a campaign: --join puts them together", whole);
+    refuse("eyrie: {} holds parts of a campaign: --join puts them together", quote_path(whole));
   return whole;
 }
 
@@ -179,7 +179,8 @@ int campaign(const CampaignOptions& options) {
       fmt::format("eyrie campaign {} --out {}", scenario::shell_word(options.file),
                   scenario::shell_word(whole));
   if (ended != Ended::complete)
-    say("{}{}{} --resume goes on\n", again, options.part.empty() ? "" : " --part ", options.part);
+    say("{}{}{} --resume goes on{}\n", again, options.part.empty() ? "" : " --part ", options.part,
+        ended == Ended::stopped ? "" : " when its file has a larger budget");
   else if (!options.part.empty())
     say("{} --join puts all parts together\n", again);
   if (faults)

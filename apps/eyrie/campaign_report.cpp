@@ -199,7 +199,8 @@ int campaign_report(const CampaignReportOptions& options) {
   out.sink().write(page);
   finish(out);
   Database database = open_results(options.folder);
-  write_table(database, options.folder);
+  if (options.out.empty())  // a page elsewhere leaves the folder as it is: it may be read-only
+    write_table(database, options.folder);
   if (parquet)
     parquet->write(database, options.folder);
   return 0;

@@ -133,6 +133,13 @@ std::optional<double> number_of(const std::string& text) {
   return end != text.c_str() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+/// What is behind it: " kg".
+std::string unit_of(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return end;
+}
+
 /// The level of each cell: what the factor is there, or a bin of numbers that were drawn.
 std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
   constexpr std::size_t kMostLevels = 10, kBins = 8;
@@ -142,7 +149,7 @@ std::vector<std::string> levels_of(const Summary& summary, std::size_t factor) {
   for (const auto& cell : summary.cells) {
     levels.push_back(cell.values[factor]);
     const auto number = number_of(levels.back());
-    all_numbers &= number.has_value();
+    all_numbers &= number.has_value() && unit_of(levels.back()) == unit_of(levels.front());
     bins.emplace(number.value_or(0), levels.back());
   }
   // levels come again with those of other factors; of those that do not each would explain its cell
@@ -291,15 +298,40 @@ std::vector<Effect> effects(const Summary& summary) {
 std::vector<Interaction> interactions(const Summary& summary) {
   std::vector<Interaction> all;
   const auto levels = all_levels(summary);
-  for (std::size_t m = 0; m < summary.measures.size(); ++m)
+  for (std::size_t m = 0; m < summary.measures.size(); ++m) {
+    std::vector<Variance> alone;
+    for (const auto& of_factor : levels)
+      alone.push_back(variance(summary, m, of_factor));
+    const auto freedom = [&](std::size_t f) {
+      return static_cast<double>(alone[f].by_level.size()) - 1;
+    };
+    std::vector<Interaction> some;
+    std::vector<bool> takes_part(levels.size());
+    double left = 1, free = -1;  // what nothing explains, and its degrees of freedom
     for (std::size_t a = 0; a < levels.size(); ++a)
       for (std::size_t b = a + 1; b < levels.size(); ++b)
         if (const auto both = crossed(summary, m, levels[a], levels[b])) {
-          const double part = both->part - variance(summary, m, levels[a]).part -
-                              variance(summary, m, levels[b]).part;
-          if (part > 0)
-            all.push_back({m, a, b, part});
+          some.push_back({m, a, b, both->part - alone[a].part - alone[b].part});
+          takes_part[a] = takes_part[b] = true;
+          left -= some.back().part;
+          free -= freedom(a) * freedom(b);
         }
+    for (std::size_t f = 0; f < levels.size(); ++f)
+      if (takes_part[f]) {
+        left -= alone[f].part;
+        free -= freedom(f);
+      }
+    if (!alone.empty())
+      free += static_cast<double>(alone[0].n);
+    if (free < 0)  // more together than there are cells: each would explain what the others do
+      continue;
+    for (Interaction& i : some) {
+      if (free > 0)  // less what factors that do nothing together would have of it by chance
+        i.part -= freedom(i.one) * freedom(i.other) * std::max(left, 0.0) / free;
+      if (i.part > 1e-12)  // more than rounding
+        all.push_back(i);
+    }
+  }
   return all;
 }
 

@@ -54,7 +54,9 @@ struct Effect {
 [[nodiscard]] std::vector<Effect> effects(const Summary& summary);
 
 /// What two factors do together beyond what each does alone, as a part of the variance between
-/// cells. Only where every combination of their levels is flown by as many cells.
+/// cells, less what chance would have of it as with effects. Only where every combination of their
+/// levels is flown by as many cells, and if all such pairs together have fewer degrees of freedom
+/// than there are cells.
 struct Interaction {
   std::size_t measure = 0, one = 0, other = 0;
   double part = 0;

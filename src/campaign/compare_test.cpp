@@ -97,6 +97,54 @@ TEST(Effects, AreNoneWhereOnlyBothTogetherMatter) {
   EXPECT_NEAR(interactions(summary)[0].part, 1, 1e-12);
 }
 
+/// Cells of factors with so many levels each, a value per cell from `value_of` its levels.
+Summary crossed_cells(const std::vector<int>& counts, std::size_t cells, auto value_of) {
+  Summary summary;
+  summary.measures = {{"x", Measure::mean, 0, 0}};
+  for (std::size_t f = 0; f < counts.size(); ++f)
+    summary.factors.push_back(fmt::format("f{}", f));
+  for (std::size_t c = 0; c < cells; ++c) {
+    std::vector<std::string> levels;
+    std::size_t rest = c;
+    for (const int count : counts) {
+      levels.push_back(std::to_string(rest % static_cast<std::size_t>(count)));
+      rest /= static_cast<std::size_t>(count);
+    }
+    summary.cells.push_back({levels, "", 10, 0, {{10, value_of(c), std::nullopt}}});
+  }
+  return summary;
+}
+
+TEST(Interactions, AreNoneOfMorePairsThanTheCellsTellApart) {
+  // a Latin square: every two of three factors are crossed, each combination in one cell
+  Summary summary = crossed_cells({4, 4}, 16, [](std::size_t c) { return double(c * 7 % 5); });
+  summary.factors.emplace_back("third");
+  for (std::size_t c = 0; c < 16; ++c)
+    summary.cells[c].values.push_back(std::to_string((c + c / 4) % 4));
+  EXPECT_TRUE(interactions(summary).empty());
+}
+
+TEST(Interactions, OfFactorsThatDoNothingAreNoneInTheMean) {
+  double sum = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Draw draw(1, PlayerId{1}, Stream::test, i);
+    for (const Interaction& both :
+         interactions(crossed_cells({3, 3, 3}, 27, [&](std::size_t) { return draw.normal(); })))
+      sum += both.part / (400 * 3);
+  }
+  EXPECT_LT(sum, 0.1) << "of them chance alone would have 2/13, but what is below 0 is left out";
+}
+
+TEST(Interactions, AreFoundBesideAThirdFactor) {
+  const auto all = interactions(crossed_cells({2, 2, 2}, 8, [](std::size_t c) {
+    return double((c & 1) ^ (c >> 1 & 1)) + 3 * double(c >> 2);
+  }));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].one, 0U);
+  EXPECT_EQ(all[0].other, 1U);
+  EXPECT_NEAR(all[0].part, 0.1, 1e-12);  // 1/4 of 1/4 + 9/4
+}
+
 TEST(Effects, OfManyNumbersAreThoseOfBins) {
   Summary summary;
   summary.factors = {"speed"};
@@ -115,6 +163,19 @@ TEST(Effects, OfManyNumbersAreThoseOfBins) {
     EXPECT_EQ(level.cells, 10U);
   EXPECT_EQ(all[0].levels[0].name, "0 kt to 9 kt");
   EXPECT_EQ(all[0].levels[7].name, "70 kt to 79 kt");
+}
+
+TEST(Effects, OfNumbersInSeveralUnitsPutNoneTogether) {
+  Summary summary;
+  summary.factors = {"within"};
+  summary.measures = {{"x", Measure::mean, 0, 0}};
+  for (int i = 1; i < 13; ++i)
+    summary.cells.push_back({{i < 12 ? fmt::format("{} s", i) : "1 min"},
+                             "",
+                             10,
+                             0,
+                             {{10, static_cast<double>(i), std::nullopt}}});
+  EXPECT_TRUE(effects(summary).empty()) << "each cell has another level, 1 min is not 1 s";
 }
 
 TEST(Effects, OfDrawnNumbersThatDoNothingAreMostlyNone) {

@@ -131,7 +131,8 @@ class Reader {
   template <class Sets>
   void named(const Value& map, Sets sets_of) {
     if (!map.is_map() || map.entries.size() < 2)
-      return error(map.where, "expected a map of two levels or more, got " + map.shown());
+      return error(map.where, "expected a map of two levels or more, got " +
+                                  (map.is_map() ? "a smaller one" : map.shown()));
     for (const Value::Entry& e : map.entries)
       factor_.levels.push_back({e.key, sets_of(e.value), e.where});
   }
@@ -145,7 +146,8 @@ class Reader {
   }
   void listed(const Value& list) {
     if (!list.is_list() || list.items.size() < 2)
-      return error(list.where, "expected a list of two values or more, got " + list.shown());
+      return error(list.where, "expected a list of two values or more, got " +
+                                   (list.is_list() ? "a shorter one" : list.shown()));
     for (const Value& item : list.items)
       level(yaml_text(item), item.where);
   }

@@ -262,7 +262,8 @@ class Watcher final : public Watch {
 Measures read_measures(const Value& map, Diagnostics& diagnostics) {
   Measures all;
   if (!map.is_map() || map.entries.empty()) {
-    diagnostics.error(map.where, "measures: expected a map of measures, got " + map.shown());
+    diagnostics.error(map.where, "measures: expected a map of measures, got " +
+                                     (map.is_map() ? "none" : map.shown()));
     return all;
   }
   for (const Value::Entry& e : map.entries) {

@@ -48,6 +48,9 @@ std::optional<Stopping> read_stop(const Value& map, const Measures& measures,
   if (!width || width.value <= 0)
     diagnostics.error(map.where_of("width"),
                       "stop: width: " + (width ? "must be more than 0" : width.error));
+  else if (measure->kind == Measure::share && width.value >= 1)
+    diagnostics.error(map.where_of("width"),
+                      "stop: width: that of a share must be less than 1, got " + quote(stop.width));
   if (stop.least > stop.most)
     diagnostics.error(map.where_of("most"),
                       fmt::format("stop: most: {} is less than least, {}", stop.most, stop.least));

@@ -229,6 +229,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[1800 kg, 2200 kg]", "!uniform {low: 1 kg, high: 2 kg}",
                 "c.yaml:6:3: design: full_factorial needs levels: give bingo some, as with !range, "
                 "or choose latin_hypercube, sobol or random"},
+        Mistake{"[1800 kg, 2200 kg]", "[1800 kg]",
+                "c.yaml:6:51: bingo: expected a list of two values or more, got a shorter one"},
         // measures
         Mistake{"what: outcome", "what: outcom",
                 "c.yaml:14:15: what: expected one of outcome, end_time, losses, kills, shots, "
@@ -260,6 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{
             "100 lb", "100 ft",
             "c.yaml:12:30: stop: width: expected a mass such as '900 kg', got '100 ft' (a length)"},
+        Mistake{"measure: left, width: 100 lb", "measure: won, width: 1",
+                "c.yaml:12:29: stop: width: that of a share must be less than 1, got '1'"},
         Mistake{"most: 500", "most: 50", "c.yaml:12:44: stop: most: 50 is less than least, 100"},
         Mistake{"seeds:", "replicates: 5\nseeds:",
                 "c.yaml:11:13: 'stop' says how many replicates there are; leave out "

@@ -205,6 +205,17 @@ TEST_F(Campaign, RefusesAPageThatIsThereBeforeItReports) {
   EXPECT_EQ(ran.out, "");
 }
 
+/// As of results in a folder that only others may write, or that is mounted read-only.
+TEST_F(Campaign, ReportsElsewhereWithoutWritingIntoTheResults) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
+  ASSERT_EQ(run("out").code, 0);
+  folder.write("out/results.csv", "nobody writes here");
+  EXPECT_EQ(run_program(folder, {"report", "out", "--out", "page.html"}).code, 0);
+  EXPECT_EQ(table("out"), "nobody writes here");
+  EXPECT_EQ(run_program(folder, {"report", "out"}).code, 0);
+  EXPECT_NE(table("out"), "nobody writes here") << "beside the page";
+}
+
 TEST_F(Campaign, TellsWhatTheLostDecidedBefore) {
   folder.write("c.yaml", R"(eyrie: 1
 name: lost

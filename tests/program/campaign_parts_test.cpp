@@ -49,7 +49,7 @@ TEST_F(CampaignParts, AreJoinedWhenAllOfThemAreWhole) {
             "eyrie: 'out' has not all parts yet; fly what is missing (--array=1,3)\n"
             "  part 1 of 3 has 0 of 27 replicates\n  part 3 of 3 has 0 of 26 replicates\n");
   EXPECT_NE(refused({"--resume"}).find("holds parts of a campaign: --join"), std::string::npos);
-  EXPECT_NE(refused({"--part", "2/4"}).find("out holds parts of 3, not of 4"), std::string::npos);
+  EXPECT_NE(refused({"--part", "2/4"}).find("'out' holds parts of 3, not of 4"), std::string::npos);
   EXPECT_EQ(folder.everything(), before);
 }
 

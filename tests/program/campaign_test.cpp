@@ -130,6 +130,20 @@ TEST_F(Campaign, GoesOnToMoreReplicatesThanItWasBegunWith) {
             std::string::npos);
 }
 
+TEST_F(Campaign, AtTheEndOfItsBudgetSaysThatItNeedsALargerOne) {
+  const std::string budget = "replicates: 40\nbudget: {replicates: ";
+  const std::string end =
+      "eyrie campaign c.yaml --out out --resume goes on when its file has a "
+      "larger budget\n";
+  folder.write("c.yaml", changed({"replicates: 40", budget + "3}"}));
+  EXPECT_NE(run("out").out.find(end), std::string::npos);
+  EXPECT_NE(run("out", {"--resume"}).out.find(end), std::string::npos) << "of the same file";
+  folder.write("c.yaml", changed({"replicates: 40", budget + "5}"}));
+  EXPECT_EQ(run("out", {"--resume"}).code, 0);
+  const std::string all = table("out");
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 6);
+}
+
 TEST_F(Campaign, LeavesNothingAfterAMistake) {
   const auto before = folder.everything();
   folder.write("c.yaml", changed({"start.speed", "start.spede"}));
