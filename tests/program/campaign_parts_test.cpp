@@ -59,13 +59,14 @@ TEST_F(CampaignParts, KilledAtAnyMomentGoOnToTheSameTable) {
   ASSERT_EQ(part(1, 2).code, 0);
   const auto whole = used_by_processes() - before;
   int killed = 0;
-  for (int i = 0; i < 8; ++i) {
+  // the first three together have less than half of the time that all of it takes
+  for (int i = 0; i < 10; ++i) {
     const Background process(folder,
                              {"campaign", "c.yaml", "--out", "out", "--part", "2/2", "--resume"},
-                             whole * (i + 1) / 9);
+                             whole * (2 * i + 1) / 20);
     killed += process.end(0) == -SIGPROF;
   }
-  EXPECT_GE(killed, 4);
+  EXPECT_GE(killed, 3);
   ASSERT_EQ(part(2, 2).code, 0);
   ASSERT_EQ(run("out", {"--join"}).code, 0);
   EXPECT_EQ(table("out"), undisturbed());
