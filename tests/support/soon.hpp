@@ -6,10 +6,10 @@
 
 namespace eyrie::test {
 
-/// Whether it comes true within 100 seconds: programs that are watched by a sanitizer are slow.
+/// Whether it comes true within 300 seconds: programs that are watched by a sanitizer are slow.
 template <class F>
 [[nodiscard]] bool soon(F&& true_now) {
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 0; i < 60'000; ++i) {
     if (true_now())
       return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  A client by plain sockets, which shares nothing with our hosts. Whatever it waits for
-/// ends after 20 seconds.
+/// ends after 300 seconds.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <poll.h>
@@ -87,7 +87,7 @@ class TcpClient {
   }
   [[nodiscard]] bool ready(short what) const {
     pollfd one{.fd = socket_, .events = what, .revents = 0};
-    return ::poll(&one, 1, 100'000) == 1;
+    return ::poll(&one, 1, 300'000) == 1;
   }
   int socket_;
   std::string held_;
