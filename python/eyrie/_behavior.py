@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, overload
 import numpy as np
 
 from . import _core
+from ._arguments import number, text
 
 #: What a behavior sees; good while it is asked.
 State = _core.State
@@ -48,7 +49,10 @@ def param(
         limits: the least and the most that trees may say, None for no limit.
         help: a sentence for who writes trees.
     """
-    return Parameter(default, unit, limits, help)
+    if not isinstance(limits, tuple) or len(limits) != 2:
+        raise TypeError(f"limits: {limits!r} is no pair: (least, most), None for no limit")
+    least, most = (None if one is None else number("limits", one) for one in limits)
+    return Parameter(default, text("unit", unit), (least, most), text("help", help))
 
 
 def propose(vote: float, *, status: str = "running", **fields: Any) -> Proposal:
@@ -157,7 +161,7 @@ def _made(function: Callable[..., Any], name: str | None, platform: str) -> Beha
     def ask(state: Any, *values: Any) -> tuple[int, float, dict[str, Any]]:
         return _answer(function(state, **dict(zip(names, values, strict=True))))
 
-    its_name = name or function.__name__
+    its_name = text("name", name) if name else function.__name__
     help = inspect.cleandoc(function.__doc__ or "").split("\n")[0]
     return Behavior(function, _core.behavior(its_name, help, platform, ask, lines), names)
 

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import number, path, several, switch, text, whole
 from ._errors import Error
 from ._run import Run
 from ._scenario import Scenario, Sets, home, override_lines
@@ -48,10 +49,10 @@ class _Pool:
         self.trees: dict[str, Any] = {}
         self.folders: list[str] = []
 
-    def tree(self, name: str | os.PathLike[str]) -> str:
+    def tree(self, who: str, name: str | os.PathLike[str]) -> str:
         if isinstance(name, str) and not name.endswith(".safetensors"):
-            return name
-        file = Path(name).resolve()
+            return text(who, name)
+        file = Path(path(who, name)).resolve()
         self.folders.append(str(file.parent))
         tree = f"policy_{len(self.trees) + 1}"
         self.trees[f"trees.{tree}"] = {"policy": {"file": json.dumps(str(file), ensure_ascii=False)}}
@@ -72,24 +73,25 @@ class Native:
         threads: int,
         privileged: bool,
     ) -> None:
-        if worlds < 1:
-            raise ValueError(f"num_envs: {worlds}")
-        if not 1 <= threads <= 256:
-            raise ValueError(f"threads: {threads} is outside [1, 256]")
         if not isinstance(opponents, Mapping):
             raise TypeError(f"opponents: {opponents!r} is no mapping of players to lists of trees")
         if not isinstance(rewards, Mapping):
             raise TypeError(f"rewards: {rewards!r} is no mapping of terms to weights")
         pool = _Pool()
-        trees = {who: [pool.tree(one) for one in _list(who, its)] for who, its in opponents.items()}
+        trees = {
+            text("opponents", who): [
+                pool.tree(f"opponents: {who}", one) for one in several(f"opponents: {who}", its, "trees")
+            ]
+            for who, its in opponents.items()
+        }
         self._core: _core.VectorEnv | None = _core.vector_env(
-            task,
+            text("task", task),
             override_lines(set) + override_lines(pool.trees),
             trees,
-            {term: _weight(weight) for term, weight in rewards.items()},
-            worlds,
-            threads,
-            privileged,
+            {text("rewards", term): _weight(term, weight) for term, weight in rewards.items()},
+            whole("num_envs", worlds, 1),
+            whole("threads", threads, 1, 256),
+            switch("privileged", privileged),
             home(),
             pool.folders,
         )
@@ -132,7 +134,7 @@ class Native:
         draws.bit_generator.state = saved.draws
 
     def episode(self, world: int, last: bool) -> Run:
-        recorded = self.core.episode(world, last)
+        recorded = self.core.episode(whole("index", world), bool(last))
         return Run(recorded, Scenario(recorded.scenario))
 
     def observation_space(self) -> gymnasium.Space[Any]:
@@ -166,14 +168,10 @@ def as_actions(actions: Any, shape: tuple[int, ...]) -> Floats:
     return numbers
 
 
-def _list(who: str, trees: Iterable[str | os.PathLike[str]]) -> list[str | os.PathLike[str]]:
-    if isinstance(trees, str | os.PathLike):
-        raise TypeError(f"opponents: {who}: {trees!r} is no list of trees")
-    return list(trees)
-
-
-def _weight(given: float | tuple[float, float, float]) -> tuple[float, tuple[float, float] | None]:
-    if isinstance(given, tuple):
-        weight, low, high = given
-        return float(weight), (float(low), float(high))
-    return float(given), None
+def _weight(
+    term: str, given: float | tuple[float, float, float]
+) -> tuple[float, tuple[float, float] | None]:
+    numbers = [number(f"rewards: {term}", one) for one in (given if isinstance(given, tuple | list) else (given,))]
+    if len(numbers) not in (1, 3):
+        raise ValueError(f"rewards: {term}: {given!r} is neither a weight nor a weight and two ends of a range")
+    return numbers[0], (numbers[1], numbers[2]) if len(numbers) == 3 else None

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _core
+from ._arguments import number, path, paths, several, text as checked_text
 from ._behavior import Behavior
 from ._errors import FaultError
-from ._scenario import Scenario, Sets, checked_seed, cores_of, load
+from ._scenario import Scenario, Sets, cores_of, flight_options, load
 from ._tables import Table, table_of
 
 
@@ -108,9 +109,9 @@ class Run:
             player: whose rows; None: everybody's, missiles included.
             every: s between two rows, of one step at least; None: 1 s, of missiles 0.2 s.
         """
-        if every is not None and not 0 < every < math.inf:
+        if every is not None and not 0 < (every := number("every", every)) < math.inf:
             raise ValueError(f"every: {every} s")
-        return table_of(self._core.tracks(player, every))
+        return table_of(self._core.tracks(_name(player), every))
 
     def decisions(
         self, player: str | None = None, *, every: float = 0, changes: bool = False
@@ -123,9 +124,9 @@ class Run:
             changes: only those in which somebody else leads, another tree decides or an order is
                 another one than before.
         """
-        if not 0 <= every < math.inf:
+        if not 0 <= (every := number("every", every)) < math.inf:
             raise ValueError(f"every: {every} s")
-        return table_of(self._core.decisions(player, every, changes))
+        return table_of(self._core.decisions(_name(player), every, bool(changes)))
 
     def explain(
         self,
@@ -152,15 +153,18 @@ class Run:
             changes: where another behavior took the lead, also with ``start`` and ``end``.
         """
         for name, time in (("at", at), ("start", start), ("end", end)):
-            if time is not None and not 0 <= time < math.inf:
+            if time is not None and not 0 <= number(name, time) < math.inf:
                 raise ValueError(f"{name}: {time} s")
+        if start > end:
+            raise ValueError(f"start: {start} s is after end: {end} s")
+        player, event = _name(player), checked_text("event", event)
         if player is None:
             if at is not None or event or changes or start or end != 1e9:
                 raise ValueError("whose decisions? explain() by itself has those on which the run turned")
             text, data = self._core.key_moments()
         else:
             plain = at is None and not event and not start and end == 1e9
-            text, data = self._core.explain(player, at, start, end, changes or plain, event)
+            text, data = self._core.explain(player, at, start, end, bool(changes or plain), event)
         return Explanation(text, json.loads(data))
 
     def save(self, folder: str | os.PathLike[str], *, replace: bool = False) -> Path:
@@ -172,7 +176,16 @@ class Run:
             FileExistsError: something is there; a run only with ``replace``, anything else always.
             OSError: nothing can be made there.
         """
-        return Path(self._core.save(os.fspath(folder), replace))
+        return Path(self._core.save(path("folder", folder), bool(replace)))
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a run is not pickled: save() it, and open() it on the other side")
+
+    def __copy__(self) -> Run:
+        return self  # it never changes
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Run:
+        return self
 
     def __repr__(self) -> str:
         return f"<eyrie.Run of {self.scenario.name!r}, seed {self.seed}, {self.outcome}, hash {self.hash}>"
@@ -209,9 +222,7 @@ def fly(
         )
     elif text is not None or set or plugins or include or behaviors:
         raise TypeError("a scenario that is loaded takes no text, set, plugins ... any more")
-    if not 1 <= workers <= 256:
-        raise ValueError(f"workers: {workers} is outside [1, 256]")
-    core, fault = _core.fly(scenario._core, checked_seed(seed), until, workers)
+    core, fault = _core.fly(scenario._core, *flight_options(seed, until, workers))
     run = Run(core, scenario)
     if fault:
         error = FaultError(fault)
@@ -236,6 +247,10 @@ def open(
     Raises:
         RunError: it is none, damaged, or of a build with another world.
     """
-    behaviors = list(behaviors)
-    core = _core.open(os.fspath(run), [os.fspath(path) for path in plugins], cores_of(behaviors))
+    behaviors = several("behaviors", behaviors, "behaviors")
+    core = _core.open(path("run", run), paths("plugins", plugins), cores_of(behaviors))
     return Run(core, Scenario(core.scenario, behaviors))
+
+
+def _name(player: str | None) -> str | None:
+    return None if player is None else checked_text("player", player)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-import operator
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -13,7 +12,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
+from ._arguments import number, path, paths, several, text as checked_text, whole
 from ._behavior import Behavior
+from ._errors import Error
 from ._layout import Layouts
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class Scenario:
         """
         from ._world import World
 
-        return World(_core.world(self._core, checked_seed(seed), until, workers), self)
+        return World(_core.world(self._core, *flight_options(seed, until, workers)), self)
 
     def __repr__(self) -> str:
         return f"<eyrie.Scenario {self.name!r} of {self.file!r}, {len(self.players)} players>"
@@ -132,13 +133,13 @@ def load(
         MissingError: there is no such scenario.
         ConfigError: it has mistakes; ``problems`` has all of them with file, line and column.
     """
-    behaviors = list(behaviors)
+    behaviors = several("behaviors", behaviors, "behaviors")
     core = _core.load(
-        os.fspath(scenario),
-        text,
+        path("scenario", scenario),
+        None if text is None else checked_text("text", text),
         override_lines(set),
-        [os.fspath(path) for path in plugins],
-        [os.fspath(path) for path in include],
+        paths("plugins", plugins),
+        paths("include", include),
         cores_of(behaviors),
         home(),
     )
@@ -147,7 +148,10 @@ def load(
 
 def home() -> str:
     """The folder with ``data`` and ``scenarios``: EYRIE_HOME, or the one inside the package."""
-    return os.environ.get("EYRIE_HOME") or str(Path(__file__).parent / "home")
+    given = os.environ.get("EYRIE_HOME")
+    if given and not (Path(given) / "data").is_dir():
+        raise Error(f"EYRIE_HOME is {given!r}, where there is no folder 'data'")
+    return given or str(Path(__file__).parent / "home")
 
 
 def scenarios() -> list[str]:
@@ -158,23 +162,21 @@ def scenarios() -> list[str]:
 def override_lines(sets: Sets) -> list[str]:
     """``path=value`` for each override."""
     if isinstance(sets, Mapping):
-        return [f"{path}={_yaml(value, path)}" for path, value in sets.items()]
-    if isinstance(sets, str):
+        sets = [f"{path}={_yaml(value, path)}" for path, value in sets.items()]
+    elif isinstance(sets, str) or not isinstance(sets, Iterable):
         raise TypeError("set: a mapping of paths to values, or a list of lines 'path=value'")
-    return list(sets)
+    return [checked_text("set", line) for line in sets]
 
 
-def checked_seed(seed: int | None) -> int | None:
-    """A seed that fits 64 bits."""
-    if seed is None:
-        return None
-    try:
-        number = operator.index(seed)
-    except TypeError:
-        raise TypeError(f"seed: {seed!r} is no whole number") from None
-    if not 0 <= number < 2**64:
-        raise ValueError(f"seed: {number} is outside [0, 2**64)")
-    return number
+def flight_options(
+    seed: int | None, until: float | None, workers: int
+) -> tuple[int | None, float | None, int]:
+    """With what a flight begins, checked."""
+    return (
+        None if seed is None else whole("seed", seed),
+        None if until is None else number("until", until),
+        whole("workers", workers, 1, 256),
+    )
 
 
 def _yaml(value: Any, path: str) -> str:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arguments import text, whole
 from ._errors import Error, FaultError
 from ._layout import Field
 from ._scenario import Scenario
@@ -72,8 +73,7 @@ class World:
             FaultError: a step could not be made. The world is as it was before it.
             KeyboardInterrupt: so is it then, and goes on with the next call.
         """
-        if count < 0:
-            raise ValueError(f"step: {count} steps")
+        count = whole("count", count)
         made = self._core.step(count)
         if made < count and self._core.fault:
             raise FaultError(self._core.fault)
@@ -107,8 +107,8 @@ class World:
         Raises:
             ValueError: with what is wrong with it.
         """
-        text = json.dumps({"order": order, **words}, allow_nan=False, default=_plain)
-        self._core.order(text, at_step)
+        said = json.dumps({"order": order, **words}, allow_nan=False, default=_plain)
+        self._core.order(said, None if at_step is None else whole("at_step", at_step))
 
     @property
     def tables(self) -> dict[str, list[str]]:
@@ -117,7 +117,7 @@ class World:
 
     def fields(self, table: str, column: str) -> dict[str, Field]:
         """What stands in each field of a column."""
-        self._core.rows(table, column)  # which knows what is wrong with the names
+        self.rows(table, column)  # which knows what is wrong with the names
         return dict(self._scenario._layouts.of(table, column)[1])
 
     def rows(self, table: str, column: str) -> npt.NDArray[np.void]:
@@ -129,7 +129,7 @@ class World:
         behind him have closed up and the last one is zero: then ask again, or take a ``.copy()`` to
         keep what was. The units are in :meth:`fields`.
         """
-        values = self._core.rows(table, column)  # which knows what is wrong with the names
+        values = self._core.rows(text("table", table), text("column", column))  # which knows what is wrong with the names
         return values.view(self._scenario._layouts.of(table, column)[0])
 
     def row(self, player: str, column: str) -> np.void | None:
@@ -137,7 +137,7 @@ class World:
 
         It shows whoever stands in that row: take it anew after a step.
         """
-        found = self._core.find(player)
+        found = self._core.find(text("player", player))
         return None if found is None else cast(np.void, self.rows(found[0], column)[found[1]])
 
     def __repr__(self) -> str:

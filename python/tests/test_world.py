@@ -120,7 +120,7 @@ def test_wrong_names_are_told(scenario: eyrie.Scenario) -> None:
         world.rows("aircraft", "kinematic")
     with pytest.raises(ValueError, match="no player"):
         world.row("nobody", "kinematics")
-    with pytest.raises(ValueError, match="-1 steps"):
+    with pytest.raises(ValueError, match="count: -1"):
         world.step(-1)
     with pytest.raises(TypeError):
         world.step(1.5)  # type: ignore[arg-type]

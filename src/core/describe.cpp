@@ -137,7 +137,7 @@ void check_value(const ValueType& type, const void* value, const ParamInfo& rule
 }
 
 void list_value(const ValueType& type, const void* value, const std::string& name,
-                std::vector<ParamValue>& values) {
+                Dimension dimension, std::vector<ParamValue>& values) {
   switch (type.kind) {
     case ParamKind::custom:
       if (type.list)
@@ -145,12 +145,12 @@ void list_value(const ValueType& type, const void* value, const std::string& nam
       return;
     case ParamKind::number:
     case ParamKind::integer:
-      values.push_back({name, number_in(type, value)});
+      values.push_back({name, value_text(type, value, dimension), number_in(type, value)});
       return;
     case ParamKind::boolean:
     case ParamKind::text:
     case ParamKind::choice:
-      values.push_back({name, value_text(type, value, Dimension::none)});
+      values.push_back({name, value_text(type, value, dimension)});
       return;
     case ParamKind::group:
       list_values(*type.group, value, name + ".", values);
@@ -163,12 +163,9 @@ void list_value(const ValueType& type, const void* value, const std::string& nam
   }
   if (type.is_optional) {
     if (type.size(value))
-      list_value(*type.part, type.at(value, 0), name, values);
+      list_value(*type.part, type.at(value, 0), name, dimension, values);
   } else if (type.part->load) {
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < type.size(value); ++i)
-      numbers.push_back(number_in(*type.part, type.at(value, i)));
-    values.push_back({name, std::move(numbers)});
+    values.push_back({name, value_text(type, value, dimension)});
   }
 }
 
@@ -225,7 +222,7 @@ void check_values(const Description& type, const void* object, std::string_view 
 void list_values(const Description& type, const void* object, std::string_view path,
                  std::vector<ParamValue>& values) {
   for (const Parameter& p : type.parameters)
-    list_value(*p.type, p.of(object), std::string(path).append(p.name), values);
+    list_value(*p.type, p.of(object), std::string(path).append(p.name), p.unit.dimension, values);
 }
 
 void append_bits(const ValueType& type, const void* value, std::string& out) {

@@ -38,10 +38,11 @@ concept Described = requires {
   T::params();
 };
 
-/// A parameter of an object with its value in SI; switches are "true" or "false".
+/// A parameter of an object with its value.
 struct ParamValue {
   std::string name;
-  std::variant<double, std::string, std::vector<double>> value;
+  std::string text;                ///< as a file would write it: "2 nmi", "true", "[1, 2]"
+  std::optional<double> number{};  ///< of a number, in SI
 };
 
 /// One type of value that a parameter may have, at run time.

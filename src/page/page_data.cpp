@@ -67,9 +67,9 @@ class Platform {
       for (std::size_t i = 0; i < blank_[t].size(); ++i) {
         const auto& node = tree.node(static_cast<ubf::NodeIndex>(i));
         const debrief::Answer& answer = blank_[t][i];
-        Json params = Json::object();  // in SI; a page may ask for others
+        Json params = Json::object();
         for (const ParamValue& param : node.values())
-          std::visit([&](const auto& value) { params[param.name] = value; }, param.value);
+          params[param.name] = param.text;
         nodes.push_back(
             {{"label", answer.label},
              {"type", answer.type},

@@ -11,7 +11,7 @@ std::string spoken(const ubf::AnyNode& node) {
   if (node.label() != node.type())
     return std::string(node.label());
   if (node.type() == ubf::kHolds)
-    return std::get<std::string>(node.values().front().value);
+    return node.values().front().text;
   if (node.type() == "inverter" && node.children().size() == 1)
     return "not " + spoken(*node.children()[0]);
   return std::string(node.label());

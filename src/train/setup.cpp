@@ -156,8 +156,10 @@ void VectorEnv::read_opponents() {
     trees.emplace_back(tree.name());
   for (const Opponent& opponent : task_.opponents) {
     const auto id = scenario_->roster.find(opponent.player);
-    if (!id || scenario_->roster.find(*id)->fleet != 0)
-      refuse(fmt::format("opponent: there is no aircraft {}", quote(opponent.player)));
+    if (!id)
+      refuse("opponent: " + scenario_->roster.unknown(opponent.player));
+    if (scenario_->roster.find(*id)->fleet != 0)
+      refuse(fmt::format("opponent: {} is no aircraft", quote(opponent.player)));
     for (const Learner& learner : learners_)
       if (learner.id == *id)
         refuse(fmt::format("opponent: {} learns", quote(opponent.player)));

@@ -73,18 +73,11 @@ TEST(Behavior, DrawsAreAFunctionOfSeedPlayerStepAndNode) {
   EXPECT_NE(drawn(1, 2, 3, 2), value);
 }
 
-TEST(Behavior, TellsItsParametersThatHaveAValue) {
+TEST(Behavior, TellsItsParametersThatHaveAValueAsAFileWouldWriteThem) {
   const auto told = [](const Node& node) {
     std::string text;
-    for (const ParamValue& param : node.values()) {
-      text += (text.empty() ? "" : ", ") + param.name + " ";
-      if (const auto* number = std::get_if<double>(&param.value))
-        text += fmt::format("{:g}", *number);
-      else if (const auto* word = std::get_if<std::string>(&param.value))
-        text += *word;
-      else
-        text += fmt::format("[{:g}]", fmt::join(std::get<std::vector<double>>(param.value), " "));
-    }
+    for (const ParamValue& param : node.values())
+      text += (text.empty() ? "" : ", ") + param.name + " " + param.text;
     return text;
   };
   auto fusion = make<Fusion<State, Action>>(probe(0));
@@ -93,15 +86,15 @@ TEST(Behavior, TellsItsParametersThatHaveAValue) {
   EXPECT_EQ(told(*fusion), "top 2, conflicts blend, vote 7, vote_scale 1");
   auto ranks = make<Priority<State, Action>>(probes(2));
   ranks->interruptible = {true, false};
-  EXPECT_EQ(told(*ranks), "interruptible [1 0], vote_scale 1");
+  EXPECT_EQ(told(*ranks), "interruptible [true, false], vote_scale 1");
   auto verify = make<Verify<State, Action>>(probe(0));
-  EXPECT_EQ(verify->bounds.set("altitude", 100, {}), "");
-  EXPECT_EQ(told(*verify), "bounds.altitude.min 100, fallback false, vote_scale 1");
+  EXPECT_EQ(verify->bounds.set("altitude", 3048, {}), "");
+  EXPECT_EQ(told(*verify), "bounds.altitude.min 10000 ft, fallback false, vote_scale 1");
   auto grid = make<VoteGrid<State, Action>>(probe(0));
   EXPECT_EQ(grid->grid.add("altitude", 0, 100, 3, 50), "");
   EXPECT_EQ(told(*grid),
-            "grid.altitude.from 0, grid.altitude.to 100, grid.altitude.steps 3, "
-            "grid.altitude.reach 50, vote_scale 1");
+            "grid.altitude.from 0 m, grid.altitude.to 100 m, grid.altitude.steps 3, "
+            "grid.altitude.reach 50 m, grid.altitude.spread 0 m, vote_scale 1");
   EXPECT_EQ(told(*probe(3)), "cue 3, bias 0");
 }
 

@@ -28,8 +28,8 @@ std::vector<ParamValue> AnyNode::values() const {
 
 std::optional<double> AnyNode::full_vote() const {
   for (const ParamValue& value : values())
-    if (value.name == "vote" && std::holds_alternative<double>(value.value))
-      return std::get<double>(value.value);
+    if (value.name == "vote")
+      return value.number;
   return std::nullopt;
 }
 

@@ -115,6 +115,10 @@ export class UserPage {
       last = now;
     }
   }
+  /** Chromium only: as on paper, or as on a screen. */
+  print_media(type: 'print' | 'screen'): Promise<void> {
+    return this.page.emulateMediaType(type);
+  }
   title(): Promise<string> {
     return this.page.title();
   }

@@ -9,7 +9,7 @@ import { after, before, test } from 'node:test';
 import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
 import { open_url, type UserPage } from './browsers.ts';
-import { kNoProgram, kProgram, launch, scratch_folder, serve, shoot } from './page_kit.ts';
+import { kNoProgram, kProgram, launch, on_page, scratch_folder, serve, shoot } from './page_kit.ts';
 
 const folder = kNoProgram ? '' : scratch_folder();
 let browser: Browser, program: ChildProcess, page: UserPage;
@@ -89,6 +89,18 @@ test('gives another tree and takes a player away, and everybody agrees', { skip:
   await page.waitForFunction(() => window.eyrie!.run.players[2]!.end === 'lost');
   await wait(1200);
   assert.ok(await is_same());
+});
+
+test('in a narrow window the name of the scenario stands beside what is told of the clock', { skip: kNoProgram }, async () => {
+  await on_page(open_url(browser, address, { width: 360, height: 740 }), async (narrow) => {
+    await narrow.waitForSelector('.pace span');
+    const [words, whole, within] = await narrow.$eval('.about > summary b', (name) => {
+      const { right, top, height } = name.getBoundingClientRect();
+      return [name.textContent, name.contains(document.elementFromPoint(right - 2, top + height / 2)), document.documentElement.scrollWidth <= innerWidth] as const;
+    });
+    assert.deepEqual([words, whole, within], ['sweep', true, true]);
+    await shoot(narrow, 'live_360');
+  });
 });
 
 test('who joins late sees the same', { skip: kNoProgram }, async () => {

@@ -2,7 +2,7 @@
 /** What is shown, and in which form: state machines, trees that fit, units, times that are typed, pictures and films, fingers. */
 import assert from 'node:assert/strict';
 import { execFile } from 'node:child_process';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { describe, test } from 'node:test';
 import { promisify } from 'node:util';
 import type { Browser } from 'puppeteer-core';
@@ -30,7 +30,7 @@ describe('a sequencer', { skip: kNoPage }, () => {
     const t = await page.evaluate(() => window.eyrie!.run.story.filter((line) => line.kind === 'phase' && line.text.endsWith('wvr'))[0]!.decided);
     await go_to(t);
     await page.waitForSelector('.machine[data-state=wvr]');
-    assert.match(await page.textContent('.rules .now'), /bvr → wvr: in_sight within 8.0 nmi/);
+    assert.match(await page.textContent('.rules .now'), /bvr → wvr: in_sight within 8 nmi/);
     assert.equal((await page.$$('.arc.now')).length, 1);
     await shoot(page, 'machine');
   });
@@ -51,6 +51,34 @@ test('a tree fits its panel, and a node is found by its name', { skip: kNoPage }
   await page.keyboard.press('Enter');
   await page.waitForSelector('[data-node="root/egress/egress"]');
   assert.ok(await page.$eval('[data-path="root/egress/egress"]', (e) => e.classList.contains('looked')));
+});
+
+test('parameters have the units that people read and write, with the engine and without', { skip: kNoProgram }, async () => {
+  const file = join(scratch, 'columns.html');
+  await promisify(execFile)(kProgram, ['debrief', dirname(kPageFile), '--columns', '--out', file]);
+  const told = async (of: UserPage): Promise<string> => {
+    await of.click('[data-path="root/bvr/pursue"]');
+    return of.textContent('.details[data-node="root/bvr/pursue"] .small');
+  };
+  const units = /speed 560 kt, .*floor 2000 ft, .*level_range 8 nmi, .*gun_range 8202 ft, .*crank 50°/;
+  await on_page(open_file(browser, file, { fragment: '#t=480&p=eagle1' }), async (other) => assert.match(await told(other), units));
+  await go_to(480);
+  assert.match(await told(page), units);
+  const flown = (name: string) => page.$eval(`input[aria-label="${name} in words"]`, (e) => (e as HTMLInputElement).value);
+  assert.deepEqual([await flown('level_range'), await flown('crank'), await flown('speed')], ['8 nmi', '50 deg', '560 kt']);
+  assert.match(await page.$eval('label:has(> [aria-label="crank in words"])', (e) => (e as HTMLElement).title), /; 0° to \d+°$/);
+  await page.fill('input[aria-label="crank in words"]', '60°');
+  await page.keyboard.press('Tab');
+  await page.waitForFunction(() => {
+    const { asked, answered } = document.querySelector<HTMLElement>('.what-if')!.dataset;
+    return asked !== '' && asked === answered;
+  });
+  assert.equal(await page.$('.what-if .caution'), null);
+  // what was flown is no question
+  await page.fill('input[aria-label="crank in words"]', '50 deg');
+  await page.keyboard.press('Tab');
+  await page.waitForSelector('.what-if[data-asked=""]');
+  await page.click('[aria-label="Close the node"]');
 });
 
 test('units are metric if somebody wants that, everywhere', { skip: kNoPage }, async () => {

@@ -67,6 +67,7 @@ test('a link that is not ours is refused in words', async () => {
     [packed({ ...good, seed: '1e3' }), /seed is no number/], [packed({ ...good, seed: 7 }), /seed is no number/],
     [packed({ ...good, edits: { 'scenarios/other.yaml': '' } }), /not there/], [packed({ ...good, edits: { toString: '' } }), /not there/],
     [packed({ ...good, edits: { 'scenarios/sweep.yaml': 3 } }), /no texts/], [packed({ ...good, edits: [] }), /changes are none/],
+    [packed({ ...good, edits: { 'scenarios/sweep.yaml': 'eyrie: 1 # \ud800' } }), /damaged or cut/],
   ];
   for (const [link, why] of refused) await assert.rejects(read_link(link, kShipped), why, link.slice(0, 60));
 });

@@ -165,7 +165,8 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
     });
 
     test('a hostile link does nothing but say why it cannot be used', async () => {
-      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one']] as const) {
+      for (const [fragment, why] of [['#s=AAAA', 'damaged'], [link({ v: 1, scenario: 'data/guns/m61.yaml' }), 'scenario is not one'],
+        [link({ v: 1, scenario: kSweep, edits: { [kSweep]: 'eyrie: 1 # \ud800' } }), 'damaged']] as const) {
         const { page: other, complaints } = await open(browser, fragment);
         assert.match(await other.$eval('.top [role=status]', (one) => one.textContent!), new RegExp(why));
         assert.deepEqual(complaints, []);
@@ -201,6 +202,24 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       await page.waitForFunction(() => !document.querySelector('.debriefed'));
       assert.equal((await page.$$('.flights tbody tr')).length, flights);
       assert.ok((await text_now(page)).includes('fuel: 4000 kg'));
+    });
+
+    test('on the ways back and forward the editor has what the address says', async () => {
+      const { page: other, complaints } = await open(browser);
+      const shows = (words: string, shown: boolean) => other.waitForFunction(([wanted, is_there]) =>
+        [...document.querySelector('.editor')!.shadowRoot!.querySelectorAll('.cm-line')].some((one) => one.textContent!.includes(wanted)) === is_there, [words, shown] as const);
+      try {
+        await other.evaluate((hash) => { location.hash = hash; }, link({ v: 1, scenario: kSweep, edits: { [kSweep]: 'eyrie: 1  # of the link\n' } }));
+        await shows('of the link', true);
+        await other.evaluate(() => history.back());
+        await shows('of the link', false);
+        assert.equal(await other.evaluate(() => location.hash), '');
+        await other.evaluate(() => history.forward());
+        await shows('of the link', true);
+        assert.deepEqual(complaints, []);
+      } finally {
+        await other.close();
+      }
     });
 
     test('edits are dropped, and had again by the button or by undoing', async () => {

@@ -91,6 +91,19 @@ for (const where of Object.keys(kBrowsers) as (keyof typeof kBrowsers)[])
       assert.deepEqual([...complaints, ...again.complaints], []);
     });
 
+    test('on paper its tables are whole and its drawings fit', { skip: where !== 'chromium' }, async () => {
+      const { page } = await open_url(browser, `${pathToFileURL(report).href}#measure=1&cell=1`, { width: 700, height: 500 });
+      await page.waitForSelector('#list tbody tr');
+      await page.print_media('print');
+      const [cut, wide, pressed] = await page.evaluate(() => [
+        [...document.querySelectorAll('.scroll')].filter((e) => getComputedStyle(e).overflowY !== 'visible').length,
+        [...document.querySelectorAll('svg')].filter((e) => e.getBoundingClientRect().right > innerWidth).length,
+        [...document.querySelectorAll('button')].filter((e) => e.getClientRects().length).map((e) => e.textContent),
+      ] as const);
+      assert.deepEqual([cut, wide, pressed], [0, 0, ['shots']]);
+      await page.close();
+    });
+
     test('one that ends otherwise than in the results is told so, and not shown', async () => {
       const { page } = await open_url(browser, `${pathToFileURL(forged).href}#measure=0&cell=1&replicate=2`);
       await page.waitForSelector('[role=alert]');

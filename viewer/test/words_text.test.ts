@@ -44,6 +44,7 @@ test('quantities read as in the terminal, in either system', () => {
 test('and the words of engine and files do', () => {
   assert.equal(reworded('splash bogey1, 14.2 nmi, 305 m behind, at 7.4 km'), 'splash bogey1, 14.2 nmi, 1001 ft behind, at 4.0 nmi');
   assert.equal(reworded('off_nose < 60 deg and turn > 3 deg/s and 7 miles, 3 min'), 'off_nose < 60° and turn > 3.0°/s and 7 miles, 3 min');
+  assert.equal(reworded('[200 m/s, 19.6133 m/s2], 0.7 rad'), '[389 kt, 2.0 g], 40°');
   speak('metric');
   assert.equal(reworded('fox 3 on bogey1, 10.0 nmi (AIM-120), 305 m'), 'fox 3 on bogey1, 18.5 km (AIM-120), 305 m');
   assert.equal(reworded('closing > 100 kt and fuel < 2000 lb'), 'closing > 185 km/h and fuel < 907 kg');

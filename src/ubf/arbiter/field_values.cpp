@@ -52,6 +52,13 @@ class InUnit {
   std::vector<Parameter> lines_;
 };
 
+template <class Spec>
+void list_field(const Spec& spec, const std::string& name, const ActionFieldInfo& field,
+                std::vector<ParamValue>& values) {
+  eyrie::detail::list_values(InUnit<Spec>(field.unit).description(), &spec,
+                             fmt::format("{}.{}.", name, field.name), values);
+}
+
 std::vector<std::string_view> names_of(ActionFields fields) {
   std::vector<std::string_view> names;
   for (const ActionFieldInfo& field : fields)
@@ -273,21 +280,13 @@ void describe_value(ParamInfo& info, const AnyFieldChoice& choice) {
 
 void list_parts(const AnyBounds& bounds, const std::string& name, std::vector<ParamValue>& values) {
   for (const auto& limits : bounds.limits_)
-    for (const auto& [end, limit] : {std::pair("min", limits.min), {"max", limits.max}})
-      if (limit)
-        values.push_back(
-            {fmt::format("{}.{}.{}", name, bounds.fields_[limits.field].name, end), *limit});
+    list_field(LimitsSpec{limits.min, limits.max}, name, bounds.fields_[limits.field], values);
 }
 void list_parts(const AnyGrid& grid, const std::string& name, std::vector<ParamValue>& values) {
   for (const AnyGrid::Axis& axis : grid.axes())
-    for (const auto& [part, value] : {std::pair("from", axis.from),
-                                      {"to", axis.to},
-                                      {"steps", double(axis.steps)},
-                                      {"reach", axis.reach},
-                                      {"spread", axis.deviation}})
-      if (part != std::string_view("spread") || value > 0)
-        values.push_back(
-            {fmt::format("{}.{}.{}", name, grid.fields_[axis.field].name, part), value});
+    list_field(AxisSpec{axis.from, axis.to, static_cast<std::uint32_t>(axis.steps), axis.reach,
+                        axis.deviation},
+               name, grid.fields_[axis.field], values);
 }
 void list_parts(const AnyFieldChoice& choice, const std::string& name,
                 std::vector<ParamValue>& values) {

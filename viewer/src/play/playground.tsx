@@ -106,7 +106,8 @@ export interface Opened {
 }
 
 export function Playground({ files, schema, module, host, view }: Opened & { host: HTMLElement; view: View }) {
-  const [project, put] = useState<Project>({ shipped: files, edits: {}, scenario: kFirst, seed: '' });
+  const first: Project = { shipped: files, edits: {}, scenario: kFirst, seed: '' };
+  const [project, put] = useState(first);
   const [file, put_file] = useState(kFirst);
   // edits that "as shipped" took away, until something is edited
   const [dropped, drop] = useState<Files | null>(null);
@@ -139,14 +140,14 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
   };
   const restore = async (): Promise<void> => {
     try {
-      const linked = await read_link(location.hash, files);
-      if (linked) {
+      const linked = (await read_link(location.hash, files)) ?? first;
+      if ((await link_of(linked)) !== (await link_of(now.current.project))) {
         put(linked);
         drop(null);
         put_file(Object.keys(linked.edits)[0] ?? linked.scenario);
         count(undefined);
-        put_note('');
       }
+      put_note('');
     } catch (error) {
       put_note(`The link cannot be used: ${words_of(error)}.`);
     }
@@ -233,7 +234,7 @@ export function Playground({ files, schema, module, host, view }: Opened & { hos
     });
     void restore();
     listen(window, {
-      hashchange: () => void restore(),
+      hashchange: () => host.hidden || void restore(),
       keydown: (event) => {
         if (event.key !== 'Enter' || !(event.ctrlKey || event.metaKey) || event.defaultPrevented || host.hidden) return;
         event.preventDefault();

@@ -8,6 +8,7 @@ import { scenarios, type Project } from './project.ts';
 const kLongestLink = 200_000;
 const kLargest = 1_000_000;
 const kDigits = /^\d{1,20}$/;
+const kDamaged = 'it is damaged or cut';
 
 interface Shared {
   v: 1;
@@ -53,6 +54,7 @@ function checked(value: unknown, shipped: Project['shipped']): Omit<Project, 'sh
   const entries = Object.entries(edits).map(([file, text]) => {
     if (!Object.hasOwn(shipped, file)) throw new Error('it changes a file that is not there');
     if (typeof text !== 'string') throw new Error('its changes are no texts');
+    if (/\p{Surrogate}/u.test(text)) throw new Error(kDamaged);  // half a character: no file has one
     return [file, text] as const;
   });
   return { scenario, seed, edits: Object.fromEntries(entries) };
@@ -68,7 +70,7 @@ export async function read_link(fragment: string, shipped: Project['shipped']): 
     const packed = Uint8Array.from(atob(said.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
     value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(await through(packed, new DecompressionStream('deflate'), kLargest)));
   } catch (error) {
-    throw new Error(error instanceof Error && error.message === 'it is too large' ? error.message : 'it is damaged or cut');
+    throw new Error(error instanceof Error && error.message === 'it is too large' ? error.message : kDamaged);
   }
   return { shipped, ...checked(value, shipped) };
 }

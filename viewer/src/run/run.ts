@@ -121,8 +121,8 @@ export interface TreeNode {
   parent: number;  // Index of the parent in the tree; -1 for the root.
   children: number[];
   depth: number;
-  /** In SI; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
-  params: Record<string, number | string | number[]>;
+  /** As a file would write them: "2 nmi"; limits and axes by field: "bounds.altitude.min", "grid.heading.from". */
+  params: Record<string, string>;
   remembers: boolean;  // It keeps something from decision to decision.
   /** Of a sequencer, whose last children are the conditions of these: from which of its first children to which; -1: from any. */
   rules?: [from: number, to: number][];

@@ -84,7 +84,28 @@ export class AirPicture {
         this.frame.other = now;
         this.wake();
       }), this.store.subscribe((now, before) => this.follow(now, before)),
-      watch_hand(this.frame.notes.canvas, this.hand()), listen(this.host, { keydown: (event) => this.press(event) }));
+      watch_hand(this.frame.notes.canvas, this.hand()), listen(this.host, { keydown: (event) => this.press(event) }),
+      this.print_too());
+  }
+
+  /** On paper is a copy in light colors: a graphics card keeps nothing to be printed. */
+  private print_too(): () => void {
+    const { frame, host } = this;
+    let paper: HTMLCanvasElement | null = null;
+    const afterprint = (): void => {
+      paper?.remove();
+      paper = null;
+      frame.view = this.store.get();
+      this.wake();
+    };
+    const beforeprint = (): void => {
+      paper?.remove();
+      frame.view = { ...frame.view, theme: 'light' };
+      paper = this.picture();
+      paper.style.cssText = this.easel.canvas.style.cssText;
+      host.append(paper);
+    };
+    return listen(window, { beforeprint, afterprint });
   }
 
   private follow(now: View, before: View): void {

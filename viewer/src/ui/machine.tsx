@@ -3,12 +3,11 @@
  * numbered arcs; each in words, in the order in which they are asked; and where the player has been. */
 import { useMemo, useRef } from 'preact/hooks';
 import { last_at, type Player, type Run, type Shape, type Tree } from '../run/run.ts';
-import { quantity_text, clock_text, reworded } from '../words/text.ts';
+import { clock_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
 import { use_rove } from './rove.ts';
-import { use_node_types } from './what_if_answer.ts';
 
 interface Visit {
   t: number;
@@ -41,16 +40,14 @@ export function visits_of(run: Run, { decisions }: Player, tree: number, node: n
   return visits;
 }
 
-type Units = ReadonlyMap<string, string>;
-
-/** "in_sight within 5.0 nmi": a condition with its numbers; `units` by type and parameter. */
-function condition_words(tree: Tree, node: number, units: Units): string {
+/** "in_sight within 5 nmi": a condition with its numbers. */
+function condition_words(tree: Tree, node: number): string {
   const { label, type, children, params } = tree.nodes[node]!;
   const join = { sequence: ' and ', selector: ' or ' }[type];
-  if (join) return children.map((child) => condition_words(tree, child, units)).join(join);
-  if (type === 'inverter') return `not ${condition_words(tree, children[0]!, units)}`;
+  if (join) return children.map((child) => condition_words(tree, child)).join(join);
+  if (type === 'inverter') return `not ${condition_words(tree, children[0]!)}`;
   const numbers = Object.entries(params).flatMap(([name, value]) =>
-    typeof value === 'number' && value !== 0 ? [`${name.replaceAll('_', ' ')} ${quantity_text(value, units.get(`${type}.${name}`) ?? '')}`] : []);
+    parseFloat(value) ? [`${name.replaceAll('_', ' ')} ${reworded(value)}`] : []);
   return [reworded(label), ...numbers].join(' ');
 }
 
@@ -66,8 +63,6 @@ export function Machine({ player, index, tree, shape, node }: Props) {
   const page = use_page();
   const list = useRef<HTMLParagraphElement>(null);
   use_rove(list, 'ArrowLeft', 'ArrowRight');
-  const types = use_node_types(tree.kind);
-  const units = useMemo(() => new Map(types.flatMap(({ name, parameters }) => parameters.map((p) => [`${name}.${p.name}`, p.unit]))), [types]);
   const { children, label } = tree.nodes[node]!;
   const rules = tree.nodes[node]!.rules!;
   const names = children.slice(0, state_count(tree, node)).map((child) => tree.nodes[child]!.label);
@@ -117,14 +112,14 @@ export function Machine({ player, index, tree, shape, node }: Props) {
           const child = children[names.length + i]!;
           return (
             <li key={i} class={`${shape.status[child] === null ? '' : 'asked'} ${i === rule ? 'now' : ''}`} aria-current={i === rule}>
-              {i + 1} {from < 0 ? 'any' : names[from]} → {names[to]}: {condition_words(tree, child, units)}
+              {i + 1} {from < 0 ? 'any' : names[from]} → {names[to]}: {condition_words(tree, child)}
             </li>
           );
         })}
       </ol>
       <p class="small visits" ref={list}>
         {visits.map(({ t, state: s, rule: by }, i) => (
-          <button type="button" key={t} class="link" aria-current={i === now} title={by < 0 ? 'where it began' : condition_words(tree, children[names.length + by]!, units)}
+          <button type="button" key={t} class="link" aria-current={i === now} title={by < 0 ? 'where it began' : condition_words(tree, children[names.length + by]!)}
             onClick={() => jump(page, t)}>{clock_text(t)} {names[s]}</button>
         ))}
       </p>

@@ -2,9 +2,9 @@
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
 import { VoteOrder } from '../live/orders.tsx';
 import type { Parameter } from '../engine/questions.ts';
-import type { Player, Shape, Tree, TreeNode } from '../run/run.ts';
+import type { Player, Shape, Tree } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
-import { general, quantity_text, told_text } from '../words/text.ts';
+import { quantity_text, reworded, told_text } from '../words/text.ts';
 import { use_page } from './page.ts';
 import { use_cell } from './use.ts';
 import { ask, change_of, use_node_types, type Change } from './what_if_answer.ts';
@@ -36,12 +36,6 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
-/** A value of the tree as it was flown, with its SI unit; "" if the page does not know it. */
-function flown_text(value: TreeNode['params'][string] | undefined, unit = ''): string {
-  if (value === undefined) return '';
-  return Array.isArray(value) ? `[${value.join(', ')}]` : typeof value === 'number' && unit ? `${general(value)} ${unit}` : String(value);
-}
-
 interface EditProps {
   parameter: Parameter;
   value: string | undefined;  // What is asked; undefined: as flown.
@@ -62,7 +56,7 @@ function Edit({ parameter, value, flown, onChange }: EditProps) {
         </select>
       </label>
     );
-  const range = min != null && max != null ? `${min} to ${max}${unit && ` ${unit}`}` : '';
+  const range = min != null && max != null ? `${quantity_text(min, unit)} to ${quantity_text(max, unit)}` : '';
   return (
     <label class="slider" title={[help, range].filter(Boolean).join('; ')}><span>{name}</span>
       {kind === 'number' && !unit && min != null && max != null && (
@@ -106,7 +100,7 @@ function Ask({ shape, tree, node }: Looked) {
       )}
       {now.parameters.map((parameter) => (
         <Edit key={`${now.name}/${parameter.name}`} parameter={parameter} value={change.params[parameter.name]}
-          flown={now === own ? flown_text(params[parameter.name], parameter.unit) : ''} onChange={(value) => set(parameter.name, value)} />
+          flown={now === own ? params[parameter.name] ?? '' : ''} onChange={(value) => set(parameter.name, value)} />
       ))}
       {(change.type !== undefined || Object.keys(change.params).length > 0) && <button type="button" onClick={() => choose(flown)}>as flown</button>}
     </fieldset>
@@ -117,8 +111,7 @@ export function NodeDetails(looked: Looked) {
   const page = use_page();
   const { tree, shape, node } = looked;
   const { label, path, type, kind, params, remembers } = tree.nodes[node]!;
-  const units = new Map(use_node_types(tree.kind).find(({ name }) => name === type)?.parameters.map((one) => [one.name, one.unit]));
-  const told = Object.entries(params).map(([name, value]) => `${name} ${typeof value === 'number' ? quantity_text(value, units.get(name) ?? '') : flown_text(value)}`).join(', ');
+  const told = Object.entries(params).map(([name, value]) => `${name} ${reworded(value)}`).join(', ');
   return (
     <section class="details" aria-label={`Node ${label}`} data-node={path}>
       <header>

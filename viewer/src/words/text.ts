@@ -48,7 +48,8 @@ export function side_text(rad: number): string {
 
 /** How files and the engine write units: of which kind each is. */
 const kWritten = new Map<string, [kind: string, unit: Unit]>(Object.values(kSystems).flatMap(({ far, near, others }) =>
-  Object.entries({ far, near, ...others, rad: ['deg', Math.PI / 180] as const, 'rad/s': ['deg/s', Math.PI / 180] as const })
+  [...Object.entries({ far, near, ...others, rad: ['deg', Math.PI / 180] as const, 'rad/s': ['deg/s', Math.PI / 180] as const }),
+    ...['m/s', 'm/s2', 'rad', 'rad/s'].map((si): [string, Unit] => [si, [si, 1]])]
     .map(([kind, unit]): [string, [string, Unit]] => [unit[0], [kind, unit]])));
 const kQuantity = new RegExp(`(\\d+(?:\\.\\d+)?) (${[...kWritten.keys()].join('|')})(?![\\w/])`, 'g');
 

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""What callers say, checked before the engine gets it: a mistake is told with the argument's name."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+_WORD = 2**64 - 1
+
+
+def whole(name: str, value: Any, least: int = 0, most: int = _WORD) -> int:
+    """A whole number in [least, most]."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: {value!r} is no whole number") from None
+    if not least <= number <= most:
+        raise ValueError(f"{name}: {number} is outside [{least}, {'2**64)' if most == _WORD else f'{most}]'}")
+    return number
+
+
+def number(name: str, value: Any) -> float:
+    """Any number, also one that is not finite."""
+    if isinstance(value, str | bytes):
+        raise TypeError(f"{name}: {value!r} is no number")
+    try:
+        return float(value)
+    except TypeError:
+        raise TypeError(f"{name}: {value!r} is no number") from None
+
+
+def switch(name: str, value: Any) -> bool:
+    """True or False."""
+    if not isinstance(value, bool | np.bool_):
+        raise TypeError(f"{name}: {value!r} is neither True nor False")
+    return bool(value)
+
+
+def text(name: str, value: Any) -> str:
+    """A text that UTF-8 can hold."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: {value!r} is no text")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise ValueError(f"{name}: {value!r} is no text of whole characters") from None
+    return value
+
+
+def path(name: str, value: Any) -> str:
+    """A path that the system can take."""
+    if not isinstance(value, str | os.PathLike):
+        raise TypeError(f"{name}: {value!r} is no path")
+    given = text(name, os.fspath(value))
+    if "\0" in given:
+        raise ValueError(f"{name}: {given!r} has a NUL, which no path has")
+    return given
+
+
+def several(name: str, values: Any, of: str) -> list[Any]:
+    """A list of what callers may give in any kind of row; a text by itself is none."""
+    if isinstance(values, str | bytes | os.PathLike) or not isinstance(values, Iterable):
+        raise TypeError(f"{name}: {values!r} is no list of {of}")
+    return list(values)
+
+
+def paths(name: str, values: Any) -> list[str]:
+    """A list of paths."""
+    return [path(name, one) for one in several(name, values, "paths")]
