@@ -303,11 +303,13 @@ Value NodeReader::with_pending(const NodeType& type, const Value& body) {
   return whole;
 }
 
-/// The parameters; the label and `also` are read by others.
+/// The parameters, of which there are none in `- navigate:`; the label and `also` are read by
+/// others.
 bool NodeReader::bind(AnyNode& node, const Value& body, std::vector<std::string_view> also) {
   also.push_back(kLabelKey);
-  return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node), body, {},
-                             diagnostics_, also);
+  return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node),
+                             body.is_null() ? Value::map({}, body.where) : body, {}, diagnostics_,
+                             also);
 }
 
 void NodeReader::read_leaf(AnyNode& node, const NodeSpec& spec) {
