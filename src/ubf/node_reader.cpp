@@ -182,9 +182,20 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
   return node;
 }
 
+bool NodeReader::is_flag(std::string_view name) {
+  const std::span<const StateFieldInfo> fields = registry_.fields_;
+  const std::size_t field = names_.find(fields, name);
+  return field < fields.size() && fields[field].kind == FieldKind::flag;
+}
+
 NodeReader::Child NodeReader::make(const NodeSpec& spec) {
   const auto found = registry_.by_name_.find(spec.type);
   if (found == registry_.by_name_.end()) {
+    // a flag of the state is a condition in words
+    if (spec.body->is_null() && registry_.find(kHolds) && is_flag(spec.type)) {
+      const Value words = Value::scalar(spec.type, spec.where);
+      return make({std::string(kHolds), spec.where, &words});
+    }
     std::vector<std::string_view> names{kTreeReference};
     for (const NodeInfo& info : registry_.catalog())
       names.push_back(info.name);
