@@ -8,10 +8,10 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <filesystem>
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "disk/output.hpp"
 #include "disk/work_folder.hpp"
 #include "record/csv.hpp"
 
@@ -152,7 +152,9 @@ Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> 
   const std::string file = fmt::format("{}/{}", folder_, kStoreName);
   const Origin own = origin_of(origin, spec.part);
   demand_ours(file, own, folder_);
-  demand_table_place(folder_);
+  // in a new folder its temporary file would be taken for somebody else's after a kill
+  if (std::filesystem::exists(std::filesystem::symlink_status(folder_ + "/" + kTableName)))
+    static_cast<void>(table_in(folder_));
   database_.emplace(file, Database::Access::create);
   database_->distrust();
   if (begun(*database_)) {
@@ -358,14 +360,8 @@ Database open_results(const std::string& folder, Database::Access access) {
   return database;
 }
 
-namespace {
 disk::OutputFile table_in(const std::string& folder) {
   return {fmt::format("{}/{}", folder, kTableName), true};
-}
-}  // namespace
-
-void demand_table_place(const std::string& folder) {
-  static_cast<void>(table_in(folder));
 }
 
 void write_table(Database& database, const std::string& folder) {

@@ -8,6 +8,7 @@
 #include "campaign/origin.hpp"
 #include "campaign/replicate.hpp"
 #include "disk/file_system.hpp"
+#include "disk/output.hpp"
 
 namespace eyrie::campaign {
 
@@ -85,8 +86,8 @@ class Store {
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
 
-/// Throws if results.csv cannot be written in a folder.
-void demand_table_place(const std::string& folder);
+/// results.csv in a folder, to be written; throws if it cannot be.
+[[nodiscard]] disk::OutputFile table_in(const std::string& folder);
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.
 void write_table(Database& database, const std::string& folder);
 /// What a statement gives, as CSV: lines with their ends, the names of the columns first.

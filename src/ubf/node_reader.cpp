@@ -182,12 +182,6 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
   return node;
 }
 
-bool NodeReader::is_flag(std::string_view name) {
-  const std::span<const StateFieldInfo> fields = registry_.fields_;
-  const std::size_t field = names_.find(fields, name);
-  return field < fields.size() && fields[field].kind == FieldKind::flag;
-}
-
 NodeReader::Child NodeReader::make(const NodeSpec& spec) {
   const auto found = registry_.by_name_.find(spec.type);
   if (found == registry_.by_name_.end()) {
@@ -314,8 +308,7 @@ Value NodeReader::with_pending(const NodeType& type, const Value& body) {
   return whole;
 }
 
-/// The parameters, of which there are none in `- navigate:`; the label and `also` are read by
-/// others.
+/// The parameters (`- navigate:` has none); the label and `also` are read by others.
 bool NodeReader::bind(AnyNode& node, const Value& body, std::vector<std::string_view> also) {
   also.push_back(kLabelKey);
   return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node),

@@ -134,7 +134,10 @@ class NodeReader {
   [[nodiscard]] Child read_reference(const NodeSpec& spec);
   [[nodiscard]] Child make_changed(NodeSpec spec);
   [[nodiscard]] Child make(const NodeSpec& spec);
-  [[nodiscard]] bool is_flag(std::string_view name);
+  [[nodiscard]] bool is_flag(std::string_view name) {
+    const std::size_t field = names_.find(registry_.fields_, name);
+    return field < registry_.fields_.size() && info(field).kind == FieldKind::flag;
+  }
   [[nodiscard]] Child make(const NodeType& type, const NodeSpec& spec);
   void read_below_unknown(const Value& body);
   [[nodiscard]] Child make_voting(const NodeType& type, const NodeSpec& spec, const Value& vote);
