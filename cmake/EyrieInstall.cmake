@@ -17,6 +17,10 @@ foreach(layer ${layers})
           PATTERN "*test*" EXCLUDE)
 endforeach()
 
+set(parts ${layers})
+if(NOT EYRIE_UBF_ONLY)
+  list(APPEND parts testing plugin)
+endif()
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/EyrieConfig.cmake.in EyrieConfig.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(EyrieConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/EyrieConfig.cmake ${PROJECT_BINARY_DIR}/EyrieConfigVersion.cmake

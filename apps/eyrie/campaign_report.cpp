@@ -180,6 +180,8 @@ int campaign_report(const CampaignReportOptions& options) {
   const std::string file =
       options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
   disk::OutputFile out(file, options.out.empty() || options.force);  // before it flies
+  if (options.out.empty())
+    static_cast<void>(table_in(options.folder));
   const auto comparisons = compare(options.folder, summary, measure_named(options.of, summary));
   print_cells(summary);
   print_comparisons(summary, comparisons, options.of.empty() ? 20 : comparisons.size());

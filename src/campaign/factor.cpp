@@ -58,8 +58,23 @@ std::optional<Number> number_in(std::string_view text) {
     return std::nullopt;
   return number;
 }
-std::string text_of(double value, const std::string& unit) {
-  return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
+/// In six digits, or more where those would tell no 10,000 values of such a `width` apart.
+std::string text_of(double value, const std::string& unit, double width) {
+  const double times = std::abs(value / width);
+  int digits = 6;
+  for (double least = 100; times >= least && digits < 17; least *= 10)
+    ++digits;
+  return fmt::format("{:.{}g}{}{}", value, digits, unit.empty() ? "" : " ", unit);
+}
+
+/// The same for "1 nmi" and "1852 m", and for "3 s" and "3.0 s".
+std::string meaning_of(const std::string& text) {
+  const std::optional<Number> number = number_in(text);
+  if (!number)
+    return text;
+  const UnitInfo* const unit = find_unit(number->unit);
+  return fmt::format("{:.12g} {}", unit ? to_si(number->value, *unit) : number->value,
+                     dimension_noun(unit ? unit->dimension : Dimension::none));
 }
 
 std::string in_quotes(std::string_view text) {
@@ -137,10 +152,10 @@ class Reader {
       factor_.levels.push_back({e.key, sets_of(e.value), e.where});
   }
   void level(const std::string& text, const Location& where) {
-    const bool known = std::any_of(factor_.levels.begin(), factor_.levels.end(),
-                                   [&](const Level& l) { return l.name == text; });
-    if (known)
-      error(where, fmt::format("{} is there twice", quote(text)));
+    const auto [same, is_new] = known_.emplace(meaning_of(text), text);
+    if (!is_new)
+      error(where, fmt::format("{} is there twice{}", quote(text),
+                               same->second == text ? "" : ", first as " + quote(same->second)));
     else
       factor_.levels.push_back({text, sets(text), where});
   }
@@ -178,9 +193,8 @@ class Reader {
       const auto ends = bind(steps, map, diagnostics_) ? numbers(map, "from", "to") : std::nullopt;
       for (std::uint32_t i = 0; ends && i < steps.count; ++i) {
         const double share = static_cast<double>(i) / (steps.count - 1);
-        level(text_of(ends->first.value + share * (ends->second.value - ends->first.value),
-                      ends->first.unit),
-              map.where);
+        const double width = ends->second.value - ends->first.value;
+        level(text_of(ends->first.value + share * width, ends->first.unit, width), map.where);
       }
     } else if (map.tag == "!uniform" || map.tag == "!log_uniform") {
       Between ends;
@@ -215,6 +229,7 @@ class Reader {
   const Value& value_;
   Diagnostics& diagnostics_;
   Factor factor_;
+  std::map<std::string, std::string> known_;  ///< levels without names, by what they mean
 };
 
 }  // namespace
@@ -233,7 +248,7 @@ double Distribution::quantile(double u) const {
 
 std::string Factor::value_at(double u) const {
   if (distribution)
-    return text_of(distribution->quantile(u), distribution->unit);
+    return text_of(distribution->quantile(u), distribution->unit, distribution->width());
   const auto level = static_cast<std::size_t>(u * static_cast<double>(levels.size()));
   return levels[std::min(level, levels.size() - 1)].name;
 }

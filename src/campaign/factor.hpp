@@ -28,6 +28,8 @@ struct Distribution {
 
   /// The value below which a share `u`, in (0, 1), of all lies.
   [[nodiscard]] double quantile(double u) const;
+  /// Of what most values lie in.
+  [[nodiscard]] double width() const { return kind == Kind::normal ? second : second - first; }
 };
 
 /// Of a normal distribution with mean 0 and deviation 1; `u` in (0, 1). Relative error below 1e-14
@@ -48,7 +50,8 @@ struct Factor {
   std::vector<Level> levels;
   std::optional<Distribution> distribution;
 
-  /// The level, or the value in six digits with its unit, for a number in (0, 1).
+  /// The level, or the value in six digits (more in a narrow distribution) with its unit, for a
+  /// number in (0, 1).
   [[nodiscard]] std::string value_at(double u) const;
   /// What a value of value_at() sets.
   [[nodiscard]] std::vector<std::string> sets_of(const std::string& value) const;

@@ -49,6 +49,15 @@ TEST(Factor, TakesAShareOfItsDistribution) {
   EXPECT_EQ(normal.sets_of("119.6 kg"), std::vector<std::string>{"a=119.6 kg"});
 }
 
+TEST(Factor, WritesValuesOfANarrowRangeWithAsManyDigitsAsTellThemApart) {
+  const auto at = [](const std::string& values, double u) {
+    return factor("{path: a, values: " + values + "}").value_at(u);
+  };
+  EXPECT_EQ(at("!uniform {low: 1000 kg, high: 1000.001 kg}", 0.25), "1000.00025 kg");
+  EXPECT_EQ(at("!normal {mean: 1000, deviation: 0.001}", 0.975), "1000.00196");
+  EXPECT_EQ(at("!range {from: 50000 ft, to: 49999.9 ft, count: 3}", 0.5), "49999.95 ft");
+}
+
 /// SciPy: scipy.stats.norm.ppf(p).
 TEST(NormalQuantile, IsThatOfTheReference) {
   EXPECT_DOUBLE_EQ(normal_quantile(0.5), 0);

@@ -40,12 +40,7 @@ class Losses final : public sim::Observer {
 /// Leaves the database in one file again, which can be read without permission to write.
 struct OneFile {
   Database& database;
-  ~OneFile() {
-    try {
-      database.run("PRAGMA journal_mode=DELETE");
-    } catch (const std::runtime_error&) {  // a later command does so
-    }
-  }
+  ~OneFile() { database.leave_one_file(); }
 };
 
 void note(const team::Decision& decision, std::size_t loss, std::vector<Contest>& contests) {
@@ -103,6 +98,7 @@ void add_last_decisions(const std::string& folder, double window, unsigned worke
     Database there = open_results(folder);
     static_cast<void>(Again(there, plugins, workers).flights("WHERE ? IS NOT NULL", window));
   }
+  const disk::Handle lock = lock_results(folder, true);
   Database database = open_results(folder, Database::Access::write);
   const OneFile one_file{database};
   Again again(database, plugins, workers);

@@ -189,6 +189,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[red_lost]", "[running]", "c.yaml:14:28: won: no flight ends 'running'"},
         Mistake{"{first: 10}", "{first: 10 s}",
                 "c.yaml:11:16: seeds.first: expected a whole number, got '10 s'"},
+        Mistake{"seeds: {first: 10}", "seeds:", "c.yaml:11:1: seeds: expected a map, got nothing"},
+        Mistake{"seeds:", "design:\nseeds:", "c.yaml:11:1: design: expected a map, got nothing"},
+        Mistake{"budget: {time: 2 h}",
+                "budget:", "c.yaml:19:1: budget: expected a map, got nothing"},
         // factors
         Mistake{
             "values: [1800 kg, 2200 kg]", "value: [1800 kg, 2200 kg]",
@@ -198,6 +202,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:6:51: bingo: expected a list of two values or more, got '1800 kg'"},
         Mistake{"[1800 kg, 2200 kg]", "[1800 kg, 1800 kg]",
                 "c.yaml:6:61: bingo: '1800 kg' is there twice"},
+        Mistake{"[1800 kg, 2200 kg]", "[1800 kg, 1800.0 kg]",
+                "c.yaml:6:61: bingo: '1800.0 kg' is there twice, first as '1800 kg'"},
+        Mistake{"[1800 kg, 2200 kg]", "[2 t, 2000 kg]",
+                "c.yaml:6:57: bingo: '2000 kg' is there twice, first as '2 t'"},
         Mistake{"[1800 kg, 2200 kg]", "!unifrom {low: 1 kg, high: 2 kg}",
                 "c.yaml:6:51: there is no tag '!unifrom', only !tree, !choice, !range, !uniform, "
                 "!log_uniform, !normal; did you mean '!uniform'?"},

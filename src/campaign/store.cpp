@@ -8,10 +8,10 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <filesystem>
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "disk/output.hpp"
 #include "disk/work_folder.hpp"
 #include "record/csv.hpp"
 
@@ -138,16 +138,23 @@ std::string command_of(const Spec& spec, const Cell& cell, std::optional<std::ui
   return seed ? fmt::format("{} --seed {}", command, *seed) : command;
 }
 
+disk::Handle lock_results(const std::string& folder, bool resume) {
+  return disk::work_folder(folder, "campaign", is_of_campaign, resume);
+}
+
 Store::Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
              const Origin& origin, bool resume)
     : spec_(spec),
       cells_(cells),
       folder_(folder),
-      lock_(disk::work_folder(folder, "campaign", is_of_campaign, resume)),
+      lock_(lock_results(folder, resume)),
       counts_(cells.size()) {
   const std::string file = fmt::format("{}/{}", folder_, kStoreName);
   const Origin own = origin_of(origin, spec.part);
   demand_ours(file, own, folder_);
+  // in a new folder its temporary file would be taken for somebody else's after a kill
+  if (std::filesystem::exists(std::filesystem::symlink_status(folder_ + "/" + kTableName)))
+    static_cast<void>(table_in(folder_));
   database_.emplace(file, Database::Access::create);
   database_->distrust();
   if (begun(*database_)) {
@@ -340,7 +347,7 @@ void Store::finish() {
   write_table(*database_, folder_);
   put_.reset();
   put_fault_.reset();
-  database_->run("PRAGMA journal_mode=DELETE");
+  database_->leave_one_file();
 }
 
 Database open_results(const std::string& folder, Database::Access access) {
@@ -351,6 +358,10 @@ Database open_results(const std::string& folder, Database::Access access) {
   database.distrust();
   demand_format(database, file);
   return database;
+}
+
+disk::OutputFile table_in(const std::string& folder) {
+  return {fmt::format("{}/{}", folder, kTableName), true};
 }
 
 void write_table(Database& database, const std::string& folder) {
@@ -365,7 +376,7 @@ void write_table(Database& database, const std::string& folder) {
   Statement rows = database.prepare(fmt::format(
       "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
       columns));
-  disk::OutputFile table(fmt::format("{}/{}", folder, kTableName), true);
+  disk::OutputFile table = table_in(folder);
   write_csv(rows, [&](const std::string& line) { table.sink().write(line); });
   table.commit();
 }

@@ -8,6 +8,7 @@
 #include "campaign/origin.hpp"
 #include "campaign/replicate.hpp"
 #include "disk/file_system.hpp"
+#include "disk/output.hpp"
 
 namespace eyrie::campaign {
 
@@ -27,6 +28,10 @@ struct Result {
 /// The command that flies a cell by itself, or one seed of it.
 [[nodiscard]] std::string command_of(const Spec& spec, const Cell& cell,
                                      std::optional<std::uint64_t> seed = {});
+
+/// Makes the folder, or takes one of a campaign if it is to be gone on with; nobody else writes its
+/// results as long as this is there.
+[[nodiscard]] disk::Handle lock_results(const std::string& folder, bool resume);
 
 /// One process writes it at a time. What fails throws disk::Failed; what was committed stays.
 class Store {
@@ -81,6 +86,8 @@ class Store {
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
 
+/// results.csv in a folder, to be written; throws if it cannot be.
+[[nodiscard]] disk::OutputFile table_in(const std::string& folder);
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.
 void write_table(Database& database, const std::string& folder);
 /// What a statement gives, as CSV: lines with their ends, the names of the columns first.

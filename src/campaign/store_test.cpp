@@ -154,6 +154,22 @@ TEST_F(StoreTest, LosesNothingThatWasCommittedWhenItIsKilled) {
   EXPECT_EQ(killed(3), 8U);
 }
 
+TEST_F(StoreTest, IsCompleteThoughSomebodyIsReading) {
+  {
+    Store store = open(false);
+    put(store, 0, 3);
+    store.flush();
+    Database reader(folder / "out/results.db", Database::Access::read);
+    Statement rows = reader.prepare("SELECT * FROM replicates");
+    ASSERT_TRUE(rows.step());
+    store.finish();
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/results.csv"));
+  Database results = open_results(folder / "out");
+  Statement hash = results.prepare("SELECT value FROM campaign WHERE name = 'hash'");
+  EXPECT_TRUE(hash.step());
+}
+
 TEST_F(StoreTest, KeepsNamesOfLevelsAsTheyAreWritten) {
   const auto values = [&](std::vector<std::string> names) {
     const test::TempFolder other;

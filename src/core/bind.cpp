@@ -61,8 +61,6 @@ std::string prefix(std::string_view path) {
 bool check_keys(const Value& map, std::string_view type_name, std::string_view path,
                 std::span<const std::string_view> names,
                 std::span<const std::string_view> also_allowed, Diagnostics& diagnostics) {
-  if (map.is_null())
-    return true;
   if (!map.is_map()) {
     diagnostics.error(map.where, fmt::format("{}: expected a map, got {}",
                                              path.empty() ? type_name : path, map.shown()));

@@ -161,7 +161,6 @@ TEST(Bind, ReadsEveryKindOfParameter) {
 TEST(Bind, KeepsDefaultsOfWhatIsNotGiven) {
   BreakTurn out;
   Diagnostics found;
-  EXPECT_TRUE(bind(out, Value::null(), found));
   EXPECT_TRUE(bind(out, Value::map({}), found));
   EXPECT_EQ(out.vote, 1);
   EXPECT_EQ(out.delay, 9);
@@ -314,7 +313,7 @@ struct Plain {
 TEST(Bind, ReadsATypeWithoutParameters) {
   Plain out;
   Diagnostics found;
-  EXPECT_TRUE(bind(out, Value::null(), found));
+  EXPECT_TRUE(bind(out, Value::map({}), found));
   EXPECT_FALSE(bind(out, map({entry("vote", "1")}), found));
   EXPECT_EQ(found.text(), "level has no parameter 'vote'");
 }
@@ -323,7 +322,10 @@ TEST(Bind, RefusesWhatIsNotAMap) {
   Point out;
   Diagnostics found;
   EXPECT_FALSE(bind(out, text("5 km", 3, 2), found));
-  EXPECT_EQ(found.text(), "f.yaml:3:2: waypoint: expected a map, got '5 km'");
+  EXPECT_FALSE(bind(out, Value::null({"f.yaml", 4, 2}), found));
+  EXPECT_EQ(found.text(),
+            "f.yaml:3:2: waypoint: expected a map, got '5 km'\n"
+            "f.yaml:4:2: waypoint: expected a map, got nothing");
 }
 
 /// A type of an upper layer, which reads itself.

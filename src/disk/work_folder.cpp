@@ -30,7 +30,9 @@ Handle work_folder(const std::string& path, const char* kind,
           "{} is there already: --resume goes on with it, --out names another folder", named));
   }
   if (files().lock(folder.get()) != 0)
-    throw Refused(fmt::format("another process is working on {}", named));
+    throw Refused(fmt::format(
+        "another process is working on the {} in {}; wait until it has ended, or interrupt it",
+        kind, named));
   return folder;
 }
 

@@ -344,6 +344,14 @@ bool is_package(const Value& document) {
   });
 }
 
+std::string what_else(const Value& document, const std::string& file) {
+  if (is_package(document))
+    return "a package of trees and data: fly a scenario that includes it";
+  if (document.find("optimize"))
+    return "this is a search: eyrie optimize " + quote_path(file);
+  return document.find("measures") ? "this is a campaign: eyrie campaign " + quote_path(file) : "";
+}
+
 Value load_document(const std::string& file, Source& source, Diagnostics& diagnostics,
                     std::vector<Removed>* removed) {
   std::vector<Removed> nobody_asks;

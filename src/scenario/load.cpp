@@ -40,8 +40,9 @@ class Loader {
   std::shared_ptr<const Scenario> load() {
     stop_if_wrong();
     document_ = load_document(out_->file, source_, diagnostics_, &removed_);
-    if (diagnostics_.ok() && is_package(document_))
-      error({out_->file, 1, 1}, "a package of trees and data: fly a scenario that includes it");
+    stop_if_wrong();
+    if (const std::string other = what_else(document_, out_->file); !other.empty())
+      error({out_->file, 1, 1}, other);
     stop_if_wrong();
     apply_overrides(document_, out_->sets, diagnostics_);
     if (const Value* v = document_.find("plugins"))

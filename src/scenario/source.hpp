@@ -110,6 +110,8 @@ class Source {
 
 /// Whether a file is none to fly but one to include: it holds trees, data and plugins alone.
 [[nodiscard]] bool is_package(const Value& document);
+/// What a file is that is no scenario, and what to do with it; "" for what may be one.
+[[nodiscard]] std::string what_else(const Value& document, const std::string& file);
 
 /// Reads `file` on top of the scenario that it `extends:` and with what both `include:`: the maps
 /// `trees` and `data` and the list `plugins` of these files (nothing else may stand in them); then

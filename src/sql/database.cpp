@@ -19,9 +19,11 @@ namespace {
   const char* path = sqlite3_db_filename(database, nullptr);
   const std::string words =
       fmt::format("{}: {}", path && *path ? quote_path(path) : "a temporary file of SQLite",
-                  code == SQLITE_FULL    ? disk::words_of(ENOSPC)
-                  : code == SQLITE_IOERR ? disk::words_of(call)
-                                         : sqlite3_errmsg(database));
+                  code == SQLITE_FULL       ? disk::words_of(ENOSPC)
+                  : code == SQLITE_IOERR    ? disk::words_of(call)
+                  : code == SQLITE_CANTOPEN ? disk::words_of(sqlite3_system_errno(database))
+                  : code == SQLITE_BUSY ? "another program has locked it; wait until it has ended"
+                                        : sqlite3_errmsg(database));
   for (const int mistake : {SQLITE_ERROR, SQLITE_READONLY, SQLITE_CORRUPT, SQLITE_NOTADB,
                             SQLITE_TOOBIG, SQLITE_MISMATCH})
     if (code == mistake)
@@ -109,20 +111,31 @@ Database::Database(const std::string& path, Access access) {
   const int flags = access == Access::read    ? SQLITE_OPEN_READONLY
                     : access == Access::write ? SQLITE_OPEN_READWRITE
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  sqlite3* opened = nullptr;
   // a relative path may begin with "file:", which is no URI here
   const bool relative = path != ":memory:" && !path.starts_with('/');
-  const int result =
-      sqlite3_open_v2((relative ? "./" + path : path).c_str(), &opened, flags, nullptr);
-  database_.reset(opened);
-  if (!opened)
-    throw std::bad_alloc();
-  if (result != SQLITE_OK)
-    throw disk::Failed(fmt::format("cannot open {}: {}", quote_path(path), sqlite3_errmsg(opened)));
-  sqlite3_busy_timeout(opened, kWait);
-  // a process that is killed loses nothing that was committed; readers and the writer do not wait
-  if (access != Access::read)
+  const auto open = [&](const char* system) {
+    sqlite3* opened = nullptr;
+    const int result =
+        sqlite3_open_v2((relative ? "./" + path : path).c_str(), &opened, flags, system);
+    database_.reset(opened);
+    if (!opened)
+      throw std::bad_alloc();
+    if (result != SQLITE_OK)
+      throw disk::Failed(
+          fmt::format("cannot open {}: {}", quote_path(path), sqlite3_errmsg(opened)));
+    sqlite3_busy_timeout(opened, kWait);
+  };
+  open(nullptr);
+  if (access != Access::read) {
+    // a process that is killed loses nothing that was committed; readers and the writer do not wait
     run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON");
+  } else if (sqlite3_exec(database_.get(), "SELECT 1 FROM sqlite_master", nullptr, nullptr,
+                          nullptr) == SQLITE_CANTOPEN) {
+    // what a killed process left, where nothing can be made beside it: its index is kept in memory,
+    // and nothing is locked, as nobody writes there (https://sqlite.org/wal.html#noshm)
+    open("unix-none");
+    run("PRAGMA locking_mode=EXCLUSIVE");
+  }
 }
 
 void Database::distrust() {
@@ -158,6 +171,10 @@ Statement Database::prepare(std::string_view sql) {
 void Database::run(const std::string& sql) {
   if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
     fail(database_.get());
+}
+
+void Database::leave_one_file() noexcept {
+  sqlite3_exec(database_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
 }
 
 std::string Database::bytes() const {

@@ -71,6 +71,9 @@ class Database {
   [[nodiscard]] Statement prepare(std::string_view sql);
   /// Statements without a result.
   void run(const std::string& sql);
+  /// Into the file goes what stands beside it, unless somebody else has it open: a later call does
+  /// so then.
+  void leave_one_file() noexcept;
   /// The whole file that it is or would be, also of one in memory.
   [[nodiscard]] std::string bytes() const;
 

@@ -105,5 +105,26 @@ TEST(Database, OfARelativePathIsNoUri) {
   EXPECT_TRUE(std::filesystem::exists(folder / "file:a/x.db"));
 }
 
+/// As of a copy without `-shm` on a read-only disk: its place is taken by a link, which SQLite does
+/// not follow.
+TEST(Database, ReadsWhatAKilledProcessLeftWhereNothingCanBeMade) {
+  const test::TempFolder folder;
+  {
+    Database left(folder / "left.db", Access::create);
+    left.run("CREATE TABLE t (i); INSERT INTO t VALUES (7)");
+    std::filesystem::copy(folder / "left.db", folder / "copy.db");
+    std::filesystem::copy(folder / "left.db-wal", folder / "copy.db-wal");
+  }
+  std::filesystem::create_symlink("nowhere", folder / "copy.db-shm");
+  const std::string log = test::read_text(folder / "copy.db-wal");
+  {
+    Database copy(folder / "copy.db", Access::read);
+    Statement row = copy.prepare("SELECT i FROM t");
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.integer(0), 7);
+  }
+  EXPECT_EQ(test::read_text(folder / "copy.db-wal"), log);
+}
+
 }  // namespace
 }  // namespace eyrie::sql

@@ -185,6 +185,11 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
 NodeReader::Child NodeReader::make(const NodeSpec& spec) {
   const auto found = registry_.by_name_.find(spec.type);
   if (found == registry_.by_name_.end()) {
+    // a flag of the state is a condition in words
+    if (spec.body->is_null() && registry_.find(kHolds) && is_flag(spec.type)) {
+      const Value words = Value::scalar(spec.type, spec.where);
+      return make({std::string(kHolds), spec.where, &words});
+    }
     std::vector<std::string_view> names{kTreeReference};
     for (const NodeInfo& info : registry_.catalog())
       names.push_back(info.name);
@@ -303,11 +308,12 @@ Value NodeReader::with_pending(const NodeType& type, const Value& body) {
   return whole;
 }
 
-/// The parameters; the label and `also` are read by others.
+/// The parameters (`- navigate:` has none); the label and `also` are read by others.
 bool NodeReader::bind(AnyNode& node, const Value& body, std::vector<std::string_view> also) {
   also.push_back(kLabelKey);
-  return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node), body, {},
-                             diagnostics_, also);
+  return eyrie::detail::bind(*node.type_->parameters, node.type_->object(node),
+                             body.is_null() ? Value::map({}, body.where) : body, {}, diagnostics_,
+                             also);
 }
 
 void NodeReader::read_leaf(AnyNode& node, const NodeSpec& spec) {

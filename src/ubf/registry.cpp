@@ -50,10 +50,11 @@ std::optional<AnyTree> AnyRegistry::build(const std::string& name, const Value& 
                                           std::span<const NamedSpec> others,
                                           std::span<const NodeChange> changes,
                                           NodeFiles* files) const {
-  const std::size_t before = diagnostics.count();
+  if (value.is_null() && !diagnostics.ok())  // a text that could not be read
+    return std::nullopt;
   NodeReader reader(*this, others, diagnostics, changes, files);
   std::unique_ptr<AnyNode> root = reader.read_tree(name, value);
-  if (!root || diagnostics.count() != before)
+  if (!root || !diagnostics.ok())
     return std::nullopt;
   const auto total_memory = [](const auto& self, const AnyNode& node) -> std::size_t {
     std::size_t bytes = slab_bytes(node.memory_bytes());

@@ -75,8 +75,8 @@ class Registry : public AnyRegistry {
   }
 
   /// Builds a tree from what a file says. `others` are the trees that `{tree: name}` may refer to.
-  /// `changes` are made on the way; `files`: where nodes find theirs. Reports every mistake, then
-  /// gives nothing.
+  /// `changes` are made on the way; `files`: where nodes find theirs. Reports every mistake;
+  /// gives nothing if there is any, also of whoever read the text.
   [[nodiscard]] std::optional<TreeType> build_tree(const std::string& name, const Value& value,
                                                    Diagnostics& diagnostics,
                                                    std::span<const NamedSpec> others = {},
@@ -134,6 +134,10 @@ class NodeReader {
   [[nodiscard]] Child read_reference(const NodeSpec& spec);
   [[nodiscard]] Child make_changed(NodeSpec spec);
   [[nodiscard]] Child make(const NodeSpec& spec);
+  [[nodiscard]] bool is_flag(std::string_view name) {
+    const std::size_t field = names_.find(registry_.fields_, name);
+    return field < registry_.fields_.size() && info(field).kind == FieldKind::flag;
+  }
   [[nodiscard]] Child make(const NodeType& type, const NodeSpec& spec);
   void read_below_unknown(const Value& body);
   [[nodiscard]] Child make_voting(const NodeType& type, const NodeSpec& spec, const Value& vote);

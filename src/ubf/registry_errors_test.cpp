@@ -14,6 +14,18 @@ TEST(RegistryErrors, AnUnknownNodeIsAnsweredWithTheNearestName) {
   EXPECT_EQ(mistakes("xyzzy"), "test.yaml:1:1: there is no node 'xyzzy'");
 }
 
+TEST(RegistryErrors, ATextThatCouldNotBeReadIsNoTreeAndSaysOneThing) {
+  const auto said = [](std::string_view text) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(standard_registry().build_tree("test", parse_yaml(text, "test.yaml", diagnostics),
+                                                diagnostics));
+    return diagnostics.text();
+  };
+  EXPECT_EQ(said("{probe: {cue: 1, cue: 2}}"),
+            "test.yaml:1:18: 'cue' is given twice (first at line 1)");
+  EXPECT_EQ(said(""), "test.yaml:1:1: the file is empty");
+}
+
 TEST(RegistryErrors, AnUnknownParameterIsAnsweredWithTheNearestName) {
   EXPECT_EQ(mistakes("{probe: {cue: 1, bais: 2}}"),
             "test.yaml:1:18: probe has no parameter 'bais'; did you mean 'bias'?");

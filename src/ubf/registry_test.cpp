@@ -121,6 +121,11 @@ TEST(Registry, ReadsAGuardAndACommitment) {
             "commitment(probe probe)");
 }
 
+TEST(Registry, TakesAFlagOfTheStateAsACondition) {
+  const RobotTree tree = build("guard: {when: alarm, child: {probe: {cue: 1}}}");
+  EXPECT_EQ(tree.node(1).type(), "holds");
+}
+
 TEST(Registry, ReadsTheBranchesOfAConditionInAnyOrder) {
   EXPECT_EQ(built("{if_then_else: {else: {probe: {cue: 2}}, then: {inverter: {check: {cue: 1}}},"
                   " if: {check: {cue: 0}}, vote: 3}}"),

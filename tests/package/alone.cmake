@@ -33,3 +33,14 @@ foreach(way "added;-DEYRIE=${EYRIE}" "found;-DCMAKE_PREFIX_PATH=${WORK}/installe
     run(${CMAKE_COMMAND} --install ${WORK}/added --prefix ${WORK}/installed)
   endif()
 endforeach()
+
+# what was installed there is told to who asks for more
+file(WRITE ${WORK}/asks/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(Asks LANGUAGES NONE)
+find_package(Eyrie REQUIRED COMPONENTS plugin)
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/asks -B ${WORK}/asks/build -DCMAKE_PREFIX_PATH=${WORK}/installed
+                OUTPUT_QUIET ERROR_VARIABLE said RESULT_VARIABLE code)
+if(code EQUAL 0 OR NOT said MATCHES "has no component 'plugin', only[ \n]+core,[ \n]+ubf")
+  message(FATAL_ERROR "a component that is not installed is answered with\n${said}")
+endif()

@@ -60,6 +60,11 @@ TEST_F(Campaign, InterruptedKeepsWhatWasFlownAndSaysHowToGoOn) {
   };
   while (kept() == 0)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const Ran asked = run_program(folder, {"query", "cut", "--decisions", "1 s"});
+  EXPECT_EQ(asked.code, 2);
+  EXPECT_NE(asked.err.find("another process is working on the campaign in 'cut'; wait"),
+            std::string::npos)
+      << asked.err;
   EXPECT_EQ(process.end(SIGINT), 128 + SIGINT) << read_text(folder / "err");
   EXPECT_NE(read_text(folder / "said").find("eyrie campaign c.yaml --out cut --resume goes on"),
             std::string::npos)
@@ -101,6 +106,21 @@ TEST_F(Campaign, RefusesToGoOnWithSomethingElse) {
   folder.write("small.yaml", changed_scenario({{"until: 2 s", "until: 60 s"}}));
   EXPECT_EQ(run("out", {"--resume"}).code, 0);
   EXPECT_EQ(table("out"), undisturbed());
+}
+
+TEST_F(Campaign, RefusesATableThatIsNoFileBeforeItFlies) {
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 1"}));
+  ASSERT_EQ(run("out").code, 0);
+  std::filesystem::remove(folder / "out/results.csv");
+  std::filesystem::create_symlink("elsewhere.csv", folder / "out/results.csv");
+  folder.write("c.yaml", changed({"replicates: 40", "replicates: 2"}));
+  for (const Ran& ran : {run("out", {"--resume"}), run_program(folder, {"report", "out"})}) {
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_EQ(ran.err, "eyrie: 'out/results.csv' is a symbolic link; only files are replaced\n");
+  }
+  EXPECT_EQ(run_program(folder, {"query", "out", "SELECT count(*) AS n FROM replicates"}).out,
+            "n\n2\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/report.html"));
 }
 
 TEST_F(Campaign, GoesOnToMoreReplicatesThanItWasBegunWith) {
