@@ -163,9 +163,7 @@ Json reference_to(const std::string& definition) {
 
 Json parameter_schema(const ParamInfo& info, Required required) {
   Json schema = shape(info, required);
-  // nothing leaves the defaults of a map, and is a value of what is optional
-  const bool nothing = info.kind == ParamKind::group && !schema.contains("required");
-  if (info.optional || nothing)
+  if (info.optional)
     schema = {{"anyOf", {schema, {{"type", "null"}}}}};
   else if (schema.contains("$ref"))
     schema = {{"allOf", Json::array({schema})}};  // beside $ref draft-07 ignores everything
