@@ -9,7 +9,8 @@ endif()
 add_library(wasm_headers INTERFACE)
 target_include_directories(wasm_headers SYSTEM INTERFACE ${wasm_root}/include)
 add_library(fmt_headers INTERFACE)
-target_compile_definitions(fmt_headers INTERFACE FMT_HEADER_ONLY=1)
+target_compile_definitions(fmt_headers INTERFACE FMT_HEADER_ONLY=1
+                           "FMT_STATIC_THOUSANDS_SEPARATOR=','")  # no locales
 target_link_libraries(fmt_headers INTERFACE wasm_headers)
 add_library(fmt::fmt ALIAS fmt_headers)
 add_library(Threads::Threads ALIAS wasm_headers)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bundles each page into one file without data: node build.mjs FOLDER [ENGINE.wasm] makes debrief.html, and playground.html
 // if there is an engine. The program puts what they show at the place of <!--%PARTS%-->, each as <script
-// type="application/x-eyrie-TYPE">base64 of a zlib stream</script>: run files, which the engine in the page flies again,
+// type="application/x-eyrie-TYPE">a zlib stream as text</script>: run files, which the engine in the page flies again,
 // columns where there is none, launch zones, and the texts of a playground.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
@@ -9,6 +9,7 @@ import { mkdir, readdir, readFile, rename, rm, writeFile } from 'node:fs/promise
 import { dirname, join } from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { fileURLToPath } from 'node:url';
+import { ascii85 } from './ascii85.mjs';
 import { worker_text } from './worker_text.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -35,11 +36,8 @@ async function notices(inputs) {
   const parts = [...by_text].map(([text, names]) => `${names.join(', ')}\n\n${text}`);
   return `\n<!--\nThis page holds the following packages.\n\n${parts.join('\n\n')}\n-->\n`.replace(/(?<!^\n<!)--(?!>\n$)/g, '- -');
 }
-// a page is packed; these lines unpack and start it
-const packed = (bytes) => deflateSync(bytes, { level: 9 }).toString('base64');
-const code = `const t=document.getElementById('code').textContent;
-const s=new Blob([Uint8Array.from(atob(t),c=>c.charCodeAt(0))]).stream().pipeThrough(new DecompressionStream('deflate'));
-import(URL.createObjectURL(new Blob([await new Response(s).text()],{type:'text/javascript'})));`;
+const packed = (bytes) => ascii85(deflateSync(bytes, { level: 9 }));
+const start = await bundled('src/start.ts', { format: 'esm' });
 // nothing but this script and this style: a text of a run that were taken for either would do nothing
 const source = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 const module = engine ? `<script type="application/x-eyrie-engine">${packed(await readFile(engine))}</script>` : '';
@@ -49,9 +47,9 @@ async function make(name, title, script_file, style_file) {
   const script = await bundled(script_file, { format: 'esm', jsx: 'automatic', jsxImportSource: 'preact', loader: { '.json': 'json' }, plugins: [worker_text(common)] });
   const style = await bundled(style_file);
   const looks = style.text;
-  const policy = `default-src 'none'; script-src ${source(code)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; img-src data:; base-uri 'none'; form-action 'none'`;
+  const policy = `default-src 'none'; script-src ${source(start.text)} blob: 'wasm-unsafe-eval'; worker-src blob:; style-src ${source(looks)}; img-src data:; base-uri 'none'; form-action 'none'`;
   const html = shell.replace('%POLICY%', () => policy).replace('%TITLE%', title).replace('/*%STYLE%*/', () => looks)
-    .replace('/*%SCRIPT%*/', () => code).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
+    .replace('/*%SCRIPT%*/', () => start.text).replace('<!--%ENGINE%-->', () => module).replace('%CODE%', () => packed(script.contents));
   const out = join(folder, name);
   await writeFile(`${out}.part`, html + (await notices([...script.inputs, ...style.inputs])));
   await rename(`${out}.part`, out);

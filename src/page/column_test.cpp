@@ -68,5 +68,15 @@ TEST(Packed, IsZlib) {
   EXPECT_EQ(back, text);
 }
 
+TEST(Packed, ComesBackWhateverItsLengthAndHasNoMark) {
+  std::string text;
+  for (unsigned i = 0; i < 60; ++i) {
+    EXPECT_EQ(test::unpacked(packed(text)), text) << i;
+    text.push_back(static_cast<char>(i * 2654435761U >> 24));
+  }
+  const std::string whole = packed(text);
+  EXPECT_EQ(whole.find('<'), whole.npos);
+}
+
 }  // namespace
 }  // namespace eyrie::page

@@ -4,7 +4,6 @@
 #include <zlib.h>
 
 #include "core/assert.hpp"
-#include "core/text.hpp"
 #include "page/page_data.hpp"
 #include "sim/trail.hpp"
 
@@ -24,7 +23,7 @@ Part run_file_part(const record::RunFile& run) {
 }
 
 Part part_of(std::string_view type, std::string_view bytes) {
-  return {type, base64(deflated(bytes))};
+  return {type, packed(bytes)};
 }
 
 bool has_engine(std::string_view page) {
@@ -61,6 +60,24 @@ std::string deflated(std::string_view bytes) {
   return out;
 }
 
+std::string packed(std::string_view bytes) {
+  const std::string stream = deflated(bytes);
+  std::string text;
+  text.reserve(stream.size() / 4 * 5 + 5);
+  for (std::size_t at = 0; at < stream.size(); at += 4) {
+    std::uint32_t word = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      word = word << 8 | (at + k < stream.size() ? static_cast<unsigned char>(stream[at + k]) : 0U);
+    std::array<char, 5> digits;
+    for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, word /= 85) {
+      const char ascii = static_cast<char>('!' + word % 85);
+      *digit = ascii == '<' ? 'v' : ascii;
+    }
+    text.append(digits.data(), std::min<std::size_t>(stream.size() - at + 1, 5));
+  }
+  return text;
+}
+
 std::string page_data(const debrief::Recorded& recorded, const Progress& progress, double plenty) {
   constexpr std::uint64_t kTell = 512;  // steps
   const auto packer = make_packer(*recorded.scenario, recorded.until(), plenty);
@@ -72,7 +89,7 @@ std::string page_data(const debrief::Recorded& recorded, const Progress& progres
       return {};
   }
   packer->finish(flight.after());
-  return base64(deflated(packer->packed(facts_of(recorded))));
+  return packed(packer->packed(facts_of(recorded)));
 }
 
 }  // namespace eyrie::page

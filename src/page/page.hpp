@@ -11,7 +11,7 @@ inline constexpr std::string_view kPlaceOfParts = "<!--%PARTS%-->";
 /// Something that a page carries, as `<script type="application/x-eyrie-TYPE">`.
 struct Part {
   std::string_view type;
-  std::string data;  ///< base64 of a zlib stream; empty: it was given up
+  std::string data;  ///< packed(); empty: it was given up
 };
 /// A run file, which the engine in the page flies again: its hashes say whether it flies as it did,
 /// not in which field it does not.
@@ -29,6 +29,9 @@ struct Part {
 /// The same of a page that may talk to whoever gave it, and to nobody else.
 [[nodiscard]] std::string live_page(std::string_view page, std::span<const Part> parts);
 
+/// A zlib stream as Ascii85, a quarter longer than its bytes; 'v' stands for '<', which HTML may
+/// take for its own.
+[[nodiscard]] std::string packed(std::string_view bytes);
 /// zlib (RFC 1950), as the browser's DecompressionStream('deflate') reads it.
 [[nodiscard]] std::string deflated(std::string_view bytes);
 

@@ -43,8 +43,8 @@ class Packer : public sim::Observer {
 [[nodiscard]] std::unique_ptr<Packer> make_packer(const scenario::Scenario& scenario, double until,
                                                   double plenty = kManyPlayerSeconds);
 
-/// A recorded run, flown again for a page without the engine: base64 of a zlib stream. Empty if
-/// `progress` gave up.
+/// A recorded run, flown again for a page without the engine, packed(). Empty if `progress` gave
+/// up.
 [[nodiscard]] std::string page_data(const debrief::Recorded& recorded,
                                     const Progress& progress = {},
                                     double plenty = kManyPlayerSeconds);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "team/explain.hpp"
 
+#include <algorithm>
+#include <functional>
+
 #include "ubf/spec.hpp"
 
 namespace eyrie::team {
@@ -47,6 +50,26 @@ std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nod
     deeper = nodes[deeper].parent;
   }
   return at;
+}
+
+std::vector<Won> contest(const std::vector<Answer>& nodes,
+                         std::span<const ubf::NodeIndex> winners) {
+  std::vector<Won> all;
+  for (const Value& value : nodes[0].action) {
+    const ubf::NodeIndex winner = winners[all.size()];
+    Won won{.value = value, .winner = winner, .blended = !nodes[winner].is_leaf, .rivals = {}};
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto node = static_cast<ubf::NodeIndex>(n);
+      const auto proposed = std::ranges::find(nodes[n].action, value.name, &Value::name);
+      if (node == winner || !nodes[n].is_leaf || proposed == nodes[n].action.end())
+        continue;
+      const auto [its, mine] = parting(nodes, node, winner);
+      won.rivals.push_back({node, *proposed, nodes[mine].counted(), nodes[its].counted()});
+    }
+    std::ranges::stable_sort(won.rivals, std::greater<>(), &Rival::vote);
+    all.push_back(std::move(won));
+  }
+  return all;
 }
 
 }  // namespace eyrie::team

@@ -13,6 +13,9 @@ namespace eyrie::team {
 /// node that has both below it. Of two of which one is above the other, the upper one is itself.
 [[nodiscard]] std::pair<ubf::NodeIndex, ubf::NodeIndex> parting(const std::vector<Answer>& nodes,
                                                                 ubf::NodeIndex a, ubf::NodeIndex b);
+/// Who won each field of the root's action, and against whom. `winners`: of these fields, in order.
+[[nodiscard]] std::vector<Won> contest(const std::vector<Answer>& nodes,
+                                       std::span<const ubf::NodeIndex> winners);
 
 template <class Action>
 std::vector<Value> values_of(const Action& action) {
@@ -69,37 +72,6 @@ std::vector<Answer> answers(std::vector<Answer> all, const ubf::Tree<State, Acti
   return all;
 }
 
-/// Who won each field of the root's action, and against whom.
-template <class Action>
-std::vector<Won> contest(const std::vector<Answer>& nodes, const ubf::Trace<Action>& trace) {
-  std::vector<Won> all;
-  const auto& root = trace.row(0);
-  ubf::for_each_field<Action>([&](const auto& f, auto i) {
-    if (!(root.proposal.action.*f.member))
-      return;
-    Won won{.value = action_value(f.name, f.unit, *(root.proposal.action.*f.member)),
-            .winner = root.supplier[i],
-            .blended = !nodes[root.supplier[i]].is_leaf,
-            .rivals = {}};
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto node = static_cast<ubf::NodeIndex>(n);
-      const auto& proposed = trace.row(node).proposal.action.*f.member;
-      if (node == won.winner || !nodes[n].is_leaf || !proposed)
-        continue;
-      const auto [its, mine] = parting(nodes, node, won.winner);
-      won.rivals.push_back({.node = node,
-                            .value = action_value(f.name, f.unit, *proposed),
-                            .against = nodes[mine].counted(),
-                            .vote = nodes[its].counted()});
-    }
-    std::sort(won.rivals.begin(), won.rivals.end(), [](const Rival& a, const Rival& b) {
-      return a.vote != b.vote ? a.vote > b.vote : a.node < b.node;
-    });
-    all.push_back(std::move(won));
-  });
-  return all;
-}
-
 template <class Field, class T>
 Changed changed(const Field& field, const std::optional<T>& flown, const std::optional<T>& other) {
   const auto value = [&](const std::optional<T>& v) {
@@ -136,6 +108,18 @@ std::vector<Changed> changes(const Action& flown, const Action& other) {
   return all;
 }
 
+/// Who supplied each field of the root's action.
+template <class Action>
+std::vector<ubf::NodeIndex> winners(const ubf::Trace<Action>& trace) {
+  std::vector<ubf::NodeIndex> all;
+  const auto& root = trace.row(0);
+  ubf::for_each_field<Action>([&](const auto& f, auto i) {
+    if (root.proposal.action.*f.member)
+      all.push_back(root.supplier[i]);
+  });
+  return all;
+}
+
 /// Asks the tree of an agent again, with a trace. What it perceived comes from perceived(state),
 /// found next to the state.
 /// `overrule` puts into an action what somebody outside asked for instead.
@@ -153,7 +137,7 @@ Decision decision_of(const Moment<State>& m, const ubf::Tree<State, Action>& tre
   d.vote = out.vote;
   d.leader = out.leader;
   d.nodes = answers(unanswered(tree), tree, trace);
-  d.action = contest(d.nodes, trace);
+  d.action = contest(d.nodes, winners(trace));
   Action carried_out = out.action;
   overrule(carried_out);
   d.overruled = changes(out.action, carried_out);

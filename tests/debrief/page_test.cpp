@@ -22,7 +22,7 @@ using nlohmann::json;
 /// The page's data, read again.
 class Reader {
  public:
-  explicit Reader(const std::string& base64) : all_(test::unpacked(base64)) {
+  explicit Reader(const std::string& packed) : all_(test::unpacked(packed)) {
     std::size_t length = 0;
     for (int i = 3; i >= 0; --i)
       length = length << 8 | static_cast<unsigned char>(all_[static_cast<std::size_t>(i)]);
@@ -183,7 +183,7 @@ TEST(PageInParts, AreWhatItGivesAtOnce) {
       use(fmt::format("missile {}", missile["id"].dump()), missile["motion"]["east"]);
   };
   const auto take = [&](std::uint64_t step) {
-    const Reader part(base64(deflated(in_parts->take({.steps = step}))));
+    const Reader part(packed(in_parts->take({.steps = step})));
     each_column(part.document,
                 [&](const std::string& name, const json& place) { put(part, name, place); });
     for (const auto& [all, name] :
@@ -201,7 +201,7 @@ TEST(PageInParts, AreWhatItGivesAtOnce) {
   for (const auto& packer : {&at_once, &in_parts})
     (*packer)->finish(flight.after());
   take(flight.after().step());
-  const Reader whole(base64(deflated(at_once->packed({}))));
+  const Reader whole(packed(at_once->packed({})));
   std::size_t columns = 0;
   each_column(whole.document, [&](const std::string& name, const json& place) {
     EXPECT_EQ(grown[name], whole.column(place)) << name;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 using Names = std::vector<std::string>;
 
-/// What a page carries as a part: base64 of a zlib stream.
+/// What a page carries as a part.
 std::string part_of(const std::string& page, const std::string& type) {
   const std::string tag = "<script type=\"application/x-eyrie-" + type + "\">";
   const std::size_t begin = page.find(tag) + tag.size();

@@ -5,13 +5,21 @@
 #include <zlib.h>
 
 #include "core/bytes.hpp"
-#include "core/text.hpp"
 
 namespace eyrie::test {
 
-/// The bytes behind base64 of a zlib stream.
-inline std::string unpacked(const std::string& base64) {
-  const std::string packed = from_base64(base64).value_or("");
+/// The bytes that page::packed() was given.
+inline std::string unpacked(const std::string& text) {
+  std::string packed;
+  for (std::size_t at = 0; at < text.size(); at += 5) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < 5; ++k) {
+      const char digit = at + k < text.size() ? text[at + k] : 'u';
+      word = word * 85 + static_cast<std::uint64_t>((digit == 'v' ? '<' : digit) - '!');
+    }
+    for (std::size_t k = 0; k < 4 && at + k + 1 < text.size(); ++k)
+      packed.push_back(static_cast<char>(word >> (24 - 8 * k) & 255));
+  }
   std::string out(64 << 20, '\0');
   uLongf size = out.size();
   EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(out.data()), &size,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The debrief page: opens the runs that stand in it, or flies a replicate of the campaign in it, and shows them. */
-import { engine_module, is_part, painted, parts, unpack } from './parts.ts';
+import { engine_module, is_part, painted, parts } from './parts.ts';
+import { unpacked } from './packed.ts';
 import { decode } from './run/decode.ts';
 import { open_live } from './live/open.tsx';
 import { flown_again, put_theme, say_failure, show_as_flown, type Opening } from './show.tsx';
@@ -25,7 +26,7 @@ async function open(host: HTMLElement): Promise<void> {
   await painted();
   const module = scripts.some((script) => is_part(script, 'run-file')) ? engine_module() : null;
   const flights = scripts.map((script): Opening => async (told, begun) =>
-    is_part(script, 'run-file') ? flown_again(await module!, await unpack(script), told, begun) : decode(await unpack(script)));
+    is_part(script, 'run-file') ? flown_again(await module!, await unpacked(script), told, begun) : decode(await unpacked(script)));
   await show_as_flown(flights, host, told);
 }
 

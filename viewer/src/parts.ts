@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** What a page carries in itself: the engine, runs, launch zones, texts, a campaign and which replicate of it is meant. */
 import { start, type RunningEngine } from './engine/engine.ts';
+import { unpacked } from './packed.ts';
 
 export type PartType = 'engine' | 'run' | 'run-file' | 'live' | 'zones' | 'texts' | 'campaign' | 'replicate';
 
@@ -11,13 +12,6 @@ export function is_part(script: Element, type: PartType): boolean {
   return script.getAttribute('type') === `application/x-eyrie-${type}`;
 }
 
-/** From base64 of a zlib stream. */
-export async function unpack(part: Element): Promise<Uint8Array<ArrayBuffer>> {
-  const packed = Uint8Array.from(atob((part.textContent ?? '').trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
 /** The words that stand in the page already are on the screen before anything is unpacked. */
 export function painted(): Promise<void> {
   return new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -26,7 +20,7 @@ export function painted(): Promise<void> {
 export async function engine_module(): Promise<WebAssembly.Module> {
   const [script] = parts('engine');
   if (!script) throw new Error('there is no engine in this page that could fly its run');
-  return WebAssembly.compile(await unpack(script));
+  return WebAssembly.compile(await unpacked(script));
 }
 
 let zones: Promise<Uint8Array> | null = null;
@@ -35,6 +29,6 @@ let zones: Promise<Uint8Array> | null = null;
 export async function started(module: WebAssembly.Module, progress: (time: number) => void = () => {}): Promise<RunningEngine> {
   const engine = start(module, progress);
   const [script] = parts('zones');
-  if (script) await engine.take_zones(await (zones ??= unpack(script)));
+  if (script) await engine.take_zones(await (zones ??= unpacked(script)));
   return engine;
 }

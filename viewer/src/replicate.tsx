@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** A replicate of a campaign, flown here and compared with its result: what the report of a campaign opens. */
 import { listen } from './events.ts';
-import { engine_module, painted, parts, started, unpack } from './parts.ts';
+import { engine_module, painted, parts, started } from './parts.ts';
+import { unpacked } from './packed.ts';
 import type { Run } from './run/run.ts';
 import { say_failure, seen, show_as_flown, type Opening } from './show.tsx';
 import { said_in } from './ui/link.ts';
@@ -42,7 +43,7 @@ export async function open_replicate(part: Element, host: HTMLElement, told: (pe
   };
   await painted();
   const flown_here: Opening = async (progress, begun) => {
-    const [module, bytes] = await Promise.all([engine_module(), unpack(part)]);
+    const [module, bytes] = await Promise.all([engine_module(), unpacked(part)]);
     const { files, scenario, sets } = JSON.parse(new TextDecoder().decode(bytes)) as Campaign;
     let until = Infinity;
     const engine = await started(module, (time) => progress(time / until));

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { inflateSync } from 'node:zlib';
+import { from_ascii85 } from '../ascii85.mjs';
 import { Instance } from '../src/engine/module.ts';
 import type { Advanced, Followed, Moment } from '../src/engine/questions.ts';
 import { GrownRun } from '../src/live/grown.ts';
@@ -14,7 +15,7 @@ import { kNoPage, kPageFile } from './page_kit.ts';
 /** What a page carries. */
 function part(type: string): Uint8Array<ArrayBuffer> {
   const found = new RegExp(`<script type="application/x-eyrie-${type}">([^<]*)</script>`).exec(readFileSync(kPageFile, 'utf8'))!;
-  return new Uint8Array(inflateSync(Buffer.from(found[1]!, 'base64')));
+  return new Uint8Array(inflateSync(from_ascii85(found[1]!)));
 }
 
 function same(name: string, a: Float64Array | Int32Array, b: Float64Array | Int32Array): void {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Opens the page of a mission that is being flown: joins it, flies along, shows it, and does all that again when the line breaks. */
 import type { RunningEngine } from '../engine/engine.ts';
-import { engine_module, parts, started, unpack } from '../parts.ts';
+import { engine_module, parts, started } from '../parts.ts';
+import { unpacked } from '../packed.ts';
 import { say_failure, show, type Shown } from '../show.tsx';
 import type { View } from '../store.ts';
 import { view_in } from '../ui/page.ts';
@@ -66,7 +67,7 @@ export async function open_live(host: HTMLElement): Promise<void> {
   const say = (words: string): void => void (opening && (opening.textContent = words));
   say('Joining the mission …');
   const module = await engine_module();
-  const about = JSON.parse(new TextDecoder().decode(await unpack(parts('live')[0]!))) as { home: boolean };
+  const about = JSON.parse(new TextDecoder().decode(await unpacked(parts('live')[0]!))) as { home: boolean };
   let joined: Joined | null = null;
   let line: Line | null = null;
   const live = new Live(() => line, () => joined?.until ?? Infinity, about.home);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /** Opens the playground with the texts that stand in the page. */
 import { render } from 'preact';
-import { engine_module, painted, parts, unpack } from '../parts.ts';
+import { engine_module, painted, parts } from '../parts.ts';
+import { unpacked } from '../packed.ts';
 import { put_theme, say_failure } from '../show.tsx';
 import { first_view } from '../store.ts';
 import { remembered } from '../ui/link.ts';
@@ -13,7 +14,7 @@ async function open(host: HTMLElement): Promise<void> {
   const [texts] = parts('texts');
   if (!texts) throw new Error('there are no texts in this page; ./eyrie playground writes one with them');
   await painted();
-  const [module, bytes] = await Promise.all([engine_module(), unpack(texts)]);
+  const [module, bytes] = await Promise.all([engine_module(), unpacked(texts)]);
   const { files, schema } = JSON.parse(new TextDecoder().decode(bytes)) as Pick<Opened, 'files' | 'schema'>;
   host.replaceChildren();
   render(<Playground files={files} schema={schema} module={module} host={host} view={view} />, host);
