@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
+import { statSync } from 'node:fs';
 import { test } from 'node:test';
 import { ascii85, from_ascii85 } from '../ascii85.mjs';
+import { kNoPage, kPageFile } from './page_kit.ts';
 
 test('is that of Adobe, but that v stands for <', () => {
   assert.equal(ascii85(Buffer.from('Man sure.')), '9jqo^F*2M7/c');
@@ -18,3 +20,5 @@ test('gives back what it was given, whatever its length', () => {
     assert.deepEqual(from_ascii85(text), bytes);
   }
 });
+
+test('keeps a page below 1.6 MB', { skip: kNoPage }, () => assert.ok(statSync(kPageFile).size <= 1.6e6, `${statSync(kPageFile).size} bytes`));
