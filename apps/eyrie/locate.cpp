@@ -112,7 +112,10 @@ std::string scenario_file(const std::string& name) {
   std::error_code ignored;
   if (fs::is_regular_file(wanted, ignored))
     return wanted;
-  const fs::path shipped = fs::path(home()) / "scenarios" / (wanted + ".yaml");
+  const std::string_view own = scenario::Source::kOwn;
+  const fs::path shipped = wanted.starts_with(own)
+                               ? fs::path(home()) / wanted.substr(own.size())
+                               : fs::path(home()) / "scenarios" / (wanted + ".yaml");
   if (!fs::is_regular_file(shipped, ignored))
     return wanted;
   // relative if that is shorter to read

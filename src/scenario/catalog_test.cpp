@@ -78,6 +78,12 @@ TEST(Catalog, BoundsEveryNumberOfEveryNodeAndModel) {
     check(kind.folder, kind.parameters);
 }
 
+TEST(Catalog, NamesEachScenarioOnce) {
+  const std::vector<std::string> names = shipped().scenarios;
+  EXPECT_GT(names.size(), 10U);
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
 TEST(CatalogText, ShowsEachNodeAsAFileMayWriteIt) {
   const Catalog catalog = shipped();
   EXPECT_FALSE(node_text(catalog, "persue"));

@@ -117,6 +117,8 @@ TEST(Extends, RefusesWhatIsNoScenario) {
             "own.yaml:1:10: extends: expected a scenario, got a list");
   EXPECT_EQ(compose({{"own.yaml", "extends:\n"}}).mistakes,
             "own.yaml:1:1: extends: expected a scenario, got nothing");
+  EXPECT_EQ(compose({{"own.yaml", "extends: ''\n"}}).mistakes,
+            "own.yaml:1:10: extends: expected a scenario, got ''");
   EXPECT_EQ(compose({{"own.yaml", "include: p.yaml\n"}, {"p.yaml", "extends: base\n"}}).mistakes,
             "p.yaml:1:1: an included file holds trees, data and plugins, not 'extends'");
 }

@@ -208,7 +208,7 @@ class Composer {
 
   /// The scenario that another extends; null after saying why there is none.
   Value base(const Value& name, const std::string& file) {
-    if (!name.is_scalar()) {
+    if (!name.is_scalar() || name.text.empty()) {
       diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown());
       return {};
     }
@@ -293,7 +293,7 @@ class Composer {
   void one(const Value& item, const std::string& file, Merger& merger) {
     if (stopped_)
       return;
-    if (!item.is_scalar()) {
+    if (!item.is_scalar() || item.text.empty()) {
       diagnostics_.error(item.where, "include: expected a file, got " + item.shown());
       return;
     }

@@ -103,6 +103,8 @@ TEST(Document, RefusesIncludesThatAreNoFileNames) {
             "dir/a.yaml:1:1: include: expected a file or a list of files, got nothing");
   EXPECT_EQ(load({{"dir/a.yaml", "include: [[b.yaml]]\n"}}).mistakes,
             "dir/a.yaml:1:11: include: expected a file, got a list");
+  EXPECT_EQ(load({{"dir/a.yaml", "include: ''\n"}}).mistakes,
+            "dir/a.yaml:1:10: include: expected a file, got ''");
   EXPECT_EQ(load({{"dir/a.yaml", "- 1\n"}}).mistakes, "dir/a.yaml:1:1: expected a map, got a list");
 }
 

@@ -231,8 +231,9 @@ class Loader {
   void place_at_start(const FlightPlan& plan, const PlayerPlan& player, Start& begin) {
     const StartSpec& s = player.spec.start;
     if (!s.altitude || !s.heading || !s.speed) {
-      error(plan.start_where,
-            fmt::format("{}: start needs altitude, heading and speed", player.name));
+      if (player.own_place || player.rank == 1)  // the others have what the lead has
+        error(plan.start_where,
+              fmt::format("{}: start needs altitude, heading and speed", player.name));
       return;
     }
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);

@@ -106,8 +106,10 @@ std::string Source::shipped(std::string_view name) const {
 
 std::vector<std::string> Source::shipped_names() const {
   std::vector<std::string> names = names_below("scenarios/");
-  const std::vector<std::string> recorded = folders_ ? names : names_below(kOwn + "scenarios/");
-  names.insert(names.end(), recorded.begin(), recorded.end());
+  if (!folders_)  // a recorded scenario has its own ones elsewhere
+    for (std::string& name : names_below(kOwn + "scenarios/"))
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(std::move(name));
   return names;
 }
 

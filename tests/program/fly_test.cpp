@@ -95,7 +95,8 @@ TEST(FlyQuiet, TellsOnlyHowItEnded) {
 
 TEST(FlyJson, IsOneObjectWithTheKeysThatScriptsRelyOn) {
   const TempFolder folder;
-  const Ran ran = run_program(folder, {"fly", "sweep", "--seed", "5", "--json", "--out", "here"});
+  const Ran ran = run_program(
+      folder, {"fly", "eyrie:scenarios/sweep.yaml", "--seed", "5", "--json", "--out", "here"});
   ASSERT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(ran.err, "");
   const json j = json::parse(ran.out);  // throws for anything behind the object
