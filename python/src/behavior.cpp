@@ -63,7 +63,7 @@ class BehaviorType : public ubf::NodeType, public std::enable_shared_from_this<B
       static_cast<void>(function.release());
       return;
     }
-    const nb::gil_scoped_acquire held;
+    const GilHeld held;
     function.reset();
   }
   BehaviorType() = default;
@@ -119,7 +119,7 @@ class Node final : public ubf::Behavior<S, Action> {
   Values values;
 
   ubf::Status tick(const ubf::Tick<S>& t, ubf::Proposal<Action>& out) const override {
-    const nb::gil_scoped_acquire held;
+    const GilHeld held;
     const auto state = std::make_shared<State>();
     state->player = t.player.value;
     state->read = [&t](std::string_view name) { return read(t.state, name); };

@@ -18,6 +18,7 @@
 
 #include "core/text.hpp"
 #include "debrief/recorded.hpp"
+#include "gil.hpp"
 #include "record/event_table.hpp"
 #include "scenario/scenario.hpp"
 
@@ -61,12 +62,12 @@ auto without_gil(Use use) {
   const auto wants_end = [&] { return signaled || PyErr_CheckSignals() != 0; };
   try {
     auto result = [&] {
-      const nb::gil_scoped_release released;
+      const GilReleased released;
       unsigned asked = 0;
       return use([&] {
         constexpr unsigned kSteps = 1024;
         if (!signaled && ++asked % kSteps == 0) {
-          const nb::gil_scoped_acquire held;
+          const GilHeld held;
           signaled = PyErr_CheckSignals() != 0;
         }
         return signaled;

@@ -44,7 +44,7 @@ class VectorEnv {
 
   void reset(std::uint64_t seed) {
     const InUse used = use();
-    const nb::gil_scoped_release released;
+    const GilReleased released;
     env_->reset(seed, arrays());
   }
   void step(const nb::ndarray<const float, nb::ndim<3>, nb::c_contig, nb::device::cpu>& actions) {
@@ -56,7 +56,7 @@ class VectorEnv {
                                 .c_str());
     const InUse used = use();
     const std::span<const float> numbers(actions.data(), actions.size());
-    const nb::gil_scoped_release released;
+    const GilReleased released;
     env_->step(numbers, arrays());
   }
   /// Ends its threads and frees its worlds; the arrays stay.
@@ -79,7 +79,7 @@ class VectorEnv {
   /// The run of the episode in a world, so far or that ended last.
   [[nodiscard]] Recorded episode(std::size_t world, bool last) const {
     const InUse used = use();
-    const nb::gil_scoped_release released;
+    const GilReleased released;
     debrief::Opened opened =
         debrief::open(env_->episode(world, last), "episode", {}, version_text());
     if (!opened.recorded)
@@ -224,7 +224,7 @@ std::unique_ptr<VectorEnv> make(const std::string& name, const std::vector<std::
                                 const Opponents& opponents, const Rewards& rewards,
                                 std::size_t envs, unsigned workers, bool privileged,
                                 const std::string& home, const std::vector<std::string>& allowed) {
-  const nb::gil_scoped_release released;
+  const GilReleased released;
   train::TaskSpec spec = train::task(name);
   spec.scenario = scenario::Source::kOwn + spec.scenario;  // below home, wherever we are
   spec.sets.insert(spec.sets.end(), sets.begin(), sets.end());

@@ -43,7 +43,7 @@ void translate(const std::exception_ptr& thrown, void*) {
 }  // namespace
 
 void raise(const char* type, const std::string& words) {
-  const nb::gil_scoped_acquire held;
+  const GilHeld held;
   const nb::object made = error_type(type);
   set_error(made, made(printable_lines(words)));
   throw nb::python_error();

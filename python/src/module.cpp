@@ -23,6 +23,8 @@ NB_MODULE(_core, m) {
         "What this build calls itself in recordings.");
   // a behavior and the module that it is written in hold each other
   nanobind::set_leak_warnings(false);
+  nanobind::module_::import_("atexit").attr("register")(
+      nanobind::cpp_function(&eyrie::python::close_the_way_back));
   eyrie::python::add_errors(m);
   eyrie::python::add_behavior(m);
   eyrie::python::add_scenario(m);

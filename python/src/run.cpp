@@ -53,7 +53,7 @@ std::tuple<Recorded, std::string> fly(const Scenario& scenario, std::optional<st
 
 Recorded open(const std::string& path, std::vector<std::string> plugins,
               const std::vector<Behavior>& behaviors) {
-  const nb::gil_scoped_release released;
+  const GilReleased released;
   debrief::Opened opened =
       debrief::open(path, std::move(plugins), version_text(), {}, adds(behaviors));
   if (!opened.recorded)

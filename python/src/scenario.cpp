@@ -32,7 +32,7 @@ std::string file_named(const std::string& name, const scenario::Source& source) 
 Scenario load(const std::string& name, const std::optional<std::string>& text, const Sets& sets,
               const Sets& plugins, const Sets& includes, const std::vector<Behavior>& behaviors,
               const std::string& home) {
-  const nb::gil_scoped_release released;
+  const GilReleased released;
   scenario::Source source = scenario::Source::disk(home, includes);
   if (text)
     source.add(name, *text);
@@ -44,7 +44,7 @@ Scenario load(const std::string& name, const std::optional<std::string>& text, c
 
 Scenario load_texts(const std::string& file, const Files& files, const Sets& sets,
                     const Sets& plugins, const std::vector<Behavior>& behaviors) {
-  const nb::gil_scoped_release released;
+  const GilReleased released;
   return {scenario::load({.file = file, .sets = sets, .plugins = plugins, .add = adds(behaviors)},
                          scenario::Source::bundle(files))};
 }

@@ -9,6 +9,8 @@ import operator
 import os
 import pickle
 import signal
+import subprocess
+import sys
 import threading
 import time
 import weakref
@@ -220,6 +222,37 @@ def test_an_interrupt_ends_a_flight() -> None:
                 scenario.world().step(10**9)
     finally:
         timer.join()
+
+
+_DAEMON = """
+import threading, time
+import eyrie
+
+@eyrie.behavior
+def held(state: eyrie.State) -> eyrie.Proposal | None:
+    "flies on"
+    return eyrie.propose(1, heading=state.heading)
+
+text = "extends: merge\\nname: mine\\nreplace: {blue.flights.viper.tree: mine}\\ntrees: {mine: held}\\n"
+scenario = eyrie.load("mine", text=text, behaviors=[held])
+def fly():
+    while True:
+        scenario.world().step(SIZE)
+for _ in range(3):
+    threading.Thread(target=fly, daemon=True).start()
+time.sleep(0.3)
+"""
+
+
+@pytest.mark.parametrize("size", [1, 10**9])
+def test_the_interpreter_may_end_while_a_daemon_thread_flies(size: int) -> None:
+    ended = subprocess.run(
+        [sys.executable, "-c", _DAEMON.replace("SIZE", str(size))],
+        capture_output=True,
+        text=True,
+        timeout=100,
+    )
+    assert (ended.returncode, ended.stderr) == (0, "")
 
 
 def test_memory_stays_flat(scenario: eyrie.Scenario) -> None:
