@@ -232,6 +232,8 @@ void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
     free += 1 - static_cast<double>(v.by_level.size());
   }
   for (Variance& v : factors) {
+    if (v.n == 0)  // no cell has a value, so there is nothing to explain
+      continue;
     const double levels = static_cast<double>(v.by_level.size()), n = static_cast<double>(v.n);
     const double unexplained = all_crossed ? left : 1 - v.part;
     const double freedom = all_crossed ? n + free : n - levels;

@@ -97,6 +97,15 @@ TEST(Effects, AreNoneWhereOnlyBothTogetherMatter) {
   EXPECT_NEAR(interactions(summary)[0].part, 1, 1e-12);
 }
 
+TEST(Effects, AreNoneOfAMeasureThatNoCellHas) {
+  Summary summary = factorial({0, 0, 0, 0});
+  for (auto& cell : summary.cells)
+    cell.estimates[0].value.reset();
+  EXPECT_TRUE(effects(summary).empty());
+  for (const Interaction& both : interactions(summary))
+    EXPECT_EQ(both.part, 0);
+}
+
 /// Cells of factors with so many levels each, a value per cell from `value_of` its levels.
 Summary crossed_cells(const std::vector<int>& counts, std::size_t cells, auto value_of) {
   Summary summary;
