@@ -40,7 +40,8 @@ struct Pairs {
 
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
   c.n = pairs.differences.n();
-  c.value = pairs.differences.mean();
+  const double mean = pairs.differences.mean(), noise = 1e-12 * pairs.differences.error();
+  c.value = std::abs(mean) > noise ? mean : 0;  // more than rounding
   if (kind == Measure::share) {
     c.interval =
         stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n, confidence);

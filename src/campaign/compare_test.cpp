@@ -284,6 +284,18 @@ TEST(ComparePairs, RejectsEqualRatiosAsOftenAsItSays) {
   EXPECT_EQ(missed, rejected);
 }
 
+TEST(ComparePairs, AreNotOfRoundingWhereBothCellsHaveTheSame) {
+  const std::vector<Measure> share{{"s", Measure::share, 0, 0}};
+  for (std::uint64_t n = 2; n < 60; ++n) {  // one and the other in turn, as often
+    const auto same = compare_pairs(share, [&](const TakePair& use) {
+      for (std::uint64_t i = 0; i < 2 * n; ++i)
+        use({i * 7 % (2 * n) < n ? 1.0 : 0.0}, {i * 7 % (2 * n) < n ? 0.0 : 1.0});
+    });
+    ASSERT_EQ(same.size(), 1U);
+    EXPECT_EQ(same[0].value, 0) << n;
+  }
+}
+
 TEST(ComparePairs, HasNoneOfARatioOverWhatMayAsWellBeZero) {
   const auto over = [](double one, double often) {
     return ratio_of([=](std::uint64_t i) {
