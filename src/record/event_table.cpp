@@ -73,8 +73,12 @@ const std::vector<EventColumn>& event_columns() {
       for (const model::EventValue& value : model::event_values(info.kind))
         if (std::none_of(columns.begin(), columns.end(),
                          [&](const auto& c) { return c.name == value.column; }))
-          columns.push_back(
-              {value.column, value.help, value.code == EventCode::number ? "{:g}" : ""});
+          columns.push_back({value.column,
+                             // of some kinds true, of others believed
+                             value.column == "range_m"
+                                 ? "from who to whom, or to where it believes whom"
+                                 : value.help,
+                             value.code == EventCode::number ? "{:g}" : ""});
     return columns;
   }();
   return all;
