@@ -179,6 +179,8 @@ int campaign_report(const CampaignReportOptions& options) {
   listen_for_interrupts();
   const std::string file =
       options.out.empty() ? fmt::format("{}/report.html", options.folder) : options.out;
+  demand_other_file(file, {fmt::format("{}/{}", options.folder, kStoreName),
+                           fmt::format("{}/{}", options.folder, kTableName)});
   disk::OutputFile out(file, options.out.empty() || options.force);  // before it flies
   if (options.out.empty())
     static_cast<void>(table_in(options.folder));

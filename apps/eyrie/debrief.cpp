@@ -106,6 +106,8 @@ int debrief_page(const DebriefOptions& options) {
       options.out.empty()
           ? (folder / (runs.size() > 1 ? record::kPageOfTwoName : record::kPageName)).string()
           : options.out;
+  for (const debrief::Recorded& run : runs)
+    demand_other_file(file, {run.file});
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(runs.front())));
   out.sink().write(debrief_text(runs, options.columns));

@@ -87,6 +87,7 @@ int export_run(const ExportOptions& options) {
   const std::string beside =
       fs::path(recorded.file).parent_path() / kNames[static_cast<int>(options.format)];
   const std::string& file = options.out.empty() ? beside : options.out;
+  demand_other_file(file, {recorded.file});
   listen_for_interrupts();
   disk::OutputFile out(file, options.force || (options.out.empty() && is_own_folder(recorded)));
   if (paths)

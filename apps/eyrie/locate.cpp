@@ -229,6 +229,12 @@ bool is_own_folder(const debrief::Recorded& run) {
   return fs::path(run.file).filename() == record::kRunFileName;
 }
 
+void demand_other_file(const std::string& out, const std::vector<std::string>& sources) {
+  for (const std::string& source : sources)
+    if (std::error_code none; fs::equivalent(out, source, none))
+      refuse("--out: {} is what it would be made from; name another file", quote_path(out));
+}
+
 PlayerId player_named(const scenario::Roster& roster, const std::string& name) {
   if (const auto who = roster.find(name))
     return *who;

@@ -59,6 +59,8 @@ struct Located {
 [[nodiscard]] bool is_run(const std::string& path);
 /// Whether what is beside the run file is of this run alone, and is replaced unasked.
 [[nodiscard]] bool is_own_folder(const debrief::Recorded& run);
+/// Throws Mistake if `out` is one of the files that it is made from: --force may not cost them.
+void demand_other_file(const std::string& out, const std::vector<std::string>& sources);
 /// Recorded runs: folders or run files. Throws Mistake with everything that is wrong with any.
 [[nodiscard]] std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                                        const std::vector<std::string>& plugins);

@@ -41,9 +41,11 @@ void write_file(const std::string& path, std::string_view text) {
 
 void print_generation(const Search& search, const Generation& g, double seconds) {
   const auto& score = g.scores[g.best];
-  say("generation {:>3} of {}: {} {} with {}; step {:.3f}, {} s\n", g.number + 1,
-      search.generations, search.measure, score ? fmt::format("{:.4g}", *score) : "refused",
-      cell_text(search.spec, g.cells[g.best]), g.sigma, static_cast<int>(seconds + 0.5));
+  const std::string best = score ? fmt::format("{} {:.4g} with {}", search.measure, *score,
+                                               cell_text(search.spec, g.cells[g.best]))
+                                 : fmt::format("no candidate has {}", search.measure);
+  say("generation {:>3} of {}: {}; step {:.3f}, {} s\n", g.number + 1, search.generations, best,
+      g.sigma, static_cast<int>(seconds + 0.5));
 }
 
 Json values_json(const Search& search, const Cell& cell) {
@@ -142,11 +144,23 @@ int optimize(const FlightsOptions& options) {
                       if (faults++ == 0)
                         first_fault = fmt::format("{}; it is shown by\n  {}", what, command);
                     }};
-  const auto found = campaign::optimize(*search, source.load(), log, run);
+  const auto tell_faults = [&] {
+    if (faults)
+      complain("eyrie: {} flights ended with a fault and count for nothing, the first with {}\n",
+               faults, lines(first_fault));
+  };
+  std::optional<Winner> found;
+  try {
+    found = campaign::optimize(*search, source.load(), log, run);
+  } catch (const ConfigError& error) {
+    if (!faults)
+      throw;
+    tell_faults();
+    complain("{}\n", lines(error.what()));
+    return 1;
+  }
   const auto evidence = found ? prove(*search, found->cell, source.load(), run) : std::nullopt;
-  if (faults)
-    complain("eyrie: {} flights ended with a fault and count for nothing, the first with {}\n",
-             faults, lines(first_fault));
+  tell_faults();
   const int code = faults ? 1 : 0;
   if (!evidence) {
     if (options.json)

@@ -40,7 +40,8 @@ struct Pairs {
 
 Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double confidence) {
   c.n = pairs.differences.n();
-  c.value = pairs.differences.mean();
+  const double mean = pairs.differences.mean(), noise = 1e-12 * pairs.differences.error();
+  c.value = std::abs(mean) > noise ? mean : 0;  // more than rounding
   if (kind == Measure::share) {
     c.interval =
         stats::newcombe_paired(pairs.both, pairs.only_one, pairs.only_other, c.n, confidence);
@@ -232,6 +233,8 @@ void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
     free += 1 - static_cast<double>(v.by_level.size());
   }
   for (Variance& v : factors) {
+    if (v.n == 0)  // no cell has a value, so there is nothing to explain
+      continue;
     const double levels = static_cast<double>(v.by_level.size()), n = static_cast<double>(v.n);
     const double unexplained = all_crossed ? left : 1 - v.part;
     const double freedom = all_crossed ? n + free : n - levels;

@@ -97,6 +97,15 @@ TEST(Effects, AreNoneWhereOnlyBothTogetherMatter) {
   EXPECT_NEAR(interactions(summary)[0].part, 1, 1e-12);
 }
 
+TEST(Effects, AreNoneOfAMeasureThatNoCellHas) {
+  Summary summary = factorial({0, 0, 0, 0});
+  for (auto& cell : summary.cells)
+    cell.estimates[0].value.reset();
+  EXPECT_TRUE(effects(summary).empty());
+  for (const Interaction& both : interactions(summary))
+    EXPECT_EQ(both.part, 0);
+}
+
 /// Cells of factors with so many levels each, a value per cell from `value_of` its levels.
 Summary crossed_cells(const std::vector<int>& counts, std::size_t cells, auto value_of) {
   Summary summary;
@@ -273,6 +282,18 @@ TEST(ComparePairs, RejectsEqualRatiosAsOftenAsItSays) {
   }
   EXPECT_NEAR(rejected / 1000.0, 0.05, 0.02);
   EXPECT_EQ(missed, rejected);
+}
+
+TEST(ComparePairs, AreNotOfRoundingWhereBothCellsHaveTheSame) {
+  const std::vector<Measure> share{{"s", Measure::share, 0, 0}};
+  for (std::uint64_t n = 2; n < 60; ++n) {  // one and the other in turn, as often
+    const auto same = compare_pairs(share, [&](const TakePair& use) {
+      for (std::uint64_t i = 0; i < 2 * n; ++i)
+        use({i * 7 % (2 * n) < n ? 1.0 : 0.0}, {i * 7 % (2 * n) < n ? 0.0 : 1.0});
+    });
+    ASSERT_EQ(same.size(), 1U);
+    EXPECT_EQ(same[0].value, 0) << n;
+  }
 }
 
 TEST(ComparePairs, HasNoneOfARatioOverWhatMayAsWellBeZero) {

@@ -221,6 +221,13 @@ std::optional<Winner> optimize(const Search& search, const Load& load, SearchLog
     accepted->refusal = error.what();
     return accepted;
   }
+  if (!accepted) {
+    const auto& measures = search.spec.measures;
+    const auto which = static_cast<std::size_t>(search.best - measures.estimates.data());
+    throw ConfigError(measures.specs[which].text.where,
+                      "no flight of any candidate gives " + quote(search.measure) +
+                          " a value: none is better than another");
+  }
   return middle;
 }
 

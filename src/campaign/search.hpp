@@ -86,10 +86,11 @@ class SearchLog {
 /// infinitely good.
 struct Generation {
   std::uint64_t number = 0;
-  std::size_t best = 0;                       ///< candidate
-  std::vector<Cell> cells;                    ///< of the candidates
-  std::vector<std::optional<double>> scores;  ///< nothing if the scenario refused one
-  double sigma = 0;                           ///< with which the next one is drawn
+  std::size_t best = 0;     ///< candidate
+  std::vector<Cell> cells;  ///< of the candidates
+  /// Nothing if the scenario refused one, or if none of its flights has the measure.
+  std::vector<std::optional<double>> scores;
+  double sigma = 0;  ///< with which the next one is drawn
 };
 
 struct SearchRun {
@@ -111,7 +112,7 @@ struct Winner {
 /// Flies the generations that the log does not know. Gives the values in the middle of the last
 /// one: the best guess, as every score has noise. If the scenario refuses them, the best candidate
 /// of the last generation that has one. Nothing if it was given up. Throws ConfigError if no
-/// candidate of any generation was accepted.
+/// candidate of any generation has a score.
 [[nodiscard]] std::optional<Winner> optimize(const Search& search, const Load& load, SearchLog& log,
                                              const SearchRun& run);
 

@@ -210,6 +210,24 @@ TEST(Search, CountsWhatTheScenarioRefusesAsWorst) {
   EXPECT_GT(flown, refused) << "the search leaves them";
 }
 
+TEST(Search, FindsNothingByAMeasureThatNoFlightHas) {
+  const auto search =
+      parse_search(search_with("take: first", "if: time < 1 ms, take: first"), "s.yaml");
+  SearchLog log(*search, "here", "", "log");
+  int generations = 0;
+  const SearchRun run{.workers = 2,
+                      .tell = [&](const Generation&, const SearchLog&) { ++generations; }};
+  try {
+    static_cast<void>(optimize(*search, duel, log, run));
+    ADD_FAILURE();
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "s.yaml:10:9: no flight of any candidate gives 'shot' a value: none is better "
+                 "than another");
+  }
+  EXPECT_EQ(generations, 4);
+}
+
 TEST(Search, TakesTheBestOfTheLastGenerationIfTheMiddleIsRefused) {
   const auto search = parse_search(kSearch, "s.yaml");
   std::vector<Generation> seen;

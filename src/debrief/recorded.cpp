@@ -323,7 +323,7 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
                fmt::format("{}: {}; and {} in the other", scenario.roster.name(who), one, other));
     if (!found.event)
       if (const auto text = other_event(a, b, scenario, *right.scenario))
-        part(found.event, *text);
+        found.event = {a.before().step(), a.time() + scenario.simulation->dt(), *text};
     if (!found.world && a.after().hash() != b.after().hash())
       if (const auto difference = sim::first_difference(a.after(), b.after()))
         part(found.world, difference->text());

@@ -107,7 +107,7 @@ class Reflight {
 /// A place where the runs differ for the first time.
 struct Parting {
   std::uint64_t step = 0;
-  double time = 0;  ///< s
+  double time = 0;  ///< s; of an event at the end of the step, as everywhere
   std::string text;
 };
 

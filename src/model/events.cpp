@@ -8,6 +8,7 @@ namespace eyrie::model {
 namespace {
 
 constexpr EventValue kRange{"range", "m", "range_m", {}, "how far whom is from who"};
+constexpr EventValue kBelieved{"range", "m", "range_m", {}, "from who to where it believes whom"};
 constexpr EventValue kBearing{"bearing", "rad", "bearing_deg", {}, "true, from who"};
 constexpr EventValue kMiss{"miss", "m", "miss_m", {}, "nearest distance of the missile"};
 constexpr EventValue kStore{"store", {}, "weapon", EventCode::weapon, "type of missile"};
@@ -20,7 +21,7 @@ constexpr std::array kInfos = [] {
       {contact,
        "contact",
        "who has a new track of whom.",
-       {{kRange,
+       {{kBelieved,
          {"sources",
           {},
           "sources",
@@ -33,7 +34,8 @@ constexpr std::array kInfos = [] {
       {identified,
        "identified",
        "who knows now, or believes to know, whose side whom is on.",
-       {{{"identity", {}, "identity", C::identity, "`unknown`, `friendly`, `hostile`"}, kRange}}},
+       {{{"identity", {}, "identity", C::identity, "`unknown`, `friendly`, `hostile`"},
+         kBelieved}}},
       {rwr_warning,
        "rwr_warning",
        "The warning receiver of who hears the radar of whom.",
@@ -42,16 +44,18 @@ constexpr std::array kInfos = [] {
       {release,
        "release",
        "who has decided to shoot at whom: the store is being made ready. A `launch` follows.",
-       {{kStore, kRange}}},
-      {launch, "launch", "The missile who leaves its shooter towards whom.", {{kRange, kStore}}},
+       {{kStore, kBelieved}}},
+      {launch, "launch", "The missile who leaves its shooter towards whom.", {{kBelieved, kStore}}},
       {seeker_active,
        "seeker_active",
        "The seeker of missile who is switched on (\"pitbull\"), to look for whom.",
-       {{{"range", "m", "range_m", C::number, "to where it believes whom"}}}},
+       {{kBelieved}}},
       {seeker_acquired, "seeker_acquired", "The seeker of missile who sees whom.", {{kRange}}},
       {gun_burst,
        "gun_burst",
-       "who has ended a burst of its gun at whom, or at nobody in its sight.",
+       "who has ended a burst of its gun at whom, or at nobody in its sight; nothing if the run, "
+       "or "
+       "who, ends first.",
        {{{"rounds", {}, "rounds", C::number, "fired"},
          kRange,
          {"hits", {}, "hits", C::number, "rounds that hit"}}}},
@@ -94,7 +98,7 @@ constexpr std::array kInfos = [] {
        "lead_change",
        "who leads its flight now, as whom did before.",
        {{{"flight", {}, "flight", C::flight, "its name"}}}},
-      {commit, "commit", "who commits on whom.", {{kRange}}},
+      {commit, "commit", "who commits on whom.", {{kBelieved}}},
       {defend,
        "defend",
        "who defends against the missile whom, or against one that it does not see.",
@@ -121,7 +125,7 @@ constexpr std::array kInfos = [] {
        "eject",
        "A store leaves who towards whom; it becomes a `launch` in the same step.",
        {{kStore, {"last", {}, "last_one", C::number, "1: no missile is left"}}}},
-      {scatter, "scatter", "who leaves its way because of aircraft whom.", {{kRange}}},
+      {scatter, "scatter", "who leaves its way because of aircraft whom.", {{kBelieved}}},
       {loss, "loss", "who is lost to something outside the run, by an order."},
       {dispense,
        "dispense",

@@ -63,7 +63,10 @@ const std::vector<EventColumn>& event_columns() {
         {"weapon", "type of the missile that it is about, or `gun`"},
         {"shooter", "of that missile"},
         {"missile_id", "its number: the same from launch to end", "{:.0f}"},
-        {"north_m", "where it happened, from the scenario's reference", "{:.2f}"},
+        {"north_m",
+         "where it happened, from the scenario's reference; of what somebody sees or decides, "
+         "where he was at the beginning of the step",
+         "{:.2f}"},
         {"east_m", "likewise", "{:.2f}"},
         {"latitude_deg", "likewise, WGS 84", "{:.7f}"},
         {"longitude_deg", "likewise", "{:.7f}"},
@@ -73,8 +76,12 @@ const std::vector<EventColumn>& event_columns() {
       for (const model::EventValue& value : model::event_values(info.kind))
         if (std::none_of(columns.begin(), columns.end(),
                          [&](const auto& c) { return c.name == value.column; }))
-          columns.push_back(
-              {value.column, value.help, value.code == EventCode::number ? "{:g}" : ""});
+          columns.push_back({value.column,
+                             // of some kinds true, of others believed
+                             value.column == "range_m"
+                                 ? "from who to whom, or to where it believes whom"
+                                 : value.help,
+                             value.code == EventCode::number ? "{:g}" : ""});
     return columns;
   }();
   return all;

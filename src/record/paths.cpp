@@ -79,7 +79,9 @@ void Paths::happened(const sim::Event& e) {
     Path& path = all_[e.who.value];
     path.kind = "missile";
     path.type = store_label(scenario_, e.values[1]);
-    path.name = fmt::format("{} of {}", path.type, scenario_.roster.name(PlayerId{e.detail}));
+    Missiles missiles(scenario_);
+    missiles.note(e);
+    path.name = missiles.name(e.who);
     path.side = shooter ? shooter->side : model::Side::none;
     path.target = scenario_.roster.name(e.whom);
     path.locks = {{time_, e.whom}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "record/story.hpp"
 
+#include <utility>
+
 #include "core/units.hpp"
 #include "model/track.hpp"
 #include "model/weapon/missile.hpp"
@@ -243,8 +245,12 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
         if (OfPlayer* shooter = player(PlayerId{e.detail}))
           ++shooter->shots;
         break;
+      case EventKind::hit:  // of a burst that may have no end: with the kill the run is over
+        if (who && e.detail == 0 && !std::exchange(who->burst_counted, true))
+          ++who->shots;
+        break;
       case EventKind::gun_burst:
-        if (who)
+        if (who && !std::exchange(who->burst_counted, false))
           ++who->shots;
         break;
       case EventKind::kill:

@@ -61,10 +61,11 @@ class Story final : public sim::Observer {
 class Tally final : public sim::Observer {
  public:
   struct OfPlayer {
-    std::uint32_t shots = 0, kills = 0;
+    std::uint32_t shots = 0, kills = 0;  ///< a burst of the gun is a shot
     bool lost = false, home = false;
-    double end_time = 0;  ///< s, when it was lost or came home
-    std::string phase;    ///< of its outermost sequencer, "" if it has none
+    bool burst_counted = false;  ///< the burst that it fires has hit and is in `shots`
+    double end_time = 0;         ///< s, when it was lost or came home
+    std::string phase;           ///< of its outermost sequencer, "" if it has none
   };
   struct OfSide {
     std::uint32_t players = 0;  ///< that may come home: aircraft

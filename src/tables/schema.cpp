@@ -137,7 +137,7 @@ std::vector<Table> tables_of(std::span<const ActionColumn> columns, double step)
                   {"kind", "TEXT", "", "`aircraft`, `vehicle`, `missile`, ..."},
                   {"type", "TEXT", "", "`F-15C`"},
                   {"side", "TEXT", "", "`blue`, `red`, `none`"},
-                  {"flight", "TEXT", "", "of a player"},
+                  {"flight", "TEXT", "", "of a player; of a missile its shooter's"},
                   {"shooter_id", "INTEGER REFERENCES players", "", "of a missile"},
                   {"aimed_at_id", "INTEGER REFERENCES players", "", "of a missile: at its launch"},
                   {"born_s", "REAL", "s", "when it appeared"},

@@ -35,6 +35,13 @@ measures:
   EXPECT_EQ(data["cells"][1]["values"][0], "@DATA@");
   EXPECT_EQ(data["replicates"].size(), 6U);
   EXPECT_EQ(page.find("alert(1)", end), page.npos);
+  for (const char* source : {"out/results.db", "out/results.csv"}) {
+    const std::string before = read_text(folder / source);
+    const Ran over = run_program(folder, {"report", "out", "--out", source, "--force"});
+    EXPECT_EQ(over.code, 2);
+    EXPECT_NE(over.err.find("is what it would be made from"), std::string::npos) << over.err;
+    EXPECT_TRUE(read_text(folder / source) == before);
+  }
   const Ran of_one = run_program(folder, {"report", "out", "--of", "edn"});
   EXPECT_EQ(of_one.code, 2);
   EXPECT_NE(of_one.err.find("there is no measure 'edn'; did you mean 'end'?"), std::string::npos)

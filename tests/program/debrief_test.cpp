@@ -80,6 +80,15 @@ TEST(DebriefProgram, MakesTheSamePageAgain) {
   EXPECT_EQ(ask({"debrief", "run", "--out", "again.html", "--force"}).code, 0);
 }
 
+TEST(DebriefProgram, ReplacesNoRunThatItIsMadeFrom) {
+  const std::string run = text_of("run/run.eyrie");
+  const Ran ran = ask({"debrief", "run", "--out", "run/../run/run.eyrie", "--force"});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err,
+            "--out: 'run/../run/run.eyrie' is what it would be made from; name another file\n");
+  EXPECT_TRUE(text_of("run/run.eyrie") == run);
+}
+
 TEST(DebriefProgram, PutsTwoRunsOnOnePage) {
   ASSERT_EQ(
       ask({"fly", "sweep", "--until", "20 s", "--seed", "2", "--quiet", "--out", "other"}).code, 0);

@@ -2,6 +2,7 @@
 /// \file  `eyrie diff` as a user has it.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "support/program.hpp"
@@ -51,6 +52,15 @@ TEST(DiffProgram, ComparesThoseOfTheSameNamesByWhatTheyDecide) {
       << parted.out;
   EXPECT_FALSE(std::regex_search(parted.out, std::regex(R"(: ([^\n]+); and \1 in the other)")))
       << parted.out;
+  // an event at the time that it has in events.csv
+  const auto event =
+      nlohmann::json::parse(run_program(folder, {"diff", "a", "b", "--json"}).out)["event"];
+  ASSERT_TRUE(event.is_object()) << parted.out;
+  const std::string row = fmt::format("\n{:.3f},{},", event["time_s"].get<double>(),
+                                      event["step"].get<std::uint64_t>());
+  EXPECT_TRUE(read_text(folder / "a/events.csv").find(row) != std::string::npos ||
+              read_text(folder / "b/events.csv").find(row) != std::string::npos)
+      << row;
 }
 
 }  // namespace

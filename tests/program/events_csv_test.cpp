@@ -94,6 +94,21 @@ TEST(EventsCsv, HoldsEveryEventAndCountsAsTheReportDoes) {
   EXPECT_GT(count["eagle"]["contact"], 0);
 }
 
+TEST(EventsCsv, HasNoEndOfTheBurstThatEndsTheRunWhichCountsAsAShot) {
+  const TempFolder folder;
+  const Ran ran = run_program(
+      folder, {"fly", "merge", "--seed", "8", "--no-debrief", "--out", "run", "--json"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  std::map<std::string, int> count;
+  for (const Row& row : read_csv(read_text(folder / "run/events.csv"))) {
+    count[row.at("event")] += row.at("event") != "launch" || row.at("shooter") == "bandit1";
+    count[row.at("event") + " by " + row.at("weapon")] += 1;
+  }
+  EXPECT_EQ(count["kill by gun"], 1);
+  EXPECT_EQ(count["gun_burst"], 0);
+  EXPECT_EQ(nlohmann::json::parse(ran.out)["sides"]["red"]["shots"], count["launch"] + 1);
+}
+
 TEST(EventsCsv, HasNoColumnThatSqlKeepsForItself) {
   // reserved in SQL:2016, PostgreSQL 16 or MySQL 8, of the words that a simulation might use
   const std::set<std::string> reserved{

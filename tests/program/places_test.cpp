@@ -70,7 +70,7 @@ double seconds_of(const std::string& date) {
 void expect_true(Exported& e) {
   std::map<std::string, std::uint32_t> ids;
   for (const auto& [id, path] : e.paths.all())
-    ids.emplace(path.name, id);
+    EXPECT_TRUE(ids.emplace(path.name, id).second) << "two of one name: " << path.name;
   std::map<std::string, std::string> last;
   for (const json& feature : e.geojson["features"]) {
     const json& about = feature["properties"];
@@ -84,7 +84,7 @@ void expect_true(Exported& e) {
     }
     last[name] = about["end"];
     const json& lines = feature["geometry"]["coordinates"];
-    if (player) {  // two missiles may have one name
+    if (player) {
       e.expect_at(ids[name], seconds_of(about["begin"]), place_of(lines.front().front()));
       e.expect_at(ids[name], seconds_of(about["end"]), place_of(lines.back().back()));
     }

@@ -276,6 +276,7 @@ TEST(TablesProgram, WritesTheSameEveryTimeAndRefusesWhatIsNoSelection) {
                                              {"--to", "sqlite", "--out", "x.gz"},
                                              {"--to", "pcap", "--out", "x.GZ"},
                                              {"--to", "decisions", "--out", "X.CSV.GZ"},
+                                             {"--to", "pcap", "--out", "run/run.eyrie", "--force"},
                                              {"--to", "pcap", "--player", "eagle1"}}) {
     std::vector<std::string> command{"export", "run"};
     command.insert(command.end(), wrong.begin(), wrong.end());
