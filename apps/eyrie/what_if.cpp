@@ -187,13 +187,15 @@ int what_if(const WhatIfOptions& options) {
   Json json{{"run", recorded.file}, {"player", options.player}};
   if (asks_trees) {
     result = debrief::what_if(recorded, *other, who, from);
-    if (result.decisions == 0 && !options.at.empty())
+    if (result.decisions == 0 && result.fault.empty() && !options.at.empty())
       refuse("{}", debrief::nothing_text(options.player, {.from = from}, {.until = result.until}));
     json["decisions"] = result.decisions;
     json["different"] = result.different;
     if (result.first)
       json["first"] = first_json(*result.first);
     json["spans_s"] = result.spans;
+    if (!result.fault.empty())
+      json["fault"] = result.fault;
   }
   if (asks_trees && !options.json) {
     say("{}: {} of {} decisions would have been other ones\n", options.player, result.different,
@@ -204,6 +206,9 @@ int what_if(const WhatIfOptions& options) {
       print_fields(*result.first);
     }
   }
+  if (!result.fault.empty())
+    complain("eyrie: with this change a run ends there, so nothing was asked after it: {}\n",
+             result.fault);
   std::optional<debrief::Outcome> flown;
   std::optional<double> until;
   if (options.branch || options.seeds > 0) {
@@ -228,7 +233,8 @@ int what_if(const WhatIfOptions& options) {
     json["over_seeds"] = over_seeds(recorded, other, options.seeds, until, options.json);
   if (options.json)
     say("{}", Composed{record::json_lines(json)});
-  return options.seeds > 0 && json["over_seeds"]["faults"] != 0 ? 1 : 0;
+  const bool faults = options.seeds > 0 && json["over_seeds"]["faults"] != 0;
+  return faults || !result.fault.empty() ? 1 : 0;
 }
 
 }  // namespace eyrie::app

@@ -123,6 +123,10 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   bool in_a_row = false;
   const auto note = [&](const team::AnyMoment& m, team::Comparison found) {
     const double time = m.info.time();
+    if (found.fault) {
+      result.fault = scenario::fault_text(*found.fault, other.roster, m.info.dt);
+      return;
+    }
     if (time < from - 1e-9)
       return;
     ++result.decisions;
@@ -146,7 +150,8 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   while (flight.step()) {
     if (flown.find(flight.after(), who))
       result.until = flight.time();
-    asked.look(flight, note);
+    if (result.fault.empty())
+      asked.look(flight, note);
     if (!result.first || first)
       continue;
     first = explain(flown, flight.before(), flight.after(), who, flight.orders());
