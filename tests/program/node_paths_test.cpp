@@ -55,5 +55,49 @@ TEST(NodePaths, GoFromExplainToWhatIfSetAndReplace) {
   EXPECT_NE(hash({"fly", "sweep"}), set);
 }
 
+/// A flight whose tree has a vote that follows the state, parameters that may contradict each
+/// other, and a node that may become a condition.
+class ChangedNode : public testing::Test {
+ protected:
+  ChangedNode() {
+    folder.write("small.yaml", R"(eyrie: 1
+name: small
+reference: {latitude: 33 deg, longitude: -68 deg}
+until: 2 s
+trees:
+  pilot:
+    commitment:
+      margin: 5
+      children:
+        - navigate: {vote: {most: 60, of: speed, from: 100 kt, to: 500 kt}}
+        - {guard: {when: leads, child: {egress: {vote: 30}}}}
+blue:
+  flights:
+    eagle:
+      aircraft: f16c
+      start: {north: 0 nmi, east: 0 nmi, altitude: 20000 ft, heading: 90 deg, speed: 450 kt}
+      tree: pilot
+      players: [eagle1]
+)");
+  }
+  [[nodiscard]] Ran what_if(const std::string& set) const {
+    if (run_program(folder, {"fly", "small.yaml", "--no-debrief", "--out", "run", "--force"}).code)
+      ADD_FAILURE() << "it does not fly";
+    return run_program(folder, {"whatif", "run", "--player", "eagle1", "--set", set});
+  }
+  TempFolder folder;
+};
+
+TEST_F(ChangedNode, IsBlamedWhereItWasChangedForWhatContradictsItself) {
+  const std::string words =
+      "commitment needs 'margin', 'min_time' or 'hold' above 0, or it commits to nothing\n";
+  EXPECT_EQ(what_if("root.margin=0").err, "--set root.margin=0:1:13: " + words);
+  const std::string set = "trees.pilot.commitment.margin=0";
+  EXPECT_EQ(run_program(folder, {"fly", "small.yaml", "--set", set}).err,
+            "--set " + set + ":1:31: " + words);
+  folder.write("other.yaml", "extends: small.yaml\nreplace:\n  trees.pilot.commitment.margin: 0\n");
+  EXPECT_EQ(run_program(folder, {"validate", "other.yaml"}).err, "other.yaml:3:34: " + words);
+}
+
 }  // namespace
 }  // namespace eyrie::test
