@@ -163,7 +163,7 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
             fmt::format("expected the name of a node, got {}", change.value.shown()));
       return nullptr;
     }
-    body = body_for_another_type(*spec.body);
+    body = body_for_another_type(*spec.body, registry_.find(change.value.text));
     spec = {change.value.text, change.value.where, &body};
   }
   Child node = make(spec);

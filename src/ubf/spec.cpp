@@ -334,12 +334,17 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
   return filled(name, tree, arguments, diagnostics);
 }
 
-Value body_for_another_type(const Value& body) {
+Value body_for_another_type(const Value& body, const NodeInfo* type) {
   if (!body.is_map())
     return body;
+  const auto takes = [&](std::string_view key) {
+    return !type ||
+           std::ranges::find(type->parameters, key, &ParamInfo::name) != type->parameters.end();
+  };
   Value kept = Value::map({}, body.where);
   for (const Value::Entry& e : body.entries)
-    if (e.key == kLabelKey || e.key == "children" || e.key == "vote" || e.key == "vote_scale")
+    if (e.key == kLabelKey || e.key == "children" ||
+        ((e.key == "vote" || e.key == "vote_scale") && takes(e.key)))
       kept.entries.push_back(e);
   return kept;
 }

@@ -85,8 +85,8 @@ struct NodeInfo {
   bool standard = false;  ///< comes with the library, for every kind of platform
 };
 
-/// What is left of a node's body for another type.
-[[nodiscard]] Value body_for_another_type(const Value& body);
+/// What is left of a node's body for another type, which may have no vote; null: an unknown one.
+[[nodiscard]] Value body_for_another_type(const Value& body, const NodeInfo* type);
 
 /// Splits a value into type and body, or reports why it is no node.
 [[nodiscard]] std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics);

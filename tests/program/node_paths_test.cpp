@@ -99,5 +99,11 @@ TEST_F(ChangedNode, IsBlamedWhereItWasChangedForWhatContradictsItself) {
   EXPECT_EQ(run_program(folder, {"validate", "other.yaml"}).err, "other.yaml:3:34: " + words);
 }
 
+TEST_F(ChangedNode, LosesTheVoteIfItBecomesACondition) {
+  const Ran ran = what_if("root/guard/egress=bingo");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(what_if("root/guard/egress=pursue").code, 0) << "which has a vote";
+}
+
 }  // namespace
 }  // namespace eyrie::test
