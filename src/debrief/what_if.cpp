@@ -265,6 +265,14 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
     node.resize(point);
     found = std::find(paths.begin(), paths.end(), node);
   }
+  for (std::size_t p = node.rfind('.'); found == paths.end() && p != node.npos && p > 0;
+       p = node.rfind('.', p - 1))
+    if (std::find(paths.begin(), paths.end(), node.substr(0, p)) != paths.end())
+      return wrong(begin + p + 1,
+                   fmt::format("{} is inside a parameter; behind a node stands a whole one, as in "
+                               "{}={{...}}, and the path of a file (trees. ...) goes on into it",
+                               quote(text.substr(begin + p + 1, equals - begin - p - 1)),
+                               node.substr(p + 1, node.find('.', p + 1) - p - 1)));
   if (found == paths.end())
     return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
                                     did_you_mean(node, paths)));

@@ -105,5 +105,16 @@ TEST_F(ChangedNode, LosesTheVoteIfItBecomesACondition) {
   EXPECT_EQ(what_if("root/guard/egress=pursue").code, 0) << "which has a vote";
 }
 
+TEST_F(ChangedNode, HasNoPathIntoAParameter) {
+  const Ran ran = what_if("root/navigate.vote.most=10");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(
+      ran.err,
+      "--set root/navigate.vote.most=10:1:15: 'vote.most' is inside a parameter; behind a node "
+      "stands a whole one, as in vote={...}, and the path of a file (trees. ...) goes on into "
+      "it\n");
+  EXPECT_EQ(what_if("trees.pilot.commitment.navigate.vote.most=10").code, 0);
+}
+
 }  // namespace
 }  // namespace eyrie::test
