@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  What explain calls a node can be typed: by --set, by whatif and behind `replace`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -103,6 +104,25 @@ TEST_F(ChangedNode, LosesTheVoteIfItBecomesACondition) {
   const Ran ran = what_if("root/guard/egress=bingo");
   EXPECT_EQ(ran.code, 0) << ran.err;
   EXPECT_EQ(what_if("root/guard/egress=pursue").code, 0) << "which has a vote";
+}
+
+TEST_F(ChangedNode, IsMeantByAPathThatDoesNotBeginAtTheRoot) {
+  for (const auto& [set, words] :
+       {std::pair("navigate.vote=7",
+                  "'navigate' says nothing about decisions; did you mean "
+                  "'root/navigate'?"),
+        std::pair("guard/egress=pursue",
+                  "'guard/egress' says nothing about decisions; did you mean "
+                  "'root/guard/egress'?"),
+        std::pair("rot/guard=selector",
+                  "'rot/guard' says nothing about decisions; did you mean 'root'?"),
+        std::pair("tree.pilot=navigate",
+                  "'tree' says nothing about decisions; did you mean 'trees'?"),
+        std::pair("seed=7", "'seed' says nothing about decisions")}) {
+    const Ran ran = what_if(set);
+    EXPECT_EQ(ran.code, 2) << set;
+    EXPECT_EQ(ran.err, fmt::format("--set {}:1:1: whatif asks other trees; {}\n", set, words));
+  }
 }
 
 TEST_F(ChangedNode, HasNoPathIntoAParameter) {
