@@ -149,6 +149,18 @@ TEST_F(Fault, OfWhatIsAskedEndsTheQuestionAndIsSaid) {
     }
 }
 
+TEST_F(Fault, IsNoneButNoRunToBeExplainedIfABehaviorAnswersOtherwiseEveryTime) {
+  scenario("{winner_takes_all: [once]}");
+  ASSERT_EQ(run({"fly", "small.yaml", "--until", "2 s", "--out", "run", "--no-debrief"}).code, 0);
+  const Ran ran = run({"explain", "run", "--player", "eagle2"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("this is not the run that was recorded by eyrie "), std::string::npos);
+  EXPECT_NE(ran.err.find("; a behavior of one's own must answer the same whenever it perceives and "
+                         "remembers the same"),
+            std::string::npos)
+      << ran.err;
+}
+
 TEST_F(Fault, IsSaidWithWhateverElseIsWatching) {
   scenario(leaf(0));
   for (const std::vector<std::string>& more :
