@@ -35,6 +35,9 @@ namespace {
   std::abort();
 }
 
+constexpr const char* kUnknown =
+    "something failed that this program does not know; please report it";
+
 std::atomic<int> noted = 0;
 
 extern "C" void on_interrupt(int signal) {
@@ -71,7 +74,7 @@ std::string words_for(const std::exception& error) {
     return disk::words_of(system->code().value());
   if (dynamic_cast<const std::runtime_error*>(&error))
     return error.what();
-  return "something failed that this program does not know; please report it";
+  return kUnknown;
 }
 
 void open_standard_streams() {
@@ -101,6 +104,8 @@ int attempt(const std::function<int()>& command) {
     const auto* system = dynamic_cast<const std::system_error*>(&error);
     mistake = dynamic_cast<const disk::Refused*>(&error) != nullptr ||
               (system && system->code() == std::errc::filename_too_long);
+  } catch (...) {  // a plug-in may throw whatever it likes
+    words = kUnknown;
   }
   complain("eyrie: {}\n", lines(words));
   return mistake ? 2 : 1;

@@ -137,10 +137,27 @@ std::string_view part_of(std::string_view set) {
   return set.substr(0, set.find_first_of(".="));
 }
 
+/// "; did you mean 'root/bvr/pursue'?" for `bvr/pursue.vote=70`, and 'root' for `rot/bvr=fusion`.
+std::string node_meant(const scenario::Scenario& scenario, std::string_view set) {
+  std::string_view path = set.substr(0, set.find('='));
+  const std::string_view whole = path;
+  for (int with_parameter = 0; with_parameter < 2; ++with_parameter) {
+    for (const auto& fleet : scenario.fleets)
+      for (const ubf::AnyTree* tree : fleet->trees)
+        for (std::size_t i = 0; i < tree->size(); ++i)
+          if (const std::string is = tree->path(static_cast<ubf::NodeIndex>(i));
+              is.ends_with(fmt::format("/{}", path)))
+            return fmt::format("; did you mean {}?", quote(is));
+    path = path.substr(0, path.rfind('.'));
+  }
+  return did_you_mean(whole.substr(0, whole.find_first_of("/.")),
+                      std::array<std::string_view, 1>{"root"});
+}
+
 /// Says which overrides cannot be asked. The recorded states answer for other trees and for nothing
 /// else; what changes the flight itself is told by flights from the start, over seeds.
 void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& options,
-                 Diagnostics& wrong) {
+                 const scenario::Scenario& scenario, Diagnostics& wrong) {
   constexpr std::array<std::string_view, 9> kParts{
       "trees", "data", "environment", "blue", "red", "ends", "orders", "rates", "reference"};
   for (const std::string& set : sets) {
@@ -148,10 +165,12 @@ void check_parts(const std::vector<std::string>& sets, const WhatIfOptions& opti
     const Location where{"--set " + set, 1, 1};
     if (part == "trees" || set.find('=') == std::string::npos)
       continue;
-    if (std::find(kParts.begin(), kParts.end(), part) == kParts.end())
-      wrong.error(where, fmt::format("whatif asks other trees; {} says nothing about decisions{}",
-                                     quote(part), did_you_mean(part, kParts)));
-    else if (options.seeds == 0 || options.branch)
+    if (std::find(kParts.begin(), kParts.end(), part) == kParts.end()) {
+      const std::string meant = did_you_mean(part, kParts);
+      wrong.error(where,
+                  fmt::format("whatif asks other trees; {} says nothing about decisions{}",
+                              quote(part), meant.empty() ? node_meant(scenario, set) : meant));
+    } else if (options.seeds == 0 || options.branch)
       wrong.error(where, fmt::format("the recorded states do not tell what another {} would have "
                                      "changed: use --seeds, without --branch",
                                      quote(part)));
@@ -168,7 +187,7 @@ int what_if(const WhatIfOptions& options) {
   demand_within(recorded, "--at", options.at, from);
   Diagnostics wrong;
   auto overrides = debrief::read_overrides(*recorded.scenario, who, options.sets, wrong);
-  check_parts(overrides.sets, options, wrong);
+  check_parts(overrides.sets, options, *recorded.scenario, wrong);
   const bool asks_trees =
       overrides.sets.empty() || !overrides.changes.empty() ||
       std::any_of(overrides.sets.begin(), overrides.sets.end(),
@@ -187,13 +206,15 @@ int what_if(const WhatIfOptions& options) {
   Json json{{"run", recorded.file}, {"player", options.player}};
   if (asks_trees) {
     result = debrief::what_if(recorded, *other, who, from);
-    if (result.decisions == 0 && !options.at.empty())
+    if (result.decisions == 0 && result.fault.empty() && !options.at.empty())
       refuse("{}", debrief::nothing_text(options.player, {.from = from}, {.until = result.until}));
     json["decisions"] = result.decisions;
     json["different"] = result.different;
     if (result.first)
       json["first"] = first_json(*result.first);
     json["spans_s"] = result.spans;
+    if (!result.fault.empty())
+      json["fault"] = result.fault;
   }
   if (asks_trees && !options.json) {
     say("{}: {} of {} decisions would have been other ones\n", options.player, result.different,
@@ -204,6 +225,9 @@ int what_if(const WhatIfOptions& options) {
       print_fields(*result.first);
     }
   }
+  if (!result.fault.empty())
+    complain("eyrie: with this change a run ends there, so nothing was asked after it: {}\n",
+             result.fault);
   std::optional<debrief::Outcome> flown;
   std::optional<double> until;
   if (options.branch || options.seeds > 0) {
@@ -228,7 +252,8 @@ int what_if(const WhatIfOptions& options) {
     json["over_seeds"] = over_seeds(recorded, other, options.seeds, until, options.json);
   if (options.json)
     say("{}", Composed{record::json_lines(json)});
-  return options.seeds > 0 && json["over_seeds"]["faults"] != 0 ? 1 : 0;
+  const bool faults = options.seeds > 0 && json["over_seeds"]["faults"] != 0;
+  return faults || !result.fault.empty() ? 1 : 0;
 }
 
 }  // namespace eyrie::app

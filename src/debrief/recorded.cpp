@@ -132,9 +132,14 @@ void Reflight::demand_the_same() {
   // up to the next mark, which knows the field
   while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
     run_.step();
-  throw std::runtime_error(fmt::format("{}: this is not the run that was recorded by {}: {}",
-                                       recorded_.file, recorded_.run.build,
-                                       checker_->departure()->reason));
+  throw std::runtime_error(
+      fmt::format("{}: this is not the run that was recorded by {}: {}{}", recorded_.file,
+                  recorded_.run.build, checker_->departure()->reason,
+                  recorded_.scenario->has_foreign_nodes
+                      ? "; a behavior of one's own must answer the same whenever it perceives and "
+                        "remembers the "
+                        "same: nothing kept beside its memory, no clock, no chance but draw()"
+                      : ""));
 }
 
 namespace {

@@ -123,6 +123,10 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   bool in_a_row = false;
   const auto note = [&](const team::AnyMoment& m, team::Comparison found) {
     const double time = m.info.time();
+    if (found.fault) {
+      result.fault = scenario::fault_text(*found.fault, other.roster, m.info.dt);
+      return;
+    }
     if (time < from - 1e-9)
       return;
     ++result.decisions;
@@ -146,7 +150,8 @@ WhatIf what_if(const Recorded& recorded, const scenario::Scenario& other, Player
   while (flight.step()) {
     if (flown.find(flight.after(), who))
       result.until = flight.time();
-    asked.look(flight, note);
+    if (result.fault.empty())
+      asked.look(flight, note);
     if (!result.first || first)
       continue;
     first = explain(flown, flight.before(), flight.after(), who, flight.orders());
@@ -260,6 +265,14 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
     node.resize(point);
     found = std::find(paths.begin(), paths.end(), node);
   }
+  for (std::size_t p = node.rfind('.'); found == paths.end() && p != node.npos && p > 0;
+       p = node.rfind('.', p - 1))
+    if (std::find(paths.begin(), paths.end(), node.substr(0, p)) != paths.end())
+      return wrong(begin + p + 1,
+                   fmt::format("{} is inside a parameter; behind a node stands a whole one, as in "
+                               "{}={{...}}, and the path of a file (trees. ...) goes on into it",
+                               quote(text.substr(begin + p + 1, equals - begin - p - 1)),
+                               node.substr(p + 1, node.find('.', p + 1) - p - 1)));
   if (found == paths.end())
     return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
                                     did_you_mean(node, paths)));

@@ -28,6 +28,9 @@ struct WhatIf {
   /// Times (s) from the first to the last of decisions in a row that would have been different.
   std::vector<std::pair<double, double>> spans;
   double until = 0;  ///< s, when the player was last there
+  /// Why nothing was asked from there on: a run with the other trees would have ended so, as
+  /// scenario::fault_text says it. "": it was asked to the end.
+  std::string fault = {};
 };
 
 /// Asks the trees of `other`, which is the scenario of the run with overrides and has as many,

@@ -3,9 +3,11 @@
 #include <cxxabi.h>
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "core/text.hpp"
@@ -142,6 +144,7 @@ std::vector<std::string> Plugins::load(const std::string& path, Source& source,
     return {"it failed while it was adding"};
   }
   std::vector<std::string> problems = registrar.problems();
+  std::ranges::move(name_problems(registries, origin), std::back_inserter(problems));
   for (std::string& problem : model_problems(registrar, source))
     problems.push_back(std::move(problem));
   if (!problems.empty())

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/plugins.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "disk/sink.hpp"
@@ -8,6 +11,43 @@
 #include "pilot/catalog.hpp"
 
 namespace eyrie::scenario {
+namespace {
+
+/// What is wrong with the names that nodes and their parameters have.
+template <class State, class Action>
+void check_names(const ubf::Registry<State, Action>& registry, std::string_view origin,
+                 std::vector<std::string>& problems) {
+  for (const ubf::NodeInfo& node : registry.catalog()) {
+    if (node.origin != origin)
+      continue;
+    if (const auto problem =
+            ubf::label_problem(node.name))  // which it is unless a file has another
+      problems.push_back("the name of a node: " + *problem);
+    for (const ubf::StateField<State>& field : ubf::StateFields<State>::all())
+      if (field.info.name == node.name && field.info.kind == ubf::FieldKind::flag)
+        problems.push_back(
+            fmt::format("{} is no name for a node: alone it is the condition that this field of "
+                        "the state is true",
+                        quote(node.name)));
+    std::vector<std::string> taken{std::string(ubf::kLabelKey)};
+    taken.insert(taken.end(), node.child_keys.begin(), node.child_keys.end());
+    for (const ParamInfo& parameter : node.parameters) {
+      if (std::ranges::find(taken, parameter.name) != taken.end())
+        problems.push_back(fmt::format("node {}: {} is no name for a parameter, it is taken",
+                                       quote(node.name), quote(parameter.name)));
+      taken.push_back(parameter.name);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> name_problems(const Registries& registries, std::string_view origin) {
+  std::vector<std::string> problems;
+  check_names(registries.pilots, origin, problems);
+  check_names(registries.drivers, origin, problems);
+  return problems;
+}
 
 Plugins::Plugins() {
   static const auto own = std::make_shared<const Registries>(
@@ -17,12 +57,15 @@ Plugins::Plugins() {
 
 std::vector<std::string> Plugins::add(const AddNodes& nodes) {
   Registries registries = *registries_;
-  Registrar registrar(registries, "this program");
+  const std::string origin = "this program";
+  Registrar registrar(registries, origin);
   nodes(registrar);
-  if (registrar.problems().empty())
+  std::vector<std::string> problems = registrar.problems();
+  std::ranges::move(name_problems(registries, origin), std::back_inserter(problems));
+  if (problems.empty())
     registries_ = std::make_shared<const Registries>(std::move(registries));
   added_ = true;
-  return registrar.problems();
+  return problems;
 }
 
 void Plugins::tell(Scenario& scenario) const {

@@ -39,6 +39,11 @@ class Plugins {
   bool added_ = false;  ///< nodes of a program
 };
 
+/// What is wrong with the names of the nodes that `origin` has registered, and of their parameters:
+/// what no tree could say, or what means something else there already.
+[[nodiscard]] std::vector<std::string> name_problems(const Registries& registries,
+                                                     std::string_view origin);
+
 /// Loads what the command line names.
 void load_plugins(std::span<const std::string> paths, Plugins& plugins, Source& source,
                   Diagnostics& diagnostics);

@@ -206,7 +206,16 @@ class AgentSystem final : public Agents {
     }
     [[nodiscard]] Comparison compare(const Agents& other, std::byte* slab) const override {
       const auto was = ask_again(tree_of(agents_), m_);
-      const auto would = ask_again(tree_of(other), m_, slab);
+      ubf::Proposal<Action> would;
+      ubf::TransitionLog log;
+      sim::Outbox out;
+      const auto& others = static_cast<const AgentSystem&>(other);  // of this platform
+      if (!others.deciding_.ask(tree, m_.state, info, who, {slab, tree_of(other).memory_bytes()},
+                                m_.votes, log, would, out)) {
+        sim::Fault fault = *out.take_fault();
+        fault.step = info.step;
+        return {.flown = was.leader, .other = ubf::kNone, .fields = {}, .fault = std::move(fault)};
+      }
       return {was.leader, would.leader, changes(was.action, would.action)};
     }
 

@@ -22,6 +22,9 @@ struct LastDecision {
 struct Comparison {
   ubf::NodeIndex flown = ubf::kNone, other = ubf::kNone;  ///< who led, who would have
   std::vector<Changed> fields;                            ///< none: the same decision
+  /// A run with the other tree would have ended here: one of its nodes threw, or answered what
+  /// means nothing.
+  std::optional<sim::Fault> fault = {};
 };
 
 class Agents;

@@ -9,17 +9,6 @@
 namespace eyrie::ubf {
 namespace {
 
-/// What is left of a node's body for another type.
-Value body_for_another_type(const Value& body) {
-  if (!body.is_map())
-    return body;
-  Value kept = Value::map({}, body.where);
-  for (const Value::Entry& e : body.entries)
-    if (e.key == kLabelKey || e.key == "children" || e.key == "vote" || e.key == "vote_scale")
-      kept.entries.push_back(e);
-  return kept;
-}
-
 /// "tree 'a' refers to itself: a -> b -> a", if `name` is being read already; `open` are the trees
 /// being read, outermost first.
 std::optional<std::string> cycle_through(std::span<const std::string> open, std::string_view name) {
@@ -174,7 +163,7 @@ NodeReader::Child NodeReader::make_changed(NodeSpec spec) {
             fmt::format("expected the name of a node, got {}", change.value.shown()));
       return nullptr;
     }
-    body = body_for_another_type(*spec.body);
+    body = body_for_another_type(*spec.body, registry_.find(change.value.text));
     spec = {change.value.text, change.value.where, &body};
   }
   Child node = make(spec);
@@ -259,7 +248,7 @@ NodeReader::Child NodeReader::make(const NodeType& type, const NodeSpec& spec) {
   if (diagnostics_.count() != before)
     return nullptr;
   if (const std::string problem = node->problem(); !problem.empty()) {
-    error(spec.where, problem);
+    error(place_of_problem(spec), problem);
     return nullptr;
   }
   return node;

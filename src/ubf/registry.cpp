@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ubf/registry.hpp"
 
+#include <algorithm>
 #include <exception>
 
 namespace eyrie::ubf {
@@ -72,9 +73,14 @@ std::optional<AnyTree> AnyRegistry::build(const std::string& name, const Value& 
     return AnyTree(name, std::move(root));
   } catch (const std::bad_alloc&) {  // nobody's mistake
     throw;
-  } catch (const std::exception& e) {
-    diagnostics.error(value.where,
-                      fmt::format("tree {} could not be laid out: {}", quote(name), e.what()));
+  } catch (const std::exception& e) {  // such as a default that its own range does not hold
+    std::string_view lines = e.what();
+    while (!lines.empty()) {
+      const std::size_t end = std::min(lines.find('\n'), lines.size());
+      diagnostics.error(value.where, std::string(lines.substr(0, end)));
+      lines.remove_prefix(std::min(end + 1, lines.size()));
+      lines.remove_prefix(std::min(lines.find_first_not_of(' '), lines.size()));
+    }
     return std::nullopt;
   }
 }

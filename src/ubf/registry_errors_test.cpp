@@ -216,5 +216,33 @@ TEST(RegistryErrors, MemoryIsLimited) {
             "1048576");
 }
 
+/// A node whose own range does not hold its default.
+struct Loud final : Node {
+  static constexpr std::string_view type_name = "loud", help = "votes too much";
+  static constexpr auto params() {
+    return std::tuple{param("vote", &Loud::vote, range(0, 1000), "how strongly")};
+  }
+  Status tick(const Tick<State>&, Proposal<Action>& out) const override {
+    out.vote = vote;
+    return Status::running;
+  }
+  float vote = 2000;
+};
+
+TEST(RegistryErrors, ADefaultOutOfItsRangeIsToldInLinesOfItsOwn) {
+  Registry<State, Action> registry = standard_registry();
+  registry.add<Loud>();
+  const auto said = [&](std::string_view text) {
+    Diagnostics diagnostics;
+    static_cast<void>(
+        registry.build_tree("test", parse_yaml(text, "test.yaml", diagnostics), diagnostics));
+    return diagnostics.text();
+  };
+  EXPECT_EQ(said("{selector: [loud]}"),
+            "test.yaml:1:1: tree 'test' cannot be made\n"
+            "test.yaml:1:1: root/loud: loud: vote: 2000 is outside [0, 1000]");
+  EXPECT_EQ(said("{selector: [{loud: {vote: 3}}]}"), "");
+}
+
 }  // namespace
 }  // namespace eyrie::ubf::testing

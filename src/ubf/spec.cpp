@@ -334,4 +334,27 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
   return filled(name, tree, arguments, diagnostics);
 }
 
+Value body_for_another_type(const Value& body, const NodeInfo* type) {
+  if (!body.is_map())
+    return body;
+  const auto takes = [&](std::string_view key) {
+    return !type ||
+           std::ranges::find(type->parameters, key, &ParamInfo::name) != type->parameters.end();
+  };
+  Value kept = Value::map({}, body.where);
+  for (const Value::Entry& e : body.entries)
+    if (e.key == kLabelKey || e.key == "children" ||
+        ((e.key == "vote" || e.key == "vote_scale") && takes(e.key)))
+      kept.entries.push_back(e);
+  return kept;
+}
+
+Location place_of_problem(const NodeSpec& spec) {
+  if (!spec.where.file.text().starts_with("--set"))  // else the type is what was changed
+    for (const Value::Entry& e : spec.body->entries)
+      if (!(e.value.where.file == spec.where.file) && e.value.where.line > 0)
+        return e.value.where;
+  return spec.where;
+}
+
 }  // namespace eyrie::ubf

@@ -58,6 +58,10 @@ struct NodeSpec {
   const Value* body = nullptr;  ///< a null value if nothing is
 };
 
+/// Where to say what is wrong with a node's parameters taken together: at the one that another file
+/// or --set has given, or at its type.
+[[nodiscard]] Location place_of_problem(const NodeSpec& spec);
+
 /// Something else than what is written, for one node of a tree: another type, which keeps children,
 /// label and vote but no other parameter, or another value of a parameter.
 struct NodeChange {
@@ -80,6 +84,9 @@ struct NodeInfo {
   std::string origin;     ///< who registered it: "eyrie", or a plug-in
   bool standard = false;  ///< comes with the library, for every kind of platform
 };
+
+/// What is left of a node's body for another type, which may have no vote; null: an unknown one.
+[[nodiscard]] Value body_for_another_type(const Value& body, const NodeInfo* type);
 
 /// Splits a value into type and body, or reports why it is no node.
 [[nodiscard]] std::optional<NodeSpec> read_spec(const Value& value, Diagnostics& diagnostics);

@@ -19,6 +19,7 @@ class RunnerUp final : public Arbiter<State, Action> {
 
   Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
     Status best_status = Status::failure, status = Status::failure;
+    const AnyNode *first = nullptr, *second = nullptr;
     Proposal<Action> next, best;
     for (const auto& child : this->children_) {
       const Status answer = this->ask(*child, t, next);
@@ -27,17 +28,23 @@ class RunnerUp final : public Arbiter<State, Action> {
       if (next.vote > best.vote) {
         out.copy(best);
         status = best_status;
+        second = first;
         best.copy(next);
         best_status = answer;
+        first = child.get();
       } else if (next.vote > out.vote) {
         out.copy(next);
         status = answer;
+        second = child.get();
       }
     }
     if (status == Status::failure) {
       out.copy(best);
       status = best_status;
+      second = first;
     }
+    if (second)
+      this->took(t, *second);
     this->rescale(out);
     return status;
   }
@@ -69,6 +76,8 @@ TEST(RunnerUp, HandsOnTheSecondHighestVoteWhateverTheOrder) {
       robot.cue(i) = {kRunning, votes[i], {.altitude = votes[i]}};
     EXPECT_EQ(robot.tick(), kRunning);
     EXPECT_EQ(robot.out.action.altitude, 2);
+    const std::size_t second = std::ranges::find(votes, 2.0F) - votes.begin();
+    EXPECT_EQ(robot.supplier(1), fmt::format("root/probe[{}]", second));
   }
 }
 
@@ -79,6 +88,7 @@ TEST(RunnerUp, HandsOnTheOnlyOneAndFailsWithoutAny) {
   robot.cue(0) = {kSuccess, 3, {.altitude = 1}};
   EXPECT_EQ(robot.tick(), kSuccess);
   EXPECT_EQ(robot.out.vote, 6);
+  EXPECT_EQ(robot.supplier(1), "root/probe");
 }
 
 }  // namespace

@@ -81,6 +81,16 @@ TEST(PluginLoading, SaysEverythingThatIsWrongWithNames) {
              "'../mine' is no name for a model", "it adds the model 'mine' twice"}));
 }
 
+TEST(PluginLoading, RefusesNamesThatMeanSomethingElseOrNothing) {
+  EXPECT_EQ(words_about(plugin("misnamed")),
+            (Words{"the name of a node: must not be empty",
+                   "the name of a node: 'a/b[0]' must not contain '/', '[' or ']'",
+                   "'leads' is no name for a node: alone it is the condition that this field of "
+                   "the state is true",
+                   "node 'twice': 'than' is no name for a parameter, it is taken",
+                   "node 'twice': 'name' is no name for a parameter, it is taken"}));
+}
+
 TEST(PluginLoading, RefusesWhatWasBuiltForAnotherEyrieBeforeRunningIt) {
   EXPECT_EQ(
       words_about(plugin("old")),

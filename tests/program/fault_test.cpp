@@ -118,6 +118,49 @@ TEST_F(Fault, KeepsWhatWasSeenOfWhoDoesOtherwiseEveryTime) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
+/// The behavior does nothing wrong until it is asked what if.
+TEST_F(Fault, OfWhatIsAskedEndsTheQuestionAndIsSaid) {
+  scenario(leaf(99));
+  ASSERT_EQ(run({"fly", "small.yaml", "--out", "run", "--no-debrief"}).code, 0);
+  for (const auto& [how, words] :
+       {std::pair{0, "recommends what means nothing: heading is nan rad"},
+        std::pair{11, "votes what means nothing: vote is -1"}, std::pair{20, "threw: no fuel"},
+        std::pair{21, "threw something that is no std::exception"}})
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{}, {"--branch"}, {"--at", "2"}}) {
+      std::vector<std::string> arguments{"whatif",
+                                         "run",
+                                         "--player",
+                                         "eagle2",
+                                         "--json",
+                                         "--set",
+                                         fmt::format("root/misbehave.how={}", how)};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      const Ran ran = run(arguments);
+      EXPECT_EQ(ran.code, 1) << how;
+      EXPECT_EQ(ran.err,
+                "eyrie: with this change a run ends there, so nothing was asked after it: "
+                "eagle2 at " +
+                    kWho + words + "\n");
+      const auto said = nlohmann::json::parse(ran.out, nullptr, false);
+      ASSERT_FALSE(said.is_discarded()) << ran.out;
+      EXPECT_EQ(said["decisions"], more.size() == 2 ? 0 : 10);
+      EXPECT_EQ(said["fault"], "eagle2 at " + kWho + words);
+    }
+}
+
+TEST_F(Fault, IsNoneButNoRunToBeExplainedIfABehaviorAnswersOtherwiseEveryTime) {
+  scenario("{winner_takes_all: [once]}");
+  ASSERT_EQ(run({"fly", "small.yaml", "--until", "2 s", "--out", "run", "--no-debrief"}).code, 0);
+  const Ran ran = run({"explain", "run", "--player", "eagle2"});
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.err.find("this is not the run that was recorded by eyrie "), std::string::npos);
+  EXPECT_NE(ran.err.find("; a behavior of one's own must answer the same whenever it perceives and "
+                         "remembers the same"),
+            std::string::npos)
+      << ran.err;
+}
+
 TEST_F(Fault, IsSaidWithWhateverElseIsWatching) {
   scenario(leaf(0));
   for (const std::vector<std::string>& more :

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file  What explain calls a node can be typed: by --set, by whatif and behind `replace`.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -53,6 +54,86 @@ TEST(NodePaths, GoFromExplainToWhatIfSetAndReplace) {
   const json set = hash({"fly", "sweep", "--set", document + ".vote=1"});
   EXPECT_EQ(hash({"fly", "x.yaml"}), set);
   EXPECT_NE(hash({"fly", "sweep"}), set);
+}
+
+/// A flight whose tree has a vote that follows the state, parameters that may contradict each
+/// other, and a node that may become a condition.
+class ChangedNode : public testing::Test {
+ protected:
+  ChangedNode() {
+    folder.write("small.yaml", R"(eyrie: 1
+name: small
+reference: {latitude: 33 deg, longitude: -68 deg}
+until: 2 s
+trees:
+  pilot:
+    commitment:
+      margin: 5
+      children:
+        - navigate: {vote: {most: 60, of: speed, from: 100 kt, to: 500 kt}}
+        - {guard: {when: leads, child: {egress: {vote: 30}}}}
+blue:
+  flights:
+    eagle:
+      aircraft: f16c
+      start: {north: 0 nmi, east: 0 nmi, altitude: 20000 ft, heading: 90 deg, speed: 450 kt}
+      tree: pilot
+      players: [eagle1]
+)");
+  }
+  [[nodiscard]] Ran what_if(const std::string& set) const {
+    if (run_program(folder, {"fly", "small.yaml", "--no-debrief", "--out", "run", "--force"}).code)
+      ADD_FAILURE() << "it does not fly";
+    return run_program(folder, {"whatif", "run", "--player", "eagle1", "--set", set});
+  }
+  TempFolder folder;
+};
+
+TEST_F(ChangedNode, IsBlamedWhereItWasChangedForWhatContradictsItself) {
+  const std::string words =
+      "commitment needs 'margin', 'min_time' or 'hold' above 0, or it commits to nothing\n";
+  EXPECT_EQ(what_if("root.margin=0").err, "--set root.margin=0:1:13: " + words);
+  const std::string set = "trees.pilot.commitment.margin=0";
+  EXPECT_EQ(run_program(folder, {"fly", "small.yaml", "--set", set}).err,
+            "--set " + set + ":1:31: " + words);
+  folder.write("other.yaml", "extends: small.yaml\nreplace:\n  trees.pilot.commitment.margin: 0\n");
+  EXPECT_EQ(run_program(folder, {"validate", "other.yaml"}).err, "other.yaml:3:34: " + words);
+}
+
+TEST_F(ChangedNode, LosesTheVoteIfItBecomesACondition) {
+  const Ran ran = what_if("root/guard/egress=bingo");
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_EQ(what_if("root/guard/egress=pursue").code, 0) << "which has a vote";
+}
+
+TEST_F(ChangedNode, IsMeantByAPathThatDoesNotBeginAtTheRoot) {
+  for (const auto& [set, words] :
+       {std::pair("navigate.vote=7",
+                  "'navigate' says nothing about decisions; did you mean "
+                  "'root/navigate'?"),
+        std::pair("guard/egress=pursue",
+                  "'guard/egress' says nothing about decisions; did you mean "
+                  "'root/guard/egress'?"),
+        std::pair("rot/guard=selector",
+                  "'rot/guard' says nothing about decisions; did you mean 'root'?"),
+        std::pair("tree.pilot=navigate",
+                  "'tree' says nothing about decisions; did you mean 'trees'?"),
+        std::pair("seed=7", "'seed' says nothing about decisions")}) {
+    const Ran ran = what_if(set);
+    EXPECT_EQ(ran.code, 2) << set;
+    EXPECT_EQ(ran.err, fmt::format("--set {}:1:1: whatif asks other trees; {}\n", set, words));
+  }
+}
+
+TEST_F(ChangedNode, HasNoPathIntoAParameter) {
+  const Ran ran = what_if("root/navigate.vote.most=10");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(
+      ran.err,
+      "--set root/navigate.vote.most=10:1:15: 'vote.most' is inside a parameter; behind a node "
+      "stands a whole one, as in vote={...}, and the path of a file (trees. ...) goes on into "
+      "it\n");
+  EXPECT_EQ(what_if("trees.pilot.commitment.navigate.vote.most=10").code, 0);
 }
 
 }  // namespace
