@@ -137,8 +137,8 @@ void Reflight::demand_the_same() {
                   recorded_.run.build, checker_->departure()->reason,
                   recorded_.scenario->has_foreign_nodes
                       ? "; a behavior of one's own must answer the same whenever it perceives and "
-                        "remembers the "
-                        "same: nothing kept beside its memory, no clock, no chance but draw()"
+                        "remembers the same: nothing kept beside its memory, no clock, "
+                        "no chance but draw()"
                       : ""));
 }
 
