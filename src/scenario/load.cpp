@@ -232,8 +232,7 @@ class Loader {
     const StartSpec& s = player.spec.start;
     if (!s.altitude || !s.heading || !s.speed) {
       if (player.own_place || player.rank == 1)  // the others have what the lead has
-        error(plan.start_where,
-              fmt::format("{}: start needs altitude, heading and speed", player.name));
+        error(plan.start_where, player.name + ": start needs altitude, heading and speed");
       return;
     }
     const Vec3 lead = resolve(s, *s.altitude, library_->reference, plan.start_where, diagnostics_);
