@@ -44,3 +44,7 @@ set(XXHASH_INCLUDE_DIR ${wasm_root}/include)
 
 # what is left out: web/platform.cpp stands for what of it is called
 set(EYRIE_LEFT_OUT "/src/(core/executor|disk/.*|model/flight/performance|scenario/(end_guard|plugin_load|shared_object|source_disk|trust)|debrief/(health|open)|page/page)\\.cpp$")
+
+# every step is hashed: this one file is compiled for speed, as its loops are not unrolled for size
+set_source_files_properties(${CMAKE_SOURCE_DIR}/src/core/hash.cpp PROPERTIES
+                            SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -O3)

@@ -133,13 +133,10 @@ About Engine::load(const Load& load) {
 
 About Engine::about(const scenario::Scenario& scenario, std::uint64_t seed, std::string build,
                     double until) const {
-  About about{scenario.spec.name,
-              scenario.spec.help_text,
-              std::to_string(seed),
-              std::move(build),
-              scenario.simulation->dt(),
-              until,
-              {}};
+  const Geodetic& origin = scenario.library->reference.origin();
+  About about{scenario.spec.name,       scenario.spec.help_text,   std::to_string(seed),
+              std::move(build),         scenario.simulation->dt(), until,
+              degrees(origin.latitude), degrees(origin.longitude), {}};
   for (const auto& player : scenario.roster.players)
     about.players.push_back(
         {player.name, std::string(scenario::side_name(player.side)), player.label});

@@ -130,7 +130,7 @@ struct Player {
 };
 struct About {
   std::string scenario, help, seed, build;
-  double dt = 0, until = 0;
+  double dt = 0, until = 0, latitude = 0, longitude = 0;
   std::vector<Player> players;
   static constexpr Description kMessage{
       "About",
@@ -141,6 +141,8 @@ struct About {
       Member{"build", &About::build, "Who recorded it; empty before it was flown."},
       Member{"dt", &About::dt, "s per step."},
       Member{"until", &About::until, "s, when it ends, at the latest if it was not flown yet."},
+      Member{"latitude", &About::latitude, "deg, of the middle of the map."},
+      Member{"longitude", &About::longitude, "deg, of the same."},
       Member{"players", &About::players, "In the order of their ids, which count from 1."}};
 };
 struct Line {

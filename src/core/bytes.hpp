@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Numbers, texts and blocks as bytes, as they lie in memory, and back.
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <string>
@@ -20,6 +21,10 @@ inline void put_varint(std::string& out, std::uint64_t number) {
   for (; number >= 128; number >>= 7)
     out.push_back(static_cast<char>(number | 128));
   out.push_back(static_cast<char>(number));
+}
+/// How many bytes that takes.
+[[nodiscard]] inline std::size_t varint_size(std::uint64_t number) {
+  return (static_cast<std::size_t>(std::bit_width(number | 1)) + 6) / 7;
 }
 
 /// Takes what was put off the front of bytes, which must outlive it. Everything is checked against

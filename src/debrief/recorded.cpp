@@ -116,7 +116,7 @@ bool Reflight::step() {
   demand_the_same();  // also as it began
   if (run_.world().step() >= recorded_.last_step())
     return false;
-  before_ = run_.world();
+  before_.become(run_.world());
   events_ = run_.step();
   if (const sim::Fault* fault = run_.fault())
     throw std::runtime_error(fmt::format(

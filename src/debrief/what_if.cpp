@@ -201,7 +201,7 @@ std::unique_ptr<Branch> branch(const Recorded& recorded,
 }
 
 bool Branch::step() {
-  before_ = mission_->run().world();
+  before_.become(mission_->run().world());
   if (mission_->step())
     return true;
   mission_->run().finish();

@@ -2,6 +2,7 @@
 #include "page/column.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/assert.hpp"
@@ -14,18 +15,19 @@ std::uint64_t zigzag(std::int64_t value) {
   return (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
 }
 
-std::string encoded(const std::vector<std::int64_t>& values, int order) {
-  std::string out;
-  out.reserve(values.size() * 2);
-  std::int64_t last = 0, slope = 0;
-  for (const std::int64_t value : values) {
-    const std::int64_t difference = value - last;
-    put_varint(out, zigzag(order == 0 ? value : order == 1 ? difference : difference - slope));
-    last = value;
-    slope = difference;
+/// What is written of each value: itself, what it differs by from the last, or that from the last
+/// difference.
+class Differences {
+ public:
+  [[nodiscard]] std::array<std::uint64_t, 3> next(std::int64_t value) {
+    const std::int64_t difference = value - std::exchange(last_, value);
+    return {zigzag(value), zigzag(difference),
+            zigzag(difference - std::exchange(slope_, difference))};
   }
-  return out;
-}
+
+ private:
+  std::int64_t last_ = 0, slope_ = 0;
+};
 
 }  // namespace
 
@@ -38,16 +40,20 @@ std::int64_t Column::rounded(double value) const {
 }
 
 ColumnPlace ColumnBytes::put(const Column& column) {
-  ColumnPlace place{bytes_.size(), column.values().size(), column.quantum(), 0};
-  std::string best;
-  for (int order = 0; order < 3; ++order) {
-    std::string candidate = encoded(column.values(), order);
-    if (order > 0 && candidate.size() >= best.size())
-      continue;
-    best = std::move(candidate);
-    place.order = order;
+  std::array<std::size_t, 3> sizes{};
+  Differences measured;
+  for (const std::int64_t value : column.values()) {
+    const auto numbers = measured.next(value);
+    for (std::size_t order = 0; order < sizes.size(); ++order)
+      sizes[order] += varint_size(numbers[order]);
   }
-  bytes_ += best;
+  const auto order =
+      static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const ColumnPlace place{bytes_.size(), column.values().size(), column.quantum(),
+                          static_cast<int>(order)};
+  Differences written;
+  for (const std::int64_t value : column.values())
+    put_varint(bytes_, written.next(value)[order]);
   return place;
 }
 

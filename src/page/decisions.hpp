@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "core/enum_names.hpp"
+#include "core/hash.hpp"
 #include "debrief/decision.hpp"
 #include "page/column.hpp"
 #include "ubf/action_traits.hpp"
@@ -49,11 +50,25 @@ class ShapeBook {
     for (std::size_t i = 0; i < blank.size(); ++i) {
       const auto node = static_cast<ubf::NodeIndex>(i);
       const auto& row = trace.row(node);
-      append(letter(row.ticked, row.status));
-      append(row.proposal.vote);
-      append(team::given_vote(trace, node).value_or(row.proposal.vote));
-      append(trace.why(node));
-      append(row.supplier);
+      // what is not there takes no place: most nodes are not asked
+      if (!row.ticked) {
+        append(char{0});
+        continue;
+      }
+      const float vote = row.proposal.vote;
+      const auto given = team::given_vote(trace, node);
+      const char* why = failed(row) ? trace.why(node) : nullptr;
+      const bool proposes = !ubf::is_empty(row.proposal.action);
+      append(static_cast<char>((1 + static_cast<int>(row.status)) | (vote != 0) << 4 |
+                               given.has_value() << 5 | (why != nullptr) << 6 | proposes << 7));
+      if (vote != 0)
+        append(vote);
+      if (given)
+        append(*given);
+      if (why)
+        append(why);
+      if (proposes)
+        append(row.supplier);
     }
     const auto [at, is_new] =
         numbers_.try_emplace(key_, static_cast<std::int64_t>(numbers_.size()));
@@ -69,6 +84,9 @@ class ShapeBook {
   template <class T>
   void append(const T& value) {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  [[nodiscard]] static bool failed(const auto& row) {
+    return row.ticked && row.status == ubf::Status::failure;
   }
   [[nodiscard]] static char letter(bool asked, ubf::Status status) {
     return !asked                           ? '-'
@@ -93,7 +111,7 @@ class ShapeBook {
       votes.push_back(row.proposal.vote);
       if (const auto vote = team::given_vote(trace, node))
         given.push_back({i, *vote});
-      if (row.ticked && row.status == ubf::Status::failure) {
+      if (failed(row)) {
         const char* said = trace.why(node);
         const std::string words = said ? said : blank[i].why;
         if (!words.empty())
@@ -112,9 +130,15 @@ class ShapeBook {
             {"supplier", supplier}};
   }
 
+  struct Hash {
+    std::size_t operator()(const std::string& key) const {
+      return static_cast<std::size_t>(hash_bytes(std::as_bytes(std::span(key))));
+    }
+  };
+
   TextBook& texts_;
   std::string key_;
-  std::unordered_map<std::string, std::int64_t> numbers_;
+  std::unordered_map<std::string, std::int64_t, Hash> numbers_;
   Json json_ = Json::array();
 };
 
@@ -176,15 +200,26 @@ class Decisions {
     last_step_ = step;
     step_.add_rounded(static_cast<std::int64_t>(step));
     shape_column_.add_rounded(shape);
-    ubf::for_each_field<Action>([&](const auto& f, auto i) { add_field(f, i, blank, trace); });
+    suppliers_.clear();
+    for (std::size_t i = 0; i < blank.size(); ++i) {
+      const auto node = static_cast<ubf::NodeIndex>(i);
+      const auto& row = trace.row(node);
+      if (row.ticked &&
+          std::find(row.supplier.begin(), row.supplier.end(), node) != row.supplier.end())
+        suppliers_.push_back(node);
+    }
+    fields_ = ubf::kFields<Action>;
+    if (values_.size() < blank.size() * fields_)
+      values_.resize(blank.size() * fields_);
+    ubf::for_each_field<Action>([&](const auto& f, auto i) { add_field(f, i, trace); });
     return changed;
   }
 
   [[nodiscard]] Json json(ColumnBytes& bytes) const {
     Json values = Json::array();
-    for (const auto& [at, column] : values_)
-      if (!column.values().empty())
-        values.push_back({at.first, at.second, put(bytes, column)});
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (!values_[i].values().empty())
+        values.push_back({i / fields_, i % fields_, put(bytes, values_[i])});
     return {{"step", put(bytes, step_)},
             {"shape", put(bytes, shape_column_)},
             {"values", std::move(values)}};
@@ -193,7 +228,7 @@ class Decisions {
   void forget() {
     step_.forget();
     shape_column_.forget();
-    for (auto& [at, column] : values_)
+    for (Column& column : values_)
       column.forget();
   }
 
@@ -201,20 +236,17 @@ class Decisions {
   /// One field of all nodes that have a value of their own. What differs stays different, however
   /// little: the page must see that two nodes want two things.
   template <class Field, class Action>
-  void add_field(const Field& f, std::size_t index, const std::vector<debrief::Answer>& blank,
-                 const ubf::Trace<Action>& trace) {
+  void add_field(const Field& f, std::size_t index, const ubf::Trace<Action>& trace) {
     using T = typename Field::Value;
     std::vector<std::pair<T, std::int64_t>> taken;
-    for (std::size_t i = 0; i < blank.size(); ++i) {
-      const auto node = static_cast<ubf::NodeIndex>(i);
+    for (const ubf::NodeIndex node : suppliers_) {
       const auto& row = trace.row(node);
       if (row.supplier[index] != node)
         continue;
       const T& value = *(row.proposal.action.*f.member);
-      const auto at = values_.try_emplace(
-          {static_cast<int>(i), static_cast<int>(index)},
-          column_kind<Field>() == "number" ? quantum_of(f.unit.si_symbol) : 1.0);
-      Column& column = at.first->second;
+      Column& column = values_[node * fields_ + index];
+      if (column.values().empty())
+        column = Column(column_kind<Field>() == "number" ? quantum_of(f.unit.si_symbol) : 1.0);
       std::int64_t number = rounded<Field>(value, column);
       for (std::size_t k = 0; k < taken.size(); ++k)
         if (taken[k].second == number && !(taken[k].first == value)) {
@@ -248,7 +280,9 @@ class Decisions {
   ShapeBook& shapes_;
   TextBook& texts_;
   Column step_, shape_column_;
-  std::map<std::pair<int, int>, Column> values_;  ///< by node and field
+  std::vector<Column> values_;  ///< by node and field
+  std::size_t fields_ = 1;
+  std::vector<ubf::NodeIndex> suppliers_;  ///< of the decision that is added: who has a value
   std::size_t tree_ = static_cast<std::size_t>(-1);
   ubf::NodeIndex leader_ = ubf::kNone;
   std::int64_t shape_ = -1;

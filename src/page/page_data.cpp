@@ -122,7 +122,8 @@ class Writer final : public Packer {
         pilot_system_(debrief::find_system<pilot::PilotSystem>(*scenario_.simulation)),
         driver_system_(debrief::find_system<driver::DriverSystem>(*scenario_.simulation)),
         motions_(scenario_, periods_.motion),
-        story_(scenario_, [this](const record::StoryLine& line) { tell(line); }) {
+        story_(scenario_, [this](const record::StoryLine& line) { tell(line); }),
+        known_(known()) {
     for (std::size_t i = 0; i < scenario_.roster.players.size(); ++i)
       agents_.push_back({Decisions(shapes_, texts_), Sights(scenario_, texts_)});
   }
@@ -214,11 +215,12 @@ class Writer final : public Packer {
              {"texts", texts_.left()},
              {"story", lines_}};
     if (!taken_)
-      put_scenario(all);
+      all.update(known_);
     return all;
   }
   /// What is known before the flight.
-  void put_scenario(Json& all) const {
+  [[nodiscard]] Json known() const {
+    Json all;
     const Geodetic& origin = scenario_.library->reference.origin();
     all["origin"] = {{"latitude", degrees(origin.latitude)},
                      {"longitude", degrees(origin.longitude)}};
@@ -231,6 +233,7 @@ class Writer final : public Packer {
     drivers_.put_trees("vehicle", all["trees"]);
     all["platforms"] = {{"aircraft", Platform<pilot::State, pilot::Action>::fields()},
                         {"vehicle", Platform<driver::State, driver::Action>::fields()}};
+    return all;
   }
 
   [[nodiscard]] Json about(const FlightFacts& facts) const {
@@ -318,6 +321,7 @@ class Writer final : public Packer {
   Motions motions_;
   record::Story story_;
   Json lines_ = Json::array();
+  Json known_;
   bool taken_ = false;
 };
 

@@ -127,6 +127,22 @@ std::optional<World> World::moved_to(std::shared_ptr<const Schema> schema) const
   return moved;
 }
 
+void World::become(const World& other) {
+  if (schema_ != other.schema_) {
+    *this = other;
+    return;
+  }
+  for (const TableInfo& table : schema_->tables()) {
+    const TableId id = schema_->column(table.columns[0]).table;
+    const std::size_t used = std::max(rows(id), other.rows(id));  // what was used becomes zero
+    for (const std::uint32_t index : table.columns) {
+      const ColumnInfo& column = schema_->column(index);
+      std::memcpy(data() + column.offset, other.data() + column.offset, used * column.stride);
+    }
+  }
+  std::memcpy(data(), other.data(), header_bytes().size());
+}
+
 std::uint64_t World::hash() const {
   Hasher hasher;
   hasher.bytes(header_bytes().data(), header_bytes().size());

@@ -119,6 +119,9 @@ class World {
   /// the layout is another, or a table has too little room.
   [[nodiscard]] std::optional<World> moved_to(std::shared_ptr<const Schema> schema) const;
 
+  /// Becomes that world, as by assignment, but copies no unused rows if both are of one schema.
+  void become(const World& other);
+
   /// XXH3 over the header and the live rows of all columns but those that are seldom used and all
   /// zero. Independent of capacities.
   [[nodiscard]] std::uint64_t hash() const;

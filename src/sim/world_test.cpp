@@ -101,6 +101,12 @@ TEST(World, SpawnsRowsOfZeros) {
 RC_GTEST_PROP(World, KeepsSpawnOrderThroughBirthsAndDeaths, ()) {
   const Swarm swarm(40, 20);
   World world = swarm.simulation->world(1);
+  World follower = world;
+  const auto follow = [&] {
+    NoAllocation guard;
+    follower.become(world);
+    return follower.same_bytes(world);
+  };
   const std::array tables{swarm.keys.birds, swarm.keys.pellets};
   std::array<std::vector<std::uint32_t>, 2> model;
   std::uint32_t next = 1;
@@ -110,6 +116,7 @@ RC_GTEST_PROP(World, KeepsSpawnOrderThroughBirthsAndDeaths, ()) {
     for (const int t : births)
       if (world.spawn(tables[t]))
         model[t].push_back(next++);
+    RC_ASSERT(follow());
     for (int t = 0; t < 2; ++t) {
       std::vector<std::uint32_t> left;
       for (std::uint32_t row = 0; row < model[t].size(); ++row)
@@ -119,7 +126,10 @@ RC_GTEST_PROP(World, KeepsSpawnOrderThroughBirthsAndDeaths, ()) {
           left.push_back(model[t][row]);
       model[t] = left;
     }
+    if (*rc::gen::arbitrary<bool>())
+      RC_ASSERT(follow());  // also the marks
     world.compact();
+    RC_ASSERT(follow());
     RC_ASSERT(world.canonical());
     RC_ASSERT(ids_of(world, tables[0]) == model[0]);
     RC_ASSERT(ids_of(world, tables[1]) == model[1]);
@@ -159,9 +169,13 @@ TEST(World, TakesOverAWorldOfAnotherSchema) {
   const Swarm large;
   World world = small.world(3);
   const World other = large.world(30);
+  World become = world;
   world = other;
-  EXPECT_EQ(&world.schema(), &other.schema());
-  EXPECT_TRUE(world.same_bytes(other));
+  become.become(other);
+  for (const World* taken : {&world, &become}) {
+    EXPECT_EQ(&taken->schema(), &other.schema());
+    EXPECT_TRUE(taken->same_bytes(other));
+  }
 }
 
 TEST(World, HashesTheSameWhateverItsCapacity) {

@@ -41,8 +41,11 @@ class Trace final : public AnyTrace {
     used_ = nodes;
     std::fill(reasons_.begin(), reasons_.end(), nullptr);
     std::fill(given_votes_.begin(), given_votes_.end(), std::numeric_limits<float>::quiet_NaN());
+    const bool was_left = !asked_.empty();  // by an exception: rows are half written
     asked_.clear();
     for (Row& row : std::span(rows_.data(), used_)) {
+      if (!row.ticked && row.halts == 0 && !was_left)
+        continue;  // as it began: most nodes are not asked
       row.ticked = false;
       row.status = Status::failure;
       row.halts = 0;

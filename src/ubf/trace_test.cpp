@@ -88,6 +88,32 @@ TEST(Trace, TellsWhoWasNotAskedAndForgetsTheLastTick) {
   EXPECT_EQ(row.supplier[0], kNone);
 }
 
+/// Takes over what its child proposes, and throws in the first tick.
+class Hasty final : public Decorator<State, Action> {
+ public:
+  static constexpr std::string_view type_name = "hasty";
+  using Decorator<State, Action>::Decorator;
+  Status tick(const Tick<State>& t, Proposal<Action>& out) const override {
+    const Status status = ask_child(t, out);
+    if (t.step == 1)
+      throw std::runtime_error("in a hurry");
+    return status;
+  }
+};
+
+TEST(Trace, ForgetsATickThatWasNotFinished) {
+  Robot robot(make<Selector<State, Action>>(probe(0), make<Hasty>(probe(1))));
+  robot.cue(1) = {kRunning, 2, {.heading = 1}};
+  EXPECT_THROW(robot.tick(), std::runtime_error);
+  robot.say(0, kSuccess, 1);
+  robot.tick();
+  for (const char* node : {"root/hasty", "root/hasty/probe"}) {
+    EXPECT_FALSE(robot.row(node).ticked);
+    EXPECT_TRUE(robot.row(node).proposal.is_empty());
+    EXPECT_EQ(robot.row(node).supplier[0], kNone) << node;
+  }
+}
+
 TEST(Trace, ShowsAFailingChildAsProposingNothing) {
   Robot robot(probe(0));
   robot.cue(0) = {kFailure, 9, {.heading = 1}};

@@ -47,12 +47,13 @@ export async function open_replicate(part: Element, host: HTMLElement, told: (pe
     const { files, scenario, sets } = JSON.parse(new TextDecoder().decode(bytes)) as Campaign;
     let until = Infinity;
     const engine = await started(module, (time) => progress(time / until));
-    until = (await engine.load({ texts: { files, scenario, sets: sets[cell]! }, seed })).until ?? Infinity;
+    const about = await engine.load({ texts: { files, scenario, sets: sets[cell]! }, seed });
+    until = about.until ?? Infinity;
     const flown = await engine.fly({});
     if (flown.hash !== hash)
       throw new Error(`It ends otherwise here than in the results, with the world ${flown.hash} and not ${hash}: another version of Eyrie flew the campaign.`);
     const named = (run: Run): Run => ({ ...run, about: { ...run.about, scenario: name }, verified: `its last world has the hash of the results, ${hash}` });
-    return named(await seen(engine, (first) => begun(named(first))));
+    return named(await seen(engine, about, (first) => begun(named(first))));
   };
   await show_as_flown([flown_here], host, told, {}, { label: 'report', go: back }).catch((error: unknown) => say_failure(host, name, error, <>
     Elsewhere it is flown by <code>{command}</code> <button type="button" onClick={back}>← report</button>

@@ -4,10 +4,12 @@ import { render, type ComponentChildren } from 'preact';
 import { run_clock } from './clock.ts';
 import type { RunningEngine } from './engine/engine.ts';
 import { EngineError, words_of } from './engine/module.ts';
+import type { About } from './engine/questions.ts';
 import { started } from './parts.ts';
 import type { Live } from './live/live.ts';
 import { decode } from './run/decode.ts';
 import type { Run } from './run/run.ts';
+import { coast_of } from './scene/coast.ts';
 import type { AirPicture } from './scene/scene.ts';
 import { first_view, Store, type View } from './store.ts';
 import { keep_in_sight, show_cause } from './ui/actions.ts';
@@ -32,20 +34,26 @@ async function unless_damaged<T>(unpacked: () => Promise<T>): Promise<T> {
 }
 
 /** s: so much of a run is shown while the rest of it is being flown. */
-const kFirst = 20;
+const kFirst = 5;
 
 /** Flies a run file again, which compares every hash with the recorded one; `told` which part is done, `begun` with its beginning. */
 export async function flown_again(module: WebAssembly.Module, file: Uint8Array, told: (part: number) => void, begun: (run: Run) => void): Promise<Run> {
   let until = Infinity;
   const engine = await started(module, (time) => told(time / until));
-  until = (await engine.open(file)).until ?? Infinity;
-  return seen(engine, begun);
+  const about = await engine.open(file);
+  until = about.until ?? Infinity;
+  return seen(engine, about, begun);
 }
 
 /** The run that the engine has, flown again. */
-export async function seen(engine: RunningEngine, begun: (run: Run) => void): Promise<Run> {
-  begun({ ...decode((await engine.page({ until: kFirst })).bytes), engine, is_part: true });
-  return { ...decode((await engine.page({})).bytes), engine };
+export async function seen(engine: RunningEngine, { latitude, longitude }: About, begun: (run: Run) => void): Promise<Run> {
+  const beginning = engine.page({ until: kFirst });
+  coast_of({ latitude: latitude!, longitude: longitude! });  // Made meanwhile, for the picture of it.
+  const first = await beginning;
+  const rest = engine.page({});  // Flown while the beginning is drawn.
+  rest.catch(() => {});  // Told below, unless the beginning cannot be shown.
+  begun({ ...decode(first.bytes), engine, is_part: true });
+  return { ...decode((await rest).bytes), engine };
 }
 
 /** Says why a page cannot be opened, instead of it. */

@@ -9,6 +9,8 @@ export interface About {
   build: string;  // Who recorded it; empty before it was flown.
   dt: number | null;  // s per step.
   until: number | null;  // s, when it ends, at the latest if it was not flown yet.
+  latitude: number | null;  // deg, of the middle of the map.
+  longitude: number | null;  // deg, of the same.
   players: Array<Player>;  // In the order of their ids, which count from 1.
 }
 

@@ -146,7 +146,15 @@ function graticule_of(origin: Origin): number[] {
   return out;
 }
 
+let last: { origin: Origin; coast: Coast } | null = null;
+
+/** The runs of a page have one origin, and it is asked for again whenever a picture is made. */
 export function coast_of(origin: Origin): Coast {
+  if (last?.origin.latitude !== origin.latitude || last.origin.longitude !== origin.longitude) last = { origin, coast: made(origin) };
+  return last.coast;
+}
+
+function made(origin: Origin): Coast {
   const topology = land_110m as unknown as Topology<{ land: GeometryCollection }>;
   const land: number[] = [];
   const shore: number[] = [];
