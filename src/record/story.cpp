@@ -246,11 +246,11 @@ void Tally::observe(const sim::World&, const sim::StepInfo& info,
           ++shooter->shots;
         break;
       case EventKind::hit:  // of a burst that may have no end: with the kill the run is over
-        if (who && e.detail == 0 && !std::exchange(who->burst_counted, true))
+        if (who && e.detail == 0 && hitting_.insert(e.who).second)
           ++who->shots;
         break;
       case EventKind::gun_burst:
-        if (who && !std::exchange(who->burst_counted, false))
+        if (who && hitting_.erase(e.who) == 0)
           ++who->shots;
         break;
       case EventKind::kill:

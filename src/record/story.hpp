@@ -63,9 +63,8 @@ class Tally final : public sim::Observer {
   struct OfPlayer {
     std::uint32_t shots = 0, kills = 0;  ///< a burst of the gun is a shot
     bool lost = false, home = false;
-    bool burst_counted = false;  ///< the burst that it fires has hit and is in `shots`
-    double end_time = 0;         ///< s, when it was lost or came home
-    std::string phase;           ///< of its outermost sequencer, "" if it has none
+    double end_time = 0;  ///< s, when it was lost or came home
+    std::string phase;    ///< of its outermost sequencer, "" if it has none
   };
   struct OfSide {
     std::uint32_t players = 0;  ///< that may come home: aircraft
@@ -94,6 +93,7 @@ class Tally final : public sim::Observer {
 
   const scenario::Scenario& scenario_;
   std::vector<OfPlayer> players_;  ///< index: id - 1
+  std::set<PlayerId> hitting_;     ///< whose burst, which may still go on, has hit and is counted
   std::vector<Phase> phases_;
   std::vector<PlayerId> leads_;  ///< per flight
 };
