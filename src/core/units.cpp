@@ -208,8 +208,9 @@ std::string three_digits(double x, int more) {
                                    : fmt::format("{:.{}g}", x, 3 + more);
 }
 
-/// How hard a number is to read: its characters, and once more the digits between first and last
-/// that is not 0. So 20000 ft is easier than 6096 m, and 250 m/s as easy as 900 km/h.
+/// How hard a number is to read: its characters, once more the digits between first and last that
+/// is not 0, and as much as ten of them for zeros that an exponent stands for. So 20000 ft is
+/// easier than 6096 m, 250 m/s as easy as 900 km/h, and 1000000000 s easier than 1e+15 us.
 std::size_t reading_cost(std::string_view number) {
   const auto is_significant = [](char c) { return c >= '1' && c <= '9'; };
   const std::string_view mantissa = number.substr(0, number.find('e'));
@@ -217,7 +218,8 @@ std::size_t reading_cost(std::string_view number) {
   const auto last = std::find_if(mantissa.rbegin(), mantissa.rend(), is_significant).base();
   const auto digits =
       first < last ? std::count_if(first, last, [](char c) { return c != '.'; }) : 0;
-  return number.size() + static_cast<std::size_t>(digits);
+  const std::size_t zeros = number.find("e+") != number.npos ? 10 : 0;
+  return number.size() + static_cast<std::size_t>(digits) + zeros;
 }
 
 UnitSystem unit_system = UnitSystem::us;

@@ -315,6 +315,7 @@ TEST(FormatQuantity, HasAsManyMoreDecimalsAsAskedFor) {
 
 TEST(ExactQuantity, PicksTheUnitThatSaysItMostSimply) {
   const auto exact = [](double x, Dimension d) { return exact_quantity(x, d); };
+  EXPECT_EQ(exact(1e9, Dimension::time), "1000000000 s") << "not 1e+15 us";
   EXPECT_EQ(exact(3704, Dimension::length), "2 nmi");
   EXPECT_EQ(exact(50e3, Dimension::length), "50 km");
   EXPECT_EQ(exact(1828.8, Dimension::length), "6000 ft");
