@@ -51,6 +51,17 @@ Spec spec_for(const CampaignOptions& options) {
   return spec;
 }
 
+/// Of a campaign that is complete, the cells whose interval is wider than the rule asks: they have
+/// the most replicates.
+std::uint64_t wide_cells(const Stopping& stop, const std::string& folder) {
+  const Summary summary = read_summary(folder, stop.confidence);
+  return static_cast<std::uint64_t>(
+      std::count_if(summary.cells.begin(), summary.cells.end(), [&](const auto& cell) {
+        const auto& interval = cell.estimates[stop.measure].interval;
+        return !interval || interval->width() > stop.width;
+      }));
+}
+
 /// Where the results go.
 std::string folder_for(const CampaignOptions& options, const Spec& spec, const std::string& whole) {
   const std::uint64_t of = parts_in(whole);
@@ -164,17 +175,24 @@ int campaign(const CampaignOptions& options) {
   for (const auto& cell : summary.cells)
     faults += cell.faults;
   const int code = faults ? 1 : 0;
+  const std::uint64_t wide =
+      spec.stop && ended == Ended::complete ? wide_cells(*spec.stop, folder) : 0;
   if (options.json) {
     Json json{{"campaign", spec.name}, {"ended", end}, {"hash", summary.hash}, {"folder", folder}};
     for (const auto& cell : summary.cells)
       json["replicates"].push_back(cell.replicates);
     json["faults"] = faults;
+    if (spec.stop)
+      json["wide"] = wide;
     say("{}\n", Composed{record::json_text(json)});
     return code;
   }
   print_cells(summary);
   say("\n{} after {}; campaign hash {}; results in {}/{} and {}\n", end,
       duration_text(store.seconds()), summary.hash, folder, kStoreName, kTableName);
+  if (wide)
+    say("{} is still wider than `stop` asks in {} of {} cells, which have its `most` replicates\n",
+        summary.measures[spec.stop->measure].name, wide, summary.cells.size());
   const std::string again =
       fmt::format("eyrie campaign {} --out {}", scenario::shell_word(options.file),
                   scenario::shell_word(whole));

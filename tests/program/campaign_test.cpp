@@ -164,6 +164,25 @@ TEST_F(Campaign, AtTheEndOfItsBudgetSaysThatItNeedsALargerOne) {
   EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 6);
 }
 
+TEST_F(Campaign, SaysWhichCellsAreWiderThanTheRuleAsks) {
+  folder.write(
+      "small.yaml",
+      changed_scenario({{"      route:", "      spread: {altitude: 3000 ft}\n      route:"}}));
+  for (const auto& [width, wide] : {std::pair("0.001 kg", 2), {"10000 kg", 0}}) {
+    folder.write(
+        "c.yaml",
+        changed({"replicates: 40",
+                 fmt::format("stop: {{measure: fuel, width: {}, least: 10, most: 20}}", width)}) +
+            "  fuel: {what: fuel_left, who: blue}\n");
+    const std::string out = fmt::format("wide{}", wide);
+    EXPECT_EQ(run(out).out.find("fuel is still wider than `stop` asks in 2 of 2 cells") !=
+                  std::string::npos,
+              wide == 2);
+    EXPECT_NE(run(out, {"--resume", "--json"}).out.find(fmt::format("\"wide\":{}", wide)),
+              std::string::npos);
+  }
+}
+
 TEST_F(Campaign, LeavesNothingAfterAMistake) {
   const auto before = folder.everything();
   folder.write("c.yaml", changed({"start.speed", "start.spede"}));
