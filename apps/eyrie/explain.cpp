@@ -22,6 +22,7 @@ void say_key_moments(const debrief::Recorded& recorded, const ExplainOptions& op
       say("    {}:{}", recorded.scenario->roster.name(moment.line.decider),
           Composed{debrief::decision_line(*moment.decision)});
   }
+  say("{}  {}\n", record::clock_text(recorded.until()), recorded.run.outcome);
   say("\na decision whole: eyrie explain {} --player NAME --at TIME\n",
       scenario::shell_word(options.run));
 }

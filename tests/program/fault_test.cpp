@@ -57,6 +57,8 @@ blue:
                                            std::string(said["hash"]))),
                 std::string::npos)
           << again.out << ran.out;
+      EXPECT_NE(run({"explain", out}).out.find("00:01.1  a fault ended it at 00:01.1"),
+                std::string::npos);
       EXPECT_EQ(read_text(folder / out + "/flight.acmi").find("nan"), std::string::npos);
     }
     EXPECT_EQ(read_text(folder / "run1/run.eyrie"), read_text(folder / "run7/run.eyrie"));
