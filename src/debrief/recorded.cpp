@@ -326,12 +326,13 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
             one != other && !found.action)  // the same: nobody has decided anything yet
           part(found.action,
                fmt::format("{}: {}; and {} in the other", scenario.roster.name(who), one, other));
+    const double end = a.time() + scenario.simulation->dt();
     if (!found.event)
       if (const auto text = other_event(a, b, scenario, *right.scenario))
-        found.event = {a.before().step(), a.time() + scenario.simulation->dt(), *text};
+        found.event = {a.before().step(), end, *text};
     if (!found.world && a.after().hash() != b.after().hash())
       if (const auto difference = sim::first_difference(a.after(), b.after()))
-        part(found.world, difference->text());
+        found.world = {a.after().step(), end, difference->text()};
   }
   return found;
 }

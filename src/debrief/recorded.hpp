@@ -106,8 +106,8 @@ class Reflight {
 
 /// A place where the runs differ for the first time.
 struct Parting {
-  std::uint64_t step = 0;
-  double time = 0;  ///< s; of an event at the end of the step, as everywhere
+  std::uint64_t step = 0;  ///< of a world those made, of the others the one in which it was
+  double time = 0;         ///< s; of an event at the end of the step, as everywhere
   std::string text;
 };
 
