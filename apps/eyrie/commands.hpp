@@ -117,7 +117,7 @@ int diff(const DiffOptions& options);
 
 struct DebriefOptions {
   std::vector<std::string> runs;  ///< one, or two to compare: run folders or run files
-  std::string out;                ///< file; empty: debrief.html beside the first run
+  std::string out;                ///< file; empty: beside the first run
   bool force = false;
   bool columns = false;  ///< what was recorded, not the run file and the engine
   std::vector<std::string> plugins;

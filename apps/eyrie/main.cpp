@@ -191,7 +191,7 @@ void add_debrief(CLI::App& app, Chosen& chosen) {
       "debrief", "A recorded run, or two, as a page in which every decision can be questioned");
   DebriefOptions& o = options_of(debrief, debrief_page, chosen);
   add_runs(debrief, o.runs);
-  debrief->add_option("--out", o.out, "the file (default: debrief.html beside the first run)");
+  debrief->add_option("--out", o.out, "the file (default: beside the first run)");
   debrief->add_flag("--force", o.force, "replace the file given by --out");
   debrief->add_flag("--columns", o.columns,
                     "put what was recorded into the page, not the engine that flies it again");

@@ -163,7 +163,7 @@ TEST(OutputFolder, ReplacesNothingThatIsNotItsOwn) {
         std::pair("file/below", "Not a directory"), std::pair("link/", "is a symbolic link")})
     EXPECT_NE(refusal(wish(folder, name, true)).find(words), std::string::npos)
         << name << ": " << refusal(wish(folder, name, true));
-  for (const char* path : {"/", ".", "..", "./.", ""})
+  for (const char* path : {"/", ".", "..", "./.", "", "-"})
     EXPECT_NE(refusal({.path = path, .names = kNames, .sign = "sign", .replace = true})
                   .find("is no place to write to"),
               std::string::npos)

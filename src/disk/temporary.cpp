@@ -22,7 +22,7 @@ Destination::Destination(std::string path, Parents parents) : path_(std::move(pa
   const std::size_t slash = path_.rfind('/');
   before_ = slash == path_.npos ? "" : path_.substr(0, slash + 1);
   name_ = path_.substr(before_.size());
-  if (name_.empty() || name_ == "." || name_ == "..")
+  if (name_.empty() || name_ == "." || name_ == ".." || path_ == "-")  // nor is it standard output
     throw Refused(
         fmt::format("{} is no place to write to: name something of its own", quote_path(path_)),
         EINVAL);

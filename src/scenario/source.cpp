@@ -41,7 +41,7 @@ std::string Source::named_by(const std::string& asker, const std::string& name) 
 std::string Source::why_unread(const std::string& name, const std::string& asker) const {
   if (folders_ && folders_->is_outside(name))
     return quote_path(name) +
-           " is outside the folder of the scenario and the installation; --allow-include DIR "
+           " is outside the folder of the scenario and the installation; --allow-include FOLDER "
            "allows it";
   const std::string cannot = "cannot read " + quote_path(name);
   if (folders_)

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/text.hpp"
 #include "disk/sink.hpp"
 #include "model/weapon/kept_zones.hpp"
 #include "scenario/source.hpp"
@@ -77,9 +78,11 @@ class Disk final : public Source::Folders {
 
   std::string why_unread(const std::string& name, const std::string& asker) const override {
     const disk::FileRead read = disk::read_file(place_of(name), Source::kLargest);
-    return read.missing           ? disk::nearest_file(place_of(name), asker)
-           : read.problem.empty() ? ""
-                                  : ": it " + read.problem;
+    if (!read.missing)
+      return read.problem.empty() ? "" : ": it " + read.problem;
+    if (const std::string own = same_of_ours(name, asker); !own.empty())
+      return "; did you mean " + quote_path(own) + "?";
+    return disk::nearest_file(place_of(name), asker);
   }
 
   std::vector<std::string> names_in(const std::string& folder) const override {
@@ -101,6 +104,17 @@ class Disk final : public Source::Folders {
         name.starts_with("data/") && fs::is_regular_file(data, failed))
       return data;
     return name;
+  }
+
+  /// What the name would mean in one of Eyrie's own scenarios, of which the file `asker` may be a
+  /// copy, or "".
+  [[nodiscard]] std::string same_of_ours(const std::string& name, const std::string& asker) const {
+    const fs::path below = fs::path(name).lexically_relative(fs::path(asker).parent_path());
+    const std::string own = Source::kOwn + "scenarios/" + below.generic_string();
+    std::error_code failed;
+    return !below.empty() && *below.begin() != ".." && fs::is_regular_file(place_of(own), failed)
+               ? own
+               : "";
   }
 
   std::string home_;

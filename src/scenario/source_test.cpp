@@ -90,6 +90,21 @@ TEST_F(SourceOnDisk, SaysWhyAFileIsNotRead) {
             "cannot read '" + missing + "'; did you mean 'near.yaml'?");
 }
 
+TEST_F(SourceOnDisk, NamesWhatACopyOfOurScenarioMeant) {
+  fs::create_directories(folder_ / "scenarios/packages");
+  write("scenarios/packages/pilots.yaml", "trees: {}\n");
+  const Source source = Source::disk(folder_.string());
+  const std::string copy = (folder_ / "mine/sweep.yaml").string();
+  const std::string missing = (folder_ / "mine/packages/pilots.yaml").string();
+  EXPECT_EQ(source.why_unread(missing, copy),
+            "cannot read '" + missing + "'; did you mean 'eyrie:scenarios/packages/pilots.yaml'?");
+  EXPECT_EQ(source.why_unread("packages/pilots.yaml", "sweep.yaml"),
+            "cannot read 'packages/pilots.yaml'; did you mean "
+            "'eyrie:scenarios/packages/pilots.yaml'?");
+  const std::string other = (folder_ / "mine/packages/drivers.yaml").string();
+  EXPECT_EQ(source.why_unread(other, copy), "cannot read '" + other + "'");
+}
+
 TEST_F(SourceOnDisk, ReadsNoMoreOfAHugeFileThanAParserNeedsToRefuseIt) {
   const std::string file = write("huge.yaml", "x");
   fs::resize_file(file, Source::kLargest * 4);
