@@ -152,12 +152,21 @@ class Reader {
     }
 
     const Value* players = entry.value.find("players");
-    if (!players || !players->is_list() || players->items.empty())
-      return error(players ? players->where : entry.where,
-                   fmt::format("{0} '{1}' needs its players: a list such as [{1}1, {1}2]",
-                               Plan::word, plan.name));
-    for (const Value& item : players->items)
-      player(plan, entry.value, item);
+    if (players && players->is_list() && !players->items.empty())
+      for (const Value& item : players->items)
+        player(plan, entry.value, item);
+    else
+      error(players ? players->where : entry.where,
+            fmt::format("{0} '{1}' needs its players: a list such as [{1}1, {1}2]", Plan::word,
+                        plan.name));
+    if (plan.players.empty()) {  // so that what is said for all of them is read
+      plan.players.push_back({.name = plan.name + "1",
+                              .where = entry.where,
+                              .spec = plan.spec,
+                              .sound = plan.sound,
+                              .group = &entry.value});
+      return plans.push_back(std::move(plan));
+    }
     std::sort(plan.players.begin(), plan.players.end(),
               [](const auto& a, const auto& b) { return a.rank < b.rank; });
     // a player that was refused may have been meant as the lead

@@ -118,6 +118,11 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"[eagle1, eagle2]", "[]"}},
                 "x.yaml:17:16: flight 'eagle' needs its players: a list such as [eagle1, "
                 "eagle2]\n"},
+        Mistake{"NoPlayerThatIsOne",
+                {{"[eagle1, eagle2]", "[hawk1]"}, {"f15c", "f15"}, {"tree: cruise", "tree: cruse"}},
+                "x.yaml:15:17: unknown aircraft 'f15'; did you mean 'f15c'?\n"
+                "x.yaml:16:13: there is no tree 'cruse'; did you mean 'cruise'?\n"
+                "x.yaml:17:17: 'hawk1' is not the flight's name and a rank, such as 'eagle1'\n"},
         Mistake{"TreeThatRefersToItself",
                 {{"- avoid_ground: {vote: 100}", "- tree: cruise"}},
                 "x.yaml:9:15: tree 'cruise' refers to itself: cruise -> cruise\n"},
