@@ -15,6 +15,7 @@
 #include "disk/file_system.hpp"
 #include "flight.hpp"
 #include "home.hpp"
+#include "live.hpp"
 #include "live/exercise.hpp"
 #include "locate.hpp"
 #include "net/web_host.hpp"
@@ -163,6 +164,7 @@ int serve_home(const ServeOptions& options) {
   if (options.flight.seed || !options.flight.sets.empty())
     refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
   demand_viewer();
+  demand_others(options.flight);
   listen_for_interrupts();
   Place place(options);
   Home home(!options.flight.dis.empty(), overrides(options.flight));

@@ -76,6 +76,20 @@ TEST(Home, ThrowsOutWhoWantsSomethingElse) {
   }
 }
 
+/// Not when somebody has chosen a scenario.
+TEST(Home, RefusesAtOnceWhatNoFlightCouldHave) {
+  const TempFolder folder;
+  const Served other({});
+  for (const std::string& wrong :
+       {fmt::format("--tacview {}", other.port), std::string("--tacview 0 --tacview-password none"),
+        std::string("--dis --dis-threshold 3kg"),
+        std::string("--dis --dis-interface 203.0.113.7")}) {
+    const Ran ran = run_line(folder, "timeout 10 \"$EYRIE\" serve --port 0 " + wrong);
+    EXPECT_EQ(ran.code, 2) << wrong << "\n" << ran.err;
+    EXPECT_TRUE(ran.err.starts_with("--")) << ran.err;
+  }
+}
+
 TEST(Home, TakesPartInAnExercise) {
   const std::string at = "239.30.12.86:30186";
   Served home({"--ours", "blue", "--dis", at, "--dis-station", "1.1.1"});
