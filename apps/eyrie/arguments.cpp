@@ -58,6 +58,11 @@ std::string datagram_endpoint(const std::string& text) {
                 "port or IPv4 address such as 3000, 239.1.2.3 or 192.168.1.255:3000");
 }
 
+std::string own_ipv4(const std::string& text) {
+  return unless(address(text).empty() && text.find(':') == std::string::npos, text,
+                "IPv4 address of this machine such as 192.168.1.7");
+}
+
 std::string station(const std::string& text) {
   return unless(dis::station_of(text).has_value(), text,
                 "exercise (1 to 255), site and application (1 to 65534), such as 1.1.1");

@@ -24,6 +24,8 @@ namespace eyrie::app {
 [[nodiscard]] std::string endpoint(const std::string& text);
 /// Where datagrams go: likewise, by IPv4.
 [[nodiscard]] std::string datagram_endpoint(const std::string& text);
+/// From where they go.
+[[nodiscard]] std::string own_ipv4(const std::string& text);
 /// "1.1.1": exercise, site, application.
 [[nodiscard]] std::string station(const std::string& text);
 /// Of real time: a number, or max, of which it makes 0.

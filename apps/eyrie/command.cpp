@@ -3,10 +3,12 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <system_error>
@@ -39,13 +41,21 @@ constexpr const char* kUnknown =
     "something failed that this program does not know; please report it";
 
 std::atomic<int> noted = 0;
+std::atomic<std::int64_t> noted_at = 0;  // ns, of a clock that nobody sets
+
+/// ns. Signals within it are one wish: timeout(1) tells first the program, then its whole group.
+constexpr std::int64_t kOneWish = 250'000'000;
 
 extern "C" void on_interrupt(int signal) {
   const int error = errno;
-  int none = 0;
-  // each output may reach its limit, one after the other
-  if (!noted.compare_exchange_strong(none, signal) && signal != SIGXFSZ &&
-      disk::remove_temporaries_now()) {
+  timespec time{};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  const std::int64_t now = time.tv_sec * std::int64_t{1'000'000'000} + time.tv_nsec;
+  std::int64_t first = 0;
+  if (noted_at.compare_exchange_strong(first, now)) {
+    noted = signal;
+  } else if (signal != SIGXFSZ &&  // each output may reach its limit, one after the other
+             now - first > kOneWish && disk::remove_temporaries_now()) {
     ::signal(signal, SIG_DFL);
     ::raise(signal);
   }

@@ -59,36 +59,75 @@ dis::Thresholds thresholds_of(const std::string& text) {
   return thresholds;
 }
 
+/// What makes a host or a socket makes it; or it is refused, and what cannot be done is said.
+auto demand(std::string_view option, const std::string& what, auto make) {
+  try {
+    return make();
+  } catch (const std::system_error& error) {
+    refuse("{}: cannot {}: {}", option, what, disk::words_of(error.code().value()));
+  }
+}
+
+net::Endpoint dis_place(const FlyOptions& options) {
+  return net::endpoint_of(options.dis, kDisStandard).value_or(kDisStandard);
+}
+
+DisLink link_dis(const FlyOptions& options, bool listens) {
+  const net::Endpoint at = dis_place(options);
+  DisLink link{.station = dis::station_of(options.dis_station).value_or(dis::Station{})};
+  link.station.thresholds = thresholds_of(options.dis_threshold);
+  const std::string from =
+      options.dis_interface.empty() ? "" : fmt::format(" from {}", quote(options.dis_interface));
+  link.sender = demand("--dis", fmt::format("send to {}{}", at.text(), from), [&] {
+    return std::make_unique<net::DatagramSender>(
+        net::DatagramOptions{.to = at, .interface = options.dis_interface});
+  });
+  if (listens)
+    link.receiver = demand("--dis", "listen at " + at.text(), [&] {
+      return std::make_unique<net::DatagramReceiver>(
+          net::ReceiverOptions{.at = at, .interface = options.dis_interface});
+    });
+  return link;
+}
+
+std::unique_ptr<net::TelemetryHost> listen_for_tacview(const FlyOptions& options,
+                                                       const std::string& name) {
+  if (options.tacview.empty())
+    return {};
+  const net::Endpoint at =
+      net::endpoint_of(options.tacview, kTacviewStandard).value_or(kTacviewStandard);
+  const std::string password = password_in(options.tacview_password);
+  return demand("--tacview", "listen at " + at.text(), [&] {
+    return std::make_unique<net::TelemetryHost>(
+        net::TelemetryOptions{.at = at, .name = "Eyrie: " + name, .password = password});
+  });
+}
+
 }  // namespace
 
-Broadcast::Broadcast(const scenario::Scenario& scenario, const net::DatagramOptions& options,
-                     const dis::Station& station, double rate, bool obeys)
-    : station_(station),
-      sender_(options),
-      others_(scenario, station, rate),
+Broadcast::Broadcast(const scenario::Scenario& scenario, DisLink link, double rate, bool obeys)
+    : link_(std::move(link)),
+      others_(scenario, link_.station, rate),
       announcer_(
-          scenario, station, [this](double, const dis::Packet& packet) { send(packet); },
+          scenario, link_.station, [this](double, const dis::Packet& packet) { send(packet); },
           is_shared(scenario) ? &others_ : nullptr),
       obeys_(obeys),
-      timed_(is_shared(scenario) && rate == 1) {
-  if (is_shared(scenario) || obeys)
-    receiver_.emplace(net::ReceiverOptions{.at = options.to, .interface = options.interface});
-}
+      timed_(is_shared(scenario) && rate == 1) {}
 
 void Broadcast::send(const dis::Packet& packet) {
   if (!timed_)
-    return sender_.send(dis::encode(packet));
+    return link_.sender->send(dis::encode(packet));
   // others reckon from when it was so, if their clock is that of the world, too
   dis::Packet stamped = packet;
   stamped.timestamp =
       dis::timestamp_at(std::fmod(seconds_of(std::chrono::system_clock::now()), 3600)) | 1;
-  sender_.send(dis::encode(stamped));
+  link_.sender->send(dis::encode(stamped));
 }
 
 std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
-  if (!receiver_)
+  if (!link_.receiver)
     return {};
-  receiver_->drain([this](std::span<const std::byte> bytes, auto came) {
+  link_.receiver->drain([this](std::span<const std::byte> bytes, auto came) {
     others_.hear(bytes, seconds_of(came));
   });
   const double now = seconds_of(std::chrono::system_clock::now());
@@ -102,9 +141,9 @@ std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
       mission.stop();
     // UID 69 and 70
     const std::uint16_t kStart = 3, kStop = 4, kAble = 1, kUnable = 2;
-    send({.exercise = station_.exercise,
+    send({.exercise = link_.station.exercise,
           .timestamp = dis::timestamp_at(mission.run().time()),
-          .pdu = dis::Acknowledge{.from = {station_.site, station_.application, 0},
+          .pdu = dis::Acknowledge{.from = {link_.station.site, link_.station.application, 0},
                                   .to = asked.from,
                                   .what = asked.stop ? kStop : kStart,
                                   .response = obeys_ ? kAble : kUnable,
@@ -112,7 +151,7 @@ std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
   }
   if (frozen_) {
     others_.hold(now);
-    if (now - held_ > station_.thresholds.heartbeat) {
+    if (now - held_ > link_.station.thresholds.heartbeat) {
       held_ = now;
       announcer_.hold();
     }
@@ -121,14 +160,14 @@ std::vector<sim::Order> Broadcast::listen(scenario::Mission& mission) {
 }
 
 void Broadcast::close() {
-  sender_.close();
-  if (receiver_)
-    receiver_->close();
+  link_.sender->close();
+  if (link_.receiver)
+    link_.receiver->close();
 }
 
 Broadcast::Counts Broadcast::counts() const {
-  return {.sent = sender_.counts(),
-          .came = receiver_ ? std::optional(receiver_->counts()) : std::nullopt,
+  return {.sent = link_.sender->counts(),
+          .came = link_.receiver ? std::optional(link_.receiver->counts()) : std::nullopt,
           .heard = others_.counts(),
           .asked = asked_,
           .obeyed = obeyed_};
@@ -136,21 +175,13 @@ Broadcast::Counts Broadcast::counts() const {
 
 std::unique_ptr<net::TelemetryHost> host_tacview(const FlyOptions& options,
                                                  const std::string& name) {
-  if (options.tacview.empty())
+  auto host = listen_for_tacview(options, name);
+  if (!host)
     return {};
-  const net::Endpoint at =
-      net::endpoint_of(options.tacview, kTacviewStandard).value_or(kTacviewStandard);
-  const std::string password = password_in(options.tacview_password);
-  try {
-    auto host = std::make_unique<net::TelemetryHost>(
-        net::TelemetryOptions{.at = at, .name = "Eyrie: " + name, .password = password});
-    complain("eyrie: Tacview finds this flight at {}\n", host->at().text());
-    if (!at.loopback() && password.empty())
-      complain("eyrie: so does anybody else there; --tacview-password FILE asks for a password\n");
-    return host;
-  } catch (const std::system_error& error) {
-    refuse("--tacview: cannot listen at {}: {}", at.text(), disk::words_of(error.code().value()));
-  }
+  complain("eyrie: Tacview finds this flight at {}\n", host->at().text());
+  if (!host->at().loopback() && options.tacview_password.empty())
+    complain("eyrie: so does anybody else there; --tacview-password FILE asks for a password\n");
+  return host;
 }
 
 std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
@@ -162,22 +193,18 @@ std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
           "them, and they never appear\n");
     return {};
   }
-  const net::Endpoint to = net::endpoint_of(options.dis, kDisStandard).value_or(kDisStandard);
-  try {
-    dis::Station station = dis::station_of(options.dis_station).value_or(dis::Station{});
-    station.thresholds = thresholds_of(options.dis_threshold);
-    auto made = std::make_unique<Broadcast>(
-        scenario, net::DatagramOptions{.to = to, .interface = options.dis_interface}, station,
-        options.real_time.value_or(1), options.dis_obey);
-    complain("eyrie: tells other simulations by DIS at {}{}\n", to.text(),
-             is_shared(scenario) || options.dis_obey ? ", and listens there" : "");
-    return made;
-  } catch (const std::system_error& error) {
-    refuse(
-        "--dis: cannot send to {}{}: {}", to.text(),
-        options.dis_interface.empty() ? "" : fmt::format(" from {}", quote(options.dis_interface)),
-        disk::words_of(error.code().value()));
-  }
+  const bool listens = is_shared(scenario) || options.dis_obey;
+  auto made = std::make_unique<Broadcast>(scenario, link_dis(options, listens),
+                                          options.real_time.value_or(1), options.dis_obey);
+  complain("eyrie: tells other simulations by DIS at {}{}\n", dis_place(options).text(),
+           listens ? ", and listens there" : "");
+  return made;
+}
+
+void demand_others(const FlyOptions& options) {
+  static_cast<void>(listen_for_tacview(options, ""));
+  if (!options.dis.empty())
+    static_cast<void>(link_dis(options, !options.ours.empty() || options.dis_obey));
 }
 
 void tell_nameless(const dis::Announcer& announcer) {

@@ -26,12 +26,18 @@ void wait_for_tacview(const net::TelemetryHost& host);
 /// Where DIS is sent if nothing else is said.
 inline const net::Endpoint kDisStandard{.address = "127.0.0.1", .port = dis::kPort};
 
+/// A station of an exercise, and its sockets.
+struct DisLink {
+  dis::Station station;
+  std::unique_ptr<net::DatagramSender> sender;
+  std::unique_ptr<net::DatagramReceiver> receiver;  ///< null: nobody is listened to
+};
+
 /// Sends packets of a flight as it is flown; and, where other programs fly some of its players,
 /// hears theirs.
 class Broadcast {
  public:
-  Broadcast(const scenario::Scenario& scenario, const net::DatagramOptions& options,
-            const dis::Station& station, double rate, bool obeys);
+  Broadcast(const scenario::Scenario& scenario, DisLink link, double rate, bool obeys);
 
   /// Between two steps: what was heard, as orders for the next one.
   [[nodiscard]] std::vector<sim::Order> listen(scenario::Mission& mission);
@@ -54,9 +60,7 @@ class Broadcast {
  private:
   void send(const dis::Packet& packet);
 
-  dis::Station station_;
-  net::DatagramSender sender_;
-  std::optional<net::DatagramReceiver> receiver_;
+  DisLink link_;
   dis::Others others_;
   dis::Announcer announcer_;
   bool obeys_, timed_, frozen_ = false;
@@ -66,6 +70,9 @@ class Broadcast {
 /// Says where to. Null if the options ask for none; refuses what they ask for and cannot be had.
 [[nodiscard]] std::unique_ptr<Broadcast> broadcast_dis(const FlyOptions& options,
                                                        const scenario::Scenario& scenario);
+
+/// Refuses what both of the above would, before there is a flight.
+void demand_others(const FlyOptions& options);
 
 /// Says how many were not told of by DIS, if any.
 void tell_nameless(const dis::Announcer& announcer);

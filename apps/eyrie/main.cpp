@@ -67,21 +67,18 @@ void add_others(CLI::App* command, FlyOptions& o, bool served) {
                    "tell other simulations by DIS, here at this port, or at ADDRESS:PORT of a "
                    "machine, a network or a group" +
                        clock);
-  command
-      ->add_option("--dis-station", o.dis_station,
-                   "exercise, site and application (default: 1.1.1)")
-      ->needs(dis)
+  const auto of_dis = [&](const char* name, std::string& into, const char* help) {
+    return command->add_option(name, into, help)->needs(dis);
+  };
+  of_dis("--dis-station", o.dis_station, "exercise, site and application (default: 1.1.1)")
       ->check(station);
-  command->add_option("--dis-interface", o.dis_interface, "send from this own address")->needs(dis);
-  command
-      ->add_option("--dis-threshold", o.dis_threshold,
-                   "how far others may be off before they are told (default: '1 m, 3 deg')")
-      ->needs(dis);
-  command
-      ->add_option("--ours", o.ours,
-                   "sides, flights and aircraft that are flown here, such as blue or "
-                   "eagle,bogey2; the others are another program's, heard by --dis")
-      ->needs(dis);
+  of_dis("--dis-interface", o.dis_interface, "send from this own address")->check(own_ipv4);
+  of_dis("--dis-threshold", o.dis_threshold,
+         "how far others may be off before they are told (default: '1 m, 3 deg')");
+  of_dis(
+      "--ours", o.ours,
+      "sides, flights and aircraft that are flown here, such as blue or eagle,bogey2; the others "
+      "are another program's, heard by --dis");
   command
       ->add_flag("--dis-obey", o.dis_obey, "start, freeze and stop when another simulation says so")
       ->needs(dis);

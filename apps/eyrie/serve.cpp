@@ -15,6 +15,7 @@
 #include "disk/file_system.hpp"
 #include "flight.hpp"
 #include "home.hpp"
+#include "live.hpp"
 #include "live/exercise.hpp"
 #include "locate.hpp"
 #include "net/web_host.hpp"
@@ -116,28 +117,31 @@ live::Outside outside(Flight& flight, const scenario::Scenario& scenario, const 
 int serve_mission(Place& place, const ServeOptions& options, const FlyOptions& asked,
                   const std::shared_ptr<const scenario::Scenario>& scenario, bool from_home) {
   Flight flight(asked, scenario);
-  std::atomic<bool> over = false, leave = false;
+  std::atomic<bool> over = false, kept = false, leave = false;
   net::WebOptions web = site(place, live_text(*scenario, flight.seed(), from_home));
   if (from_home)
     web.made = [&](std::string_view target) -> std::optional<net::WebPage> {
       if (target != "/home" || !over)
         return {};
-      leave = true;
-      return net::WebPage{"text/html", "<meta http-equiv=\"refresh\" content=\"1; url=/\">"};
+      leave = kept.load();  // else he asks again: the run is being written
+      return net::WebPage{
+          "text/html",
+          fmt::format("<meta http-equiv=\"refresh\" content=\"1; url=/{}\">", leave ? "" : "home")};
     };
   const auto exercise = listening(place, [&] {
     return std::make_unique<live::Exercise>(
         flight.mission(), record::run_file_of(*scenario, flight.seed(), version_text()), web,
         live::ExerciseOptions{.rate = asked.real_time.value_or(1),
                               .paused = options.paused,
-                              .outside = outside(flight, *scenario, asked)});
+                              .outside = outside(flight, *scenario, asked),
+                              .ended = [&] { over = true; }});
   });
   const int code = flight.fly([&] {
     exercise->fly([&] { return interrupted() || flight.broken(); });
     flight.timing().pacing = exercise->pacing();
     flight.timing().note(exercise->precedence());
   });
-  over = true;
+  kept = true;
   exercise->stay([&] { return interrupted() || leave; });
   if (leave)
     std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the answer is on its way
@@ -163,6 +167,7 @@ int serve_home(const ServeOptions& options) {
   if (options.flight.seed || !options.flight.sets.empty())
     refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
   demand_viewer();
+  demand_others(options.flight);
   listen_for_interrupts();
   Place place(options);
   Home home(!options.flight.dis.empty(), overrides(options.flight));

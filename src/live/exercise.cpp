@@ -35,6 +35,7 @@ Exercise::Exercise(scenario::Mission& mission, record::RunFile run, net::WebOpti
       pacing_(mission.run().simulation().dt(), Clock::now()),
       rate_(options.rate),
       outside_(options.outside),
+      ended_(options.ended),
       paused_(options.paused),
       mail_(kMail),
       host_(with_channel(std::move(web))) {
@@ -100,6 +101,8 @@ void Exercise::fly(const Enough& enough) {
   }
   precedence_.ask(false);
   over_ = changed_ = true;
+  if (ended_)
+    ended_();
   tell(Clock::now());
 }
 

@@ -25,6 +25,7 @@ struct ExerciseOptions {
   double rate = 1;  ///< seconds of the mission in one of the clock; 0: as fast as it goes
   bool paused = false;
   Outside outside = {};  ///< they do not wait: once it goes, viewers change no rate, and no pause
+  std::function<void()> ended = {};  ///< called when it is over, before viewers hear of it
 };
 
 class Exercise {
@@ -76,6 +77,7 @@ class Exercise {
   net::Precedence precedence_;  ///< of the thread that flies
   double rate_;
   Outside outside_;
+  std::function<void()> ended_;
   bool paused_, over_ = false, frozen_ = false;
   std::uint64_t single_ = 0;  ///< steps to be made although it is paused
 

@@ -22,6 +22,7 @@ class Faulty final : public disk::FileSystem {
   int signal = 0;                 ///< comes before it is made
   std::int64_t room = INT64_MAX;  ///< bytes that the disk still takes
   int times = 1;                  ///< how often the signal comes
+  useconds_t apart = 0;           ///< us between two of them
   /// Before the first file or folder is put in its place.
   std::function<void()> before_first_move{};
   std::uint64_t calls = 0;
@@ -88,8 +89,11 @@ class Faulty final : public disk::FileSystem {
   bool fails() {
     if (++calls != at)
       return false;
-    for (int i = 0; signal && i < times; ++i)
+    for (int i = 0; signal && i < times; ++i) {
+      if (i > 0)
+        ::usleep(apart);
       ::raise(signal);
+    }
     errno = error;
     return error != 0;
   }

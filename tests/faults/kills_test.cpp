@@ -34,13 +34,16 @@ TEST(Kills, LeaveTheOldOrTheNewOrTheRunSoFar) {
   EXPECT_GE(killed, 200U);
 }
 
-/// The signal comes between the first file and the last: the run so far is there afterwards.
+/// The signal comes between the first file and the last: the run so far is there afterwards. So it
+/// is if somebody passes the signal on, as timeout(1) does, and it comes twice.
 TEST(Kills, OfAFlightKeepTheRunSoFar) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) {
+  for (const auto& [signal, times] :
+       {std::pair{SIGINT, 1}, {SIGINT, 2}, {SIGTERM, 1}, {SIGTERM, 2}, {SIGHUP, 1}, {SIGXFSZ, 1}}) {
     const Ground ground;
     const Try fly = every_try().front();
     Fault fault;
     fault.files.signal = signal;
+    fault.files.times = times;
     fault.files.at = done(fly).ended.calls / 3;
     const Ended ended = Child(ground.path(), fly.command, fault).wait();
     EXPECT_EQ(ended.ran.code, 128 + signal) << ended.ran.err;
@@ -58,6 +61,7 @@ TEST(Kills, ASecondSignalEndsAtOnceAndLeavesNothing) {
       Fault fault;
       fault.files.signal = signal;
       fault.files.times = 2;
+      fault.files.apart = 300'000;
       fault.files.at = done(t).ended.calls / 3;
       const Ended ended = Child(ground.path(), t.command, fault).wait();
       EXPECT_EQ(ended.ran.code, -signal) << t.name;

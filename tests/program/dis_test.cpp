@@ -72,6 +72,7 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
                                              {"--dis", "--dis-station", "1.1"},
                                              {"--dis-station", "1.1.1"},
                                              {"--dis", "--dis-interface", "203.0.113.7"},
+                                             {"--dis", "--dis-interface", "lo"},
                                              {"--dis", "--seeds", "1..2"}}) {
     std::vector<std::string> words{"fly", "merge"};
     words.insert(words.end(), wrong.begin(), wrong.end());
@@ -79,7 +80,19 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
     EXPECT_EQ(ran.code, 2) << wrong[1] << "\n" << ran.err;
     EXPECT_NE(ran.err.find("dis"), std::string::npos) << ran.err;
   }
+  const Ran lo = run_program(folder, {"fly", "merge", "--dis", "--dis-interface", "lo"});
+  EXPECT_NE(lo.err.find("'lo' is no IPv4 address of this machine"), std::string::npos) << lo.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
+}
+
+/// It is to listen that fails, not to send.
+TEST(DisProgram, SaysThatItCannotListen) {
+  const TempFolder folder;
+  const UdpListener other;
+  const std::string at = "127.0.0.1:" + std::to_string(other.port());
+  const Ran ran = run_program(folder, {"fly", "merge", "--ours", "blue", "--dis", at});
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err, "--dis: cannot listen at " + at + ": Address already in use\n");
 }
 
 }  // namespace

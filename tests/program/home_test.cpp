@@ -49,7 +49,10 @@ TEST(Home, ListsScenariosFliesOneAndThenItsRun) {
   EXPECT_EQ(viewer.world().step(), 1000u);
   EXPECT_EQ(viewer.world().seed(), 8u);
   ASSERT_TRUE(soon([&] { return home.ask("/home").starts_with("HTTP/1.1 200 "); }));
-  ASSERT_TRUE(soon([&] { return home.ask("/api/runs").starts_with("HTTP/1.1 200 "); }));
+  ASSERT_TRUE(soon([&] {
+    static_cast<void>(home.ask("/home"));
+    return home.ask("/api/runs").starts_with("HTTP/1.1 200 ");
+  }));
 
   const Json runs = Json::parse(body(home.ask("/api/runs")));
   ASSERT_EQ(runs.size(), 1u);
@@ -73,6 +76,34 @@ TEST(Home, ThrowsOutWhoWantsSomethingElse) {
     static_cast<void>(client.read_to("\r\n\r\n"));
     client.send(ws_frame(bad) + std::string("\x88\x80\0\0\0\0", 6));
     EXPECT_NE(client.read_all().find("no wish to fly a scenario"), std::string::npos) << bad;
+  }
+}
+
+TEST(Home, LeadsBackWhileTheRunIsStillWritten) {
+  Served home({"--rate", "max"});
+  LiveChannel channel(home.port);
+  channel.say({{"do", "fly"}, {"scenario", "sweep"}});
+  EXPECT_EQ(Json::parse(channel.next().data)["flies"], "sweep");
+  ASSERT_TRUE(soon([&] { return home.ask("/api/scenarios").starts_with("HTTP/1.1 404 "); }));
+  LiveChannel mission(home.port);
+  static_cast<void>(mission.next());  // what was flown so far
+  while (Json::parse(mission.next().data).value("outcome", "running") == "running") {
+  }
+  const std::string answer = home.ask("/home");
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 ")) << answer;
+}
+
+/// Not when somebody has chosen a scenario.
+TEST(Home, RefusesAtOnceWhatNoFlightCouldHave) {
+  const TempFolder folder;
+  const Served other({});
+  for (const std::string& wrong :
+       {fmt::format("--tacview {}", other.port), std::string("--tacview 0 --tacview-password none"),
+        std::string("--dis --dis-threshold 3kg"),
+        std::string("--dis --dis-interface 203.0.113.7")}) {
+    const Ran ran = run_line(folder, "timeout 10 \"$EYRIE\" serve --port 0 " + wrong);
+    EXPECT_EQ(ran.code, 2) << wrong << "\n" << ran.err;
+    EXPECT_TRUE(ran.err.starts_with("--")) << ran.err;
   }
 }
 
