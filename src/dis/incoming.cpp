@@ -8,7 +8,8 @@ namespace eyrie::dis {
 namespace {
 
 constexpr double kHour = 3600;       // s
-constexpr double kReordered = 10;    // s that a packet may be overtaken; what is older began anew
+constexpr double kForgotten = 60;    // s without a word
+constexpr double kTidied = 1;        // s from one search for those to the next
 constexpr double kLongestWay = 2;    // s that one takes; a clock that is farther off is another one
 constexpr double kSameClock = 0.02;  // s that clocks of the world are apart
 constexpr std::size_t kRemembered = 256;  // shots of an application
@@ -80,7 +81,7 @@ void Incoming::hear(std::span<const std::byte> datagram, double came) {
       ++counts[Unused::exercise];
     else if (read.refusal != Refusal::none)
       ++counts[static_cast<Unused>(static_cast<int>(read.refusal) - 1)];
-    else if (const auto why = check(read.packet))
+    else if (const auto why = check(read.packet, came))
       ++counts[*why];
     else if (received_.size() < kWaiting) {
       const EntityId from = sender_of(read.packet.pdu);
@@ -96,35 +97,45 @@ void Incoming::hear(std::span<const std::byte> datagram, double came) {
   }
 }
 
-std::optional<Unused> Incoming::check(const Packet& packet) {
+template <class All>
+bool Incoming::has_room(All& all, double& tidied, double came) {
+  if (all.size() >= kMost && came - tidied > kTidied) {
+    tidied = came;
+    std::erase_if(all, [&](const auto& one) { return came - one.second.heard > kForgotten; });
+  }
+  return all.size() < kMost;
+}
+
+std::optional<Unused> Incoming::check(const Packet& packet, double came) {
   const EntityId from = sender_of(packet.pdu);
   if (packet.exercise != station_.exercise)
     return Unused::exercise;
   if (from.site == station_.site && from.application == station_.application)
     return Unused::own;
   const auto key = std::pair(from.site, from.application);
-  if (!applications_.contains(key) && applications_.size() >= kMost)
+  if (!applications_.contains(key) && !has_room(applications_, applications_tidied_, came))
     return Unused::crowded;
   Application& application = applications_[key];
+  application.heard = came;
   return std::visit(
       [&](const auto& p) -> std::optional<Unused> {
         using P = std::decay_t<decltype(p)>;
         if constexpr (std::is_same_v<P, EntityState>) {
           if (!finite(p.velocity, p.location, p.orientation, p.acceleration, p.spin))
             return Unused::implausible;
-          return newest(p.id, p.kType, packet.timestamp);
+          return newest(p.id, p.kType, packet.timestamp, came);
         } else if constexpr (std::is_same_v<P, Emission>) {
-          return newest(p.emitter, p.kType, packet.timestamp);
+          return newest(p.emitter, p.kType, packet.timestamp, came);
         } else if constexpr (std::is_same_v<P, Fire>) {
           return finite(p.location, p.velocity, p.range)
-                     ? once(application, p.kType, p.event.number)
+                     ? once(application, p.kType, p.event.number, came)
                      : Unused::implausible;
         } else if constexpr (std::is_same_v<P, Detonation>) {
           return finite(p.location, p.velocity, p.place)
-                     ? once(application, p.kType, p.event.number)
+                     ? once(application, p.kType, p.event.number, came)
                      : Unused::implausible;
         } else if constexpr (requires { p.request; } && !std::is_same_v<P, Data>) {
-          return once(application, p.kType, p.request ^ packet.timestamp);
+          return once(application, p.kType, p.request ^ packet.timestamp, came);
         } else {
           return std::nullopt;
         }
@@ -132,29 +143,31 @@ std::optional<Unused> Incoming::check(const Packet& packet) {
       packet.pdu);
 }
 
-std::optional<Unused> Incoming::newest(const EntityId& who, std::uint8_t type,
-                                       std::uint32_t stamp) {
-  const auto at = entities_.find(who);
-  if (at == entities_.end() && entities_.size() >= kMost)
+std::optional<Unused> Incoming::newest(const EntityId& who, std::uint8_t type, std::uint32_t stamp,
+                                       double came) {
+  if (!entities_.contains(who) && !has_room(entities_, entities_tidied_, came))
     return Unused::crowded;
-  auto& last = entities_[who].last;
-  const auto [known, fresh] = last.emplace(type, stamp);
+  Stamps& stamps = entities_[who];
+  stamps.heard = came;
+  const auto [known, fresh] = stamps.last.emplace(type, stamp);
   if (fresh)
     return std::nullopt;
   const double older = behind(seconds_of(stamp), seconds_of(known->second));
   if (older == 0)
     return Unused::twice;
-  if (older > 0 && older < kReordered)
+  if (older > 0 && older < kLongAgo)
     return Unused::late;
   known->second = stamp;
   return std::nullopt;
 }
 
 std::optional<Unused> Incoming::once(Application& application, std::uint8_t type,
-                                     std::uint32_t number) {
+                                     std::uint32_t number, double came) {
   const auto key = std::pair(type, number);
-  if (!application.told.insert(key).second)
-    return Unused::twice;
+  const auto [known, fresh] = application.told.emplace(key, came);
+  if (!fresh)
+    return came - std::exchange(known->second, came) < kLongAgo ? std::optional(Unused::twice)
+                                                                : std::nullopt;
   if (application.order.size() < kRemembered) {
     application.order.push_back(key);
   } else {

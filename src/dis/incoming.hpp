@@ -2,7 +2,6 @@
 #pragma once
 /// \file  What comes in from the network: which of it is for us and new, and when it was so.
 #include <map>
-#include <set>
 
 #include "core/enum_names.hpp"
 #include "dis/station.hpp"
@@ -62,7 +61,12 @@ struct Received {
   double valid = 0;  ///< s since 1970, when it was so, by our clock
 };
 
-/// From datagrams to PDUs. Keeps no more than kMost entities and applications, whatever comes.
+/// s: what comes so much later under a name that was used is another thing, of a program that began
+/// anew or has counted around.
+inline constexpr double kLongAgo = 10;
+
+/// From datagrams to PDUs. Keeps no more than kMost entities and applications, whatever comes;
+/// where they are too many it forgets those that were not heard of for a minute.
 class Incoming {
  public:
   static constexpr std::size_t kMost = 4096;
@@ -81,21 +85,26 @@ class Incoming {
   /// Whose timestamps say which of its states, and of its emissions, is the newest.
   struct Stamps {
     std::map<std::uint8_t, std::uint32_t> last;  ///< by type of PDU
+    double heard = 0;                            ///< s since 1970
   };
   struct Application {
     double nearest = 0;  ///< s of its clock, the least that its stamps are behind ours
     bool known = false;
-    std::set<std::pair<std::uint8_t, std::uint32_t>>
-        told;  ///< type and number of what is told once
+    double heard = 0;  ///< s since 1970
+    /// When it came (s since 1970), by type and number of what is told once.
+    std::map<std::pair<std::uint8_t, std::uint32_t>, double> told;
     std::vector<std::pair<std::uint8_t, std::uint32_t>> order;  ///< of these
     std::size_t next = 0;
   };
 
-  [[nodiscard]] std::optional<Unused> check(const Packet& packet);
+  [[nodiscard]] std::optional<Unused> check(const Packet& packet, double came);
   [[nodiscard]] std::optional<Unused> newest(const EntityId& who, std::uint8_t type,
-                                             std::uint32_t stamp);
-  [[nodiscard]] std::optional<Unused> once(Application& application, std::uint8_t type,
-                                           std::uint32_t number);
+                                             std::uint32_t stamp, double came);
+  [[nodiscard]] static std::optional<Unused> once(Application& application, std::uint8_t type,
+                                                  std::uint32_t number, double came);
+  /// Whether there is room for a new one; `tidied` (s since 1970) is when it was last made.
+  template <class All>
+  [[nodiscard]] static bool has_room(All& all, double& tidied, double came);
   [[nodiscard]] double valid_at(Application& application, std::uint32_t stamp, double came);
 
   Station station_;
@@ -103,6 +112,7 @@ class Incoming {
   std::map<EntityId, Stamps> entities_;
   std::map<std::pair<std::uint16_t, std::uint16_t>, Application> applications_;
   std::vector<Received> received_;
+  double entities_tidied_ = 0, applications_tidied_ = 0;
 };
 
 }  // namespace eyrie::dis

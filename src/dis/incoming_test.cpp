@@ -70,6 +70,18 @@ TEST(Incoming, ReadsAllOfADatagramAndTellsAShotOnce) {
   EXPECT_EQ(in.counts[Unused::twice], 1u);
 }
 
+TEST(Incoming, TakesTheShotsOfAProgramThatBeganAnew) {
+  Incoming in({});
+  Fire fire;
+  for (const double time : {1.0, 1.1, 60.0, 60.1})
+    for (std::uint16_t number = 1; number <= 2; ++number) {
+      fire.event = {1, 2, number};
+      in.hear(encode({.timestamp = timestamp_at(time), .pdu = fire}), kNoon + time);
+    }
+  EXPECT_EQ(in.take().size(), 4u);
+  EXPECT_EQ(in.counts[Unused::twice], 4u);
+}
+
 TEST(Incoming, KnowsWhenItWasSoByTheClockOfTheWorldOrByTheQuickestPacket) {
   Incoming in({});
   EntityState s;
@@ -101,6 +113,12 @@ TEST(Incoming, KeepsNoMoreThanItsRoomWhateverComes) {
     in.hear(state(1, static_cast<std::uint16_t>(i + 1)), kNoon);
   EXPECT_EQ(in.take().size(), Incoming::kMost);
   EXPECT_EQ(in.counts[Unused::crowded], 2 * Incoming::kMost);
+  // those that are silent make room, those that speak stay
+  for (const double time : {30.0, 50.0, 70.0})
+    in.hear(state(time, 1), kNoon + time);
+  for (unsigned i = 0; i < 2 * Incoming::kMost; ++i)
+    in.hear(state(80, static_cast<std::uint16_t>(20'000 + i)), kNoon + 80);
+  EXPECT_EQ(in.take().size(), 3 + Incoming::kMost - 1);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ std::vector<sim::Order> Others::orders(const sim::World& world, double clock) {
     if (entity.here && rate_ * (clock - entity.heard) > station_.thresholds.timeout()) {
       leave(now, entity, model::RemoteEnd::vanished);
       entity.gone = entity.munition != 0;
+      entity.named = clock;
       ++incoming_.counts.vanished;
     }
   return orders;
@@ -128,16 +129,12 @@ void Others::take(const Now& now, double valid, const EntityState& state) {
     ++counts[Unused::implausible];
     return;
   }
-  if (!entities_.contains(state.id) && entities_.size() >= Incoming::kMost) {
-    ++counts[Unused::crowded];
+  const auto [known, fresh] = entity_of(now, state.id);
+  if (!known)
     return;
-  }
   ++counts.states;
-  const auto [at, fresh] = entities_.try_emplace(state.id);
-  Entity& entity = at->second;
+  Entity& entity = *known;
   const bool last = (state.appearance & kDeactivated) != 0;
-  if (fresh)
-    ++counts.entities;
   if (fresh || (!entity.who && entity.munition == 0))
     place(entity, state);
   if (state.type.kind == 2 && fresh)
@@ -163,6 +160,28 @@ void Others::take(const Now& now, double valid, const EntityState& state) {
   }
   entity.said = state;
   entity.said_valid = valid;
+}
+
+std::pair<Others::Entity*, bool> Others::entity_of(const Now& now, const EntityId& id) {
+  auto at = entities_.find(id);
+  if (at != entities_.end() && is_past(at->second, now.clock))
+    at = (entities_.erase(at), entities_.end());
+  if (at == entities_.end() && entities_.size() >= Incoming::kMost && now.clock - tidied_ > 1) {
+    tidied_ = now.clock;
+    std::erase_if(entities_, [&](const auto& one) {  // those that have or had no place
+      const Entity& entity = one.second;
+      return is_past(entity, now.clock) || (!entity.who && now.clock - entity.named > kLongAgo);
+    });
+  }
+  if (at == entities_.end() && entities_.size() >= Incoming::kMost) {
+    ++incoming_.counts[Unused::crowded];
+    return {nullptr, false};
+  }
+  const auto [made, fresh] = entities_.try_emplace(id);
+  made->second.named = now.clock;
+  if (fresh)
+    ++incoming_.counts.entities;
+  return {&made->second, fresh};
 }
 
 /// Finds out which remote player it is.
@@ -256,18 +275,12 @@ void Others::take(const Now& now, double, const Fire& fire) {
   ++incoming_.counts.shots;
   if (fire.munition == kNobody)
     return;  // rounds: their Detonation says whom they hit
-  if (!entities_.contains(fire.munition) && entities_.size() >= Incoming::kMost) {
-    ++incoming_.counts[Unused::crowded];
+  const auto [known, fresh] = entity_of(now, fire.munition);
+  if (!known || known->gone)
     return;
-  }
-  const auto [at, fresh] = entities_.try_emplace(fire.munition);
-  Entity& munition = at->second;
-  if (munition.gone)
-    return;
-  if (fresh) {
-    ++incoming_.counts.entities;
+  Entity& munition = *known;
+  if (fresh)
     munition.munition = missile_of(fire.what.type);
-  }
   const PlayerId shooter = player_of(fire.shooter);
   const auto* player = scenario_.roster.find(shooter);
   const Motion at_launch{.position = fire.location, .velocity = wide(fire.velocity)};
@@ -292,7 +305,8 @@ void Others::take(const Now& now, double, const Detonation& end) {
     return;
   }
   const auto at = entities_.find(end.munition);
-  const bool known = at != entities_.end() && at->second.munition != 0;
+  const bool known =
+      at != entities_.end() && at->second.munition != 0 && !is_past(at->second, now.clock);
   if (known && at->second.gone)
     return;
   const std::uint16_t type = known ? at->second.munition : missile_of(end.what.type);
@@ -306,6 +320,7 @@ void Others::take(const Now& now, double, const Detonation& end) {
   if (known) {
     at->second.gone = true;
     at->second.here = false;
+    at->second.named = now.clock;
   }
   give(now, known ? at->second.who : model::remote_missile(0x7FFF'FFFF), RemoteOrder::detonation,
        model::RemoteDetonation{.shooter = shooter,

@@ -46,7 +46,8 @@ class Others {
     PlayerId who{};              ///< none: it has no place
     std::uint16_t munition = 0;  ///< 1 + index of the MissileType; 0: it is none
     bool here = false, gone = false, namesake = false;
-    double heard = 0;                  ///< s since 1970
+    double heard = 0;                  ///< s since 1970, when it was last put where it is
+    double named = 0;                  ///< s since 1970, when anybody last spoke of it
     std::optional<EntityState> early;  ///< of a missile whose Fire has not come
     std::optional<EntityState> said;   ///< the newest of those that came since the last step
     Motion last;
@@ -69,6 +70,12 @@ class Others {
   void take(const Now& now, double valid, const StopFreeze& stop);
   void take(const Now&, double, const auto&) { ++incoming_.counts.words; }
 
+  /// What it is from now on, and whether that is new: nobody has spoken of it, or of a missile long
+  /// before, which has ended. Null if there is no room.
+  [[nodiscard]] std::pair<Entity*, bool> entity_of(const Now& now, const EntityId& id);
+  [[nodiscard]] static bool is_past(const Entity& entity, double clock) {
+    return entity.gone && entity.munition != 0 && clock - entity.named > kLongAgo;
+  }
   void place(Entity& entity, const EntityState& state);
   void shoot(const Now& now, Entity& munition, PlayerId shooter, PlayerId target, model::Side side,
              float range);
@@ -88,6 +95,7 @@ class Others {
   double rate_;
   Incoming incoming_;
   std::map<EntityId, Entity> entities_;
+  double tidied_ = 0;                   ///< s since 1970
   std::map<PlayerId, EntityId> named_;  ///< of players of the roster
   std::uint32_t missiles_ = 0;
   std::vector<Asked> asked_;

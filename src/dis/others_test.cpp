@@ -183,6 +183,86 @@ TEST(Others, KeepOneStateOfEachInAStepHoweverManyCome) {
   EXPECT_EQ(others.orders(both.blue.flight.world(), kStart + 7).size(), 3u);
 }
 
+/// A missile of bandit1 as another program tells it, s after the mission began.
+struct Missile {
+  explicit Missile(Both& both) : both_(both) {
+    const auto& scenario = *both.blue.flight.scenario;
+    fire_.munition = state_.id = {1, 2, 500};
+    fire_.shooter = both.blue.others.entity_of(*scenario.roster.find("bandit1"));
+    fire_.what.type = state_.type =
+        model::entity_type_of(scenario.library->missiles[0].entity_type).value();
+    fire_.location = state_.location = scenario.library->reference.to_ecef({0, 0, 3000});
+    fire_.event = {1, 2, 1};
+    end_.munition = fire_.munition;
+    end_.shooter = fire_.shooter;
+    end_.location = fire_.location;
+    end_.event = fire_.event;
+  }
+  void fire(double at) { hear(at, fire_); }
+  void end(double at) { hear(at, end_); }
+  void state(double at) { hear(at, state_); }
+  /// How many launches the orders of that time are.
+  [[nodiscard]] auto launches(double at) const {
+    const auto orders = both_.blue.others.orders(both_.blue.flight.world(), kStart + at);
+    return std::count_if(orders.begin(), orders.end(), [](const sim::Order& order) {
+      return order.kind == sim::OrderKind(model::RemoteOrder::launch);
+    });
+  }
+
+ private:
+  void hear(double at, const Pdu& pdu) {
+    both_.blue.others.hear(encode({.timestamp = timestamp_at(at), .pdu = pdu}), kStart + at);
+  }
+  Both& both_;
+  Fire fire_;
+  Detonation end_;
+  EntityState state_;
+};
+
+TEST(Others, HearAMissileOfANameThatOneHadLongBefore) {
+  Both both("merge");
+  both.fly(5);
+  Missile missile(both);
+  missile.fire(6);
+  EXPECT_EQ(missile.launches(6), 1);
+  missile.end(7);
+  missile.fire(8);  // overtaken by its end
+  missile.state(8);
+  EXPECT_EQ(missile.launches(8), 0);
+  for (double at = 13; at < 60; at += 5) {  // who is told of to the end stays the same
+    missile.state(at);
+    EXPECT_EQ(missile.launches(at), 0) << at;
+  }
+  missile.fire(80);  // the program began anew
+  EXPECT_EQ(missile.launches(80), 1);
+  missile.end(81);
+  EXPECT_EQ(missile.launches(81), 0);
+  missile.state(100);  // and its Fire was lost
+  EXPECT_EQ(missile.launches(100), 0);
+  EXPECT_EQ(missile.launches(101), 1);
+}
+
+TEST(Others, ForgetWhoIsSilentWhereThereAreTooMany) {
+  Both both("merge");
+  both.fly(5);
+  Others& others = both.blue.others;
+  EntityState state;
+  state.location = both.blue.flight.scenario->library->reference.to_ecef({0, 0, 3000});
+  state.type.kind = 1;
+  const auto hear = [&](unsigned first, double at) {
+    for (unsigned i = 0; i < Incoming::kMost + 100; ++i) {
+      state.id = {7, 7, static_cast<std::uint16_t>(first + i)};
+      others.hear(encode({.timestamp = timestamp_at(at), .pdu = state}), kStart + at);
+    }
+    const auto before = others.counts().entities;
+    static_cast<void>(others.orders(both.blue.flight.world(), kStart + at));
+    return others.counts().entities - before;
+  };
+  EXPECT_GT(hear(1, 6), 4000u);
+  EXPECT_EQ(hear(10'000, 8), 0u);
+  EXPECT_GT(hear(20'000, 100), 4000u);
+}
+
 TEST(Announcer, TellsThatEverybodyStandsStill) {
   Both both("merge");
   both.fly(2);
