@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kHour = 3600;       // s
 constexpr double kForgotten = 60;    // s without a word
-constexpr double kTidied = 1;        // s from one search for those to the next
 constexpr double kLongestWay = 2;    // s that one takes; a clock that is farther off is another one
 constexpr double kSameClock = 0.02;  // s that clocks of the world are apart
 constexpr std::size_t kRemembered = 256;  // shots of an application
@@ -38,6 +37,10 @@ EntityId sender_of(const Pdu& pdu) {
           return p.from;
       },
       pdu);
+}
+
+auto silent_until(double now) {
+  return [now](const auto& one) { return now - one.heard > kForgotten; };
 }
 
 template <class... T>
@@ -97,15 +100,6 @@ void Incoming::hear(std::span<const std::byte> datagram, double came) {
   }
 }
 
-template <class All>
-bool Incoming::has_room(All& all, double& tidied, double came) {
-  if (all.size() >= kMost && came - tidied > kTidied) {
-    tidied = came;
-    std::erase_if(all, [&](const auto& one) { return came - one.second.heard > kForgotten; });
-  }
-  return all.size() < kMost;
-}
-
 std::optional<Unused> Incoming::check(const Packet& packet, double came) {
   const EntityId from = sender_of(packet.pdu);
   if (packet.exercise != station_.exercise)
@@ -113,7 +107,8 @@ std::optional<Unused> Incoming::check(const Packet& packet, double came) {
   if (from.site == station_.site && from.application == station_.application)
     return Unused::own;
   const auto key = std::pair(from.site, from.application);
-  if (!applications_.contains(key) && !has_room(applications_, applications_tidied_, came))
+  if (!applications_.contains(key) &&
+      !has_room(applications_, applications_tidied_, came, silent_until(came)))
     return Unused::crowded;
   Application& application = applications_[key];
   application.heard = came;
@@ -145,7 +140,7 @@ std::optional<Unused> Incoming::check(const Packet& packet, double came) {
 
 std::optional<Unused> Incoming::newest(const EntityId& who, std::uint8_t type, std::uint32_t stamp,
                                        double came) {
-  if (!entities_.contains(who) && !has_room(entities_, entities_tidied_, came))
+  if (!entities_.contains(who) && !has_room(entities_, entities_tidied_, came, silent_until(came)))
     return Unused::crowded;
   Stamps& stamps = entities_[who];
   stamps.heard = came;

@@ -79,6 +79,17 @@ class Incoming {
   /// What was heard since the last time, in its order.
   [[nodiscard]] std::vector<Received> take() { return std::exchange(received_, {}); }
 
+  /// Whether there is room for one more by name. Where there is none those go that may, looked for
+  /// once a second; `tidied` is when that was (`now` and it in s since 1970).
+  template <class All, class MayGo>
+  [[nodiscard]] static bool has_room(All& all, double& tidied, double now, MayGo may_go) {
+    if (all.size() >= kMost && now - tidied > 1) {
+      tidied = now;
+      std::erase_if(all, [&](const auto& one) { return may_go(one.second); });
+    }
+    return all.size() < kMost;
+  }
+
   HeardCounts counts;
 
  private:
@@ -102,9 +113,6 @@ class Incoming {
                                              std::uint32_t stamp, double came);
   [[nodiscard]] static std::optional<Unused> once(Application& application, std::uint8_t type,
                                                   std::uint32_t number, double came);
-  /// Whether there is room for a new one; `tidied` (s since 1970) is when it was last made.
-  template <class All>
-  [[nodiscard]] static bool has_room(All& all, double& tidied, double came);
   [[nodiscard]] double valid_at(Application& application, std::uint32_t stamp, double came);
 
   Station station_;

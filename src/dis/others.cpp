@@ -129,7 +129,7 @@ void Others::take(const Now& now, double valid, const EntityState& state) {
     ++counts[Unused::implausible];
     return;
   }
-  const auto [known, fresh] = entity_of(now, state.id);
+  const auto [known, fresh] = entity_called(now, state.id);
   if (!known)
     return;
   ++counts.states;
@@ -162,18 +162,14 @@ void Others::take(const Now& now, double valid, const EntityState& state) {
   entity.said_valid = valid;
 }
 
-std::pair<Others::Entity*, bool> Others::entity_of(const Now& now, const EntityId& id) {
+std::pair<Others::Entity*, bool> Others::entity_called(const Now& now, const EntityId& id) {
   auto at = entities_.find(id);
   if (at != entities_.end() && is_past(at->second, now.clock))
     at = (entities_.erase(at), entities_.end());
-  if (at == entities_.end() && entities_.size() >= Incoming::kMost && now.clock - tidied_ > 1) {
-    tidied_ = now.clock;
-    std::erase_if(entities_, [&](const auto& one) {  // those that have or had no place
-      const Entity& entity = one.second;
-      return is_past(entity, now.clock) || (!entity.who && now.clock - entity.named > kLongAgo);
-    });
-  }
-  if (at == entities_.end() && entities_.size() >= Incoming::kMost) {
+  const auto may_go = [&](const Entity& one) {  // nobody of the roster
+    return is_past(one, now.clock) || (!one.who && now.clock - one.named > kLongAgo);
+  };
+  if (at == entities_.end() && !Incoming::has_room(entities_, tidied_, now.clock, may_go)) {
     ++incoming_.counts[Unused::crowded];
     return {nullptr, false};
   }
@@ -275,7 +271,7 @@ void Others::take(const Now& now, double, const Fire& fire) {
   ++incoming_.counts.shots;
   if (fire.munition == kNobody)
     return;  // rounds: their Detonation says whom they hit
-  const auto [known, fresh] = entity_of(now, fire.munition);
+  const auto [known, fresh] = entity_called(now, fire.munition);
   if (!known || known->gone)
     return;
   Entity& munition = *known;

@@ -72,7 +72,7 @@ class Others {
 
   /// What it is from now on, and whether that is new: nobody has spoken of it, or of a missile long
   /// before, which has ended. Null if there is no room.
-  [[nodiscard]] std::pair<Entity*, bool> entity_of(const Now& now, const EntityId& id);
+  [[nodiscard]] std::pair<Entity*, bool> entity_called(const Now& now, const EntityId& id);
   [[nodiscard]] static bool is_past(const Entity& entity, double clock) {
     return entity.gone && entity.munition != 0 && clock - entity.named > kLongAgo;
   }
