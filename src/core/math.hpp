@@ -53,6 +53,8 @@ using SinCos = SinCosOf<double>;
 
 /// Everywhere: 0.65 ulp.
 [[nodiscard]] double exp(double x);
+/// Of both, side by side.
+[[nodiscard]] std::array<double, 2> exp(double x, double y);
 /// Everywhere: 0.65 ulp.
 [[nodiscard]] double exp2(double x);
 /// Everywhere: 0.51 ulp. -infinity for 0, NaN below.

@@ -43,18 +43,23 @@ constexpr Pair product(const Pair& a, const Pair& b) {
   return exact_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
-/// e^(r + tail) 2^n for |r| <= 0.35.
-double scaled_exp(double r, double tail, std::int64_t n) {
+/// e^(r + tail) for |r| <= 0.35.
+template <class Real>
+Real exp_near_zero(const Real& r, const Real& tail) {
   // e^r = 1 + r + r^2 / 2 + r^3 q(r): minimax, 2^-60
-  const double z = r * r;
-  const double q =
+  const Real z = r * r;
+  const Real q =
       detail::horner(z, 0x1.5555555555558p-3, 0x1.111111110fb5cp-7, 0x1.a01a01ae88341p-13,
                      0x1.71ddfafcdb3e7p-19, 0x1.af5b05a3614a3p-26) +
       r * detail::horner(z, 0x1.5555555555535p-5, 0x1.6c16c16c267e8p-10, 0x1.a01a014f420acp-16,
                          0x1.27e59ce11af88p-22, 0x1.1e443954217eep-29);
-  const Pair one = exact_sum(1, r);
-  const double value = one.high + (one.low + (tail + tail * r + z * (0.5 + r * q)));
+  const Real one = 1 + r, rest = (1 - one) + r;
+  return one + (rest + (tail + tail * r + z * (0.5 + r * q)));
+}
 
+/// e^(r + tail) 2^n for |r| <= 0.35.
+double scaled_exp(double r, double tail, std::int64_t n) {
+  const double value = exp_near_zero(r, tail);
   // times 2^n; in two steps where that alone is no normal number
   const auto power = [](std::int64_t e) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
@@ -65,15 +70,27 @@ double scaled_exp(double r, double tail, std::int64_t n) {
   return value * power(half) * power(n - half);
 }
 
+/// x + low = r + tail + n ln 2, |x| <= 750.
+template <class Real>
+struct Reduced {
+  Real r, tail, n;
+
+  Reduced(const Real& x, const Real& low) {
+    const Real shifted = x * 0x1.71547652b82fep+0 + detail::kRounder;
+    n = shifted - detail::kRounder;
+    const Real a = x - n * kLn2High;
+    const Real b = n * kLn2Low;
+    const Real near = a - b;
+    const Real rest = ((a - near) - b) + low;
+    r = near + rest;
+    tail = (near - r) + rest;
+  }
+};
+
 /// e^(x + low), |x| <= 750.
 double exp_of(double x, double low) {
-  const double shifted = x * 0x1.71547652b82fep+0 + detail::kRounder;
-  const double n = shifted - detail::kRounder;
-  const double a = x - n * kLn2High;
-  const double b = n * kLn2Low;
-  const double near = a - b;
-  const Pair r = exact_sum(near, ((a - near) - b) + low);
-  return scaled_exp(r.high, r.low, static_cast<std::int64_t>(n));
+  const Reduced<double> e(x, low);
+  return scaled_exp(e.r, e.tail, static_cast<std::int64_t>(e.n));
 }
 
 /// x = m 2^k with m in [sqrt(1/2), sqrt(2)), for finite x > 0.
@@ -174,6 +191,19 @@ double exp(double x) {
   if (!(std::fabs(x) <= 750))
     return std::isnan(x) ? kNaN : x > 0 ? kInfinity : 0;
   return exp_of(x, 0);
+}
+
+std::array<double, 2> exp(double x, double y) {
+  if (!(std::fabs(x) <= 700 && std::fabs(y) <= 700))
+    return {exp(x), exp(y)};
+  using Both = Lanes<2>;
+  const Reduced<Both> e(Both(Both::Vector{x, y}), 0);
+  const Both value = exp_near_zero(e.r, e.tail);
+  const auto times_power = [&](std::size_t i) {
+    const auto n = static_cast<std::int64_t>(lane(e.n, i));
+    return lane(value, i) * std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
+  };
+  return {times_power(0), times_power(1)};
 }
 
 double exp2(double x) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/motion_check.hpp"
 
+#include "core/lanes.hpp"
+
 namespace eyrie::model {
 namespace {
 
@@ -26,7 +28,15 @@ struct Bounded {
 }
 
 bool within(const Bounded& b) {
-  return b.value >= -b.most && b.value <= b.most;
+  return std::fabs(b.value) <= b.most;
+}
+bool all_within(const std::array<Bounded, 12>& all) {
+  using Two = math::Lanes<2>;
+  auto within = Two(0) <= Two(0);
+  for (std::size_t i = 0; i < all.size(); i += 2)
+    within = within & (math::abs(Two(Two::Vector{all[i].value, all[i + 1].value})) <=
+                       Two(Two::Vector{all[i].most, all[i + 1].most}));
+  return math::holds(within, 0) && math::holds(within, 1);
 }
 
 }  // namespace
@@ -41,15 +51,9 @@ std::string motion_problem(const Kinematics& motion) {
 void MotionCheck::move(sim::World& world, const sim::StepInfo&, sim::Chunk chunk,
                        sim::Outbox& out) const {
   const auto motions = std::as_const(world).rows(kinematics_);
-  for (std::size_t row = chunk.begin; row < chunk.end; ++row) {
-    // the bits of positive doubles are in the order of the doubles, NaN behind infinity
-    std::uint64_t beyond = 0;
-    for (const Bounded& b : bounded(motions[row]))
-      beyond |= std::bit_cast<std::uint64_t>(b.most) -
-                (std::bit_cast<std::uint64_t>(b.value) & ~(std::uint64_t{1} << 63));
-    if (beyond >> 63 != 0) [[unlikely]]
+  for (std::size_t row = chunk.begin; row < chunk.end; ++row)
+    if (!all_within(bounded(motions[row]))) [[unlikely]]
       out.fail({.player = world.ids(table_)[row], .what = motion_problem(motions[row])});
-  }
 }
 
 }  // namespace eyrie::model

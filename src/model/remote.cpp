@@ -323,9 +323,9 @@ void RemoteSystem::act(sim::World& world, const sim::StepInfo&, sim::Chunk chunk
       point(h, kinematics[i], target ? &kinematics[*target] : nullptr, emission);
       emission.type = *type.index.radar;
       emission.figure = emission_figure(radar.reference_range, radar.reference_rcs);
-      if (h.beam == EmissionKind::track)
-        emission.cos_half_angle = math::cos(radar.beam_width / 2);
-      else
+      const bool tracks = h.beam == EmissionKind::track;
+      emission.cos_half_angle = math::cos(tracks ? radar.beam_width / 2 : radar.scan_half_azimuth);
+      if (!tracks)
         sensor::sweep(radar, kinematics[i].down, emission);
     }
     emissions[i] = emission;

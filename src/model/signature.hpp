@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  How big a target looks to a radar and to the eye. Belongs to the aircraft type.
+#include <algorithm>
+
 #include "core/describe.hpp"
 #include "model/kinematics.hpp"
 
@@ -45,6 +47,10 @@ struct Signature {
   const double side = s.area_side * dot(unit, target.right);
   const double top = s.area_top * dot(unit, target.down);
   return std::sqrt(front * front + side * side + top * top);
+}
+/// m^2: none is larger.
+[[nodiscard]] inline double largest_silhouette(const Signature& s) {
+  return std::max({s.area_front, s.area_side, s.area_top});
 }
 
 /// Radiant intensity in the seeker's band, W/sr, at military power; the afterburner multiplies what

@@ -58,13 +58,30 @@ Judge::Judge(const Scenario& scenario, double until)
 
 bool Judge::comes_home(std::span<const sim::Event> events) const {
   return std::any_of(events.begin(), events.end(), [&](const sim::Event& e) {
+    if (e.kind != sim::EventKind(model::EventKind::home))
+      return false;
     const Roster::Player* who = scenario_->roster.find(e.who);
-    return e.kind == sim::EventKind(model::EventKind::home) && who &&
-           who->side == model::Side::blue;
+    return who && who->side == model::Side::blue;
   });
 }
 
 Outcome Judge::operator()(const sim::World& world, bool any_home) {
+  // who is there changes when somebody leaves or is born; whether a convoy has arrived, any time
+  std::uint32_t players = 0, on_the_way = 0;
+  for (const auto& fleet : scenario_->fleets) {
+    players += fleet->rows(world);
+    on_the_way += fleet->words.comes_home ? 0 : fleet->rows(world);
+  }
+  const bool as_before = players == players_ && world.next_id() == next_id_ && on_the_way == 0;
+  if (!as_before)
+    if (const Outcome outcome = look(world, any_home); outcome != Outcome::running)
+      return outcome;
+  players_ = players;
+  next_id_ = world.next_id();
+  return world.step() >= last_step_ ? Outcome::time : Outcome::running;
+}
+
+Outcome Judge::look(const sim::World& world, bool any_home) {
   std::fill(standings_.begin(), standings_.end(), Standing{});
   for (const auto& fleet : scenario_->fleets)
     fleet->count(world, *scenario_->library, standings_);
@@ -83,7 +100,7 @@ Outcome Judge::operator()(const sim::World& world, bool any_home) {
     return any_home || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
   if (scenario_->spec.ends == Ends::last_side && (blue == 0 || red == 0))
     return blue == 0 ? Outcome::blue_lost : Outcome::red_lost;
-  return world.step() >= last_step_ ? Outcome::time : Outcome::running;
+  return Outcome::running;
 }
 
 bool Mission::step() {

@@ -40,9 +40,14 @@ class Judge {
   [[nodiscard]] bool comes_home(std::span<const sim::Event> events) const;
 
  private:
+  /// The outcome by who is there.
+  [[nodiscard]] Outcome look(const sim::World& world, bool any_home);
+
   const Scenario* scenario_;
   std::uint64_t last_step_;
   std::vector<Standing> standings_;  ///< by flight
+  std::uint32_t players_ = 0;        ///< when it went on last
+  PlayerId next_id_{};               ///< likewise
 };
 
 /// A sim::Run that knows when it is over.

@@ -6,30 +6,12 @@
 namespace eyrie::sim {
 namespace {
 
-/// Whether one of `count` numbers is NaN or infinite: all bits of its exponent are set, so that one
-/// more in the lowest of them carries into the sign.
-template <class Bits>
-bool any_beyond(const std::byte* numbers, std::uint32_t count, Bits exponent) {
-  const Bits lowest = exponent & (~exponent + 1);
-  Bits beyond = 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Bits bits;
-    std::memcpy(&bits, numbers + i * sizeof bits, sizeof bits);
-    beyond |= (bits & exponent) + lowest;
-  }
-  return (beyond & ~(~Bits{0} >> 1)) != 0;
-}
-bool any_beyond(Scalar type, const std::byte* numbers, std::uint32_t count) {
-  return type == Scalar::f64 ? any_beyond<std::uint64_t>(numbers, count, 0x7ff0000000000000)
-                             : any_beyond<std::uint32_t>(numbers, count, 0x7f800000);
-}
-
 /// The first one in a row, with its name and unit.
 std::string words_for(const ColumnInfo& column, const std::byte* row) {
   for (const FieldInfo& field : column.fields)
     if (field.type == Scalar::f64 || field.type == Scalar::f32)
       for (std::uint32_t i = 0; i < field.count; ++i)
-        if (any_beyond(field.type, row + field.offset + i * scalar_size(field.type), 1))
+        if (!std::isfinite(scalar_value(field, row, i)))
           return fmt::format("{}.{} is {}{}{}", column.name, scalar_label(field, i),
                              scalar_value(field, row, i), field.unit.empty() ? "" : " ",
                              field.unit);
@@ -39,27 +21,43 @@ std::string words_for(const ColumnInfo& column, const std::byte* row) {
 }  // namespace
 
 NumberCheck::NumberCheck(const Schema& schema) {
-  for (std::uint32_t c = 0; c < schema.columns().size(); ++c)
+  constexpr std::uint32_t kDouble = 0x7ff00000,
+                          kFloat = 0x7f800000;  // a double's is its upper word
+  for (std::uint32_t c = 0; c < schema.columns().size(); ++c) {
+    Words words{.column = c};
     for (const FieldInfo& field : schema.column(c).fields) {
       if (field.type != Scalar::f64 && field.type != Scalar::f32)
         continue;
-      Stretch* last = stretches_.empty() ? nullptr : &stretches_.back();
-      if (last && last->column == c && last->type == field.type &&
-          last->offset + last->count * scalar_size(last->type) == field.offset)
-        last->count += field.count;
-      else
-        stretches_.push_back({c, field.offset, field.count, field.type});
+      words.mask.resize(schema.column(c).stride / sizeof(std::uint32_t));
+      const std::size_t in_words = scalar_size(field.type) / sizeof(std::uint32_t);
+      for (std::uint32_t i = 0; i < field.count; ++i)
+        words.mask[field.offset / sizeof(std::uint32_t) + (i + 1) * in_words - 1] =
+            field.type == Scalar::f64 ? kDouble : kFloat;
     }
+    while (!words.mask.empty() && words.mask.back() == 0)
+      words.mask.pop_back();
+    for (const std::uint32_t mask : words.mask)
+      words.lowest.push_back(mask & (~mask + 1));
+    if (!words.mask.empty())
+      columns_.push_back(std::move(words));
+  }
 }
 
 std::optional<Fault> NumberCheck::find(const World& world) const {
-  for (const Stretch& s : stretches_) {
-    const ColumnInfo& column = world.schema().column(s.column);
-    const auto bytes = world.column_bytes(s.column);
-    for (std::size_t at = 0; at < bytes.size(); at += column.stride)
-      if (any_beyond(s.type, bytes.data() + at + s.offset, s.count)) [[unlikely]]
+  for (const Words& words : columns_) {
+    const ColumnInfo& column = world.schema().column(words.column);
+    const auto bytes = world.column_bytes(words.column);
+    for (std::size_t at = 0; at < bytes.size(); at += column.stride) {
+      std::uint32_t beyond = 0;
+      for (std::size_t i = 0; i < words.mask.size(); ++i) {
+        std::uint32_t bits;
+        std::memcpy(&bits, bytes.data() + at + i * sizeof bits, sizeof bits);
+        beyond |= (bits & words.mask[i]) + words.lowest[i];
+      }
+      if (beyond >> 31 != 0) [[unlikely]]
         return Fault{.player = world.ids(column.table)[at / column.stride],
                      .what = words_for(column, bytes.data() + at)};
+    }
   }
   return std::nullopt;
 }

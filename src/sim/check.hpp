@@ -19,12 +19,14 @@ class NumberCheck {
   [[nodiscard]] std::optional<Fault> find(const World& world) const;
 
  private:
-  /// Numbers of one width that lie side by side in every row of a column.
-  struct Stretch {
-    std::uint32_t column, offset, count;
-    Scalar type;
+  /// A column with numbers, each row as words of 32 bits. Where a number's exponent lies the mask
+  /// has ones, and `lowest` its lowest bit: added to an exponent of ones only, it carries into the
+  /// sign.
+  struct Words {
+    std::uint32_t column = 0;
+    std::vector<std::uint32_t> mask = {}, lowest = {};
   };
-  std::vector<Stretch> stretches_;
+  std::vector<Words> columns_;
 };
 
 /// Watches the systems of a step, one after the other, and keeps the first that breaks a rule:

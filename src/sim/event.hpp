@@ -106,8 +106,7 @@ class alignas(64) Outbox {
   [[nodiscard]] std::unique_ptr<Fault> take_fault() { return std::move(fault_); }
 
   [[nodiscard]] std::span<const Event> events() const { return events_; }
-  /// Nothing was emitted, nothing failed.
-  [[nodiscard]] bool untouched() const { return events_.empty() && !fault_; }
+  [[nodiscard]] bool failed() const { return fault_ != nullptr; }
   /// How often emit() had to allocate since the outbox was made.
   [[nodiscard]] std::uint64_t growths() const { return growths_; }
   void clear() { events_.clear(); }

@@ -35,8 +35,8 @@ std::uint64_t Workspace::growths() const {
 
 void Workspace::collect(std::size_t chunks) {
   for (std::size_t i = 0; i < chunks; ++i) {
-    if (auto fault = by_chunk_[i].take_fault(); fault && !fault_) [[unlikely]]
-      fault_ = std::move(fault);
+    if (by_chunk_[i].failed()) [[unlikely]]
+      events_.fail(std::move(*by_chunk_[i].take_fault()));
     for (const Event& event : by_chunk_[i].events())
       events_.emit(event);
     by_chunk_[i].clear();
@@ -93,12 +93,19 @@ bool Simulation::run(Phase phase, Part part, World& world, const StepInfo& info,
       continue;
     if (work.check_) [[unlikely]]
       work.check_->begin(world);
-    work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      (system->*part)(world, info, Chunk{begin, end}, work.by_chunk_[chunk]);
-    });
-    if (!work.untouched(chunk_count(rows)))
+    const auto run_chunk = [&](Chunk chunk, Outbox& out) noexcept {
+      (system->*part)(world, info, chunk, out);
+    };
+    if (rows <= kChunk) {
+      run_chunk({0, rows}, work.events_);
+    } else {
+      work.executor_.for_chunks(rows, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        run_chunk({begin, end}, work.by_chunk_[chunk]);
+      });
       work.collect(chunk_count(rows));
-    if (work.fault_) [[unlikely]] {
+    }
+    if (work.events_.failed()) [[unlikely]] {
+      work.fault_ = work.events_.take_fault();
       work.fault_->system = system->name();
       work.fault_->step = info.step;
       return false;

@@ -40,10 +40,6 @@ class Workspace {
 
  private:
   friend class Simulation;
-  [[nodiscard]] bool untouched(std::size_t chunks) const {
-    return std::all_of(by_chunk_.begin(), by_chunk_.begin() + chunks,
-                       [](const Outbox& chunk) { return chunk.untouched(); });
-  }
   void collect(std::size_t chunks);
 
   Executor executor_;

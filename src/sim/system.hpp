@@ -9,15 +9,30 @@
 
 namespace eyrie::sim {
 
+/// Once in so many steps, at least 1. Keeps what it takes to find multiples without a division:
+/// Lemire, Kaser & Kurz, "Faster remainder by direct computation", Software: Practice and
+/// Experience 49 (2019), sec. 3.2.
+class Every {
+ public:
+  constexpr Every(std::uint32_t steps = 1)  // NOLINT: a number of steps is a period
+      : steps_(steps), inverse_(steps == 0 ? 0 : ~std::uint64_t{0} / steps + 1) {}
+  [[nodiscard]] constexpr std::uint32_t steps() const { return steps_; }
+  [[nodiscard]] constexpr bool divides(std::uint64_t n) const {
+    EYRIE_ASSERT(steps_ != 0);
+    if (n <= std::numeric_limits<std::uint32_t>::max()) [[likely]]
+      return n * inverse_ <= inverse_ - 1;
+    return n % steps_ == 0;
+  }
+
+ private:
+  std::uint32_t steps_;
+  std::uint64_t inverse_;
+};
+
 /// True in one of every `period` steps, in another one for the next id, so that the work of a
 /// period spreads over its steps. A player born late is first due at most period - 1 steps later.
-/// `period` is in steps and at least 1 (period_steps() never gives 0).
-[[nodiscard]] inline bool due(std::uint64_t step, PlayerId id, std::uint32_t period) {
-  EYRIE_ASSERT(period != 0);
-  const std::uint64_t at = step + id.value;
-  if (at <= std::numeric_limits<std::uint32_t>::max()) [[likely]]  // a short division is quick
-    return static_cast<std::uint32_t>(at) % period == 0;
-  return at % period == 0;
+[[nodiscard]] constexpr bool due(std::uint64_t step, PlayerId id, const Every& period) {
+  return period.divides(step + id.value);
 }
 
 /// A period in whole steps, or why there is none.

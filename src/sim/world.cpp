@@ -44,8 +44,15 @@ std::span<const std::byte> World::column_bytes(std::uint32_t index) const {
 
 std::optional<std::uint32_t> World::row(TableId table, PlayerId who) const {
   const std::span<const PlayerId> players = ids(table);
-  const auto it = std::lower_bound(players.begin(), players.end(), who);
-  if (it == players.end() || *it != who)
+  if (players.empty() || who < players.front())
+    return std::nullopt;
+  // ids ascend: none lies farther back than where it would be if nobody had left
+  const std::size_t last =
+      std::min<std::size_t>(who.value - players.front().value, players.size() - 1);
+  if (players[last] == who)
+    return static_cast<std::uint32_t>(last);
+  const auto it = std::lower_bound(players.begin(), players.begin() + last, who);
+  if (*it != who)
     return std::nullopt;
   return static_cast<std::uint32_t>(it - players.begin());
 }

@@ -77,7 +77,7 @@ class AgentSystem final : public Agents {
 
   void decide(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
               sim::Outbox& out) const override {
-    const Rows rows(std::as_const(world), setup_.columns);
+    std::optional<Rows> rows;  // found for the first who decides
     const sim::Views<typename Platform::Controls, sim::World> controls(world, setup_.columns);
     const auto ids = world.ids(table());
     const auto fits = std::as_const(world).rows(setup_.columns.fit);
@@ -92,8 +92,10 @@ class AgentSystem final : public Agents {
         continue;
 
       // perceive
+      if (!rows)
+        rows.emplace(std::as_const(world), setup_.columns);
       const model::Fit& fit = fits[row];
-      const State state(rows.at(row, agent), *setup_.library, fit, setup_.plans[fit.flight],
+      const State state(rows->at(row, agent), *setup_.library, fit, setup_.plans[fit.flight],
                         info.time());
       const typename Platform::Teller teller(ids[row], state, out);
       Platform::account(state, agent);

@@ -58,7 +58,7 @@ class Deciding {
   Deciding(std::shared_ptr<const Trees> trees, std::uint32_t period)
       : trees_(std::move(trees)), period_(period) {
     EYRIE_THROW_UNLESS(trees_ != nullptr, "whoever decides needs trees");
-    EYRIE_THROW_UNLESS(period_ > 0, "a decision every 0 steps");
+    EYRIE_THROW_UNLESS(period_.steps() > 0, "a decision every 0 steps");
     for (const auto& tree : *trees_) {
       std::size_t node = 0;
       while (node < tree.size() && !tree.node(static_cast<ubf::NodeIndex>(node)).is_sequencer())
@@ -90,7 +90,7 @@ class Deciding {
     try {
       (*trees_)[tree].tick({.state = state,
                             .time = info.time(),
-                            .dt = period_ * info.dt,
+                            .dt = period_.steps() * info.dt,
                             .step = info.step,
                             .seed = info.seed,
                             .player = who,
@@ -115,12 +115,12 @@ class Deciding {
   [[nodiscard]] Moment<State> moment(const State& state, const sim::StepInfo& info, PlayerId who,
                                      std::span<const std::byte> memory,
                                      std::span<const ubf::NodeVote> votes) const {
-    return {state, info, period_ * info.dt, who, memory, votes};
+    return {state, info, period_.steps() * info.dt, who, memory, votes};
   }
 
  private:
   std::shared_ptr<const Trees> trees_;
-  std::uint32_t period_;
+  sim::Every period_;
   std::vector<ubf::NodeIndex> outermost_;
 };
 

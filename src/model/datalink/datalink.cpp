@@ -25,8 +25,10 @@ std::uint8_t engagement(const Track& track, const OwnReport& own) {
                                    (shot ? kShotAt : 0));
 }
 
-SharedTrack share(const Track& track, const OwnReport& own, const track::Tracker& tracker) {
-  const Track now = track::carried_on(track, tracker, {own.position, own.velocity}, own.time);
+SharedTrack share(const Track& track, const OwnReport& own, const track::Tracker& tracker,
+                  track::Interval& ahead) {
+  const Track now =
+      track::carried_on(track, tracker, {own.position, own.velocity}, own.time, ahead);
   return {.position = narrow(now.position),
           .velocity = narrow(now.velocity),
           .along = now.along,
@@ -79,8 +81,9 @@ void transmit(DatalinkSent& sent, const OwnReport& own, const TrackFile& tracks,
   message.velocity = narrow(own.velocity);
   message.fuel = static_cast<float>(own.fuel);
   message.track_count = static_cast<std::uint32_t>(std::min(count, kSharedTracks));
+  track::Interval ahead;
   for (std::uint32_t i = 0; i < message.track_count; ++i)
-    message.tracks[i] = share(tracks.tracks[merits[i].index], own, tracker);
+    message.tracks[i] = share(tracks.tracks[merits[i].index], own, tracker, ahead);
   EYRIE_ASSERT(own.seekers.size() <= kSharedSeekers);
   std::copy(own.seekers.begin(), own.seekers.end(), message.seekers.begin());
   message.seeker_count = static_cast<std::uint32_t>(own.seekers.size());
@@ -101,8 +104,12 @@ constexpr double kSpeedSlack = 30;      ///< m/s, for the turn the mate made sin
 constexpr double kSelf = 500;  ///< m
 
 /// What the mate believes, now and as seen from here.
-track::Prediction estimate_of(const SharedTrack& shared, const DatalinkMessage& message,
-                              const track::TrackContext& context) {
+struct Estimate {
+  track::Prediction place;
+  track::Covariance covariance;
+};
+Estimate estimate_of(const SharedTrack& shared, const DatalinkMessage& message,
+                     const track::TrackContext& context, track::Interval& ahead) {
   const Track told{.position = widen(shared.position),
                    .velocity = widen(shared.velocity),
                    .time = message.time,
@@ -110,21 +117,22 @@ track::Prediction estimate_of(const SharedTrack& shared, const DatalinkMessage& 
                    .across = shared.across,
                    .turning = shared.turning};
   track::Prediction theirs = track::predict(
-      told, context.tracker, {message.position, widen(message.velocity)}, context.time);
+      told, context.tracker, {message.position, widen(message.velocity)}, context.time, ahead);
+  track::Covariance covariance = covariance_of(theirs);
   const Vec3 from_there = normalized(theirs.position - message.position, {1, 0, 0});
   const Vec3 from_here = normalized(theirs.position - context.ownship.position, {1, 0, 0});
-  track::turn_sight(theirs, norm2(cross(from_there, from_here)));
-  return theirs;
+  track::turn_sight(theirs, covariance, norm2(cross(from_there, from_here)));
+  return {theirs, covariance};
 }
 
-Contact as_contact(const track::Prediction& theirs, const track::TrackContext& context) {
+Contact as_contact(const Estimate& theirs, const track::TrackContext& context) {
   Contact contact;
-  contact.position = theirs.position;
+  contact.position = theirs.place.position;
   const Vec3 sight = contact.position - context.ownship.position;
   contact.range = norm(sight);
   contact.line = normalized(sight, {1, 0, 0});
-  contact.sigma_along = std::sqrt(theirs.along.position);
-  contact.sigma_across = std::sqrt(theirs.across.position);
+  contact.sigma_along = std::sqrt(theirs.covariance.along.position);
+  contact.sigma_across = std::sqrt(theirs.covariance.across.position);
   contact.source = kFromDatalink;
   return contact;
 }
@@ -188,9 +196,9 @@ bool may_be_mate(const track::Prediction& place, const DatalinkState& state,
 }
 
 Track remote_track(const SharedTrack& shared, const track::TrackContext& context,
-                   const track::Prediction& theirs) {
+                   const Estimate& theirs) {
   Track track;
-  track::set(track, theirs, context.time);
+  track::set(track, theirs.place, theirs.covariance, context.time);
   track.first_time = context.time;
   track.sensed_time = track.seen_time = kNever;
   track.truth = shared.truth;
@@ -274,9 +282,10 @@ void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMes
   forget_claims(file, bit);
 
   Now now(file, context);
+  track::Interval ahead;
   for (std::uint32_t i = 0; i < message.track_count; ++i) {
     const SharedTrack& shared = message.tracks[i];
-    const track::Prediction theirs = estimate_of(shared, message, context);
+    const Estimate theirs = estimate_of(shared, message, context, ahead);
     const Contact contact = as_contact(theirs, context);
     const double unsure = std::max(contact.sigma_along, contact.sigma_across);
     if (contact.range < kSelf + context.tracker.gate * unsure)
@@ -299,7 +308,7 @@ void fuse(TrackFile& file, const track::TrackContext& context, const DatalinkMes
                         .value = contact.range});
     } else if (shared.sensed) {
       Track& track = file.tracks[index];
-      if (track::take_in(track, now.of(index), theirs, context.ownship, context.time)) {
+      if (track::take_in(track, now.of(index), theirs.place, context.ownship, context.time)) {
         now.forget(index);
         track.truth = shared.truth;
         track.fresh = kFromDatalink;
@@ -323,16 +332,19 @@ void recognize_mate(TrackFile& file, const track::TrackContext& context, const M
   if (!mate.reported)
     return;
   const Contact contact = reported(mate, context);
+  const auto may_be = [&](const Track& track) {
+    const double speed_slack =
+        kSpeedSlack + kRecognized * static_cast<double>(track.velocity_sigma);
+    return track.identity == Identity::unknown &&
+           norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
+           norm(track.velocity - velocity_of(mate)) <= speed_slack;
+  };
+  if (std::none_of(file.tracks.begin(), file.tracks.begin() + file.count, may_be))
+    return;
   double best = kRecognized * kRecognized;
   const std::size_t index = Now(file, context).nearest(contact, best);
-  if (index == kMaxTracks)
-    return;
-  Track& track = file.tracks[index];
-  const double speed_slack = kSpeedSlack + kRecognized * static_cast<double>(track.velocity_sigma);
-  if (norm(position_at(track, context.time) - contact.position) <= kRecognizedFar &&
-      norm(track.velocity - velocity_of(mate)) <= speed_slack &&
-      track.identity == Identity::unknown)
-    track::identify(track, Identity::friendly, context);
+  if (index != kMaxTracks && may_be(file.tracks[index]))
+    track::identify(file.tracks[index], Identity::friendly, context);
 }
 
 }  // namespace eyrie::model::datalink

@@ -17,11 +17,11 @@ struct Sky {
 
 /// One aircraft: the rows that flying reads and writes, and what it is.
 struct Flyer {
-  const PointMass* model;
-  Kinematics* kinematics;
-  Flying* flying;
-  Propulsion* propulsion;
-  const Command* command;
+  const PointMass* model = nullptr;
+  Kinematics* kinematics = nullptr;
+  Flying* flying = nullptr;
+  Propulsion* propulsion = nullptr;
+  const Command* command = nullptr;
   std::span<const Route> routes = {};  ///< of its flight
   Load load = {};                      ///< stores on board
   bool tells_energy = true;            ///< Flying::energy is of this step
@@ -51,8 +51,8 @@ struct Engines {
   Real fuel, flow, throttle, thrust;
 };
 
-/// Flies one step as the commands ask, of as many as there are lanes.
-template <class Real>
+/// Flies one step as the commands ask, of as many as there are lanes; `kAlike`: all of one model.
+template <class Real, bool kAlike = math::kLanes<Real> == 1>
 [[gnu::flatten]] void fly_abreast(const Sky& sky, Flyer* flyers) {
   constexpr std::size_t kCount = math::kLanes<Real>;
   const auto each = [&](auto of) {
@@ -83,7 +83,7 @@ template <class Real>
   std::array<const PointMass*, kCount> models;
   for (std::size_t i = 0; i < kCount; ++i)
     models[i] = flyers[i].model;
-  const Equations<Real> equations(models);
+  const Equations<Real, kAlike> equations(models);
   const FlightConditionOf<Real> condition =
       equations.condition(k, sky.environment.atmosphere.at(k.altitude), engines.fuel,
                           LoadOf<Real>{each([](const Flyer& f) { return f.load.mass; }),

@@ -6,14 +6,25 @@
 #include "model/flight/abreast.hpp"
 
 namespace eyrie::model::flight {
+namespace {
+
+template <class Real>
+void fly_lanes(const Sky& sky, Flyer* flyers) {
+  bool alike = true;
+  for (std::size_t i = 1; i < math::kLanes<Real>; ++i)
+    alike &= flyers[i].model == flyers[0].model;
+  alike ? fly_abreast<Real, true>(sky, flyers) : fly_abreast<Real, false>(sky, flyers);
+}
+
+}  // namespace
 
 std::size_t fly_in_lanes([[maybe_unused]] const Sky& sky, [[maybe_unused]] std::span<Flyer> all) {
   std::size_t next = 0;
 #ifdef __AVX2__
   for (; next + 4 <= all.size(); next += 4)
-    fly_abreast<math::Lanes<4>>(sky, &all[next]);
+    fly_lanes<math::Lanes<4>>(sky, &all[next]);
   for (; next + 2 <= all.size(); next += 2)
-    fly_abreast<math::Lanes<2>>(sky, &all[next]);
+    fly_lanes<math::Lanes<2>>(sky, &all[next]);
 #endif
   return next;
 }

@@ -30,7 +30,8 @@ struct CellOf {
   Real fraction;
 };
 
-template <class Real>
+/// `kAlike`: all are of one model, so that its numbers are the same in every lane.
+template <class Real, bool kAlike = math::kLanes<Real> == 1>
 class Equations {
  public:
   using Mask = math::MaskOf<Real>;
@@ -54,9 +55,9 @@ class Equations {
     const CellOf<Real> cell = cell_of(&PointMass::mach_, c.mach);
     const auto blend = [&](double PointMass::ByMach::*of) {
       const Real below = math::each_lane<Real>(
-          [&](std::size_t i) { return models_[i]->by_mach_[cell.index[i]].*of; });
+          [&](std::size_t i) { return model(i).by_mach_[cell.index[i]].*of; });
       const Real above = math::each_lane<Real>([&](std::size_t i) {
-        const auto& by_mach = models_[i]->by_mach_;
+        const auto& by_mach = model(i).by_mach_;
         return by_mach[std::min(cell.index[i] + 1, by_mach.size() - 1)].*of;
       });
       return below + cell.fraction * (above - below);
@@ -216,9 +217,8 @@ class Equations {
     const Real at_military = dry * available.military;
     const Real share = math::select(available.military > 0,
                                     Engine::thrust_of(available, throttle) / available.military, 0);
-    const Real part = math::each_lane<Real>([&](std::size_t i) {
-      return models_[i]->airframe().engine.part_power(math::lane(share, i));
-    });
+    const Real part = math::each_lane<Real>(
+        [&](std::size_t i) { return model(i).airframe().engine.part_power(math::lane(share, i)); });
     const Real at_full = wet * available.afterburner;
     return math::max(math::select(throttle <= 1, at_military * part,
                                   at_military + (throttle - 1) * (at_full - at_military)),
@@ -241,28 +241,33 @@ class Equations {
     Real upwards, sideways, above;
   };
 
+  const PointMass& model(std::size_t i) const { return *models_[kAlike ? 0 : i]; }
+  Real of_each(auto number) const {
+    if constexpr (kAlike)
+      return number(model(0));
+    else
+      return math::each_lane<Real>([&](std::size_t i) { return number(model(i)); });
+  }
   Real each(double Airframe::*of) const {
-    return math::each_lane<Real>([&](std::size_t i) { return models_[i]->airframe().*of; });
+    return of_each([of](const PointMass& m) { return m.airframe().*of; });
   }
   Real each(double Aerodynamics::*of) const {
-    return math::each_lane<Real>(
-        [&](std::size_t i) { return models_[i]->airframe().aerodynamics.*of; });
+    return of_each([of](const PointMass& m) { return m.airframe().aerodynamics.*of; });
   }
   Real each(double Engine::*of) const {
-    return math::each_lane<Real>([&](std::size_t i) { return models_[i]->airframe().engine.*of; });
+    return of_each([of](const PointMass& m) { return m.airframe().engine.*of; });
   }
   Real each(double FlightLimits::*of) const {
-    return math::each_lane<Real>([&](std::size_t i) { return models_[i]->airframe().limits.*of; });
+    return of_each([of](const PointMass& m) { return m.airframe().limits.*of; });
   }
   Real each(double Autopilot::*of) const {
-    return math::each_lane<Real>(
-        [&](std::size_t i) { return models_[i]->airframe().autopilot.*of; });
+    return of_each([of](const PointMass& m) { return m.airframe().autopilot.*of; });
   }
 
   CellOf<Real> cell_of(Axis PointMass::*axis, const Real& x) const {
     CellOf<Real> cell;
     cell.fraction = math::each_lane<Real>([&](std::size_t i) {
-      const TableCell at = (models_[i]->*axis).cell(math::lane(x, i));
+      const TableCell at = (model(i).*axis).cell(math::lane(x, i));
       cell.index[i] = at.index;
       return at.fraction;
     });
@@ -273,7 +278,7 @@ class Equations {
     const CellOf<Real> cell = cell_of(&PointMass::altitude_, altitude);
     const auto at = [&](bool faster, bool higher, double PointMass::Power::*of) {
       return math::each_lane<Real>([&](std::size_t i) {
-        const PointMass& m = *models_[i];
+        const PointMass& m = model(i);
         const std::size_t columns = m.altitude_.size();
         return m.power_[(mach.index[i] + (faster && m.mach_.size() > 1)) * columns + cell.index[i] +
                         (higher && columns > 1)].*
@@ -313,16 +318,14 @@ class Equations {
     const Real for_speed =
         math::min(too_slow, each(&Autopilot::acceleration_share) * math::max(excess, 0));
     Real highest = math::max((excess - for_speed) / kGravity, 0);
-    highest = math::min(
-        highest, math::each_lane<Real>([&](std::size_t i) { return models_[i]->steepest_climb_; }));
+    highest = math::min(highest, of_each([](const PointMass& m) { return m.steepest_climb_; }));
     // near the slowest speed the nose goes down, whatever was asked
     highest = math::min(highest, (excess + (k.speed - slowest) / speed_time) / kGravity);
 
     // downwards: as steep as the overspeed permits
     const Real most = math::min(speed_wanted + each(&Autopilot::dive_overspeed), fastest);
     const Real too_fast = (k.speed - most) / speed_time;
-    const Real steepest =
-        math::each_lane<Real>([&](std::size_t i) { return models_[i]->steepest_dive_; });
+    const Real steepest = of_each([](const PointMass& m) { return m.steepest_dive_; });
     const Real lowest =
         math::max(math::min((c.thrust.idle - drag) / c.mass + too_fast, 0) / kGravity, -steepest);
     return math::min(math::max(asked, lowest), highest);

@@ -36,14 +36,21 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
 }
 
 Load FlightSystem::load_of(const weapon::Stores& stores) const {
-  Load load;
-  for (const weapon::Station& station : stores.stations)
-    if (station.store != 0 && station.count != 0) {
-      const Load& each = stores_[station.store - 1u];
-      load.mass += station.count * each.mass;
-      load.drag_area += station.count * each.drag_area;
-    }
-  return load;
+  math::Lanes<2> load(0);             // mass and drag area
+  constexpr std::size_t kAtOnce = 4;  // stations, of which a quarter are empty on most aircraft
+  static_assert(weapon::kMaxStations % kAtOnce == 0);
+  for (std::size_t first = 0; first < weapon::kMaxStations; first += kAtOnce) {
+    std::uint64_t bytes;
+    static_assert(sizeof bytes == kAtOnce * sizeof(weapon::Station));
+    std::memcpy(&bytes, &stores.stations[first], sizeof bytes);
+    for (std::size_t i = first; bytes != 0 && i < first + kAtOnce; ++i)
+      if (const weapon::Station& station = stores.stations[i]; station.store != 0) {
+        const Load& each = stores_[station.store - 1u];
+        load += math::Lanes<2>(station.count) *
+                math::Lanes<2>(math::Lanes<2>::Vector{each.mass, each.drag_area});
+      }
+  }
+  return {.mass = load.v[0], .drag_area = load.v[1]};
 }
 
 void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
@@ -58,29 +65,29 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
   const double time = info.time();
 
   const Sky sky{library_->reference, library_->environment, time, info.dt};
-  constexpr std::size_t kAbreast = 8;
+  constexpr std::size_t kAbreast = 4;
   for (std::size_t begin = chunk.begin, end; begin < chunk.end; begin = end) {
     end = std::min(begin + kAbreast, chunk.end);
     std::array<Flyer, kAbreast> flyers;
     std::array<std::size_t, kAbreast> rows_of;
-    std::array<bool, kAbreast> dry{};
     std::size_t count = 0;
+    std::uint32_t dry = 0;  // a bit for each row
     for (std::size_t i = begin; i < end; ++i) {
       if (fit[i].remote != 0)
         continue;
       const Type& type = types_[fit[i].type];
       Flyer& f = flyers[count];
-      f = {.model = &models_[type.airframe],
-           .kinematics = &kinematics[i],
-           .flying = &flying[i],
-           .propulsion = &propulsion[i],
-           .command = &command[i],
-           .routes = fit[i].flight < library_->flights.size()
-                         ? std::span<const Route>(library_->flights[fit[i].flight].routes)
-                         : std::span<const Route>()};
+      f.model = &models_[type.airframe];
+      f.kinematics = &kinematics[i];
+      f.flying = &flying[i];
+      f.propulsion = &propulsion[i];
+      f.command = &command[i];
+      f.routes = {};
+      if (fit[i].flight < library_->flights.size())
+        f.routes = library_->flights[fit[i].flight].routes;
       if (type.dynamics == Dynamics::laero) {
         fly_laero(sky, f);
-        dry[i - begin] = f.ran_dry;
+        dry |= f.ran_dry ? 1u << (i - begin) : 0;
         continue;
       }
       f.load = load_of(stores[i]);
@@ -89,9 +96,9 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
     }
     fly(sky, std::span(flyers).first(count));
     for (std::size_t i = 0; i < count; ++i)
-      dry[rows_of[i]] = flyers[i].ran_dry;
-    for (std::size_t i = begin; i < end; ++i)
-      if (dry[i - begin])
+      dry |= flyers[i].ran_dry ? 1u << rows_of[i] : 0;
+    for (std::size_t i = begin; dry != 0; ++i, dry >>= 1)
+      if ((dry & 1) != 0)
         out.emit({.kind = EventKind::fuel_out, .who = ids[i], .place = kinematics[i].position});
   }
 }

@@ -39,7 +39,7 @@ class FlightSystem final : public sim::System {
   };
   AircraftColumns columns_;
   std::shared_ptr<const Library> library_;
-  std::uint32_t period_;  ///< steps
+  sim::Every period_;
   std::vector<Type> types_;
   std::vector<PointMass> models_;  ///< one per airframe
   std::vector<Load> stores_;       ///< one per missile type

@@ -68,7 +68,7 @@ FlightCondition lane_of(const FlightConditionOf<Real>& c, std::size_t i) {
           {of(c.thrust.idle), of(c.thrust.military), of(c.thrust.afterburner)}};
 }
 
-template <class Real>
+template <class Real, bool kAlike>
 class Equations;
 
 /// The tables of one airframe on common breakpoints, so that a step looks its Mach number and its
@@ -96,7 +96,7 @@ class PointMass {
             const Controls& controls, const Vec3& wind_ned, double dt) const;
 
  private:
-  template <class Real>
+  template <class Real, bool kAlike>
   friend class Equations;
   struct ByMach {
     double zero_lift_drag, induced_drag, max_lift;

@@ -123,6 +123,8 @@ void read_datalink(const Scene& scene, Self& self) {
     }
     if (!row)
       continue;
+    if (scene.sent[*row].sent == mate.received)
+      continue;  // nothing since the last look
     const Kinematics& other = scene.kinematics[*row];
     const double reach = std::min(
         datalink->range, horizon_range(self.kinematics.altitude, other.altitude, kRadioEarth));

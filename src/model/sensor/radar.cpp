@@ -55,9 +55,10 @@ void sweep(const Radar& radar, const Vec3& down, Emission& emission) {
   const double elevation = math::asin(std::clamp(-dot(emission.boresight, down), -1.0, 1.0));
   const double half_elevation = radar.scan_bars * radar.bar_spacing / 2;
   emission.down = down;
-  emission.cos_half_angle = math::cos(radar.scan_half_azimuth);
-  emission.sin_low = math::sin(std::max(elevation - half_elevation, -kPi / 2));
-  emission.sin_high = math::sin(std::min(elevation + half_elevation, kPi / 2));
+  const auto [low, high] = math::sin_cos(std::max(elevation - half_elevation, -kPi / 2),
+                                         std::min(elevation + half_elevation, kPi / 2));
+  emission.sin_low = low.sin;
+  emission.sin_high = high.sin;
 }
 
 double mean_echo(const Radar& radar, const Detector& detector, const Kinematics& own,

@@ -169,8 +169,8 @@ struct Antenna {
 /// The search volume around the scan center of `state`.
 [[nodiscard]] Antenna aim(const Radar& radar, const RadarState& state, const Kinematics& own);
 
-/// Makes an emission the sector that the search scan sweeps around its boresight, as `covers`, but
-/// for the gimbal; `down` is that of its owner.
+/// Sets the elevations of an emission that is the sector which the search scan sweeps around its
+/// boresight, as `covers`, but for the gimbal; `down` is that of its owner.
 void sweep(const Radar& radar, const Vec3& down, Emission& emission);
 
 /// Whether a line of sight (m, from the antenna) lies in range, inside the gimbal and in the scan.

@@ -338,6 +338,7 @@ Emission radiate(const Scene& scene, std::size_t row, const RadarState& state,
     const Axes scan = level_axes(own, own.heading + state.scan_azimuth);
     emission.kind = EmissionKind::search;
     emission.boresight = ce * scan.forward - se * scan.down;
+    emission.cos_half_angle = suite.cos_half_azimuth;
     sweep(radar, own.down, emission);
     return emission;
   }

@@ -55,9 +55,10 @@ struct SensorSuite {
   const Jammer* jammer = nullptr;
   const track::Tracker* tracker = nullptr;  ///< always there
   std::uint16_t radar_index = 0;            ///< in the Library: the type of its emissions
-  std::uint32_t scan_steps = 0, track_steps = 0, rwr_steps = 0, seeker_steps = 0;
-  std::uint32_t irst_steps = 0, visual_steps = 0, upkeep_steps = 0, datalink_steps = 0;
-  std::uint32_t any_steps = 0;  ///< divides all of these: nothing is due in between
+  double cos_half_azimuth = 1;              ///< of the radar's scan
+  sim::Every scan_steps, track_steps, rwr_steps, seeker_steps;
+  sim::Every irst_steps, visual_steps, upkeep_steps, datalink_steps;
+  sim::Every any_steps;  ///< divides all of these: nothing is due in between
 };
 
 /// What everybody may read in perceive and act: the truth as the last move left it.

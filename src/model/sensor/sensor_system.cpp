@@ -36,9 +36,15 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   suite.jammer = chosen(library.jammers, index.jammer);
   suite.tracker = index.tracker ? &library.trackers[*index.tracker] : &kPlainTracker;
 
-  const auto steps = [dt](double rate) { return sim::period_steps(rate, dt).steps; };
+  std::uint32_t any = 0;
+  const auto steps = [&](double rate) {
+    const std::uint32_t period = sim::period_steps(rate, dt).steps;
+    any = std::gcd(any, period);
+    return sim::Every(period);
+  };
   if (suite.radar != nullptr) {
     suite.radar_index = *index.radar;
+    suite.cos_half_azimuth = math::cos(suite.radar->scan_half_azimuth);
     suite.scan_steps = steps(suite.radar->scan_rate);
     suite.track_steps = steps(suite.radar->track_rate);
   }
@@ -53,10 +59,7 @@ SensorSuite suite_of(const Library& library, const AircraftType& type, double dt
   suite.upkeep_steps = steps(suite.tracker->rate);
   if (suite.datalink != nullptr)
     suite.datalink_steps = steps(suite.datalink->rate);
-  for (const std::uint32_t period :
-       {suite.scan_steps, suite.track_steps, suite.rwr_steps, suite.seeker_steps, suite.irst_steps,
-        suite.visual_steps, suite.upkeep_steps, suite.datalink_steps})
-    suite.any_steps = std::gcd(suite.any_steps, period);
+  suite.any_steps = any;
   return suite;
 }
 
@@ -129,6 +132,23 @@ void perceive_one(const Scene& scene, Self& self) {
     forget(self.rwr, *suite.rwr, scene.time);
 }
 
+/// The rows of which some sensor is due.
+struct Due {
+  std::span<const PlayerId> ids;
+  std::span<const Fit> fit;
+  std::span<const SensorSuite> suites;
+  std::uint64_t step;
+  std::size_t end;
+
+  /// The first from this row on, or the end.
+  [[nodiscard]] std::size_t from(std::size_t row) const {
+    while (row < end &&
+           (fit[row].remote != 0 || !due(step, ids[row], suites[fit[row].type].any_steps)))
+      ++row;
+    return row;
+  }
+};
+
 }  // namespace
 
 SensorSystem::SensorSystem(const AircraftColumns& aircraft, const MissileColumns& missiles,
@@ -163,6 +183,11 @@ Scene SensorSystem::scene(const sim::World& world, const sim::StepInfo& info) co
 
 void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                             sim::Outbox& out) const {
+  const Due due_rows{world.ids(aircraft_.table), world.rows(aircraft_.fit), suites_, info.step,
+                     chunk.end};
+  const std::size_t first = due_rows.from(chunk.begin);
+  if (first == chunk.end)
+    return;
   Scene all = scene(world, info);
   const RowBoxes boxes(all.kinematics);
   all.boxes = &boxes;
@@ -174,9 +199,7 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
   const auto datalink = world.rows(aircraft_.datalink);
   track::TrackNewsList news;
 
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-    if (!due(all.step, all.ids[i], all.suite(i).any_steps) || all.fit[i].remote != 0)
-      continue;
+  for (std::size_t i = first; i < chunk.end; i = due_rows.from(i + 1)) {
     news.clear();
     Self self{.row = i,
               .id = all.ids[i],
@@ -198,6 +221,11 @@ void SensorSystem::perceive(sim::World& world, const sim::StepInfo& info, sim::C
 
 void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk,
                        sim::Outbox&) const {
+  const Due due_rows{world.ids(aircraft_.table), world.rows(aircraft_.fit), suites_, info.step,
+                     chunk.end};
+  const std::size_t first = due_rows.from(chunk.begin);
+  if (first == chunk.end)
+    return;
   const Scene all = scene(world, info);
   const auto request = std::as_const(world).rows(aircraft_.request);
   const auto radar = std::as_const(world).rows(aircraft_.radar);
@@ -207,11 +235,9 @@ void SensorSystem::act(sim::World& world, const sim::StepInfo& info, sim::Chunk 
   const auto emission = world.rows(aircraft_.emission);
   const auto sent = world.rows(aircraft_.sent);
 
-  for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+  for (std::size_t i = first; i < chunk.end; i = due_rows.from(i + 1)) {
     const PlayerId id = all.ids[i];
     const SensorSuite& suite = all.suite(i);
-    if (!due(all.step, id, suite.any_steps) || all.fit[i].remote != 0)
-      continue;
     if (due(all.step, id, suite.upkeep_steps))
       emission[i] = radiate(all, i, radar[i], tracks[i], rwr[i]);
 

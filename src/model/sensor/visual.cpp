@@ -38,9 +38,7 @@ bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
   const double search = cue == Cue::none ? visual.search : visual.cued_search;
   if (cue != Cue::held) {
     // 1 - exp(-x) <= x: most of those far away need no more than this
-    const double largest =
-        std::max({signature.area_front, signature.area_side, signature.area_top});
-    if (u >= search * largest / (range * range * visual.rate))
+    if (u >= search * largest_silhouette(signature) / (range * range * visual.rate))
       return false;
   }
   const Vec3 sight = other.position - eyes.position;
@@ -54,6 +52,8 @@ bool glimpsed(const Visual& visual, const Eyes& eyes, const Kinematics& other,
 
 bool recognizes(const Visual& visual, const Eyes& eyes, const Kinematics& other,
                 const Signature& signature, double range) {
+  if (apparent_diameter(largest_silhouette(signature), range) * 1.001 < visual.identify_angle)
+    return false;  // however it lies
   const Vec3 towards = (eyes.position - other.position) / range;
   const double area = silhouette(signature, body_axes(other), towards);
   return apparent_diameter(area, range) >= visual.identify_angle;

@@ -10,39 +10,61 @@ float worst_sigma(double a, double b) {
   return static_cast<float>(std::sqrt(std::max(a, b)));
 }
 
-/// The spread of two means as a covariance of one axis.
-struct Spread {
-  AxisState along, across;
+/// How much of two that are believed with their probabilities goes into their mean.
+struct Weights {
+  double total, a, b;
+
+  Weights(const Mode& first, const Mode& second) : total(first.probability + second.probability) {
+    b = total > 0 ? second.probability / total : 0;
+    a = 1 - b;
+  }
+  [[nodiscard]] Vec3 mean(const Vec3& x, const Vec3& y) const { return x + b * (y - x); }
 };
-Spread spread(const Mode& a, const Mode& b, const Vec3& line) {
+
+/// Of the mean of two modes. Without `kAccelerates` neither has an acceleration.
+template <bool kAccelerates = true>
+Covariance covariance_of(const Mode& a, const Mode& b, const Weights& weights, const Vec3& line) {
+  // the spread of their means counts as well
   const Vec3 p = b.position - a.position, v = b.velocity - a.velocity,
              w = b.acceleration - a.acceleration;
-  const double pa = dot(p, line), va = dot(v, line), wa = dot(w, line);
-  return {
-      .along = {pa * pa, pa * va, va * va, pa * wa, va * wa, wa * wa},
-      .across = {(norm2(p) - pa * pa) / 2, (dot(p, v) - pa * va) / 2, (norm2(v) - va * va) / 2,
-                 (dot(p, w) - pa * wa) / 2, (dot(v, w) - va * wa) / 2, (norm2(w) - wa * wa) / 2}};
-}
-
-/// Both believed with their probabilities, as one.
-Mode mixture(const Mode& a, const Mode& b, const Vec3& line) {
-  const double total = a.probability + b.probability;
-  const double wb = total > 0 ? b.probability / total : 0, wa = 1 - wb;
-  const Spread apart = spread(a, b, line);
-  const auto mean = [&](const Vec3& x, const Vec3& y) { return x + wb * (y - x); };
-  const auto covariance = [&](const AxisState& x, const AxisState& y, const AxisState& means) {
-    return plus(plus(plus({}, wa, x), wb, y), wa * wb, means);
+  const double pa = dot(p, line), va = dot(v, line);
+  AxisState along{pa * pa, pa * va, va * va};
+  AxisState across{(norm2(p) - pa * pa) / 2, (dot(p, v) - pa * va) / 2, (norm2(v) - va * va) / 2};
+  if constexpr (kAccelerates) {
+    const double wa = dot(w, line);
+    along.position_acceleration = pa * wa;
+    along.velocity_acceleration = va * wa;
+    along.acceleration = wa * wa;
+    across.position_acceleration = (dot(p, w) - pa * wa) / 2;
+    across.velocity_acceleration = (dot(v, w) - va * wa) / 2;
+    across.acceleration = (norm2(w) - wa * wa) / 2;
+  }
+  const auto both = [&](const AxisState& x, const AxisState& y, const AxisState& means) {
+    const auto of = [&](double AxisState::*m) {
+      return 0 + weights.a * (x.*m) + weights.b * (y.*m) + weights.a * weights.b * (means.*m);
+    };
+    AxisState c{of(&AxisState::position), of(&AxisState::cross), of(&AxisState::velocity)};
+    if constexpr (kAccelerates) {
+      c.position_acceleration = of(&AxisState::position_acceleration);
+      c.velocity_acceleration = of(&AxisState::velocity_acceleration);
+      c.acceleration = of(&AxisState::acceleration);
+    }
+    return c;
   };
-  return {.position = mean(a.position, b.position),
-          .velocity = mean(a.velocity, b.velocity),
-          .acceleration = mean(a.acceleration, b.acceleration),
-          .along = covariance(a.along, b.along, apart.along),
-          .across = covariance(a.across, b.across, apart.across),
-          .probability = total};
+  return {both(a.along, b.along, along), both(a.across, b.across, across)};
 }
 
-AxisState without_acceleration(const AxisState& c) {
-  return {c.position, c.cross, c.velocity};
+/// Both as one.
+template <bool kAccelerates = true>
+Mode mixture(const Mode& a, const Mode& b, const Vec3& line) {
+  const Weights weights(a, b);
+  const Covariance c = covariance_of<kAccelerates>(a, b, weights, line);
+  return {.position = weights.mean(a.position, b.position),
+          .velocity = weights.mean(a.velocity, b.velocity),
+          .acceleration = kAccelerates ? weights.mean(a.acceleration, b.acceleration) : Vec3{},
+          .along = c.along,
+          .across = c.across,
+          .probability = weights.total};
 }
 
 /// A straight flight that becomes a turn: some acceleration, nobody knows which.
@@ -63,10 +85,10 @@ void carry(Mode& mode, const Transition& t) {
   mode.across = predicted(mode.across, t);
 }
 
-void store(Track& track, const Mode& straight, const Mode& turning, const Vec3& line) {
-  const Mode both = mixture(straight, turning, line);
-  track.position = both.position;
-  track.velocity = both.velocity;
+void store(Track& track, const Mode& straight, const Mode& turning, const Weights& weights,
+           const Covariance& covariance) {
+  track.position = weights.mean(straight.position, turning.position);
+  track.velocity = weights.mean(straight.velocity, turning.velocity);
   track.along = narrow(straight.along);
   track.across = narrow(straight.across);
   track.turning = {.along = narrow_turning(turning.along),
@@ -75,8 +97,13 @@ void store(Track& track, const Mode& straight, const Mode& turning, const Vec3& 
                    .velocity = narrow(turning.velocity - straight.velocity),
                    .acceleration = narrow(turning.acceleration),
                    .probability = static_cast<float>(turning.probability)};
-  track.position_sigma = worst_sigma(both.along.position, both.across.position);
-  track.velocity_sigma = worst_sigma(both.along.velocity, both.across.velocity);
+  track.position_sigma = worst_sigma(covariance.along.position, covariance.across.position);
+  track.velocity_sigma = worst_sigma(covariance.along.velocity, covariance.across.velocity);
+}
+
+void store(Track& track, const Mode& straight, const Mode& turning, const Vec3& line) {
+  const Weights weights(straight, turning);
+  store(track, straight, turning, weights, covariance_of(straight, turning, weights, line));
 }
 
 void stamp(Track& track, const Contact& contact, double time) {
@@ -164,8 +191,12 @@ void turn_sight(AxisState& along, AxisState& across, double sin2) {
 
 }  // namespace
 
-void turn_sight(Prediction& prediction, double sin2) {
-  turn_sight(prediction.along, prediction.across, sin2);
+Covariance covariance_of(const Prediction& p) {
+  return covariance_of(p.straight, p.turning, Weights(p.straight, p.turning), p.line);
+}
+
+void turn_sight(Prediction& prediction, Covariance& covariance, double sin2) {
+  turn_sight(covariance.along, covariance.across, sin2);
   turn_sight(prediction.straight.along, prediction.straight.across, sin2);
   turn_sight(prediction.turning.along, prediction.turning.across, sin2);
 }
@@ -216,24 +247,20 @@ Prediction predict(const Track& track, const Tracker& tracker, const Ownship& ow
     begun.along = with_acceleration(begun.along, variance_of(tracker.motion));
     begun.across = with_acceleration(begun.across, variance_of(tracker.motion));
     ended.probability *= ahead.ends;
-    ended.acceleration = {};
-    ended.along = without_acceleration(ended.along);
-    ended.across = without_acceleration(ended.across);
     straight.probability *= 1 - ahead.begins;
     turning.probability *= 1 - ahead.ends;
-    straight = mixture(straight, ended, line);
+    straight = mixture<false>(straight, ended, line);
     turning = mixture(turning, begun, line);
     carry(straight, ahead.straight);
     carry(turning, ahead.turning);
   }
 
-  const Mode both = mixture(straight, turning, line);
-  return {.position = both.position,
-          .velocity = both.velocity,
-          .along = both.along,
-          .across = both.across,
+  const Weights weights(straight, turning);
+  return {.position = weights.mean(straight.position, turning.position),
+          .velocity = weights.mean(straight.velocity, turning.velocity),
           .straight = straight,
-          .turning = turning};
+          .turning = turning,
+          .line = line};
 }
 
 Match match(const Prediction& prediction, const Contact& contact) {
@@ -287,16 +314,17 @@ Track first_track(const Tracker& tracker, const Contact& contact, double time) {
   return track;
 }
 
-void set(Track& track, const Prediction& prediction, double time) {
-  store(track, prediction.straight, prediction.turning, {1, 0, 0});
-  track.position_sigma = worst_sigma(prediction.along.position, prediction.across.position);
-  track.velocity_sigma = worst_sigma(prediction.along.velocity, prediction.across.velocity);
+void set(Track& track, const Prediction& prediction, const Covariance& covariance, double time) {
+  const Mode &straight = prediction.straight, &turning = prediction.turning;
+  store(track, straight, turning, Weights(straight, turning), covariance);
   track.time = time;
 }
 
-Track carried_on(const Track& track, const Tracker& tracker, const Ownship& ownship, double time) {
+Track carried_on(const Track& track, const Tracker& tracker, const Ownship& ownship, double time,
+                 Interval& ahead) {
   Track later = track;
-  set(later, predict(track, tracker, ownship, time), time);
+  const Prediction then = predict(track, tracker, ownship, time, ahead);
+  set(later, then, covariance_of(then), time);
   return later;
 }
 

@@ -55,14 +55,21 @@ struct Mode {
   double probability = 0;  ///< that the target moves like this
 };
 
-/// Where a track is believed to be at some time, with the covariance it then has: the mean over the
-/// models, and what each of them says.
+/// Where a track is believed to be at some time: the mean over the models, and what each of them
+/// says.
 struct Prediction {
   Vec3 position{};  ///< m
   Vec3 velocity{};  ///< m/s
-  AxisState along, across;
   Mode straight, turning;
+  Vec3 line{};  ///< of sight, to which the covariances belong
 };
+
+/// A covariance along and across the line of sight.
+struct Covariance {
+  AxisState along, across;
+};
+/// That of the mean: of both models, and of how far they are apart.
+[[nodiscard]] Covariance covariance_of(const Prediction& prediction);
 
 /// Carries a track on to `time` (s): the first half of one cycle of the interacting multiple model
 /// estimator (Blom & Bar-Shalom, IEEE Trans. AC-33 (1988) 780; Bar-Shalom et al., sec. 11.6.6).
@@ -102,12 +109,13 @@ void filter(Track& track, const Prediction& prediction, const Contact& contact, 
 /// it.
 [[nodiscard]] Track first_track(const Tracker& tracker, const Contact& contact, double time);
 
-/// The track as it is believed to be at `time` (s); nothing was learned meanwhile.
+/// The track as it is believed to be at `time` (s); nothing was learned meanwhile. `ahead` as for
+/// predict().
 [[nodiscard]] Track carried_on(const Track& track, const Tracker& tracker, const Ownship& ownship,
-                               double time);
+                               double time, Interval& ahead);
 
-/// Sets a track to a prediction for `time` (s).
-void set(Track& track, const Prediction& prediction, double time);
+/// Sets a track to a prediction for `time` (s), whose mean has that covariance.
+void set(Track& track, const Prediction& prediction, const Covariance& covariance, double time);
 
 /// Takes in what somebody else believes about the same target at the same time, as it is seen from
 /// here. It may have been made of what was learned from here: covariance intersection, axis by axis
@@ -116,10 +124,10 @@ void set(Track& track, const Prediction& prediction, double time);
 bool take_in(Track& track, const Prediction& own, const Prediction& theirs, const Ownship& ownship,
              double time);
 
-/// A prediction as it is seen from elsewhere, where the line of sight has turned by an angle with
-/// that sine squared: the diagonal of the turned covariances, averaged over the two axes across, so
-/// that the trace of along + 2 across stays.
-void turn_sight(Prediction& prediction, double sin2);
+/// A covariance, and those of both models, as they are seen from elsewhere, where the line of sight
+/// has turned by an angle with that sine squared: the diagonal of the turned covariance, averaged
+/// over the two axes across, so that the trace of along + 2 across stays.
+void turn_sight(Prediction& prediction, Covariance& covariance, double sin2);
 
 /// Sets the two sigmas from the covariances, carried on to `time`. `ahead` is the interval that the
 /// last track needed; tracks of one look share it.

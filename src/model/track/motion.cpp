@@ -19,10 +19,12 @@ Transition straight_on(const Motion& motion, double dt) {
   return {.dt = dt, .noise = {q * dt * dt * dt / 3, q * dt * dt / 2, q * dt}};
 }
 
-Transition turn(const Motion& motion, double dt) {
+namespace {
+
+/// Which part of an acceleration is left is `kept`: e^-x.
+Transition turn(const Motion& motion, double dt, double x, double kept) {
   const double variance = motion.maneuver * motion.maneuver, memory = motion.maneuver_memory;
-  const double x = dt / memory;
-  const double kept = math::exp(-x), kept2 = kept * kept;
+  const double kept2 = kept * kept;
   Transition t{.dt = dt, .kept = kept};
   if (x < kShort) {
     const double q = 2 * variance / memory, dt2 = dt * dt;
@@ -45,10 +47,19 @@ Transition turn(const Motion& motion, double dt) {
   return t;
 }
 
+}  // namespace
+
+Transition turn(const Motion& motion, double dt) {
+  const double x = dt / motion.maneuver_memory;
+  return turn(motion, dt, x, math::exp(-x));
+}
+
 Interval interval(const Motion& motion, double dt) {
-  const double settled = 1 - math::exp(-dt / motion.straight_time - dt / motion.turn_time);
+  const double x = dt / motion.maneuver_memory;
+  const auto [kept, as_it_was] = math::exp(-x, -dt / motion.straight_time - dt / motion.turn_time);
+  const double settled = 1 - as_it_was;
   return {.straight = straight_on(motion, dt),
-          .turning = turn(motion, dt),
+          .turning = turn(motion, dt, x, kept),
           .begins = motion.turning() * settled,
           .ends = (1 - motion.turning()) * settled};
 }

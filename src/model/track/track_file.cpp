@@ -87,19 +87,20 @@ bool may_be_one(const Track& a, const Track& b, const TrackContext& context) {
   return apart >= (by_eye ? context.tracker.glance_time : context.tracker.coast_time / 4);
 }
 
-bool coincide(const Prediction& a, const Prediction& b, const TrackContext& context) {
+bool coincide(const Prediction& a, const Prediction& b, const Covariance& of_a,
+              const Covariance& of_b, const TrackContext& context) {
   const double gate2 = context.tracker.merge_gate * context.tracker.merge_gate;
   const Vec3 apart = a.position - b.position;
   const Vec3 line = normalized(a.position - context.ownship.position, {1, 0, 0});
   const double along = dot(apart, line), across2 = std::max(norm2(apart) - along * along, 0.0);
   if (across2 > context.tracker.max_gate * context.tracker.max_gate)
     return false;
-  if (along * along / (a.along.position + b.along.position) +
-          across2 / (a.across.position + b.across.position) >
+  if (along * along / (of_a.along.position + of_b.along.position) +
+          across2 / (of_a.across.position + of_b.across.position) >
       gate2)
     return false;
-  const double speed_variance =
-      std::max(a.along.velocity, a.across.velocity) + std::max(b.along.velocity, b.across.velocity);
+  const double speed_variance = std::max(of_a.along.velocity, of_a.across.velocity) +
+                                std::max(of_b.along.velocity, of_b.across.velocity);
   return norm2(a.velocity - b.velocity) <= gate2 * speed_variance;
 }
 
@@ -162,12 +163,13 @@ void merge_duplicates(TrackFile& file, const TrackContext& context, Interval& ah
       }
       const Prediction a = predict(older, context.tracker, context.ownship, context.time, ahead);
       const Prediction b = predict(newer, context.tracker, context.ownship, context.time, ahead);
-      if (!coincide(a, b, context)) {
+      const Covariance of_a = covariance_of(a), of_b = covariance_of(b);
+      if (!coincide(a, b, of_a, of_b, context)) {
         ++j;
         continue;
       }
-      const bool newer_is_better =
-          b.along.position + 2 * b.across.position < a.along.position + 2 * a.across.position;
+      const bool newer_is_better = of_b.along.position + 2 * of_b.across.position <
+                                   of_a.along.position + 2 * of_a.across.position;
       absorb(older, newer, newer_is_better, context);
       refresh_sigmas(older, context.tracker, context.time, ahead);
       newer.confirmed = 0;  // it is not lost, it lives on in the older one

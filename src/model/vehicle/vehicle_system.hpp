@@ -25,7 +25,7 @@ class VehicleSystem final : public sim::System {
   struct Suite {
     const sensor::Visual* visual = nullptr;
     const datalink::Datalink* datalink = nullptr;
-    std::uint32_t visual_steps = 1, datalink_steps = 1;
+    sim::Every visual_steps, datalink_steps;
   };
   void look(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;
   void listen(sim::World& world, const sim::StepInfo& info, sim::Chunk chunk) const;

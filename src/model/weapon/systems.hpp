@@ -56,7 +56,7 @@ class MissileSystem final : public sim::System {
   AircraftColumns aircraft_;
   MissileColumns missiles_;
   std::shared_ptr<const Library> library_;
-  std::vector<std::uint32_t> look_period_;  ///< steps, per missile type
+  std::vector<sim::Every> look_period_;  ///< per missile type
 };
 
 /// One step of one missile through the air of `library`, and the vertical at its new place.

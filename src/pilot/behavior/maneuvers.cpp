@@ -193,9 +193,12 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
     soonest = time;
     pass = there;
   };
-  for (const Seen& seen : s.tracks_seen())
-    if (seen.track->confirmed)
+  for (const Seen& seen : s.tracks_seen()) {
+    // most are too far to come near in time, however they fly
+    const double fastest = norm(seen.track->velocity) + norm(s.own.velocity);
+    if (seen.track->confirmed && seen.range <= (miss_ + soonest * fastest) * (1 + 1e-9))
       look(seen.ned, s.velocity_of(seen));
+  }
   any_mate(s.datalink, [&](const model::Mate& mate) {
     look(to_ned(s.own, position_at(mate, s.time) - s.own.position),
          to_ned(s.own, velocity_of(mate)));
