@@ -80,6 +80,9 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
     EXPECT_EQ(ran.code, 2) << wrong[1] << "\n" << ran.err;
     EXPECT_NE(ran.err.find("dis"), std::string::npos) << ran.err;
   }
+  const Ran any = run_program(folder, {"fly", "merge", "--dis=0.0.0.0:3001"});
+  EXPECT_EQ(any.code, 2);
+  EXPECT_TRUE(any.err.starts_with("eyrie: --dis: '0.0.0.0:3001' is where one listens")) << any.err;
   const Ran lo = run_program(folder, {"fly", "merge", "--dis", "--dis-interface", "lo"});
   EXPECT_NE(lo.err.find("'lo' is no IPv4 address of this machine"), std::string::npos) << lo.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
