@@ -64,8 +64,8 @@ std::string datagram_endpoint(const std::string& text) {
 }
 
 std::string own_ipv4(const std::string& text) {
-  return unless(address(text).empty() && text.find(':') == std::string::npos, text,
-                "IPv4 address of this machine such as 192.168.1.7");
+  return unless(address(text).empty() && text.find(':') == std::string::npos && text != "0.0.0.0",
+                text, "IPv4 address of this machine such as 192.168.1.7");
 }
 
 std::string station(const std::string& text) {

@@ -73,6 +73,7 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
                                              {"--dis-station", "1.1.1"},
                                              {"--dis", "--dis-interface", "203.0.113.7"},
                                              {"--dis", "--dis-interface", "lo"},
+                                             {"--dis", "--dis-interface", "0.0.0.0"},
                                              {"--dis", "--seeds", "1..2"}}) {
     std::vector<std::string> words{"fly", "merge"};
     words.insert(words.end(), wrong.begin(), wrong.end());
