@@ -54,13 +54,18 @@ std::string endpoint(const std::string& text) {
 
 std::string datagram_endpoint(const std::string& text) {
   const auto at = net::endpoint_of(text, kDisStandard);
+  if (at && at->address == "0.0.0.0")
+    return fmt::format(
+        "{} is where one listens, and nobody is told: name a machine, a network or a "
+        "group, such as 127.0.0.1, 192.168.1.255 or 239.1.2.3",
+        quote(text));
   return unless(at && at->port != 0 && at->address.find(':') == std::string::npos, text,
                 "port or IPv4 address such as 3000, 239.1.2.3 or 192.168.1.255:3000");
 }
 
 std::string own_ipv4(const std::string& text) {
-  return unless(address(text).empty() && text.find(':') == std::string::npos, text,
-                "IPv4 address of this machine such as 192.168.1.7");
+  return unless(address(text).empty() && text.find(':') == std::string::npos && text != "0.0.0.0",
+                text, "IPv4 address of this machine such as 192.168.1.7");
 }
 
 std::string station(const std::string& text) {

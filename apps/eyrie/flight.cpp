@@ -74,6 +74,10 @@ void refuse_what_is_set_twice(const FlyOptions& options) {
 
 }  // namespace
 
+void demand_place_for_runs() {
+  static_cast<void>(disk::OutputFolder({.path = "runs/latest", .numbered = true}));
+}
+
 std::vector<std::string> overrides(const FlyOptions& options) {
   refuse_what_is_set_twice(options);
   std::vector<std::string> sets = options.sets;

@@ -18,6 +18,9 @@ namespace eyrie::app {
 /// The scenario with them. Throws Mistake or ConfigError.
 [[nodiscard]] std::shared_ptr<const scenario::Scenario> load_scenario(const FlyOptions& options);
 
+/// Throws as a flight would whose run could not be kept in runs/.
+void demand_place_for_runs();
+
 class Flight {
  public:
   /// With the folder and the hosts that the options ask for. `until` (s) as for a mission. The

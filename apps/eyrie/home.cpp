@@ -60,7 +60,7 @@ std::vector<std::string> run_names() {
   for (fs::directory_iterator at("runs", failed); at != end(at); at.increment(failed)) {
     const std::string name = at->path().filename().string();
     const auto written = fs::last_write_time(at->path() / record::kRunFileName, failed);
-    if (!failed && is_plain(name) && !at->is_symlink())
+    if (!failed && is_plain(name) && !at->is_symlink(failed))
       found.emplace_back(written, name);
   }
   std::sort(found.rbegin(), found.rend());

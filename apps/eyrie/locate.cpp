@@ -179,7 +179,7 @@ std::string run_hint(const std::string& run) {
   std::sort(names.begin(), names.end());
   if (std::string hint = did_you_mean(run, names); !hint.empty())
     return hint;
-  return scenario_file(run) != run ? "; 'eyrie fly' makes a run of this scenario" : "";
+  return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";
 }
 
 }  // namespace
@@ -205,6 +205,11 @@ bool is_run(const std::string& path) {
   return std::ifstream(path, std::ios::binary).read(begin.data(), 8) && begin == "EYRIERUN";
 }
 
+bool is_scenario(const std::string& name) {
+  std::error_code ignored;
+  return !is_run(name) && fs::is_regular_file(scenario_file(name), ignored);
+}
+
 std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
                                          const std::vector<std::string>& plugins) {
   std::vector<debrief::Recorded> all;
@@ -214,7 +219,8 @@ std::vector<debrief::Recorded> open_runs(const std::vector<std::string>& runs,
     if (opened.recorded)
       all.push_back(std::move(*opened.recorded));
     for (const std::string& problem : opened.problems)
-      problems.push_back(printable_lines(problem) + run_hint(run));
+      if (std::find(runs.data(), &run, run) == &run)  // of one that is named twice, once
+        problems.push_back(printable_lines(problem) + run_hint(run));
   }
   if (!problems.empty())
     throw Mistake(fmt::format("{}", fmt::join(problems, "\n")));

@@ -57,6 +57,8 @@ struct Located {
 
 /// Whether it is a run folder or a run file, by its name or what is in it.
 [[nodiscard]] bool is_run(const std::string& path);
+/// Whether it is a scenario file that is there, or the name of one, as far as its name tells.
+[[nodiscard]] bool is_scenario(const std::string& name);
 /// Whether what is beside the run file is of this run alone, and is replaced unasked.
 [[nodiscard]] bool is_own_folder(const debrief::Recorded& run);
 /// Throws Mistake if `out` is one of the files that it is made from: --force may not cost them.

@@ -168,6 +168,7 @@ int serve_home(const ServeOptions& options) {
     refuse("eyrie: --seed and --set are for a scenario; the home page asks for them");
   demand_viewer();
   demand_others(options.flight);
+  demand_place_for_runs();
   listen_for_interrupts();
   Place place(options);
   Home home(!options.flight.dis.empty(), overrides(options.flight));
@@ -190,6 +191,9 @@ int serve_home(const ServeOptions& options) {
 }  // namespace
 
 int serve(const ServeOptions& options) {
+  if (options.what.size() > 1 && is_scenario(options.what.front()))
+    refuse("eyrie: serve has no use for {}: it flies one scenario, or compares two runs",
+           quote_path(options.what.back()));
   if (options.what.size() > 1 || (!options.what.empty() && is_run(options.what.front())))
     return serve_runs(options);
   if (!options.plugins.empty())

@@ -69,8 +69,9 @@ class World {
 
   void order(const std::string& json, std::optional<std::uint64_t> at) {
     const InUse used = use();
-    const scenario::OperatorOrders asked =
+    scenario::OperatorOrders asked =
         scenario::orders_from_json(*scenario_, json, at.value_or(world().step()));
+    leave_out_gone(asked, *scenario_, world());
     if (!asked.problem.empty())
       throw nb::value_error(printable(asked.problem).c_str());
     for (const sim::Order& order : asked.orders)

@@ -131,6 +131,26 @@ def test_wrong_names_are_told(scenario: eyrie.Scenario) -> None:
             scenario.world(seed)
 
 
+def test_who_is_lost_takes_no_orders() -> None:
+    scenario = eyrie.load("sweep")
+    world = scenario.world(seed=3)
+    world.order("lose", player="eagle2")
+    world.order("weapons", player="eagle2", free=False, at_step=5)
+    world.step()
+    with pytest.raises(ValueError, match="eagle2 is no longer there"):
+        world.order("lose", player="eagle2")
+    world.order("weapons", flight="eagle", free=True)
+    again = pickle.loads(pickle.dumps(world))
+    world.step(10)
+    again.step(10)
+    assert again.hash == world.hash
+
+
+def test_an_order_may_name_any_character(scenario: eyrie.Scenario) -> None:
+    with pytest.raises(ValueError, match="no player '\N{GRINNING FACE}'"):
+        scenario.world().order("lose", player="\N{GRINNING FACE}")
+
+
 def test_a_world_is_pickled(scenario: eyrie.Scenario) -> None:
     world = scenario.world(seed=3)
     world.step(40)

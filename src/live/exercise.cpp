@@ -178,21 +178,18 @@ bool Exercise::listen() {
   return !frozen_ || mission_.outcome() != scenario::Outcome::running;
 }
 
-/// Leaves those out who are no longer there.
+/// Leaves those out who cannot do it.
 std::string Exercise::problem(Request& request) const {
   auto& [kind, orders, words] = request.order;
   if (over_)
     return "the mission is over";
   if (!words.empty())
     return words;
-  const std::string first =
-      orders.empty() ? "" : mission_.scenario().roster.name(orders.front().player);
-  std::erase_if(orders, [&](const sim::Order& one) {
-    return !mission_.scenario().find(mission_.run().world(), one.player);
-  });
-  if (orders.empty())
-    return first + " is no longer there";
+  scenario::leave_out_gone(request.order, mission_.scenario(), mission_.run().world());
+  if (!words.empty())
+    return words;
   if (kind == "vote") {
+    const PlayerId first = orders.front().player;
     const auto flies_by_it = [&](const sim::Order& one) {
       const scenario::Scenario& scenario = mission_.scenario();
       const sim::World& world = mission_.run().world();
@@ -202,7 +199,7 @@ std::string Exercise::problem(Request& request) const {
     };
     std::erase_if(orders, [&](const sim::Order& one) { return !flies_by_it(one); });
     if (orders.empty())
-      return first + " flies by another tree";
+      return mission_.scenario().roster.name(first) + " flies by another tree";
   }
   if (waiting_ + orders.size() > kMostAtOnce || given_ + orders.size() > kMostOrders)
     return "there are too many orders";

@@ -15,6 +15,9 @@ void check(const error_code& failed) {
 
 Listener::Listener(Endpoint& at) {
   const tcp::endpoint endpoint(asio::ip::make_address(at.address), at.port);
+  // the system takes those, and nobody could connect to them
+  if (endpoint.address().is_multicast() || at.address == "255.255.255.255")
+    throw std::system_error(std::make_error_code(std::errc::address_not_available));
   error_code failed;
   check(acceptor_.open(endpoint.protocol(), failed));
   check(acceptor_.set_option(tcp::acceptor::reuse_address(true), failed));

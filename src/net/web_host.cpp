@@ -20,9 +20,24 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 
 constexpr std::uint32_t kLongestHead = 8 << 10;
+/// Places beside those for `connections`, for who asks meanwhile and is told that it is full.
+constexpr std::size_t kAnteroom = 8;
+/// For who goes on talking when he is answered: closing at once would take the answer from him.
+constexpr std::chrono::seconds kLastWords{1};
 
 std::string_view view(beast::string_view text) {
   return {text.data(), text.size()};
+}
+
+/// What somebody is told whose request could not be read; nothing if he has gone, or never asked.
+std::optional<http::status> status_of(error_code failed) {
+  if (failed == http::error::header_limit || failed == http::error::buffer_overflow)
+    return http::status::request_header_fields_too_large;
+  if (failed == http::error::body_limit)
+    return http::status::payload_too_large;
+  const bool bad = failed.category() == http::make_error_code(http::error::bad_value).category() &&
+                   failed != http::error::end_of_stream;
+  return bad ? std::optional(http::status::bad_request) : std::nullopt;
 }
 
 /// Whether both are the same; how long that takes does not tell where they differ.
@@ -47,7 +62,7 @@ void async_teardown(beast::role_type, Stream& stream, Handler&& handler) {
 }
 
 struct Visitor : Guest {
-  enum class State { asking, answered, live, leaving };
+  enum class State { asking, answered, heard_out, live, leaving };
   using Clock = std::chrono::steady_clock;
   using Request = http::request_parser<http::empty_body>;
   using Response = http::response<http::span_body<const char>>;
@@ -57,7 +72,7 @@ struct Visitor : Guest {
     stream.expires_after(patience);
     request.header_limit(kLongestHead);
   }
-  [[nodiscard]] bool silent() const { return state == State::asking; }
+  [[nodiscard]] bool silent() const { return state == State::asking || state == State::heard_out; }
   template <class Handler>
   void write(const Text& text, Handler handler) {
     socket->binary(text == greeting);
@@ -109,17 +124,25 @@ struct WebHost::Network {
     const auto visitor = std::make_shared<Visitor>(std::move(socket), options.patience);
     if (!guests.admit(visitor))
       return;
-    http::async_read(visitor->stream, visitor->in, visitor->request,
-                     [this, visitor](error_code failed, std::size_t) {
-                       if (visitor->gone)
-                         return;
-                       if (failed)
-                         return guests.refuse(visitor);
-                       answer(visitor);
-                     });
+    http::async_read_header(visitor->stream, visitor->in, visitor->request,
+                            [this, visitor](error_code failed, std::size_t) {
+                              if (visitor->gone)
+                                return;
+                              if (const auto status = status_of(failed))
+                                return say(visitor, *status, view(http::obsolete_reason(*status)));
+                              if (failed)
+                                return guests.refuse(visitor);
+                              answer(visitor);
+                            });
   }
 
   void answer(const VisitorPtr& visitor) {
+    const auto all = guests.all();
+    if (std::count_if(all.begin(), all.end(), [](const auto& one) { return !one->silent(); }) >=
+        static_cast<std::ptrdiff_t>(options.connections))
+      return say(visitor, http::status::service_unavailable, "too many look on; come again later");
+    if (!visitor->request.is_done())
+      return say(visitor, http::status::payload_too_large, "a request has no body here");
     const auto& request = visitor->request.get();
     const std::string_view target = view(request.target());
     const std::string_view path = target.substr(0, target.find('?'));
@@ -227,8 +250,20 @@ struct WebHost::Network {
         return;
       error_code ignored;
       visitor->stream.socket().shutdown(tcp::socket::shutdown_send, ignored);
-      guests.end(visitor);
+      visitor->stream.expires_after(kLastWords);
+      visitor->request.is_done() ? guests.end(visitor) : hear_out(visitor);
     });
+  }
+
+  /// Of who still talks; what he says is thrown away, and he holds no place.
+  void hear_out(const VisitorPtr& visitor) {
+    visitor->state = Visitor::State::heard_out;
+    visitor->in.clear();
+    visitor->stream.async_read_some(visitor->in.prepare(kLongestHead),
+                                    [this, visitor](error_code failed, std::size_t) {
+                                      if (!visitor->gone)
+                                        failed ? guests.end(visitor) : hear_out(visitor);
+                                    });
   }
 
   void join(const VisitorPtr& visitor) {
@@ -299,7 +334,7 @@ struct WebHost::Network {
 
   WebOptions options;
   Listener listener;
-  Guests<Visitor> guests{options.connections, options.waiting};
+  Guests<Visitor> guests{options.connections + kAnteroom, options.waiting};
   std::atomic<std::uint64_t> pages = 0, viewers = 0;
 };
 

@@ -59,6 +59,32 @@ std::string first_line(const std::string& answer) {
   return answer.substr(0, answer.find("\r\n"));
 }
 
+/// What viewers did, as the thread of the network tells it.
+struct Heard {
+  std::mutex mutex;
+  std::vector<std::string> all;
+
+  [[nodiscard]] Channel channel() {
+    return {.joined = [this](ViewerId who) { add(fmt::format("{} joined", who)); },
+            .said = [this](ViewerId who, std::string_view text) -> std::string {
+              add(fmt::format("{} said {}", who, text));
+              return text == "rubbish" ? "that is rubbish" : "";
+            },
+            .left = [this](ViewerId who) { add(fmt::format("{} left", who)); }};
+  }
+  void add(std::string what) {
+    const std::lock_guard lock(mutex);
+    all.push_back(std::move(what));
+  }
+  [[nodiscard]] std::vector<std::string> so_far() {
+    const std::lock_guard lock(mutex);
+    return all;
+  }
+  [[nodiscard]] bool comes_to(const std::vector<std::string>& expected) {
+    return soon([&] { return so_far() == expected; });
+  }
+};
+
 TEST(WebHost, GivesItsPages) {
   Site site;
   const std::string answer = site.ask("GET /");
@@ -83,12 +109,67 @@ TEST(WebHost, AnswersNothingElse) {
   EXPECT_EQ(first_line(site.ask("GET /../etc/passwd")), "HTTP/1.1 404 Not Found");
   EXPECT_EQ(first_line(site.ask("DELETE /")), "HTTP/1.1 405 Method Not Allowed");
   EXPECT_EQ(first_line(site.ask("GET /live")), "HTTP/1.1 404 Not Found") << "which is no page";
-  EXPECT_EQ(site.ask("POST /", "Content-Length: 1000000000\r\n"), "") << "a body";
-  EXPECT_EQ(site.ask("GET /" + std::string(20'000, 'x')), "");
-  EXPECT_EQ(site.ask("GET /", "X: " + std::string(20'000, 'x') + "\r\n"), "");
-  EXPECT_EQ(site.ask("nonsense"), "");
-  EXPECT_TRUE(soon([&] { return site.host.counts().refused == 8; })) << site.host.counts().refused;
+  EXPECT_EQ(site.host.counts().refused, 4u);
   EXPECT_EQ(site.host.counts().pages, 0u);
+}
+
+TEST(WebHost, SaysWhatIsWrongWithARequest) {
+  Site site;
+  std::uint64_t refused = 0;
+  const auto said = [&](const std::string& bytes, bool ends = false) {
+    TcpClient client(site.port());
+    client.send(bytes);
+    if (ends)
+      client.end();
+    ++refused;
+    return first_line(client.read_all());
+  };
+  const std::string tls("\x16\x03\x01\x02\x00\x01\x00\x01", 8), x(100'000, 'x');
+  for (const std::string& bad :
+       {tls, site.request("nonsense"), std::string("\r\n\r\n\r\n"), site.request("GET  /"),
+        site.request("GET /", "a b: c\r\n"), std::string("GET / HTTP/9.9\r\n\r\n"),
+        site.request("GET /", "Content-Length: -1\r\n"),
+        site.request("GET /", "Content-Length: 1\r\nContent-Length: 2\r\n")})
+    EXPECT_EQ(said(bad), "HTTP/1.1 400 Bad Request") << bad;
+  for (const std::string more :
+       {"Content-Length: 1", "Content-Length: 1000000000", "Transfer-Encoding: chunked",
+        "Expect: 100-continue\r\nContent-Length: 9"})
+    EXPECT_EQ(said(site.request("POST /", more + "\r\n")), "HTTP/1.1 413 Payload Too Large");
+  EXPECT_EQ(said(site.request("GET /", "Content-Length: 100000\r\n") + x),
+            "HTTP/1.1 413 Payload Too Large");
+  for (const std::string& longer : {site.request("GET /" + x), site.request("GET /", "X: " + x)})
+    EXPECT_EQ(said(longer), "HTTP/1.1 431 Request Header Fields Too Large");
+  EXPECT_EQ(said("GET / HTTP/1.1\r\nHost:", true), "HTTP/1.1 400 Bad Request") << "and no more";
+  EXPECT_EQ(said("", true), "");
+  EXPECT_TRUE(soon([&] { return site.host.counts().refused == refused; }));
+}
+
+TEST(WebHost, EndsWithWhoeverNeverFinishes) {
+  Site site({.connections = 1, .patience = milliseconds(200)});
+  std::vector<TcpClient> many;
+  for (const char* bytes : {"", "G", "GET / HTTP/1.1\r\nHost: x\r\n"})
+    many.emplace_back(site.port()).send(bytes);
+  for (TcpClient& one : many)
+    EXPECT_EQ(one.read_all(), "");
+  // who was answered, and goes on sending what he announced, holds no place
+  TcpClient talks(site.port());
+  talks.send(site.request("POST /", "Content-Length: 1000000000\r\n"));
+  EXPECT_EQ(first_line(talks.read_to("\r\n")), "HTTP/1.1 413 Payload Too Large");
+  EXPECT_EQ(first_line(site.ask("GET /")), "HTTP/1.1 200 OK");
+  EXPECT_TRUE(soon([&] { return talks.send(std::string(1000, 'x')) < 1000; }));
+}
+
+TEST(WebHost, SaysWhenItIsFull) {
+  Heard heard;
+  Site site({.connections = 3, .channel = heard.channel()});
+  std::vector<TcpClient> viewers;
+  for (int i = 0; i < 3; ++i)
+    static_cast<void>(viewers.emplace_back(site.join()).read_to("\r\n\r\n"));
+  EXPECT_EQ(first_line(site.join().read_all()), "HTTP/1.1 503 Service Unavailable");
+  EXPECT_EQ(first_line(site.ask("GET /")), "HTTP/1.1 503 Service Unavailable");
+  viewers.pop_back();
+  ASSERT_TRUE(soon([&] { return heard.so_far().back() == "3 left"; }));
+  EXPECT_EQ(first_line(site.ask("GET /")), "HTTP/1.1 200 OK");
 }
 
 TEST(WebHost, IsForNoOtherSite) {
@@ -163,32 +244,6 @@ TEST(WebHost, MakesPagesThatAreAskedFor) {
   EXPECT_EQ(first_line(site.ask("GET /else")), "HTTP/1.1 404 Not Found");
   EXPECT_EQ(site.host.counts().pages, 2u);
 }
-
-/// What viewers did, as the thread of the network tells it.
-struct Heard {
-  std::mutex mutex;
-  std::vector<std::string> all;
-
-  [[nodiscard]] Channel channel() {
-    return {.joined = [this](ViewerId who) { add(fmt::format("{} joined", who)); },
-            .said = [this](ViewerId who, std::string_view text) -> std::string {
-              add(fmt::format("{} said {}", who, text));
-              return text == "rubbish" ? "that is rubbish" : "";
-            },
-            .left = [this](ViewerId who) { add(fmt::format("{} left", who)); }};
-  }
-  void add(std::string what) {
-    const std::lock_guard lock(mutex);
-    all.push_back(std::move(what));
-  }
-  [[nodiscard]] std::vector<std::string> so_far() {
-    const std::lock_guard lock(mutex);
-    return all;
-  }
-  [[nodiscard]] bool comes_to(const std::vector<std::string>& expected) {
-    return soon([&] { return so_far() == expected; });
-  }
-};
 
 /// A text as a client sends it, masked with zeros.
 std::string text_frame(const std::string& text) {

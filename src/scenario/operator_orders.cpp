@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "core/bind.hpp"
 #include "core/text.hpp"
@@ -49,7 +50,8 @@ struct AskedOfPlayer {
   }
   std::string order;
   std::optional<std::string> player, flight, tree, node;
-  std::optional<double> heading, altitude, speed, climb, load_factor, target, vote, east, north;
+  std::optional<double> heading, altitude, speed, climb, load_factor, vote, east, north;
+  std::optional<std::uint32_t> target;
   bool shoot = false, gun = false, more = false;
   std::optional<bool> radar, free;
   std::optional<model::Dispense> dispense;
@@ -73,6 +75,26 @@ const std::array<KindOfOrder, 8> kKinds{{
     {"point", {"east", "north", "altitude"}, {"more"}},
     {"route", {}},
 }};
+
+/// JSON is YAML, but for a character beyond U+FFFF, which it writes as a pair of surrogates.
+std::string yaml_of(std::string_view json) {
+  const auto unit = [&](std::size_t at) -> std::uint32_t {  // of an escape \uXXXX; 0: none there
+    std::uint32_t value = 0;
+    const std::string_view text = json.substr(std::min(at, json.size()), 6);
+    const bool whole = text.size() == 6 && text.starts_with("\\u") &&
+                       std::from_chars(&text[2], &text[2] + 4, value, 16).ptr == &text[2] + 4;
+    return whole ? value : 0;
+  };
+  std::string yaml;
+  for (std::size_t at = 0; at < json.size();) {
+    const std::uint32_t high = unit(at) - 0xD800, low = unit(at + 6) - 0xDC00;
+    const bool pair = high < 0x400 && low < 0x400;
+    const std::size_t size = pair ? 12 : json[at] == '\\' ? 2 : 1;
+    yaml += pair ? fmt::format("\\U{:08x}", 0x10000 + (high << 10) + low) : json.substr(at, size);
+    at += size;
+  }
+  return yaml;
+}
 
 /// A place of the map around the reference, where the Earth curves away below (MapPlace).
 std::array<float, 3> place_of(double east, double north, double altitude) {
@@ -111,7 +133,7 @@ class OrderReader {
       return std::find(list.begin(), list.end(), word) != list.end();
     };
     for (const std::string_view word : needs)
-      if (!text.find(word))
+      if (const Value* given = text.find(word); !given || given->is_null())
         return refuse("an order '{}' needs '{}'", name, word);
     for (const Value::Entry& entry : text.entries)
       if (!has(needs, entry.key) && !has(may, entry.key) &&
@@ -209,7 +231,7 @@ class OrderReader {
     say(asked_.climb, &Manual::climb, Manual::kClimb);
     say(asked_.load_factor, &Manual::load_factor, Manual::kLoadFactor);
     if (asked_.target) {
-      m.target = TrackId{static_cast<std::uint32_t>(*asked_.target)};
+      m.target = TrackId{*asked_.target};
       m.said |= Manual::kTarget;
     }
     if (asked_.radar) {
@@ -248,12 +270,22 @@ OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
   static constexpr std::array<std::string_view, 1> kOfTheChannel{"do"};
   Diagnostics wrong;
   AskedOfPlayer asked;
-  const Value value = parse_yaml(text, "order", wrong, kOrderLimits);  // JSON is YAML
+  const Value value = parse_yaml(yaml_of(text), "order", wrong, kOrderLimits);
   if (!wrong.count())
     bind(asked, value, wrong, kOfTheChannel);
   if (wrong.count())
     return {.kind = {}, .orders = {}, .problem = wrong.sorted().front().message};
   return OrderReader(scenario, asked, step).read(value);
+}
+
+void leave_out_gone(OperatorOrders& asked, const Scenario& scenario, const sim::World& world) {
+  if (asked.orders.empty())
+    return;
+  const PlayerId first = asked.orders.front().player;
+  std::erase_if(asked.orders,
+                [&](const sim::Order& one) { return !scenario.find(world, one.player); });
+  if (asked.orders.empty())
+    asked.problem = scenario.roster.name(first) + " is no longer there";
 }
 
 }  // namespace eyrie::scenario

@@ -38,4 +38,7 @@ struct OperatorOrders {
 [[nodiscard]] OperatorOrders orders_from_json(const Scenario& scenario, std::string_view text,
                                               std::uint64_t step);
 
+/// Leaves those out who are no longer there; it is a problem if that is everybody.
+void leave_out_gone(OperatorOrders& asked, const Scenario& scenario, const sim::World& world);
+
 }  // namespace eyrie::scenario

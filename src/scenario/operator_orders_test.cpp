@@ -125,12 +125,60 @@ TEST_F(OperatorOrder, SaysWhatIsWrong) {
   EXPECT_EQ(problem(R"({"order":"tree","player":"eagle1"})"), "an order 'tree' needs 'tree'");
   EXPECT_EQ(problem(R"({"order":"vote","player":"eagle1","tree":"veteran","node":"root/x"})"),
             "there is no node 'root/x' in tree veteran");
+  // what is needed and null is not given
+  EXPECT_EQ(problem(R"({"order":"weapons","player":"eagle1","free":null})"),
+            "an order 'weapons' needs 'free'");
+  EXPECT_EQ(problem(R"({"order":"point","player":"eagle1","east":1,"north":null,"altitude":1})"),
+            "an order 'point' needs 'north'");
+  EXPECT_EQ(problem(R"({"order":"tree","player":"eagle1","tree":null})"),
+            "an order 'tree' needs 'tree'");
   for (const char* bad :
        {"", "[", "{}", "17", "\"lose\"", R"({"order":["lose"],"player":"eagle1"})",
         R"({"order":"lose","player":"eagle1","more":1})",
         R"({"order":"lose","player":"eagle1","player":"eagle2"})"})
     EXPECT_NE(problem(bad), "") << bad;
   EXPECT_NE(problem(R"({"order":"lose","player":")" + std::string(5000, 'x') + "\"}"), "");
+}
+
+TEST_F(OperatorOrder, HasATargetThatIsAWholeNumber) {
+  const auto with = [](std::string_view target) {
+    return fmt::format(R"({{"order":"manual","player":"eagle1","target":{}}})", target);
+  };
+  for (const char* bad : {"1.5", "1e0", "4e9", "1.0", ".nan", "true", "\"1\"", "[1]"})
+    EXPECT_TRUE(problem(with(bad)).starts_with("target: expected a whole number, got ")) << bad;
+  for (const char* bad : {"-1", "4000000001", "4294967297", "36893488147419103233"})
+    EXPECT_EQ(problem(with(bad)), fmt::format("target: {} is outside [0, 4000000000]", bad));
+  EXPECT_EQ(orders(with("4000000000")).orders[0].as<model::Manual>().target, TrackId{4000000000});
+}
+
+TEST_F(OperatorOrder, ReadsCharactersAsJsonEscapesThem) {
+  const auto named = [](std::string_view name) {
+    return fmt::format(R"({{"order":"lose","player":"{}"}})", name);
+  };
+  EXPECT_EQ(orders(named(R"(eagle\u0031)")).problem, "");
+  EXPECT_EQ(problem(named(R"(\ud83D\uDE00!)")), "there is no player '\xF0\x9F\x98\x80!'");
+  EXPECT_EQ(problem(named(R"(\uDBFF\udfff)")), "there is no player '\xF4\x8F\xBF\xBF'");
+  EXPECT_EQ(problem(named(R"(\\ud83d\\ude00)")), R"(there is no player '\ud83d\ude00')");
+  for (const char* bad : {R"(\ud83d)", R"(\ude00)", R"(\ude00\ud83d)", R"(\ud83d\u0041)",
+                          R"(\ud83d \ude00)", R"(\ud83d\\ude00)", R"(\ud83d\ude0)", R"(\)"})
+    EXPECT_TRUE(problem(named(bad)).starts_with("not YAML: ")) << bad;
+}
+
+TEST_F(OperatorOrder, IsForWhoIsStillThere) {
+  sim::World world = scenario_->world(1);
+  const PlayerId lost = *scenario_->roster.find("eagle2");
+  OperatorOrders one = orders(R"({"order":"lose","player":"eagle2"})");
+  OperatorOrders flight = orders(R"({"order":"hand_back","flight":"eagle"})");
+  leave_out_gone(one, *scenario_, world);
+  EXPECT_EQ(one.problem, "");
+  world.remove(scenario_->aircraft.table, *world.row(scenario_->aircraft.table, lost));
+  world.compact();
+  leave_out_gone(one, *scenario_, world);
+  EXPECT_EQ(one.problem, "eagle2 is no longer there");
+  EXPECT_TRUE(one.orders.empty());
+  leave_out_gone(flight, *scenario_, world);
+  EXPECT_EQ(flight.problem, "");
+  EXPECT_EQ(flight.orders.size(), 3u);
 }
 
 }  // namespace

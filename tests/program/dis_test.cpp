@@ -73,6 +73,7 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
                                              {"--dis-station", "1.1.1"},
                                              {"--dis", "--dis-interface", "203.0.113.7"},
                                              {"--dis", "--dis-interface", "lo"},
+                                             {"--dis", "--dis-interface", "0.0.0.0"},
                                              {"--dis", "--seeds", "1..2"}}) {
     std::vector<std::string> words{"fly", "merge"};
     words.insert(words.end(), wrong.begin(), wrong.end());
@@ -80,6 +81,9 @@ TEST(DisProgram, RefusesWhatIsNoPlaceToSendTo) {
     EXPECT_EQ(ran.code, 2) << wrong[1] << "\n" << ran.err;
     EXPECT_NE(ran.err.find("dis"), std::string::npos) << ran.err;
   }
+  const Ran any = run_program(folder, {"fly", "merge", "--dis=0.0.0.0:3001"});
+  EXPECT_EQ(any.code, 2);
+  EXPECT_TRUE(any.err.starts_with("eyrie: --dis: '0.0.0.0:3001' is where one listens")) << any.err;
   const Ran lo = run_program(folder, {"fly", "merge", "--dis", "--dis-interface", "lo"});
   EXPECT_NE(lo.err.find("'lo' is no IPv4 address of this machine"), std::string::npos) << lo.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "runs"));

@@ -95,7 +95,7 @@ TEST(Home, LeadsBackWhileTheRunIsStillWritten) {
 
 /// Not when somebody has chosen a scenario.
 TEST(Home, RefusesAtOnceWhatNoFlightCouldHave) {
-  const TempFolder folder;
+  TempFolder folder;
   const Served other({});
   for (const std::string& wrong :
        {fmt::format("--tacview {}", other.port), std::string("--tacview 0 --tacview-password none"),
@@ -105,6 +105,11 @@ TEST(Home, RefusesAtOnceWhatNoFlightCouldHave) {
     EXPECT_EQ(ran.code, 2) << wrong << "\n" << ran.err;
     EXPECT_TRUE(ran.err.starts_with("--")) << ran.err;
   }
+  EXPECT_EQ(folder.everything(), std::vector<std::string>{});
+  folder.write("runs", "");
+  const Ran ran = run_line(folder, "timeout 10 \"$EYRIE\" serve --port 0");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(ran.err, "eyrie: cannot make 'runs/latest': Not a directory\n");
 }
 
 TEST(Home, TakesPartInAnExercise) {

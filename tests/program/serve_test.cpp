@@ -62,6 +62,16 @@ TEST(Serve, SaysWhatIsWrong) {
             "eyrie: --address: 'example.org' is no address such as 0.0.0.0\neyrie serve "
             "--help says more\n");
   EXPECT_EQ(run_program(site.folder, {"serve", "nowhere"}).code, 2);
+  const Ran all = run_program(site.folder, {"serve", "run", "--address", "255.255.255.255"});
+  EXPECT_EQ(all.code, 2);
+  EXPECT_EQ(all.err, "cannot listen at 255.255.255.255:8042: Cannot assign requested address\n");
+  const Ran two = run_program(site.folder, {"serve", "sweep", "sweep"});
+  EXPECT_EQ(two.code, 2);
+  EXPECT_EQ(two.err,
+            "eyrie: serve has no use for 'sweep': it flies one scenario, or compares two runs\n");
+  const Ran twice = run_program(site.folder, {"serve", "nowhere", "nowhere"});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_EQ(twice.err, "nowhere: there is no such file\n");
 }
 
 }  // namespace

@@ -139,6 +139,8 @@ TEST(Tacview, SaysWhatIsWrongBeforeAnythingIsFlown) {
                 "--tacview: cannot listen at 127.0.0.1:" + taken + ": Address already in use\n"},
            {{"--tacview=203.0.113.7"},
             "--tacview: cannot listen at 203.0.113.7:42674: Cannot assign requested address\n"},
+           {{"--tacview=239.1.2.3"},
+            "--tacview: cannot listen at 239.1.2.3:42674: Cannot assign requested address\n"},
            {{"--tacview=0", "--tacview-password", "nowhere"},
             "--tacview-password: nowhere: there is no such file\n"},
            {{"--tacview=0", "--tacview-password", "empty"},

@@ -52,6 +52,8 @@ class TcpClient {
     }
     return sent;
   }
+  /// Sends no more, and goes on reading.
+  void end() { ::shutdown(socket_, SHUT_WR); }
   /// Up to and with `end`; what came by then, if the other end closes before.
   [[nodiscard]] std::string read_to(std::string_view end) {
     for (;;) {
