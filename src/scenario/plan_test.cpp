@@ -167,10 +167,12 @@ TEST(Plan, NamesTheNearestRightKey) {
       read("blue: {flihgts: {}, flights: {eagle: {players: [eagle1], aircaft: f15c}}}\n").mistakes,
       "a:1:8: blue has no 'flihgts'; did you mean 'flights'?\n"
       "a:1:58: flight has no parameter 'aircaft'; did you mean 'aircraft'?");
-  EXPECT_EQ(players("[eagle1, {eagle2: {fule: 3 kg, start: {nroth: 0}, formation: {}}}]"),
-            "a:1:54: player has no parameter 'fule'; did you mean 'fuel'?\n"
-            "a:1:74: start: start has no parameter 'nroth'; did you mean 'north'?\n"
-            "a:1:85: player has no parameter 'formation'");
+  EXPECT_EQ(
+      players("[eagle1, {eagle2: {fule: 3 kg, start: {nroth: 0}, formation: {}}}]"),
+      "a:1:54: player has no parameter 'fule'; did you mean 'fuel'?\n"
+      "a:1:74: start: start has no parameter 'nroth'; did you mean 'north'?\n"
+      "a:1:85: player has no parameter 'formation', only aircraft, tree, start, spread, fuel, "
+      "bingo, loadout, rounds, privileged");
 }
 
 TEST(Plan, CollectsMistakesOfUnitsAndRanges) {
