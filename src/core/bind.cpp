@@ -99,7 +99,7 @@ bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnos
   const double x = snapped(parsed.value, info);
   if (!check_range(x, value, info, diagnostics))
     return false;
-  out = x;
+  out = x + 0.0;  // -0 is 0
   return true;
 }
 

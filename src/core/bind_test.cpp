@@ -211,6 +211,7 @@ TEST(Bind, QuantitiesAtALimitSurviveRounding) {
   };
   EXPECT_EQ(bank("60 deg"), fmt::format("{}", kPi / 3));
   EXPECT_EQ(bank("1.0471975511965979 rad"), fmt::format("{}", kPi / 3));  // one ulp above
+  EXPECT_EQ(bank("-0 deg"), "0");
   EXPECT_EQ(bank("60.001 deg"), "bank: 60.001 deg is outside [-60°, 60°]");
 }
 
