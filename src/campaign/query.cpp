@@ -66,8 +66,8 @@ std::optional<std::vector<ubf::detail::Instruction>> condition_of(
     const MeasureSpec& spec, std::span<const StateFieldInfo> fields, Diagnostics& diagnostics) {
   const Value* const text = spec.text.find("if");
   ubf::FieldNames names;
-  return text ? ubf::parse_expression(*text, fields, names, diagnostics)
-              : std::optional(std::vector<ubf::detail::Instruction>());
+  return text && text->is_scalar() ? ubf::parse_expression(*text, fields, names, diagnostics)
+                                   : std::optional(std::vector<ubf::detail::Instruction>());
 }
 
 /// How far the nearest of some is, of which `counts`; NaN if none does.
@@ -195,8 +195,10 @@ void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
     diagnostics.error(spec.text.where_of("value"),
                       fmt::format("{}: it has no value {}{}", spec.name, quote(spec.value),
                                   did_you_mean(spec.value, names)));
+  const Value* const take = spec.text.find("take");
   const bool takes_value = spec.take != Take::any && spec.take != Take::count;
-  if (!spec.value.empty() && !takes_value)
+  const bool is_read = !take || take->text == enum_name(spec.take);
+  if (!spec.value.empty() && !takes_value && is_read)
     diagnostics.error(spec.text.where_of("value"),
                       fmt::format("{}: '{}' takes no value", spec.name, enum_name(spec.take)));
 }
