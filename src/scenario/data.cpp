@@ -47,7 +47,7 @@ std::vector<std::string_view> DataLoader::kinds() {
 DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source& source,
                        Diagnostics& diagnostics)
     : library_(library), inline_(inline_data), source_(source), diagnostics_(diagnostics) {
-  if (!inline_ || inline_->is_null())
+  if (!inline_)
     return;
   if (!inline_->is_map()) {
     diagnostics_.error(inline_->where, "data: expected a map of kinds, got " + inline_->shown());
@@ -68,7 +68,7 @@ void DataLoader::check_inline(const Value::Entry& kind) {
                                                did_you_mean(kind.key, kinds())));
     return;
   }
-  if (!kind.value.is_map() && !kind.value.is_null())
+  if (!kind.value.is_map())
     diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
                                                      kind.key, kind.value.shown()));
   if (kind.value.entries.size() > kMostModels) {

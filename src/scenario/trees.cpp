@@ -148,7 +148,7 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
                         Diagnostics& diagnostics, Source* source,
                         std::span<const std::unique_ptr<PlayerKind>> kinds) {
   TreeBook book;
-  if (!map || map->is_null())
+  if (!map)
     return book;
   if (!map->is_map()) {
     diagnostics.error(map->where, "trees: expected a map of trees, got " + map->shown());
