@@ -107,11 +107,9 @@ TEST(Spec, TriesEachLevelOnceBeforeAnythingIsFlown) {
             "'eagle'?");
   EXPECT_EQ(refused(with("1800 kg", "1800 ft")).substr(0, 55),
             "c.yaml:6:52: bingo: the scenario refuses '1800 ft'\n--se");
-  EXPECT_EQ(
-      refused(with("until=60 min", "a.b=1")),
-      "c.yaml:4:7: set: the scenario refuses 'a.b=1'\n"
-      "--set a.b=1:1:1: there is no 'a' here, only eyrie, name, help, include, reference, seed, "
-      "until, ends, blue, red, trees");
+  EXPECT_EQ(refused(with("until=60 min", "a.b=1")),
+            "c.yaml:4:7: set: the scenario refuses 'a.b=1'\n"
+            "--set a.b=1:1:1: there is no 'a' here; what is new is set whole, as in a={b: ...}");
   EXPECT_EQ(refused(with("who: eagle", "who: eagel")),
             "c.yaml:16:32: left: there is no side, flight or player 'eagel'; did you mean "
             "'eagle'?");

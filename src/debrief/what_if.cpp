@@ -280,9 +280,11 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
                                node.substr(p + 1, node.find('.', p + 1) - p - 1)));
   if (found == paths.end())
     return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
-                                    did_you_mean(node, paths)));
+                                    nearest_or_all(node, paths)));
   if (names_key && key.empty())
     return wrong(equals, "a parameter is missing behind the point");
+  if (text.find_first_not_of(' ', equals + 1) == text.npos)
+    return wrong(equals, "a value is missing behind '='");
   Diagnostics in_value;
   eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
   if (!in_value.ok())

@@ -192,6 +192,8 @@ TEST(Plan, CollectsMistakesOfUnitsAndRanges) {
 
 TEST(Plan, RefusesSidesWithoutAnything) {
   EXPECT_EQ(read("seed: 1\n").mistakes, "a:1:1: no flights: neither blue nor red has any");
+  EXPECT_EQ(read("blue: {flights: {eagle: }}\n").mistakes,
+            "a:1:18: flight 'eagle': expected a map, got nothing");
   EXPECT_EQ(read("blue:\n").mistakes, "a:1:1: blue: expected a map with flights, got nothing");
   EXPECT_EQ(read("blue: [eagle]\n").mistakes,
             "a:1:7: blue: expected a map with flights, got a list");
