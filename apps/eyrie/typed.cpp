@@ -108,7 +108,8 @@ std::string word_too_many(const CLI::App& command, const std::string& extra,
   for (std::size_t i = 2; i < words.size(); ++i)
     if (words[i] == extra && std::string_view(words[i - 2]).starts_with("--") &&
         words[i - 1][0] != '-')
-      hint = fmt::format("; did you mean {} '{} {}'?", words[i - 2], words[i - 1], extra);
+      hint = fmt::format("; did you mean {} '{}{}{}'?", words[i - 2], words[i - 1],
+                         words[i - 2] == std::string_view("--set") ? '=' : ' ', extra);
   return fmt::format("{} has no use for {}{}", name_of(command), quote(extra), hint);
 }
 

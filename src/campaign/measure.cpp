@@ -243,7 +243,7 @@ class Watcher final : public Watch {
     if (std::find(names.begin(), names.end(), spec.phase) == names.end())
       wrong.error(spec.text.where_of("phase"),
                   fmt::format("{}: there is no phase {}{}", spec.name, quote(spec.phase),
-                              did_you_mean(spec.phase, names)));
+                              nearest_or_all(spec.phase, names)));
   }
 
   const Measures& measures_;

@@ -155,7 +155,7 @@ const Measure* find_measure(const Measures& measures, const Value& map, std::str
   if (wanted)
     diagnostics.error(wanted->where,
                       fmt::format("{}: there is no measure {}{}", owner, quote(wanted->text),
-                                  did_you_mean(wanted->text, names)));
+                                  nearest_or_all(wanted->text, names)));
   return nullptr;
 }
 

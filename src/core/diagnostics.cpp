@@ -85,7 +85,11 @@ std::string near_or_all(std::string_view wrong, std::span<const Name> names) {
   std::string hint = nearest(wrong, names);
   if (!hint.empty() || names.empty())
     return hint;
-  const std::string all = printable(fmt::format(", only {}", fmt::join(names, ", ")));
+  std::vector<std::string_view> once;
+  for (const std::string_view name : names)
+    if (once.size() < kGlance && std::find(once.begin(), once.end(), name) == once.end())
+      once.push_back(name);
+  const std::string all = printable(fmt::format(", only {}", fmt::join(once, ", ")));
   return all.size() <= kGlance ? all : "";
 }
 

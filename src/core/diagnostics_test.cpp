@@ -145,7 +145,8 @@ TEST(NearestOrAll, ListsWhatIsReadAtAGlance) {
   EXPECT_EQ(nearest_or_all("heading", kNames),
             ", only danger_range, vote, mode, altitude, x, weight");
   EXPECT_EQ(nearest_or_all("a", std::vector<std::string>{}), "");
-  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>(30, "danger_range")), "");
+  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>(30, "danger")), ", only danger");
+  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>{std::string(300, 'x')}), "");
 }
 
 TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {

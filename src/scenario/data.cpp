@@ -153,7 +153,7 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
       for (const Value::Entry& e : group->entries)
         names.push_back(e.key);
     diagnostics_.error(where, fmt::format("unknown {} {}{}", singular(kind), quote(name),
-                                          did_you_mean(name, names)));
+                                          nearest_or_all(name, names)));
     return std::nullopt;
   }
   const Value* base = found->find("base");

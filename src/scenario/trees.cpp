@@ -231,7 +231,7 @@ void TreeBook::missing(const std::string& name, const Location& where,
                                          quote(name)));
   else if (!has(broken_) && !too_many_)
     diagnostics.error(
-        where, fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names_)));
+        where, fmt::format("there is no tree {}{}", quote(name), nearest_or_all(name, names_)));
 }
 
 }  // namespace eyrie::scenario
