@@ -152,10 +152,11 @@ int campaign(const CampaignOptions& options) {
       say("{}\n", Composed{record::json_text(json_of(spec, *standing.last))});
     });
   } else {
-    say("{}{}: {} cells, up to {} replicates each, {} {}; results in {}\n", spec.name,
-        options.part.empty() ? "" : ", part " + spec.part.text(), cells.size(),
-        spec.part.count(0, most_replicates(spec)), link ? link->size() * workers : workers,
-        link ? "workers in all ranks" : "workers", folder);
+    say("{}{}: {}, up to {} each, {}{}; results in {}\n", spec.name,
+        options.part.empty() ? "" : ", part " + spec.part.text(), counted(cells.size(), "cell"),
+        counted(spec.part.count(0, most_replicates(spec)), "replicate"),
+        counted(link ? link->size() * workers : workers, "worker"), link ? " in all ranks" : "",
+        folder);
     const Measure& measure = spec.measures.estimates[spec.stop ? spec.stop->measure : 0];
     std::optional<Progress> progress;
     ended = run(spec, cells, store, *crew, [&](const Standing& standing) {
@@ -191,8 +192,8 @@ int campaign(const CampaignOptions& options) {
   say("\n{} after {}; campaign hash {}; results in {}/{} and {}\n", end,
       duration_text(store.seconds()), summary.hash, folder, kStoreName, kTableName);
   if (wide)
-    say("{} is still wider than `stop` asks in {} of {} cells, which have its `most` replicates\n",
-        summary.measures[spec.stop->measure].name, wide, summary.cells.size());
+    say("{} is still wider than `stop` asks in {} of {} with its `most` replicates\n",
+        summary.measures[spec.stop->measure].name, wide, counted(summary.cells.size(), "cell"));
   const std::string again =
       fmt::format("eyrie campaign {} --out {}", scenario::shell_word(options.file),
                   scenario::shell_word(whole));
@@ -202,7 +203,8 @@ int campaign(const CampaignOptions& options) {
   else if (!options.part.empty())
     say("{} --join puts all parts together\n", again);
   if (faults)
-    complain("eyrie: {} replicates ended with a fault and count for nothing\n", faults);
+    complain("eyrie: {} ended with a fault, which counts for nothing\n",
+             counted(faults, "replicate"));
   return code;
 }
 

@@ -50,7 +50,7 @@ void print_cells(const campaign::Summary& summary) {
   }
   print_table(rows);
   if (summary.cells.size() > kMostRows)
-    say("... and {} more cells\n", summary.cells.size() - kMostRows);
+    say("... and {}\n", counted(summary.cells.size() - kMostRows, "more cell"));
   for (std::size_t i = 0; i < std::min(summary.faults.size(), kMostFaults); ++i)
     say("fault in cell {}: {}\n  {}\n", summary.faults[i].cell, summary.faults[i].what,
         summary.faults[i].command);
@@ -77,7 +77,7 @@ void print_comparisons(const campaign::Summary& summary,
   say("\ncells against each other, replicate by replicate, the surest first\n");
   print_table(rows);
   if (surest.size() > most)
-    say("... and {} more comparisons\n", surest.size() - most);
+    say("... and {}\n", counted(surest.size() - most, "more comparison"));
 }
 
 void print_effects(const campaign::Summary& summary, const std::vector<campaign::Effect>& effects,

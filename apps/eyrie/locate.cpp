@@ -149,9 +149,12 @@ Located locate(const std::string& name, const std::vector<std::string>& includes
     refuse_at(where, quote(name) + " is a run, no scenario: 'eyrie replay' flies it again");
   if (const disk::FileRead read = disk::read_file(file, scenario::Source::kLargest); !read.missing)
     refuse_at(where, fmt::format("{} {}", quote_path(name), read.problem));
-  const std::string ours = did_you_mean(fs::path(name).stem().string(), names_in("scenarios"));
-  refuse_at(where, fmt::format("there is no scenario {}{}", quote(name),
-                               ours.empty() ? disk::nearest_file(file) : ours));
+  std::string meant = did_you_mean(fs::path(name).stem().string(), names_in("scenarios"));
+  if (meant.empty())
+    meant = disk::nearest_file(file);
+  if (meant.empty() && name.find_first_of("./") == name.npos)
+    meant = nearest_or_all(name, names_in("scenarios"));
+  refuse_at(where, fmt::format("there is no scenario {}{}", quote(name), meant));
 }
 
 std::shared_ptr<const scenario::Scenario> load_scenario(const std::string& name,

@@ -92,7 +92,7 @@ Json end_json(const Search& search, const std::string& folder, const std::option
 /// A row per measure.
 std::string evidence_text(const Search& search, const std::vector<Evidence>& all) {
   std::string text =
-      fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", fmt::format("{} seeds each", search.proof),
+      fmt::format("{:<14} {:>26} {:>26} {:>30} {:>8}\n", counted(search.proof, "seed") + " each",
                   "before", "after", "difference", "p");
   for (const Evidence& e : all) {
     const auto& d = e.difference;
@@ -146,8 +146,8 @@ int optimize(const FlightsOptions& options) {
                     }};
   const auto tell_faults = [&] {
     if (faults)
-      complain("eyrie: {} flights ended with a fault and count for nothing, the first with {}\n",
-               faults, lines(first_fault));
+      complain("eyrie: {} ended with a fault, which counts for nothing, the first with {}\n",
+               counted(faults, "flight"), lines(first_fault));
   };
   std::optional<Winner> found;
   try {

@@ -78,9 +78,11 @@ int catalog(const CatalogOptions& options) {
   const scenario::Catalog all = scenario::make_catalog(source, plugins);
   if (!options.node.empty()) {
     const auto text = scenario::node_text(all, options.node);
-    if (!text)
+    if (!text) {
+      const std::string hint = did_you_mean(options.node, scenario::node_names(all));
       refuse("there is no node {}{}", quote(options.node),
-             did_you_mean(options.node, scenario::node_names(all)));
+             hint.empty() ? "; 'eyrie catalog' tells which there are" : hint);
+    }
     say("{}", lines(*text));
     return 0;
   }

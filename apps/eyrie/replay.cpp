@@ -66,7 +66,7 @@ int replay(const ReplayOptions& options) {
   } else if (departure) {
     say("{}: differs from the recording by {}\n{}\n", file, recorded.build, departure->reason);
   } else {
-    say("{}: the same, {} steps, world hash {}\n", file, flight.world().step(),
+    say("{}: the same, {}, world hash {}\n", file, counted(flight.world().step(), "step"),
         hash_text(flight.world().hash()));
   }
   return departure ? 1 : 0;
@@ -91,7 +91,7 @@ int diff(const DiffOptions& options) {
     return found->same() ? 0 : 1;
   }
   if (found->same())
-    say("the same, {} steps\n", found->steps);
+    say("the same, {}\n", counted(found->steps, "step"));
   for (const auto& [name, place] :
        {std::pair("world", &found->world), std::pair("action", &found->action),
         std::pair("event", &found->event)})

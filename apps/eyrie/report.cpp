@@ -133,8 +133,8 @@ std::string heard_text(const Broadcast::Counts& counts) {
   text += fmt::format("     dead reckoning was off by {:.2f} m, {:.1f} m at most\n",
                       heard.error.mean(), heard.error.max);
   if (counts.asked)
-    text += fmt::format("     {} of {} orders to start or stop obeyed{}\n", counts.obeyed,
-                        counts.asked, counts.obeyed ? "" : ": --dis-obey does");
+    text += fmt::format("     {} of {} to start or stop obeyed{}\n", counts.obeyed,
+                        counted(counts.asked, "order"), counts.obeyed ? "" : ": --dis-obey does");
   return text;
 }
 
@@ -190,8 +190,8 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
   say("{}\n", debrief::outcome_text(mission, tally));
   if (const auto refused = mission.run().world().refused_births(); refused > 0)
     say("no room in the world: {} could not be launched or born\n", counted(refused, "player"));
-  say("world hash {} after {} steps", hash_text(mission.run().world().hash()),
-      mission.run().world().step());
+  say("world hash {} after {}", hash_text(mission.run().world().hash()),
+      counted(mission.run().world().step(), "step"));
   if (timing.kept_until)
     say("; the run file ends before, at {}", record::clock_text(*timing.kept_until));
   say("\n");
@@ -203,7 +203,7 @@ void Report::closing(const scenario::Mission& mission, const record::Tally& tall
     say("Tacview: {}, {} refused, {} dropped as too slow, {:.1f} MB sent\n",
         counted(t->joined, "client"), t->refused, t->dropped, static_cast<double>(t->bytes) / 1e6);
   if (const auto& d = timing.dis) {
-    say("DIS: {} packets sent, {:.0f} kB, {} dropped{}\n", d->sent.sent,
+    say("DIS: {} sent, {:.0f} kB, {} dropped{}\n", counted(d->sent.sent, "packet"),
         static_cast<double>(d->sent.bytes) / 1e3, d->sent.dropped,
         d->sent.failed ? fmt::format(", {} not taken by the system: {}", d->sent.failed,
                                      disk::words_of(d->sent.error))

@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "help.hpp"
 #include "say.hpp"
+#include "scenario/plugin_file.hpp"
 
 namespace eyrie::app {
 namespace {
@@ -107,7 +108,8 @@ std::string word_too_many(const CLI::App& command, const std::string& extra,
   for (std::size_t i = 2; i < words.size(); ++i)
     if (words[i] == extra && std::string_view(words[i - 2]).starts_with("--") &&
         words[i - 1][0] != '-')
-      hint = fmt::format("; did you mean {} '{} {}'?", words[i - 2], words[i - 1], extra);
+      hint = fmt::format("; did you mean {} '{}{}{}'?", words[i - 2], words[i - 1],
+                         words[i - 2] == std::string_view("--set") ? '=' : ' ', extra);
   return fmt::format("{} has no use for {}{}", name_of(command), quote(extra), hint);
 }
 
@@ -120,6 +122,20 @@ std::string flag_with_value(const CLI::App& command, std::span<char*> words) {
       return name;
     if (word == "--")
       break;
+  }
+  return "";
+}
+
+/// What to say if a wrong value is what the command is about, behind an option that needs none;
+/// or "".
+std::string taken_as_value(const CLI::App& command, std::span<char*> words, std::string_view said) {
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const CLI::Option* option = command.get_option_no_throw(words[i]);
+    if (option && option->get_items_expected_min() == 0 && option->get_expected_max() > 0 &&
+        !is_digit(words[i + 1][0]) &&
+        said.starts_with(fmt::format("{}: {}", words[i], quote(words[i + 1]))))
+      return fmt::format("; did you mean eyrie {} {} {}?", name_of(command),
+                         scenario::shell_word(words[i + 1]), words[i]);
   }
   return "";
 }
@@ -172,7 +188,7 @@ std::string problem_in(const CLI::App& app, const CLI::App& command, const CLI::
     const Names extra = command.remaining();
     return word_too_many(command, extra.empty() ? said : extra.front(), words);
   }
-  return said;
+  return said + taken_as_value(command, words, said);
 }
 
 /// A command that there is not, with the nearest one.
@@ -187,7 +203,7 @@ std::string unknown_command(const CLI::App& app, std::string_view word) {
   if (hint.empty())
     hint = did_you_mean("--" + std::string(word), options_of(app));
   return fmt::format("there is no command {}{}", quote(word),
-                     !hint.empty() ? hint : "; 'eyrie catalog NAME' tells of a node");
+                     hint.empty() ? nearest_or_all(word, names) : hint);
 }
 
 }  // namespace

@@ -217,8 +217,8 @@ int what_if(const WhatIfOptions& options) {
       json["fault"] = result.fault;
   }
   if (asks_trees && !options.json) {
-    say("{}: {} of {} decisions would have been other ones\n", options.player, result.different,
-        result.decisions);
+    say("{}: {} of {} would have been different\n", options.player, result.different,
+        counted(result.decisions, "decision"));
     if (result.first) {
       say("first at {} (step {}): {} -> {}\n", record::clock_text(result.first->time),
           result.first->step, result.first->flown, result.first->other);

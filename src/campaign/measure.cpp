@@ -243,7 +243,7 @@ class Watcher final : public Watch {
     if (std::find(names.begin(), names.end(), spec.phase) == names.end())
       wrong.error(spec.text.where_of("phase"),
                   fmt::format("{}: there is no phase {}{}", spec.name, quote(spec.phase),
-                              did_you_mean(spec.phase, names)));
+                              nearest_or_all(spec.phase, names)));
   }
 
   const Measures& measures_;
@@ -272,6 +272,8 @@ Measures read_measures(const Value& map, Diagnostics& diagnostics) {
       diagnostics.error(e.where, *problem);
     else if (bind(spec, e.value, diagnostics))
       check(spec, diagnostics);
+    else if (!spec.event.empty() || !spec.node.empty())
+      Query::check(spec, diagnostics);  // what could be read is told in the same go
     auto& condition = all.conditions.emplace_back();
     if (const Value* const text = e.value.find("if"); text && spec.what == What::holds)
       condition = condition_over(all.columns, *text, diagnostics);

@@ -66,8 +66,8 @@ std::optional<std::vector<ubf::detail::Instruction>> condition_of(
     const MeasureSpec& spec, std::span<const StateFieldInfo> fields, Diagnostics& diagnostics) {
   const Value* const text = spec.text.find("if");
   ubf::FieldNames names;
-  return text ? ubf::parse_expression(*text, fields, names, diagnostics)
-              : std::optional(std::vector<ubf::detail::Instruction>());
+  return text && text->is_scalar() ? ubf::parse_expression(*text, fields, names, diagnostics)
+                                   : std::optional(std::vector<ubf::detail::Instruction>());
 }
 
 /// How far the nearest of some is, of which `counts`; NaN if none does.
@@ -145,7 +145,7 @@ Players players_named(const scenario::Scenario& scenario, const MeasureSpec& spe
   if (std::find(meant.begin(), meant.end(), true) == meant.end())
     diagnostics.error(spec.text.where_of(key),
                       fmt::format("{}: there is no side, flight or player {}{}", spec.name,
-                                  quote(name), did_you_mean(name, names)));
+                                  quote(name), nearest_or_all(name, names)));
   return meant;
 }
 
@@ -181,9 +181,11 @@ void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
     std::vector<std::string_view> names;
     for (std::uint16_t k = 1; k < static_cast<std::uint16_t>(model::EventKind::count); ++k)
       names.push_back(model::event_name(static_cast<model::EventKind>(k)));
-    diagnostics.error(spec.text.where_of("event"),
-                      fmt::format("{}: there is no event {}{}", spec.name, quote(spec.event),
-                                  did_you_mean(spec.event, names)));
+    const std::string hint = did_you_mean(spec.event, names);
+    diagnostics.error(
+        spec.text.where_of("event"),
+        fmt::format("{}: there is no event {}{}", spec.name, quote(spec.event),
+                    hint.empty() ? "; 'eyrie catalog --events' tells which there are" : hint));
     return;
   }
   const std::vector<StateFieldInfo> fields = fields_of(spec);
@@ -194,9 +196,11 @@ void Query::check(const MeasureSpec& spec, Diagnostics& diagnostics) {
   if (value_of(spec, fields) == fields.size())
     diagnostics.error(spec.text.where_of("value"),
                       fmt::format("{}: it has no value {}{}", spec.name, quote(spec.value),
-                                  did_you_mean(spec.value, names)));
+                                  nearest_or_all(spec.value, names)));
+  const Value* const take = spec.text.find("take");
   const bool takes_value = spec.take != Take::any && spec.take != Take::count;
-  if (!spec.value.empty() && !takes_value)
+  const bool is_read = !take || take->text == enum_name(spec.take);
+  if (!spec.value.empty() && !takes_value && is_read)
     diagnostics.error(spec.text.where_of("value"),
                       fmt::format("{}: '{}' takes no value", spec.name, enum_name(spec.take)));
 }
@@ -276,7 +280,7 @@ Query::Query(const MeasureSpec& spec, const Flight& flight, Diagnostics& diagnos
   if (!known)
     diagnostics.error(spec.text.where_of("node"),
                       fmt::format("{}: no tree has a node {}{}", spec.name, quote(spec.node),
-                                  did_you_mean(spec.node, labels)));
+                                  nearest_or_all(spec.node, labels)));
 }
 
 double Query::field(const Case& c, std::size_t index) const {

@@ -55,7 +55,9 @@ TEST(Search, SaysWhatItsFileSays) {
   EXPECT_EQ(search_mistake(search_with("goal: minimize, ", "")),
             "s.yaml:8:11: optimize needs the parameter 'goal'");
   EXPECT_EQ(search_mistake(search_with("replicates", "stop: {}\nreplicates")),
-            "s.yaml:7:1: campaign has no parameter 'stop'");
+            "s.yaml:7:1: campaign has no parameter 'stop', only eyrie, name, help, scenario, set, "
+            "plugins, "
+            "seeds, replicates, budget, factors, measures, optimize");
   EXPECT_EQ(search_mistake(search_with("optimize: ", "#")),
             "s.yaml:1:1: a search needs 'optimize'");
   EXPECT_EQ(search_mistake(search_with("replicates", "budget: {time: 1 h}\nreplicates")),

@@ -155,7 +155,7 @@ const Measure* find_measure(const Measures& measures, const Value& map, std::str
   if (wanted)
     diagnostics.error(wanted->where,
                       fmt::format("{}: there is no measure {}{}", owner, quote(wanted->text),
-                                  did_you_mean(wanted->text, names)));
+                                  nearest_or_all(wanted->text, names)));
   return nullptr;
 }
 
@@ -164,6 +164,8 @@ Spec bind_spec(const Value& document, const std::string& file,
   Spec spec;
   if (!document.is_map())
     throw ConfigError({file, 1, 1}, "expected a map, got " + document.shown());
+  if (const auto newer = scenario::newer_format(document))
+    throw ConfigError(newer->where, newer->message);
   if (document.find("blue") || document.find("red"))
     throw ConfigError({file, 1, 1}, "this is a scenario: eyrie fly " + quote_path(file));
   std::vector<std::string_view> by_hand{"factors", "measures"};

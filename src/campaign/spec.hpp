@@ -3,6 +3,7 @@
 /// \file  A campaign: what its file says. docs/campaigns.md has the format.
 #include "campaign/design.hpp"
 #include "campaign/measure.hpp"
+#include "core/version.hpp"
 
 namespace eyrie::campaign {
 
@@ -69,7 +70,8 @@ struct Spec {
   static constexpr std::uint64_t kMostReplicates = 1'000'000'000;  ///< of a cell
   static constexpr auto params() {
     return std::tuple{
-        param("eyrie", &Spec::eyrie, range(1, 1), "version of the file format").required(),
+        param("eyrie", &Spec::eyrie, range(kFileFormat, kFileFormat), "version of the file format")
+            .required(),
         param("name", &Spec::name, "what the campaign is called").items(1, 100).required(),
         param("help", &Spec::help_text, "one line on what it is for").items(0, 500),
         param("scenario", &Spec::scenario,
@@ -83,7 +85,7 @@ struct Spec {
         param("budget", &Spec::budget, "when it ends though it is not complete")};
   }
   std::string file, text;
-  int eyrie = 1;
+  int eyrie = kFileFormat;
   std::string name, help_text, scenario;
   std::vector<std::string> sets, plugins;
   Location scenario_where;  ///< where the file says it

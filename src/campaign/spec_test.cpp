@@ -109,7 +109,7 @@ TEST(Spec, TriesEachLevelOnceBeforeAnythingIsFlown) {
             "c.yaml:6:52: bingo: the scenario refuses '1800 ft'\n--se");
   EXPECT_EQ(refused(with("until=60 min", "a.b=1")),
             "c.yaml:4:7: set: the scenario refuses 'a.b=1'\n"
-            "--set a.b=1:1:1: there is no 'a' here");
+            "--set a.b=1:1:1: there is no 'a' here; what is new is set whole, as in a={b: ...}");
   EXPECT_EQ(refused(with("who: eagle", "who: eagel")),
             "c.yaml:16:32: left: there is no side, flight or player 'eagel'; did you mean "
             "'eagle'?");
@@ -254,6 +254,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "c.yaml:15:36: exchange: 'whom' says nothing of exchange_ratio"},
         Mistake{"event: launch", "event: lunch",
                 "c.yaml:17:30: near: there is no event 'lunch'; did you mean 'launch'?"},
+        Mistake{
+            "event: launch, who: blue, if: range < 10 nmi and time > 5 min, take: first",
+            "event: lunch, take: frist",
+            "c.yaml:17:30: near: there is no event 'lunch'; did you mean 'launch'?\n"
+            "c.yaml:17:43: take: expected one of any, count, first, last, sum, least, most, got "
+            "'frist'; did you mean 'first'?"},
+        Mistake{
+            "take: first, value: range", "take: frist, value: rang",
+            "c.yaml:17:92: take: expected one of any, count, first, last, sum, least, most, got "
+            "'frist'; did you mean 'first'?\n"
+            "c.yaml:17:106: near: it has no value 'rang'; did you mean 'range'?"},
         Mistake{"range < 10 nmi", "rnge < 10 nmi",
                 "c.yaml:17:53: there is no state field 'rnge'; did you mean 'range'?"},
         Mistake{"range < 10 nmi", "range < 10 kg",

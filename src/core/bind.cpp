@@ -72,7 +72,7 @@ bool check_keys(const Value& map, std::string_view type_name, std::string_view p
     if (std::find(allowed.begin(), allowed.end(), entry.key) == allowed.end())
       diagnostics.error(entry.where,
                         fmt::format("{}{} has no parameter {}{}", prefix(path), type_name,
-                                    quote(entry.key), did_you_mean(entry.key, allowed)));
+                                    quote(entry.key), nearest_or_all(entry.key, allowed)));
   return true;
 }
 
@@ -99,7 +99,7 @@ bool read_number(double& out, const Value& value, const ParamInfo& info, Diagnos
   const double x = snapped(parsed.value, info);
   if (!check_range(x, value, info, diagnostics))
     return false;
-  out = x;
+  out = x + 0.0;  // -0 is 0
   return true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/diagnostics.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -77,6 +77,20 @@ std::string nearest(std::string_view wrong, std::span<const Name> names) {
     }
   }
   return best ? fmt::format("; did you mean '{}'?", *best) : std::string{};
+}
+
+template <class Name>
+std::string near_or_all(std::string_view wrong, std::span<const Name> names) {
+  constexpr std::size_t kGlance = 250;  // characters
+  std::string hint = nearest(wrong, names);
+  if (!hint.empty() || names.empty())
+    return hint;
+  std::vector<std::string_view> once;
+  for (const std::string_view name : names)
+    if (once.size() < kGlance && std::find(once.begin(), once.end(), name) == once.end())
+      once.push_back(name);
+  const std::string all = printable(fmt::format(", only {}", fmt::join(once, ", ")));
+  return all.size() <= kGlance ? all : "";
 }
 
 /// The one copy of a name.
@@ -179,6 +193,14 @@ std::string did_you_mean(std::string_view wrong, std::span<const std::string_vie
 
 std::string did_you_mean(std::string_view wrong, std::span<const std::string> names) {
   return nearest(wrong, names);
+}
+
+std::string nearest_or_all(std::string_view wrong, std::span<const std::string_view> names) {
+  return near_or_all(wrong, names);
+}
+
+std::string nearest_or_all(std::string_view wrong, std::span<const std::string> names) {
+  return near_or_all(wrong, names);
 }
 
 std::string quote(std::string_view text) {

@@ -95,6 +95,11 @@ class ConfigError : public std::runtime_error {
 [[nodiscard]] std::string did_you_mean(std::string_view wrong,
                                        std::span<const std::string_view> names);
 [[nodiscard]] std::string did_you_mean(std::string_view wrong, std::span<const std::string> names);
+/// Likewise, but ", only a, b, c" when none is near and all of them are read at a glance.
+[[nodiscard]] std::string nearest_or_all(std::string_view wrong,
+                                         std::span<const std::string_view> names);
+[[nodiscard]] std::string nearest_or_all(std::string_view wrong,
+                                         std::span<const std::string> names);
 
 /// The printable() text in single quotes; one that is longer than 60 characters is cut with "...".
 [[nodiscard]] std::string quote(std::string_view text);

@@ -140,6 +140,15 @@ TEST(DidYouMean, NamesTheNearest) {
   EXPECT_EQ(hint(std::string(1000, 'v')), "");
 }
 
+TEST(NearestOrAll, ListsWhatIsReadAtAGlance) {
+  EXPECT_EQ(nearest_or_all("voet", kNames), "; did you mean 'vote'?");
+  EXPECT_EQ(nearest_or_all("heading", kNames),
+            ", only danger_range, vote, mode, altitude, x, weight");
+  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>{}), "");
+  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>(30, "danger")), ", only danger");
+  EXPECT_EQ(nearest_or_all("a", std::vector<std::string>{std::string(300, 'x')}), "");
+}
+
 TEST(DidYouMean, PrefersTheEarlierOfTwoEquallyNear) {
   EXPECT_EQ(did_you_mean("line", std::vector<std::string>{"lane", "line", "lone"}),
             "; did you mean 'line'?");

@@ -20,7 +20,12 @@ class EventTimes final : public sim::Observer {
         who_(who),
         word_(to_small(std::move(word))),
         story_(scenario, [this](const record::StoryLine& line) {
-          if (line.who == scenario_.roster.name(who_) && has_word(line.text))
+          if (line.who != scenario_.roster.name(who_))
+            return;
+          // a missile's event is its shooter's too
+          const std::string name(model::event_name(line.kind));
+          names_.insert(name);
+          if (has_word(line.text) || has_word(name))
             found_ = line.decided;
         }) {}
 

@@ -238,7 +238,8 @@ std::vector<std::string> paths_of(const scenario::Scenario& scenario, const std:
 /// False if the text is no override of a node.
 bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::string& text,
                  std::vector<scenario::TreeChange>& changes, Diagnostics& diagnostics) {
-  const std::size_t equals = text.find('='), colon = text.substr(0, equals).find(':');
+  std::size_t equals = text.find('=');
+  const std::size_t colon = text.substr(0, equals).find(':');
   const std::size_t begin = colon == text.npos ? 0 : colon + 1;
   std::string node = text.substr(begin, equals - begin), key;
   if (equals == text.npos ||
@@ -257,6 +258,10 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
     return wrong(0, fmt::format("{} begins with no tree", scenario.roster.name(who)));
   if (paths.empty())
     return wrong(0, fmt::format("there is no tree {}", quote(tree)));
+  for (const std::string& path : paths)  // one with a '=' in a label
+    if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
+      equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));
+  node = text.substr(begin, equals - begin);
   auto found = std::find(paths.begin(), paths.end(), node);
   const std::size_t point = node.rfind('.');
   const bool names_key = found == paths.end() && point != node.npos;
@@ -275,9 +280,11 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
                                node.substr(p + 1, node.find('.', p + 1) - p - 1)));
   if (found == paths.end())
     return wrong(begin, fmt::format("tree {} has no node {}{}", quote(tree), quote(node),
-                                    did_you_mean(node, paths)));
+                                    nearest_or_all(node, paths)));
   if (names_key && key.empty())
     return wrong(equals, "a parameter is missing behind the point");
+  if (text.find_first_not_of(' ', equals + 1) == text.npos)
+    return wrong(equals, "a value is missing behind '='");
   Diagnostics in_value;
   eyrie::Value value = eyrie::parse_yaml(text.substr(equals + 1), "--set", in_value);
   if (!in_value.ok())

@@ -214,14 +214,15 @@ Json model_definition(const ModelKind& kind) {
 Json data_schema(const Catalog& catalog) {
   Json kinds = Json::object();
   for (const ModelKind& kind : catalog.models)
-    kinds[kind.folder] = one_or_nothing(map_of(reference_to("model." + kind.folder)));
-  return one_or_nothing(closed_map(std::move(kinds)));
+    kinds[kind.folder] = map_of(reference_to("model." + kind.folder));
+  return closed_map(std::move(kinds));
 }
 
 // the file
 
 Json include_schema() {
-  return any_of({{"type", "string"}}, {{"type", "array"}, {"items", {{"type", "string"}}}});
+  const Json file{{"type", "string"}, {"minLength", 1}};
+  return any_of(file, {{"type", "array"}, {"items", file}});
 }
 
 /// Where a change is made, and what is put there.
@@ -245,12 +246,13 @@ class Root {
     schema["description"] = top.help;
     schema.update(map);
     schema["properties"].at("orders")["items"]["anyOf"] = {needing("swap_tree"), needing("lose")};
-    put(schema, "extends", {{"type", "string"}, {"examples", catalog_.scenarios}});
+    put(schema, "extends",
+        {{"type", "string"}, {"minLength", 1}, {"examples", catalog_.scenarios}});
     put(schema, "include", include_schema());
     put(schema, "insert", changes_schema(true));
     put(schema, "replace", changes_schema(false));
     put(schema, "remove", include_schema());
-    put(schema, "plugins", one_or_nothing(include_schema()));
+    put(schema, "plugins", include_schema());
     put(schema, "trees", trees());
     put(schema, "data", data_schema(catalog_));
     put(schema, "blue", reference_to("side"));
@@ -299,7 +301,7 @@ class Root {
            {"description", "names and defaults; one without a default must be given"}}},
          {std::string(ubf::kRootKey), {{"description", "a node, with $name for parameters"}}}},
         {ubf::kParametersKey, ubf::kRootKey});
-    return one_or_nothing(map_of(any_of(reference_to("node"), std::move(with_parameters))));
+    return map_of(any_of(reference_to("node"), std::move(with_parameters)));
   }
 
   Json definitions() const {

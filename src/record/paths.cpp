@@ -131,7 +131,9 @@ ordered_json color(model::Side side) {  // told apart by the colour-blind: Okabe
 
 /// Degrees to 1 cm, and m.
 ordered_json coordinates(const Geodetic& place, double longitude) {
-  const auto rounded = [](double value, double scale) { return std::round(value * scale) / scale; };
+  const auto rounded = [](double value, double scale) {
+    return std::round(value * scale) / scale + 0.0;  // never -0
+  };
   return {rounded(degrees(longitude), 1e7), rounded(degrees(place.latitude), 1e7),
           rounded(place.altitude, 10)};
 }

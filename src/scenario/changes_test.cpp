@@ -230,14 +230,18 @@ TEST(Changes, SayWhatIsWrongWithTheirPaths) {
            Case{"insert: {seed.deep: 2}", "2:15: there is no 'deep' here, only '1'"},
            Case{"insert: [x]", "2:9: insert: expected a map from paths to values, got a list"},
            Case{"replace: {untl: 3 min}",
-                "2:11: there is no 'untl' here ('insert' adds what is new)"},
+                "2:11: there is no 'untl' here ('insert' adds what is new), only name, seed, "
+                "include, "
+                "trees, blue"},
            Case{"replace: {" + in + ".7: x}",
                 "2:39: there is no item 7 here: the list has 3, counted from 0"},
            Case{"replace: {a..b: x}", "2:13: an empty name in the path"},
            Case{"insert: {befor trees.wall.winner_takes_all.evade: x}",
                 "2:10: 'befor' is no place to insert at; did you mean 'before'?"},
            Case{"replace: {before seed: x}",
-                "2:11: there is no 'before seed' here ('insert' adds what is new)"},
+                "2:11: there is no 'before seed' here ('insert' adds what is new), only name, "
+                "seed, include, "
+                "trees, blue"},
            Case{"remove: blue.flights.eagel",
                 "2:22: there is no 'eagel' here; did you mean 'eagle'?"},
            Case{"remove: [{a: b}]", "2:10: remove: expected a path or a list of paths, got a map"},

@@ -47,7 +47,7 @@ std::vector<std::string_view> DataLoader::kinds() {
 DataLoader::DataLoader(model::Library& library, const Value* inline_data, Source& source,
                        Diagnostics& diagnostics)
     : library_(library), inline_(inline_data), source_(source), diagnostics_(diagnostics) {
-  if (!inline_ || inline_->is_null())
+  if (!inline_)
     return;
   if (!inline_->is_map()) {
     diagnostics_.error(inline_->where, "data: expected a map of kinds, got " + inline_->shown());
@@ -68,7 +68,7 @@ void DataLoader::check_inline(const Value::Entry& kind) {
                                                did_you_mean(kind.key, kinds())));
     return;
   }
-  if (!kind.value.is_map() && !kind.value.is_null())
+  if (!kind.value.is_map())
     diagnostics_.error(kind.value.where, fmt::format("data.{}: expected a map of names, got {}",
                                                      kind.key, kind.value.shown()));
   if (kind.value.entries.size() > kMostModels) {
@@ -153,7 +153,7 @@ std::optional<Value> DataLoader::document(std::string_view kind, const std::stri
       for (const Value::Entry& e : group->entries)
         names.push_back(e.key);
     diagnostics_.error(where, fmt::format("unknown {} {}{}", singular(kind), quote(name),
-                                          did_you_mean(name, names)));
+                                          nearest_or_all(name, names)));
     return std::nullopt;
   }
   const Value* base = found->find("base");

@@ -138,7 +138,7 @@ TEST(Data, NamesTheNearestModelItKnows) {
   EXPECT_EQ(data.mistakes(),
             "s:9:3: unknown aircraft 'f51c'; did you mean 'f15c'?\n"
             "s:10:3: unknown aircraft 'my_jat'; did you mean 'my_jet'?\n"
-            "s:11:3: unknown missile 'sparrow'");
+            "s:11:3: unknown missile 'sparrow', only aim120, aim9, r73, r77");
 }
 
 TEST(Data, NeverLeavesItsFolder) {

@@ -11,6 +11,7 @@
 #include <unordered_set>
 
 #include "core/text.hpp"
+#include "core/version.hpp"
 #include "core/yaml.hpp"
 #include "scenario/changes.hpp"
 #include "scenario/path.hpp"
@@ -99,15 +100,13 @@ class Merger {
     if (e.key == "plugins")
       return there ? add_plugins(*there, std::move(e.value))
                    : document_.entries.push_back(std::move(e));
-    if (!e.value.is_map() && !e.value.is_null()) {
+    if (!e.value.is_map()) {
       diagnostics_.error(e.value.where,
                          fmt::format("{}: expected a map, got {}", e.key, e.value.shown()));
       return;
     }
     if (!there)
       document_.entries.push_back(std::move(e));
-    else if (there->is_null())
-      *there = std::move(e.value);
     else if (there->is_map())  // otherwise whoever reads it says so
       add_map(*there, std::move(e.value), e.key);
   }
@@ -271,6 +270,10 @@ class Composer {
                                            quote_path(file), kMostValues));
       return {};
     }
+    if (const auto newer = newer_format(document)) {
+      diagnostics_.error(newer->where, newer->message);
+      return {};
+    }
     if (document.is_map())
       return document;
     diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
@@ -342,6 +345,17 @@ bool is_package(const Value& document) {
   return std::all_of(document.entries.begin(), document.entries.end(), [](const Value::Entry& e) {
     return e.key == "include" || is_mergeable(e.key);
   });
+}
+
+std::optional<Diagnostic> newer_format(const Value& document) {
+  const Value* const said = document.find("eyrie");
+  const auto format = said ? number_from<std::int64_t>(said->text) : std::nullopt;
+  if (!format || *format <= kFileFormat)
+    return std::nullopt;
+  return Diagnostic{said->where,
+                    fmt::format("eyrie: this file is of format {}, which needs a newer "
+                                "program; this one, {}, reads format {}",
+                                *format, kVersion, kFileFormat)};
 }
 
 std::string what_else(const Value& document, const std::string& file) {

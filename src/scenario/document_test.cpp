@@ -56,10 +56,12 @@ TEST(Document, MergesTreesAndDataOfWhatItIncludes) {
 }
 
 TEST(Document, TakesWholeMapsThatItDoesNotHaveItself) {
-  EXPECT_EQ(text(load({{"dir/a.yaml", "include: b.yaml\ntrees:\n"},
-                       {"dir/b.yaml", "trees: {t: navigate}\ndata:\n"}})
+  EXPECT_EQ(text(load({{"dir/a.yaml", "include: b.yaml\ntrees: {}\n"},
+                       {"dir/b.yaml", "trees: {t: navigate}\ndata: {}\n"}})
                      .document),
-            "{include: b.yaml, trees: {t: navigate}, data: null}");
+            "{include: b.yaml, trees: {t: navigate}, data: {}}");
+  EXPECT_EQ(load({{"dir/a.yaml", "include: b.yaml\n"}, {"dir/b.yaml", "trees:\n"}}).mistakes,
+            "dir/b.yaml:1:1: trees: expected a map, got nothing");
 }
 
 TEST(Document, ReadsAFileOnceThatIsReachedInTwoWays) {
@@ -318,7 +320,7 @@ TEST(Overrides, CollectEveryMistakeAndApplyTheOthers) {
   const Changed c = with({"sede.x=1", "seed=9", "blue.y.z=1"});
   EXPECT_EQ(c.mistakes,
             "--set sede.x=1:1:1: there is no 'sede' here; did you mean 'seed'?\n"
-            "--set blue.y.z=1:1:6: there is no 'y' here");
+            "--set blue.y.z=1:1:6: there is no 'y' here, only flights");
   EXPECT_EQ(c.document.find("seed")->text, "9");
 }
 

@@ -55,6 +55,14 @@ class Override {
     if (is_done_before_sets(keys->front().text))
       return error(0,
                    fmt::format("'{}' is carried out before anything is set", keys->front().text));
+    const std::string& first_key = keys->front().text;
+    std::vector<std::string> names;
+    for (const Value::Entry& e : document.entries)
+      names.push_back(e.key);
+    if (keys->size() > 1 && did_you_mean(first_key, names).empty())
+      return error(0, fmt::format("there is no {0} here; what is new is set whole, as in "
+                                  "{1}={{{2}: ...}}",
+                                  quote(first_key), first_key, (*keys)[1].text));
     Value* at = &document;
     for (std::size_t i = 0; at && i + 1 < keys->size(); ++i)
       at = step(*at, (*keys)[i], diagnostics_);

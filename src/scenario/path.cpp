@@ -74,7 +74,7 @@ std::string_view item_name(const Value& item) {
 }
 
 std::string not_here(const Value& at, std::string_view key, std::string_view note) {
-  std::string rest = at.is_map() || at.is_list() ? did_you_mean(key, names_in(at))
+  std::string rest = at.is_map() || at.is_list() ? nearest_or_all(key, names_in(at))
                                                  : fmt::format(", only {}", at.shown());
   if (at.is_scalar() && is_identifier(at.text) && !number_from<std::size_t>(at.text))
     rest += fmt::format(" ({} if that is a node)", quote(fmt::format("{}.{}", at.text, key)));

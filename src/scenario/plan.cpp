@@ -137,6 +137,9 @@ class Reader {
               fmt::format("a scenario has at most {} flights and convoys", kMostGroups));
       return;
     }
+    if (!entry.value.is_map())
+      return error(entry.value.where, fmt::format("{} '{}': expected a map, got {}", Plan::word,
+                                                  entry.key, entry.value.shown()));
     plan.name = entry.key;
     plan.side = side;
     plan.where = entry.where;

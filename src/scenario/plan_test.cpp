@@ -167,10 +167,12 @@ TEST(Plan, NamesTheNearestRightKey) {
       read("blue: {flihgts: {}, flights: {eagle: {players: [eagle1], aircaft: f15c}}}\n").mistakes,
       "a:1:8: blue has no 'flihgts'; did you mean 'flights'?\n"
       "a:1:58: flight has no parameter 'aircaft'; did you mean 'aircraft'?");
-  EXPECT_EQ(players("[eagle1, {eagle2: {fule: 3 kg, start: {nroth: 0}, formation: {}}}]"),
-            "a:1:54: player has no parameter 'fule'; did you mean 'fuel'?\n"
-            "a:1:74: start: start has no parameter 'nroth'; did you mean 'north'?\n"
-            "a:1:85: player has no parameter 'formation'");
+  EXPECT_EQ(
+      players("[eagle1, {eagle2: {fule: 3 kg, start: {nroth: 0}, formation: {}}}]"),
+      "a:1:54: player has no parameter 'fule'; did you mean 'fuel'?\n"
+      "a:1:74: start: start has no parameter 'nroth'; did you mean 'north'?\n"
+      "a:1:85: player has no parameter 'formation', only aircraft, tree, start, spread, fuel, "
+      "bingo, loadout, rounds, privileged");
 }
 
 TEST(Plan, CollectsMistakesOfUnitsAndRanges) {
@@ -190,6 +192,8 @@ TEST(Plan, CollectsMistakesOfUnitsAndRanges) {
 
 TEST(Plan, RefusesSidesWithoutAnything) {
   EXPECT_EQ(read("seed: 1\n").mistakes, "a:1:1: no flights: neither blue nor red has any");
+  EXPECT_EQ(read("blue: {flights: {eagle: }}\n").mistakes,
+            "a:1:18: flight 'eagle': expected a map, got nothing");
   EXPECT_EQ(read("blue:\n").mistakes, "a:1:1: blue: expected a map with flights, got nothing");
   EXPECT_EQ(read("blue: [eagle]\n").mistakes,
             "a:1:7: blue: expected a map with flights, got a list");

@@ -105,7 +105,7 @@ void load_plugins(const Value& key, const PluginPermission& permission, Plugins&
     std::for_each(key.items.begin(), key.items.end(), load);
   else if (key.is_scalar())
     load(key);
-  else if (!key.is_null())
+  else
     diagnostics.error(key.where, "plugins: expected a file or a list of files, got " + key.shown());
 }
 

@@ -55,7 +55,7 @@ struct Roster {
     std::vector<std::string> names;
     for (const Player& player : players)
       names.push_back(player.name);
-    return fmt::format("there is no player {}{}", quote(name), did_you_mean(name, names));
+    return fmt::format("there is no player {}{}", quote(name), nearest_or_all(name, names));
   }
 };
 

@@ -3,6 +3,7 @@
 /// \file  What a scenario file says, as typed values before anything is built from them.
 #include "core/describe.hpp"
 #include "core/units.hpp"
+#include "core/version.hpp"
 #include "pilot/geometry.hpp"
 
 namespace eyrie::scenario {
@@ -241,7 +242,9 @@ struct ScenarioSpec {
   static constexpr std::string_view help = "a scenario: who flies what, where, and until when";
   static constexpr auto params() {
     return std::tuple{
-        param("eyrie", &ScenarioSpec::eyrie, range(1, 1), "version of the file format").required(),
+        param("eyrie", &ScenarioSpec::eyrie, range(kFileFormat, kFileFormat),
+              "version of the file format")
+            .required(),
         param("name", &ScenarioSpec::name, "what the run is called").items(1, 100).required(),
         param("help", &ScenarioSpec::help_text, "one line on what it is for").items(0, 500),
         param("reference", &ScenarioSpec::reference, "origin of the local frame").required(),
@@ -256,7 +259,7 @@ struct ScenarioSpec {
               "others are flown by programs that are heard over DIS; [] (the default): nobody is")
             .items(0, 1000)};
   }
-  int eyrie = 1;
+  int eyrie = kFileFormat;
   std::string name, help_text;
   ReferenceSpec reference;
   std::uint64_t seed = 1;

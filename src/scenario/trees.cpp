@@ -148,7 +148,7 @@ TreeBook TreeBook::read(const Value* map, const Plans& plans, const std::vector<
                         Diagnostics& diagnostics, Source* source,
                         std::span<const std::unique_ptr<PlayerKind>> kinds) {
   TreeBook book;
-  if (!map || map->is_null())
+  if (!map)
     return book;
   if (!map->is_map()) {
     diagnostics.error(map->where, "trees: expected a map of trees, got " + map->shown());
@@ -231,7 +231,7 @@ void TreeBook::missing(const std::string& name, const Location& where,
                                          quote(name)));
   else if (!has(broken_) && !too_many_)
     diagnostics.error(
-        where, fmt::format("there is no tree {}{}", quote(name), did_you_mean(name, names_)));
+        where, fmt::format("there is no tree {}{}", quote(name), nearest_or_all(name, names_)));
 }
 
 }  // namespace eyrie::scenario

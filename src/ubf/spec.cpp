@@ -115,8 +115,9 @@ class Filling {
   const Argument* find(const Location& where, std::string_view name) {
     const auto found = arguments_.find(name);
     if (found == arguments_.end()) {
-      diagnostics_.error(where, fmt::format("tree {} has no parameter {}{}", quote(tree_),
-                                            quote(name), did_you_mean(name, names_of(arguments_))));
+      diagnostics_.error(where,
+                         fmt::format("tree {} has no parameter {}{}", quote(tree_), quote(name),
+                                     nearest_or_all(name, names_of(arguments_))));
       return nullptr;
     }
     found->second.used = true;
@@ -321,7 +322,7 @@ std::optional<Value> instantiate(std::string_view name, const Value& tree,
     if (parameter == arguments.end())
       diagnostics.error(e->where,
                         fmt::format("tree {} has no parameter {}{}", quote(name), quote(e->key),
-                                    did_you_mean(e->key, names_of(arguments))));
+                                    nearest_or_all(e->key, names_of(arguments))));
     else
       parameter->second = {.value = &e->value, .is_default = false};
   }

@@ -128,7 +128,8 @@ TEST(VoteCurve, MistakesAreSaid) {
       said("{of: alarm, curve: logistics}"),
       at + "46: curve: expected one of linear, quadratic, root, logistic, got 'logistics'; did "
            "you mean 'logistic'?");
-  EXPECT_EQ(said("{of: alarm, more: 3}"), at + "39: vote has no parameter 'more'");
+  EXPECT_EQ(said("{of: alarm, more: 3}"),
+            at + "39: vote has no parameter 'more', only of, curve, from, to, least, most");
   EXPECT_EQ(said("{most: 2000, of: alarm}"), at + "34: vote: 2000 is outside [0, 1000]");
   EXPECT_EQ(said("{most: {most: 20, of: alarm}, of: alarm}"),
             at + "34: vote: 'most' is a number such as 40, got a map");

@@ -33,5 +33,16 @@ TEST(Paths, KeepLessOftenWhatIsLong) {
   }
 }
 
+TEST(Paths, HaveNoNegativeZeros) {
+  const debrief::Recorded recorded = test::recorded_flight("convoy", 30);
+  Paths paths(*recorded.scenario);
+  debrief::Reflight flight(recorded);
+  flight.attach(paths);
+  while (flight.step()) {
+  }
+  paths.finish(flight.after());
+  EXPECT_EQ(geojson(paths).find("-0.0]"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace eyrie::record

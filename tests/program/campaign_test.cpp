@@ -240,7 +240,7 @@ TEST_F(Campaign, IsNoSearchThatHidesFlightsThatFail) {
   const Ran ran =
       run_program(folder, {"optimize", "s.yaml", "--out", "out", "--plugin", plugin("faulty")});
   EXPECT_EQ(ran.code, 1) << ran.out;
-  EXPECT_NE(ran.err.find("flights ended with a fault and count for nothing, the first with "
+  EXPECT_NE(ran.err.find("ended with a fault, which counts for nothing, the first with "
                          "eagle"),
             std::string::npos)
       << ran.err;

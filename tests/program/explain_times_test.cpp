@@ -42,6 +42,19 @@ TEST(ExplainTimes, LeadBackToTheDecisionsThatTheyWerePrintedFor) {
   EXPECT_GT(changes, 10);
 }
 
+TEST(ExplainTimes, AreThoseOfThePlayersMissilesToo) {
+  const auto at = [](const char* who, const char* word) {
+    return asked({"explain", "m", "--player", who, "--event", word}).out;
+  };
+  std::size_t shots = 0;
+  for (const char* who : {"viper1", "bandit1"})
+    if (const std::string fox = at(who, "fox"); !fox.empty()) {
+      ++shots;
+      EXPECT_NE(at(who, "launch").find(fox.substr(0, fox.find('\n'))), std::string::npos) << who;
+    }
+  EXPECT_GT(shots, 0U);
+}
+
 TEST(ExplainTimes, BeginWhatIsListedAsItIsShown) {
   const std::string all =
       asked({"explain", "m", "--player", "viper1", "--from", "1:00.3", "--to", "1:00.5"}).out;

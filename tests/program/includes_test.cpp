@@ -102,7 +102,8 @@ TEST_F(Includes, AreNotTheOnlyNamesOfFiles) {
     folder_.write("mine/x.yaml", text);
     const Ran ran = run_program(folder_, {"validate", "mine/x.yaml"});
     EXPECT_EQ(ran.code, 2);
-    EXPECT_EQ(ran.err, "mine/x.yaml:15:17: unknown aircraft '" + name + "'\n");
+    EXPECT_EQ(ran.err, "mine/x.yaml:15:17: unknown aircraft '" + name +
+                           "', only f15c, f16c, laero_fighter, mig29, paper_fighter, su27\n");
   }
 }
 

@@ -21,7 +21,7 @@ std::string repeated(int count, const std::function<std::string(const std::strin
 struct Large {
   const char* name;
   std::string text;
-  const char* expected;  ///< the first line of stderr
+  const char* expected;  ///< how stderr begins
 };
 void PrintTo(const Large& l, std::ostream* out) {
   *out << l.name;
@@ -33,7 +33,7 @@ TEST_P(Limits, AreSaid) {
   folder.write("x.yaml", GetParam().text);
   const Ran ran = run_program(folder, {"validate", "x.yaml"});
   EXPECT_EQ(ran.code, 2);
-  EXPECT_EQ(ran.err.substr(0, ran.err.find('\n')), GetParam().expected);
+  EXPECT_TRUE(ran.err.starts_with(GetParam().expected)) << ran.err.substr(0, 300);
   EXPECT_LT(ran.err.size(), 20'000u);
 }
 

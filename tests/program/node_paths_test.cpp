@@ -125,6 +125,17 @@ TEST_F(ChangedNode, IsMeantByAPathThatDoesNotBeginAtTheRoot) {
   }
 }
 
+TEST_F(ChangedNode, MayHaveALabelWithAnEqualsSign) {
+  std::string named = read_text(folder / "small.yaml");
+  named.insert(named.find("vote: {most"), "name: a=b, ");
+  folder.write("small.yaml", named);
+  for (const char* set : {"root/a=b.vote=7", "root/a=b=pursue"})
+    EXPECT_EQ(what_if(set).code, 0) << set;
+  EXPECT_EQ(what_if("root/a=c=pursue").err,
+            "--set root/a=c=pursue:1:1: tree 'pilot' has no node 'root/a'; did you mean "
+            "'root/a=b'?\n");
+}
+
 TEST_F(ChangedNode, HasNoPathIntoAParameter) {
   const Ran ran = what_if("root/navigate.vote.most=10");
   EXPECT_EQ(ran.code, 2);
