@@ -8,6 +8,7 @@
 #include "core/text.hpp"
 #include "debrief/what_if.hpp"
 #include "disk/file_system.hpp"
+#include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
 #include "scenario/path.hpp"

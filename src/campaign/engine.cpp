@@ -7,6 +7,7 @@
 
 #include "campaign/in_order.hpp"
 #include "core/diagnostics.hpp"
+#include "core/hash.hpp"
 
 namespace eyrie::campaign {
 namespace {

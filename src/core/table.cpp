@@ -24,10 +24,6 @@ void refuse(const std::optional<std::string>& problem) {
   EYRIE_THROW_UNLESS(!problem, problem->c_str());
 }
 
-double mix(double a, double b, double fraction) {
-  return fraction >= 1 ? b : a + fraction * (b - a);  // exactly b at the end
-}
-
 }  // namespace
 
 std::optional<std::string> Axis::problem(std::span<const double> breakpoints) {
@@ -80,12 +76,6 @@ Table1::Table1(std::vector<double> breakpoints, std::vector<double> values) {
   values_ = std::move(values);
 }
 
-double Table1::operator()(double x) const {
-  const TableCell cell = axis_.cell(x);
-  const std::size_t next = std::min(cell.index + 1, values_.size() - 1);
-  return mix(values_[cell.index], values_[next], cell.fraction);
-}
-
 std::optional<std::string> Table2::problem(std::span<const double> rows,
                                            std::span<const double> columns,
                                            std::span<const double> values) {
@@ -111,8 +101,8 @@ double Table2::operator()(double row, double column) const {
   const double* const low = &values_[r.index * columns_.size()];
   const double* const high = &values_[std::min(r.index + 1, rows_.size() - 1) * columns_.size()];
   const std::size_t next = std::min(c.index + 1, columns_.size() - 1);
-  return mix(mix(low[c.index], low[next], c.fraction), mix(high[c.index], high[next], c.fraction),
-             r.fraction);
+  return detail::mix(detail::mix(low[c.index], low[next], c.fraction),
+                     detail::mix(high[c.index], high[next], c.fraction), r.fraction);
 }
 
 }  // namespace eyrie

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,10 +37,15 @@ class Axis {
       return {0, x != x ? x : 0.0};
     if (x >= breakpoints_.back())
       return {size() - 2, 1};
+    const std::size_t i = below(x);
+    return {i, (x - breakpoints_[i]) / (breakpoints_[i + 1] - breakpoints_[i])};
+  }
+  /// The last breakpoint not above `x`, which lies between the first and the last one.
+  [[nodiscard]] std::size_t below(double x) const {
     std::size_t i = first_cell_[bucket(x)];
     while (x >= breakpoints_[i + 1])
       ++i;
-    return {i, (x - breakpoints_[i]) / (breakpoints_[i + 1] - breakpoints_[i])};
+    return i;
   }
   [[nodiscard]] std::span<const double> breakpoints() const { return breakpoints_; }
   [[nodiscard]] std::size_t size() const { return breakpoints_.size(); }
@@ -56,6 +62,14 @@ class Axis {
   double per_bucket_ = 0;
 };
 
+namespace detail {
+
+constexpr double mix(double a, double b, double fraction) {
+  return fraction >= 1 ? b : a + fraction * (b - a);  // exactly b at the end
+}
+
+}  // namespace detail
+
 /// A function of one variable, linear between breakpoints and constant beyond them. The default is
 /// 0 everywhere.
 class Table1 {
@@ -70,7 +84,11 @@ class Table1 {
   /// The same value everywhere.
   [[nodiscard]] static Table1 constant(double value) { return Table1({0.0}, {value}); }
 
-  [[nodiscard]] double operator()(double x) const;
+  [[nodiscard]] double operator()(double x) const {
+    const TableCell cell = axis_.cell(x);
+    const std::size_t next = std::min(cell.index + 1, values_.size() - 1);
+    return detail::mix(values_[cell.index], values_[next], cell.fraction);
+  }
   [[nodiscard]] const Axis& axis() const { return axis_; }
   [[nodiscard]] std::span<const double> breakpoints() const { return axis_.breakpoints(); }
   [[nodiscard]] std::span<const double> values() const { return values_; }

@@ -301,10 +301,11 @@ TEST(Fuse, LearnsNothingFromItsOwnEcho) {
   // as if nobody had said anything
   const track::Prediction alone = track::predict(own, kTracker, {{}, {200, 0, 0}}, 9.5);
   const track::Prediction now = track::predict(me.file.tracks[0], kTracker, {{}, {200, 0, 0}}, 9.5);
-  EXPECT_GT(now.along.position, 0.98 * alone.along.position);
-  EXPECT_GT(now.across.position, 0.98 * alone.across.position);
-  EXPECT_GT(now.along.velocity, 0.98 * alone.along.velocity);
-  EXPECT_GT(now.across.velocity, 0.98 * alone.across.velocity);
+  const track::Covariance sure = covariance_of(now), sure_alone = covariance_of(alone);
+  EXPECT_GT(sure.along.position, 0.98 * sure_alone.along.position);
+  EXPECT_GT(sure.across.position, 0.98 * sure_alone.across.position);
+  EXPECT_GT(sure.along.velocity, 0.98 * sure_alone.along.velocity);
+  EXPECT_GT(sure.across.velocity, 0.98 * sure_alone.across.velocity);
   EXPECT_NEAR(norm(now.position - alone.position), 0, 1);
 }
 

@@ -67,7 +67,7 @@ struct Crowd {
         Row& row = rows[i];
         if (step % 100 == 99)
           command(row, draw);
-        flyers.push_back({.model = &models[i / 2 % 2],
+        flyers.push_back({.model = &models[i < 8 ? i / 2 % 2 : 0],
                           .kinematics = &row.kinematics,
                           .flying = &row.flying,
                           .propulsion = &row.propulsion,

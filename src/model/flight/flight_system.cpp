@@ -6,6 +6,14 @@
 #include "model/flight/collision.hpp"
 
 namespace eyrie::model::flight {
+namespace {
+
+std::size_t station_index(const weapon::Station& station) {
+  return station.store * std::size_t{256} + station.count;
+}
+
+}  // namespace
+
 Kinematics placed(const Reference& reference, const Environment& environment, const Vec3& position,
                   double heading, double speed) {
   Kinematics k;
@@ -25,9 +33,17 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
     : columns_(columns), library_(std::move(library)), period_(period) {
   for (std::size_t i = 0; i < library_->airframes.size(); ++i)
     models_.emplace_back(library_->airframes[i]);
+  for (const Flight& flight : library_->flights)
+    routes_.emplace_back(flight.routes);
+  routes_.emplace_back();
+  loads_.resize(station_index({static_cast<std::uint8_t>(library_->missiles.size()), 255}) + 1,
+                math::Lanes<2>(0));
   for (std::size_t i = 0; i < library_->missiles.size(); ++i)
-    stores_.push_back({.mass = library_->missiles[i].motor.launch_mass(),
-                       .drag_area = library_->missiles[i].carriage_drag_area});
+    for (std::size_t count = 0; count <= 255; ++count)
+      loads_[station_index({static_cast<std::uint8_t>(i + 1), static_cast<std::uint8_t>(count)})] =
+          math::Lanes<2>(static_cast<double>(count)) *
+          math::Lanes<2>(math::Lanes<2>::Vector{library_->missiles[i].motor.launch_mass(),
+                                                library_->missiles[i].carriage_drag_area});
   for (std::size_t i = 0; i < library_->aircraft.size(); ++i) {
     const AircraftType& type = library_->aircraft[i];
     EYRIE_THROW_UNLESS(type.index.airframe < models_.size(), "an aircraft without an airframe");
@@ -36,20 +52,9 @@ FlightSystem::FlightSystem(const AircraftColumns& columns, std::shared_ptr<const
 }
 
 Load FlightSystem::load_of(const weapon::Stores& stores) const {
-  math::Lanes<2> load(0);             // mass and drag area
-  constexpr std::size_t kAtOnce = 4;  // stations, of which a quarter are empty on most aircraft
-  static_assert(weapon::kMaxStations % kAtOnce == 0);
-  for (std::size_t first = 0; first < weapon::kMaxStations; first += kAtOnce) {
-    std::uint64_t bytes;
-    static_assert(sizeof bytes == kAtOnce * sizeof(weapon::Station));
-    std::memcpy(&bytes, &stores.stations[first], sizeof bytes);
-    for (std::size_t i = first; bytes != 0 && i < first + kAtOnce; ++i)
-      if (const weapon::Station& station = stores.stations[i]; station.store != 0) {
-        const Load& each = stores_[station.store - 1u];
-        load += math::Lanes<2>(station.count) *
-                math::Lanes<2>(math::Lanes<2>::Vector{each.mass, each.drag_area});
-      }
-  }
+  math::Lanes<2> load(0);
+  for (const weapon::Station& station : stores.stations)
+    load += loads_[station_index(station)];
   return {.mass = load.v[0], .drag_area = load.v[1]};
 }
 
@@ -82,9 +87,7 @@ void FlightSystem::move(sim::World& world, const sim::StepInfo& info, sim::Chunk
       f.flying = &flying[i];
       f.propulsion = &propulsion[i];
       f.command = &command[i];
-      f.routes = {};
-      if (fit[i].flight < library_->flights.size())
-        f.routes = library_->flights[fit[i].flight].routes;
+      f.routes = routes_[std::min<std::size_t>(fit[i].flight, routes_.size() - 1)];
       if (type.dynamics == Dynamics::laero) {
         fly_laero(sky, f);
         dry |= f.ran_dry ? 1u << (i - begin) : 0;

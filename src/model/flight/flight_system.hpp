@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Flies every aircraft: the move phase.
+#include "core/lanes.hpp"
 #include "model/columns.hpp"
 #include "model/environment.hpp"
 #include "model/flight/airframe.hpp"
@@ -41,8 +42,9 @@ class FlightSystem final : public sim::System {
   std::shared_ptr<const Library> library_;
   sim::Every period_;
   std::vector<Type> types_;
-  std::vector<PointMass> models_;  ///< one per airframe
-  std::vector<Load> stores_;       ///< one per missile type
+  std::vector<PointMass> models_;               ///< one per airframe
+  std::vector<std::span<const Route>> routes_;  ///< by flight; none of who has no flight
+  std::vector<math::Lanes<2>> loads_;           ///< mass and drag area of a station
 };
 
 }  // namespace eyrie::model::flight

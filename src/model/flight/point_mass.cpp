@@ -36,6 +36,9 @@ PointMass::PointMass(const Airframe& airframe)
       power_.push_back({thrust.military, thrust.afterburner});
     }
   }
+  for (std::size_t i = 0; i + 1 < by_mach_.size(); ++i)
+    by_mach_[i].lift_slope = (by_mach_[i + 1].max_lift - by_mach_[i].max_lift) /
+                             (mach_.breakpoints()[i + 1] - mach_.breakpoints()[i]);
 }
 
 FlightCondition PointMass::condition(const Kinematics& k, const Air& air, double fuel,
@@ -53,17 +56,19 @@ Energy PointMass::energy(const FlightCondition& c, double speed) const {
     const double a = c.induced_drag + c.separation_drag, b = c.separation_drag * c.separation;
     sustained = (b + std::sqrt(std::max(b * b - a * (b * c.separation - excess), 0.0))) / a;
   }
+  const auto machs = mach_.breakpoints();
   const auto lift_at = [&](double mach) {
-    const TableCell cell = mach_.cell(mach);
-    const double low = by_mach_[cell.index].max_lift;
-    return low +
-           cell.fraction * (by_mach_[std::min(cell.index + 1, by_mach_.size() - 1)].max_lift - low);
+    if (!(mach > machs.front()) || mach >= machs.back())
+      return (mach >= machs.back() ? by_mach_.back() : by_mach_.front()).max_lift;
+    const std::size_t i = mach_.below(mach);
+    return by_mach_[i].max_lift + (mach - machs[i]) * by_mach_[i].lift_slope;
   };
+  const double mach_per_speed = 1 / c.speed_of_sound;
   // V2 C_L(M) is proportional to the lift limit: a few rounds of a fixed point are within 1 %
   const double here = speed * speed * lift_at(c.mach) / c.lift_limit;
   double corner = speed * std::sqrt(most / c.lift_limit);
   for (int round = 0; round < 3; ++round)
-    corner = std::sqrt(most * here / lift_at(corner / c.speed_of_sound));
+    corner = std::sqrt(most * here / lift_at(corner * mach_per_speed));
   const double available = std::min(most, c.lift_limit);
   return {.available = static_cast<float>(available),
           .sustained = static_cast<float>(std::min(sustained, available)),

@@ -100,6 +100,7 @@ class PointMass {
   friend class Equations;
   struct ByMach {
     double zero_lift_drag, induced_drag, max_lift;
+    double lift_slope = 0;  ///< of max_lift up to the next
   };
   struct Power {
     double military, afterburner;

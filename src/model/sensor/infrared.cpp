@@ -109,7 +109,9 @@ void search_infrared(const Scene& scene, Self& self) {
       [&](const Vec3& sight, double range) {
         return range <= irst.greatest_range && covers(irst, body, sight);
       },
-      [&](const Contact& contact, const Vec3& sight) { return misfit(irst, contact, sight); });
+      [&](const Contact& contact, const Vec3& sight, double) {
+        return misfit(irst, contact, sight);
+      });
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 

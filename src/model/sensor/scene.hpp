@@ -115,8 +115,8 @@ struct Self {
 
 /// Who stands where a mate says he is will be the mate: of all pairs within the gate the nearest
 /// first, if the sensor can see that place (`sees`, by line of sight and range). `misfit` is how
-/// far a contact is from it, in standard deviations, squared. (Of tracks, which know their errors
-/// along and across, datalink::recognize_mate() says the same.)
+/// far a contact is from it, in standard deviations, squared, or anything not below `best`. (Of
+/// tracks, which know their errors along and across, datalink::recognize_mate() says the same.)
 void find_mates(const Scene& scene, const Self& self, std::span<Contact> contacts, const auto& sees,
                 const auto& misfit) {
   std::array<Vec3, kMaxFlight> sights;
@@ -132,12 +132,15 @@ void find_mates(const Scene& scene, const Self& self, std::span<Contact> contact
     Contact* found = nullptr;
     std::size_t whom = 0;
     for (std::size_t i = 0; i < count; ++i)
-      for (Contact& contact : contacts)
-        if (const double m = misfit(contact, sights[i]); !contact.mate && m < best) {
+      for (Contact& contact : contacts) {
+        if (contact.mate)
+          continue;
+        if (const double m = misfit(contact, sights[i], best); m < best) {
           best = m;
           found = &contact;
           whom = i;
         }
+      }
     if (found == nullptr)
       return;
     found->mate = true;

@@ -79,11 +79,13 @@ Identity recognized(const Scene& scene, const Self& self, const Eyes& eyes, std:
 }
 
 /// How far what was seen is from a place, in standard deviations, squared; an eye errs by a share
-/// of the range.
-double misfit(const Visual& visual, const Contact& seen, const Vec3& sight) {
+/// of the range. Infinity if it is not below `best` anyway.
+double misfit(const Visual& visual, const Contact& seen, const Vec3& sight, double best) {
   const double range = norm(sight);
-  const double farther = math::log(range / seen.range) / visual.sigma_range;
   const double aside = norm(sight / range - seen.line) / visual.sigma_angle;
+  if (aside * aside >= best)
+    return math::kInfinity;
+  const double farther = math::log(range / seen.range) / visual.sigma_range;
   return farther * farther + aside * aside;
 }
 
@@ -112,7 +114,9 @@ void look_for_aircraft(const Scene& scene, Self& self, const Eyes& eyes,
   find_mates(
       scene, self, std::span(contacts).first(count),
       [&](const Vec3& sight, double range) { return in_view(visual, eyes, sight / range); },
-      [&](const Contact& contact, const Vec3& sight) { return misfit(visual, contact, sight); });
+      [&](const Contact& contact, const Vec3& sight, double best) {
+        return misfit(visual, contact, sight, best);
+      });
   track::update(self.tracks, self.context(scene.time), std::span(contacts).first(count));
 }
 

@@ -175,11 +175,11 @@ RC_GTEST_PROP(Predict, KeepsTheTotalUncertaintyWhenTheLineOfSightTurns, ()) {
               .velocity = {in(-300, 300), in(-300, 300), in(-100, 100)},
               .along = {1e5f, 10, 4},
               .across = {100, 1, 30}};
-  const auto total = [](const Prediction& p) {
-    return p.along.position + 2 * p.across.position + p.along.velocity + 2 * p.across.velocity;
+  const auto total = [](const Covariance& c) {
+    return c.along.position + 2 * c.across.position + c.along.velocity + 2 * c.across.velocity;
   };
-  const Prediction turning = predict(track, tracker, {{}, {0, 250, 0}}, 1);
-  const Prediction steady = predict(track, tracker, {{}, track.velocity}, 1);
+  const Covariance turning = covariance_of(predict(track, tracker, {{}, {0, 250, 0}}, 1));
+  const Covariance steady = covariance_of(predict(track, tracker, {{}, track.velocity}, 1));
   RC_ASSERT(std::fabs(total(turning) / total(steady) - 1) < 1e-9);
   RC_ASSERT(turning.across.position >= steady.across.position);
   RC_ASSERT(turning.along.position >= turning.across.position * 0.3);
@@ -198,11 +198,7 @@ TEST(Kalman, IgnoresAMeasurementOfInfiniteVarianceAndBelievesAPerfectOne) {
 Prediction track_at(double x, double y) {
   const AxisState hundred{.position = 100 * 100};
   const Mode mode{.position = {x, y, 0}, .along = hundred, .across = hundred, .probability = 0.5};
-  return {.position = {x, y, 0},
-          .along = hundred,
-          .across = hundred,
-          .straight = mode,
-          .turning = mode};
+  return {.position = {x, y, 0}, .straight = mode, .turning = mode};
 }
 Contact contact_at(double x, double y) {
   Contact c;
@@ -280,7 +276,9 @@ TEST(Filter, LearnsNothingAlongTheLineFromBearingsAlone) {
                   .sigma_across = 40};
   bearing.bearing_only = true;
   Track track = first_track(tracker, bearing, 0);
-  const auto unsure = [](const Prediction& p) { return std::sqrt(p.along.position); };
+  const auto unsure = [](const Prediction& p) {
+    return std::sqrt(covariance_of(p).along.position);
+  };
   double before = 0;
   for (int look = 1; look <= 20; ++look) {
     const double time = 2.0 * look;
@@ -291,7 +289,7 @@ TEST(Filter, LearnsNothingAlongTheLineFromBearingsAlone) {
   }
   const Prediction now = predict(track, tracker, {}, 40);
   EXPECT_GT(unsure(now), 11e3);
-  EXPECT_LT(std::sqrt(now.across.position), 40) << "but across it does";
+  EXPECT_LT(std::sqrt(covariance_of(now).across.position), 40) << "but across it does";
 }
 
 }  // namespace

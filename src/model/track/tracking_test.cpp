@@ -102,9 +102,10 @@ double normalized_error(const Prediction& now, const Ownship& ownship, const Tar
   const Vec3 line = normalized(now.position - ownship.position, {1, 0, 0});
   const Vec3 side = normalized(cross({0, 0, 1}, line), {0, 1, 0}), up = cross(line, side);
   const Vec3 p_error = now.position - target.position, v_error = now.velocity - target.velocity;
-  double nees = normalized_error(now.along, dot(p_error, line), dot(v_error, line));
+  const Covariance claimed = covariance_of(now);
+  double nees = normalized_error(claimed.along, dot(p_error, line), dot(v_error, line));
   for (const Vec3& axis : {side, up})
-    nees += normalized_error(now.across, dot(p_error, axis), dot(v_error, axis));
+    nees += normalized_error(claimed.across, dot(p_error, axis), dot(v_error, axis));
   return nees;
 }
 
@@ -135,7 +136,8 @@ Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32
         filter(track, p, c, time);
         if (frame >= kSettled) {
           Prediction one = p;  // both models as one normal law
-          one.straight = {p.position, p.velocity, {}, p.along, p.across, 1};
+          const Covariance claimed = covariance_of(p);
+          one.straight = {p.position, p.velocity, {}, claimed.along, claimed.across, 1};
           all.nis += match(one, c).straight.deviations2;
           const Prediction now = predict(track, tracker, desk.ownship(time), time);
           const double nees = normalized_error(now, desk.ownship(time), target);

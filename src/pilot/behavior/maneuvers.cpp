@@ -193,15 +193,19 @@ Status AvoidCollision::tick(const Tick& t, Proposal& out) const {
     soonest = time;
     pass = there;
   };
-  for (const Seen& seen : s.tracks_seen()) {
-    // most are too far to come near in time, however they fly
-    const double fastest = norm(seen.track->velocity) + norm(s.own.velocity);
-    if (seen.track->confirmed && seen.range <= (miss_ + soonest * fastest) * (1 + 1e-9))
+  // most are too far away to come near in time, however they fly
+  const double own_speed = norm(s.own.velocity);
+  const auto in_reach = [&](double range2, const Vec3& velocity) {
+    const double reach = (miss_ + soonest * (own_speed + norm(velocity))) * (1 + 1e-9);
+    return range2 <= reach * reach;
+  };
+  for (const Seen& seen : s.tracks_seen())
+    if (seen.track->confirmed && in_reach(seen.range * seen.range, seen.track->velocity))
       look(seen.ned, s.velocity_of(seen));
-  }
   any_mate(s.datalink, [&](const model::Mate& mate) {
-    look(to_ned(s.own, position_at(mate, s.time) - s.own.position),
-         to_ned(s.own, velocity_of(mate)));
+    const Vec3 apart = position_at(mate, s.time) - s.own.position;
+    if (in_reach(norm2(apart), velocity_of(mate)))
+      look(to_ned(s.own, apart), to_ned(s.own, velocity_of(mate)));
     return false;
   });
   if (!pass)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 /// \file  Layouts of what goes into a policy and comes out of it, as text: a line for each number.
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "core/diagnostics.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/assert.hpp"
 #include "core/math_float.hpp"
 #include "pilot/policy/layout.hpp"
 
