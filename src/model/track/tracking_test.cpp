@@ -102,10 +102,9 @@ double normalized_error(const Prediction& now, const Ownship& ownship, const Tar
   const Vec3 line = normalized(now.position - ownship.position, {1, 0, 0});
   const Vec3 side = normalized(cross({0, 0, 1}, line), {0, 1, 0}), up = cross(line, side);
   const Vec3 p_error = now.position - target.position, v_error = now.velocity - target.velocity;
-  const Covariance claimed = covariance_of(now);
-  double nees = normalized_error(claimed.along, dot(p_error, line), dot(v_error, line));
+  double nees = normalized_error(covariance_of(now).along, dot(p_error, line), dot(v_error, line));
   for (const Vec3& axis : {side, up})
-    nees += normalized_error(claimed.across, dot(p_error, axis), dot(v_error, axis));
+    nees += normalized_error(covariance_of(now).across, dot(p_error, axis), dot(v_error, axis));
   return nees;
 }
 
@@ -132,15 +131,14 @@ Consistency consistency(const Tracker& tracker, const Motion& truth, std::uint32
       if (frame == 0) {
         track = first_track(tracker, c, time);
       } else {
-        const Prediction p = predict(track, tracker, desk.ownship(time), time);
+        const Ownship own = desk.ownship(time);
+        Prediction p = predict(track, tracker, own, time);
         filter(track, p, c, time);
         if (frame >= kSettled) {
-          Prediction one = p;  // both models as one normal law
-          const Covariance claimed = covariance_of(p);
-          one.straight = {p.position, p.velocity, {}, claimed.along, claimed.across, 1};
-          all.nis += match(one, c).straight.deviations2;
-          const Prediction now = predict(track, tracker, desk.ownship(time), time);
-          const double nees = normalized_error(now, desk.ownship(time), target);
+          const auto [along, across] = covariance_of(p);  // both models as one normal law
+          p.straight = {p.position, p.velocity, {}, along, across, 1};
+          all.nis += match(p, c).straight.deviations2;
+          const double nees = normalized_error(predict(track, tracker, own, time), own, target);
           all.nees += nees;
           all.beyond += nees > 22.458;
           ++all.looks;
