@@ -156,9 +156,12 @@ TEST_F(OperatorOrder, ReadsCharactersAsJsonEscapesThem) {
     return fmt::format(R"({{"order":"lose","player":"{}"}})", name);
   };
   EXPECT_EQ(orders(named(R"(eagle\u0031)")).problem, "");
-  EXPECT_EQ(problem(named(R"(\ud83D\uDE00!)")), "there is no player '\xF0\x9F\x98\x80!'");
-  EXPECT_EQ(problem(named(R"(\uDBFF\udfff)")), "there is no player '\xF4\x8F\xBF\xBF'");
-  EXPECT_EQ(problem(named(R"(\\ud83d\\ude00)")), R"(there is no player '\ud83d\ude00')");
+  const auto is_nobody = [&](std::string_view name, const std::string& read) {
+    EXPECT_TRUE(problem(named(name)).starts_with("there is no player '" + read + "'")) << name;
+  };
+  is_nobody(R"(\ud83D\uDE00!)", "\xF0\x9F\x98\x80!");
+  is_nobody(R"(\uDBFF\udfff)", "\xF4\x8F\xBF\xBF");
+  is_nobody(R"(\\ud83d\\ude00)", R"(\ud83d\ude00)");
   for (const char* bad : {R"(\ud83d)", R"(\ude00)", R"(\ude00\ud83d)", R"(\ud83d\u0041)",
                           R"(\ud83d \ude00)", R"(\ud83d\\ude00)", R"(\ud83d\ude0)", R"(\)"})
     EXPECT_TRUE(problem(named(bad)).starts_with("not YAML: ")) << bad;

@@ -178,7 +178,8 @@ TEST(PluginScenario, MayNameThemInMoreThanOnePlace) {
   EXPECT_NE(load_error({{"small.yaml", none}}), "");
   EXPECT_EQ(load_error({{"small.yaml", none}}, {plugin("good")}), "");
   EXPECT_EQ(load_error({{"small.yaml", none}}, {}, {"plugins=[" + plugin("good") + "]"}), "");
-  EXPECT_EQ(load_error({{"small.yaml", small_scenario("plugins:\n")}}, {plugin("good")}), "");
+  EXPECT_EQ(load_error({{"small.yaml", small_scenario("plugins:\n")}}, {plugin("good")}),
+            "small.yaml:3:1: plugins: expected a file or a list of files, got nothing");
   EXPECT_EQ(load_error({{"small.yaml", small_scenario("include: [a.yaml, b.yaml]\n")},
                         {"a.yaml", "plugins: " + plugin("good") + "\n"},
                         {"b.yaml", "plugins: [" + plugin("good") + "]\n"}}),

@@ -21,7 +21,10 @@ Transition straight_on(const Motion& motion, double dt) {
 
 namespace {
 
-/// Which part of an acceleration is left is `kept`: e^-x.
+/// An acceleration that is a first-order Markov process: R. A. Singer, "Estimating Optimal Tracking
+/// Filter Performance for Manned Maneuvering Targets", IEEE Trans. AES-6 (1970) 473; Bar-Shalom et
+/// al., sec. 8.2.3.
+/// `kept`: which part of it is left, e^-x.
 Transition turn(const Motion& motion, double dt, double x, double kept) {
   const double variance = motion.maneuver * motion.maneuver, memory = motion.maneuver_memory;
   const double kept2 = kept * kept;
@@ -48,11 +51,6 @@ Transition turn(const Motion& motion, double dt, double x, double kept) {
 }
 
 }  // namespace
-
-Transition turn(const Motion& motion, double dt) {
-  const double x = dt / motion.maneuver_memory;
-  return turn(motion, dt, x, math::exp(-x));
-}
 
 Interval interval(const Motion& motion, double dt) {
   const double x = dt / motion.maneuver_memory;

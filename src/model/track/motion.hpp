@@ -98,11 +98,6 @@ struct Transition {
 /// Estimation with Applications to Tracking and Navigation (2001), eq. 6.2.2-12.
 [[nodiscard]] Transition straight_on(const Motion& motion, double dt);
 
-/// An acceleration that is a first-order Markov process: R. A. Singer, "Estimating Optimal Tracking
-/// Filter Performance for Manned Maneuvering Targets", IEEE Trans. AES-6 (1970) 473; Bar-Shalom et
-/// al., sec. 8.2.3.
-[[nodiscard]] Transition turn(const Motion& motion, double dt);
-
 /// Both models over one interval, and the chances to change from one to the other meanwhile.
 struct Interval {
   Transition straight, turning;

@@ -9,6 +9,10 @@
 namespace eyrie::model::track {
 namespace {
 
+Transition turn(const Motion& motion, double dt) {
+  return interval(motion, dt).turning;
+}
+
 std::array<double, 6> numbers(const AxisState& c) {
   return {c.position,    c.cross, c.velocity, c.position_acceleration, c.velocity_acceleration,
           c.acceleration};
