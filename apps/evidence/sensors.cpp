@@ -109,8 +109,9 @@ std::pair<Plot, Plot> tracker_by_range(const track::Tracker& tracker, const sens
         return (a.velocity * pp - 2 * a.cross * pv + a.position * vv) /
                (a.position * a.velocity - a.cross * a.cross);
       };
-      nees[bin].push_back(normalized(now.along, p * p, p * v, v * v) +
-                          normalized(now.across, norm2(off) - p * p, dot(off, wrong) - p * v,
+      const track::Covariance claimed = covariance_of(now);
+      nees[bin].push_back(normalized(claimed.along, p * p, p * v, v * v) +
+                          normalized(claimed.across, norm2(off) - p * p, dot(off, wrong) - p * v,
                                      norm2(wrong) - v * v));
     }
   }
