@@ -65,23 +65,18 @@ bool Judge::comes_home(std::span<const sim::Event> events) const {
   });
 }
 
-Outcome Judge::operator()(const sim::World& world, bool any_home) {
-  // who is there changes when somebody leaves or is born; whether a convoy has arrived, any time
-  std::uint32_t players = 0, on_the_way = 0;
+std::optional<Census> Judge::census(const sim::World& world) const {
+  Census there{.next_id = world.next_id()};
   for (const auto& fleet : scenario_->fleets) {
-    players += fleet->rows(world);
-    on_the_way += fleet->words.comes_home ? 0 : fleet->rows(world);
+    const std::uint32_t rows = fleet->rows(world);
+    if (rows > 0 && !fleet->words.comes_home)
+      return std::nullopt;
+    there.players += rows;
   }
-  const bool as_before = players == players_ && world.next_id() == next_id_ && on_the_way == 0;
-  if (!as_before)
-    if (const Outcome outcome = look(world, any_home); outcome != Outcome::running)
-      return outcome;
-  players_ = players;
-  next_id_ = world.next_id();
-  return world.step() >= last_step_ ? Outcome::time : Outcome::running;
+  return there;
 }
 
-Outcome Judge::look(const sim::World& world, bool any_home) {
+Outcome Judge::operator()(const sim::World& world, bool any_home) {
   std::fill(standings_.begin(), standings_.end(), Standing{});
   for (const auto& fleet : scenario_->fleets)
     fleet->count(world, *scenario_->library, standings_);
@@ -100,7 +95,7 @@ Outcome Judge::look(const sim::World& world, bool any_home) {
     return any_home || any_arrived ? Outcome::blue_home : Outcome::blue_lost;
   if (scenario_->spec.ends == Ends::last_side && (blue == 0 || red == 0))
     return blue == 0 ? Outcome::blue_lost : Outcome::red_lost;
-  return Outcome::running;
+  return by_time(world);
 }
 
 bool Mission::step() {
@@ -112,7 +107,10 @@ bool Mission::step() {
     return false;
   }
   any_home_ |= judge_.comes_home(events);
-  outcome_ = judge_(run_.world(), any_home_);
+  const auto there = judge_.census(run_.world());
+  outcome_ =
+      there && there == census_ ? judge_.by_time(run_.world()) : judge_(run_.world(), any_home_);
+  census_ = there;
   return true;
 }
 

@@ -28,6 +28,13 @@ constexpr auto names_of(Outcome) {
 /// any. Nothing if it can.
 [[nodiscard]] std::optional<std::string> until_problem(const ScenarioSpec& spec, double until);
 
+/// Of one run: nobody has left and nobody was born while it stays the same.
+struct Census {
+  std::uint32_t players = 0;
+  PlayerId next_id{};
+  friend bool operator==(const Census&, const Census&) = default;
+};
+
 /// Says when a flight is over. Allocates only when it is made.
 class Judge {
  public:
@@ -36,18 +43,19 @@ class Judge {
 
   /// `any_home`: whether a blue aircraft has come home before.
   [[nodiscard]] Outcome operator()(const sim::World& world, bool any_home);
+  /// While a run went on and has this census, only the time can end it; nothing while somebody
+  /// drives, who may arrive.
+  [[nodiscard]] std::optional<Census> census(const sim::World& world) const;
+  [[nodiscard]] Outcome by_time(const sim::World& world) const {
+    return world.step() >= last_step_ ? Outcome::time : Outcome::running;
+  }
   /// Whether one does in these events.
   [[nodiscard]] bool comes_home(std::span<const sim::Event> events) const;
 
  private:
-  /// The outcome by who is there.
-  [[nodiscard]] Outcome look(const sim::World& world, bool any_home);
-
   const Scenario* scenario_;
   std::uint64_t last_step_;
   std::vector<Standing> standings_;  ///< by flight
-  std::uint32_t players_ = 0;        ///< when it went on last
-  PlayerId next_id_{};               ///< likewise
 };
 
 /// A sim::Run that knows when it is over.
@@ -99,6 +107,7 @@ class Mission {
   Judge judge_;
   bool any_home_ = false;
   Outcome outcome_;
+  std::optional<Census> census_;  ///< after the last step
 };
 
 /// "eagle1 at 12.3 s (step 615): root/pursue of tree 'pilot', from libmine.so, threw: no fuel"
