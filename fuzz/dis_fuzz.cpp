@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: MIT
 /// \file  Any bytes as a datagram of DIS: it is read to its end or refused, never beyond it; and
 /// what was read is written as it is read again. A mission that hears it flies on.
-#include <cstdlib>
-
 #include "dis/others.hpp"
 #include "dis/pdu.hpp"
 #include "fuzz/demand.hpp"
-#include "scenario/mission.hpp"
+#include "fuzz/shipped.hpp"
 
 namespace {
 
 using eyrie::fuzz::demand;
 
 const std::shared_ptr<const eyrie::scenario::Scenario>& shared() {
-  static const auto scenario = [] {
-    const char* home = std::getenv("EYRIE_HOME");
-    const std::string root = home ? home : ".";
-    return eyrie::scenario::load({root + "/scenarios/merge.yaml", {"ours=[blue]"}},
-                                 eyrie::scenario::Source::disk(root));
-  }();
+  static const auto scenario = eyrie::fuzz::shipped("merge", {"ours=[blue]"});
   return scenario;
 }
 

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// \file  Any bytes as what somebody who looks at a mission says: it is a request, is refused in
 /// words, or he is shown out with a reason that fits into a frame. A mission that obeys flies on.
-#include <cstdlib>
-
 #include "fuzz/demand.hpp"
+#include "fuzz/shipped.hpp"
 #include "live/request.hpp"
-#include "scenario/mission.hpp"
 
 namespace {
 
 using eyrie::fuzz::demand;
 
 const std::shared_ptr<const eyrie::scenario::Scenario>& shared() {
-  static const auto scenario = [] {
-    const char* home = std::getenv("EYRIE_HOME");
-    const std::string root = home ? home : ".";
-    return eyrie::scenario::load({root + "/scenarios/sweep.yaml"},
-                                 eyrie::scenario::Source::disk(root));
-  }();
+  static const auto scenario = eyrie::fuzz::shipped("sweep", {});
   return scenario;
 }
 

@@ -16,7 +16,7 @@ struct Weights {
   [[nodiscard]] Vec3 mean(const Vec3& x, const Vec3& y) const { return x + b * (y - x); }
 };
 
-/// Of the mean of two modes. Without `kAccelerates` neither has an acceleration.
+/// Of the mean of two modes. Without `kAccelerates` their accelerations are left out.
 template <bool kAccelerates = true>
 Covariance covariance_of(const Mode& a, const Mode& b, const Weights& weights, const Vec3& line) {
   // the spread of their means counts as well
