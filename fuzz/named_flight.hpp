@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "fuzz/demand.hpp"
+#include "fuzz/shipped.hpp"
 #include "scenario/mission.hpp"
 #include "sim/system.hpp"
 #include "sim/trail.hpp"
@@ -73,13 +73,9 @@ class NamedFlight {
 
  public:
   NamedFlight() {
-    const char* home = std::getenv("EYRIE_HOME");
-    const std::string root = home ? home : ".";
     const std::string start = "red.flights.bandit.start.";
-    loaded_ = scenario::load(
-        {root + "/scenarios/merge.yaml",
-         {start + "east=-5.6 nmi", start + "north=0.2 nmi", start + "heading=90 deg"}},
-        scenario::Source::disk(root));
+    loaded_ = shipped("merge",
+                      {start + "east=-5.6 nmi", start + "north=0.2 nmi", start + "heading=90 deg"});
     scenario_ = *loaded_;
     scenario_.library = library_ = std::make_shared<model::Library>(*loaded_->library);
     struct Keep final : sim::Observer {
