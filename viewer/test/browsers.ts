@@ -36,7 +36,7 @@ async function until<T>(ask: () => Promise<T>, problem: string, { polling = 30, 
   throw new Error(`${problem}, for ${timeout} ms`);
 }
 
-/** A page with what a person does on it; whoever is to be worked is waited for. */
+/** A page with what a person does on it; an element that is worked or read is waited for. */
 export class UserPage {
   readonly keyboard: Page['keyboard'];
   readonly mouse: Page['mouse'];
@@ -51,7 +51,12 @@ export class UserPage {
   constructor(private readonly page: Page) {
     [this.keyboard, this.mouse, this.touch] = [page.keyboard, page.mouse, page.touchscreen];
     this.evaluateHandle = page.evaluateHandle.bind(page);
-    [this.evaluate, this.$, this.$$, this.$eval, this.$$eval] = [page.evaluate.bind(page), page.$.bind(page), page.$$.bind(page), page.$eval.bind(page), page.$$eval.bind(page)];
+    [this.evaluate, this.$, this.$$, this.$$eval] = [page.evaluate.bind(page), page.$.bind(page), page.$$.bind(page), page.$$eval.bind(page)];
+    const eval_now = page.$eval.bind(page) as (selector: string, ...rest: unknown[]) => Promise<unknown>;
+    this.$eval = (async (selector: string, ...rest: unknown[]) => {
+      await this.find(selector);
+      return eval_now(selector, ...rest);
+    }) as Page['$eval'];
   }
 
   async find(selector: string): Promise<ElementHandle> {
