@@ -20,8 +20,7 @@ export interface Ghost {
 export type Pose = readonly [x: number, y: number, z: number, height: number, azimuth: number, polar: number];
 
 export interface View {
-  /** s */
-  time: number;
+  time: number;  // s
   playing: boolean;
   end: number;  // s: how far the timeline goes.
   rate: number;  // Times real time.

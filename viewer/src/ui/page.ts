@@ -18,8 +18,7 @@ export interface StripChoice {
 }
 
 export interface Hover {
-  /** s */
-  t: number;
+  t: number;  // s
   row: string;  // As in data-row.
   y: number;  // CSS pixels from the upper edge of the rows.
   part: number;  // Of the height of the row, from above.

@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import uPlot from 'uplot';
 import type { Player, Run } from '../run/run.ts';
 import { count_text } from '../words/text.ts';
-import { rem_size } from './canvas.ts';
+import { color, rem_size } from './canvas.ts';
 import { namesake, use_page, type Page } from './page.ts';
 import { kQuantities, resample, series_of, type Quantity } from './series.ts';
 import { ticks_of } from './timeline.tsx';
@@ -22,9 +22,6 @@ interface Line {
   selected: boolean;
 }
 
-function color(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-}
 function side_color(player: Player): string {
   return color(player.side === 'none' ? 'ink' : player.side);
 }
