@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from pettingzoo import ParallelEnv
 
 from ._native_env import Native, Played, Saved, as_actions
-
-if TYPE_CHECKING:
-    from ._run import Run
 
 Floats = npt.NDArray[np.float32]
 
@@ -77,10 +74,6 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         ]
         return results
 
-    def episode(self, *, last: bool = False) -> Run:
-        """The run of this episode so far, or of the one that ended last."""
-        return self._native.episode(0, last)
-
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again."""
         return self._native.save(self._seeds)
@@ -93,7 +86,7 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         return self._seen(native.observations), self._infos()
 
     def close(self) -> None:
-        self._native.close()
+        self._native.core.close()
 
     def _seen(self, values: Floats) -> dict[str, Floats]:
         return {who: values[0, self._row[who]].copy() for who in self.agents}

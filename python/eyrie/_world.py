@@ -113,12 +113,12 @@ class World:
     @property
     def tables(self) -> dict[str, list[str]]:
         """The columns of each table."""
-        return self._scenario._layouts.tables()
+        return {table: list(columns) for table, columns in self._scenario._layouts.items()}
 
     def fields(self, table: str, column: str) -> dict[str, Field]:
         """What stands in each field of a column."""
         self.rows(table, column)  # which knows what is wrong with the names
-        return dict(self._scenario._layouts.of(table, column)[1])
+        return dict(self._scenario._layouts[table][column][1])
 
     def rows(self, table: str, column: str) -> npt.NDArray[np.void]:
         """The live rows of a column: a structured array of shape (players,), in spawn order.
@@ -130,7 +130,7 @@ class World:
         keep what was. The units are in :meth:`fields`.
         """
         values = self._core.rows(text("table", table), text("column", column))  # which knows what is wrong with the names
-        return values.view(self._scenario._layouts.of(table, column)[0])
+        return values.view(self._scenario._layouts[table][column][0])
 
     def row(self, player: str, column: str) -> np.void | None:
         """The row of one player, as in :meth:`rows`; None if it is gone.
