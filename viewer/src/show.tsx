@@ -21,6 +21,13 @@ import { first_moment } from './ui/moments.tsx';
 import { speak } from './words/units.ts';
 import { grown, make_page, type Page } from './ui/page.ts';
 
+declare global {
+  interface Window {
+    /** What the page shows of itself to tests: all runs, and of the first its store and its air picture. */
+    eyrie?: { run: Run; store: Store; scene: AirPicture; runs: Run[] };
+  }
+}
+
 const kDamaged = 'the data of the run is damaged or incomplete';
 
 /** What goes wrong while unpacking is of no use to anybody, except that it did. */

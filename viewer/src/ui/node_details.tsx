@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
-import { VoteOrder } from '../live/orders.tsx';
+import { VoteOrder } from '../live/controls.tsx';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
