@@ -22,7 +22,7 @@ export type Pose = readonly [x: number, y: number, z: number, height: number, az
 export interface View {
   time: number;  // s
   playing: boolean;
-  end: number;  // s: how far the timeline goes.
+  end: number;  // s: how far the timeline goes; of the longer one of two runs, or of the other future.
   rate: number;  // Times real time.
   selected: number;  // Index into Run.players.
   camera: Camera;

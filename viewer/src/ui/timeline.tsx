@@ -111,7 +111,7 @@ export function Overview() {
         }}
         onPointerMove={(event) => {
           if (moving.current === null) return;
-          const seconds = ((event.clientX - moving.current) / event.currentTarget.clientWidth) * page.duration;
+          const seconds = ((event.clientX - moving.current) / event.currentTarget.clientWidth) * end;
           moving.current = event.clientX;
           if (page.store.get().zoom) pan_by(page, seconds);
           else go_there(page, event);
@@ -128,8 +128,8 @@ export function Overview() {
 /** Without a zoom the time goes where the pointer is, otherwise the window. */
 function go_there(page: Page, event: { clientX: number; currentTarget: HTMLElement }): void {
   const { left, width } = event.currentTarget.getBoundingClientRect();
-  const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * page.duration;
-  const { zoom } = page.store.get();
+  const { zoom, end } = page.store.get();
+  const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * end;
   if (!zoom) return page.store.set({ time: t });
   const half = (zoom[1] - zoom[0]) / 2;
   if (t < zoom[0] || t > zoom[1]) zoom_to(page, t - half, t + half);
