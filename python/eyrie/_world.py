@@ -148,7 +148,7 @@ class World:
             raise Error("a world that has come to a fault cannot be pickled: " + self._core.fault)
         core = self._core
         state = (core.seed, core.until, core.workers, core.orders(), core.steps, core.hash)
-        return (_flown_again, (_core.version_text(), self.scenario, *state))
+        return (_flown_again, (_core.version_text(), self.scenario, state))
 
 
 def _plain(value: Any) -> Any:
@@ -158,17 +158,11 @@ def _plain(value: Any) -> Any:
 
 
 def _flown_again(
-    build: str,
-    scenario: Scenario,
-    seed: int,
-    until: float,
-    workers: int,
-    orders: bytes,
-    steps: int,
-    hash: str,
+    build: str, scenario: Scenario, state: tuple[int, float, int, bytes, int, str]
 ) -> World:
     if build != _core.version_text():
         raise Error(f"this world was pickled by {build}; this is {_core.version_text()}")
+    seed, until, workers, orders, steps, hash = state
     core = _core.world(scenario._core, seed, until, workers)
     core.set_orders(orders)
     core.step_to(steps)
