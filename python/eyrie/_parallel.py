@@ -10,7 +10,6 @@ from pettingzoo import ParallelEnv
 
 from ._native_env import Floats, Infos, Native, Played, Saved, as_actions
 
-
 #: What step() gives, of each agent: observation, reward, terminated, truncated, info.
 Results = tuple[
     dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Infos]
