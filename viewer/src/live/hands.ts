@@ -115,8 +115,7 @@ const place_now = ({ motion }: Player): { east: number; north: number } => ({ ea
 const key_of = ({ key }: KeyboardEvent): string => (key.length === 1 ? key.toLowerCase() : key);
 
 export class Hands {
-  /** Null: nobody is flown. */
-  readonly wanted = new Cell<Wanted | null>(null);
+  readonly wanted = new Cell<Wanted | null>(null);  // Null: nobody is flown.
   readonly help = new Cell(false);
   private held = new Set<string>();
   private taken = -Infinity;  // ms
