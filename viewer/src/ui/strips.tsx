@@ -22,10 +22,6 @@ interface Line {
   selected: boolean;
 }
 
-function side_color(player: Player): string {
-  return color(player.side === 'none' ? 'ink' : player.side);
-}
-
 function data_of(quantity: Quantity, lines: Line[], [from, to]: [number, number], width: number): uPlot.AlignedData {
   const count = Math.max(Math.round(width * kFine), 2);
   const grid = Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
@@ -67,7 +63,7 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
       },
     ],
     series: [{}, ...lines.map(({ player, name, selected }, i): uPlot.Series => ({
-      label: name, stroke: side_color(player), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
+      label: name, stroke: color(player.side === 'none' ? 'ink' : player.side), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
       ...(selected ? {} : { dash: kDashes[(i - 1) % kDashes.length]! }),
       ...(quantity.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
     }))],

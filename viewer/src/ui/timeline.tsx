@@ -19,20 +19,14 @@ export function ticks_of(from: number, to: number, pixels: number, rem: number):
   return { step, ticks: Array.from({ length: count }, (_, i) => (first + i) * step) };
 }
 
-const kPaths = new Map<MarkKind, Path2D>();
-function path_of(kind: MarkKind): Path2D {
-  let path = kPaths.get(kind);
-  if (!path) kPaths.set(kind, (path = new Path2D(kMarks[kind].path)));
-  return path;
-}
-
 function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number, size: number): void {
   pen.save();
   pen.translate(x, y);
   pen.scale(size / 5, size / 5);
   pen.lineWidth = kind === 'kill' ? 2.4 : 1.6;
-  if (kMarks[kind].open) pen.stroke(path_of(kind));
-  else pen.fill(path_of(kind));
+  const path = new Path2D(kMarks[kind].path);
+  if (kMarks[kind].open) pen.stroke(path);
+  else pen.fill(path);
   pen.restore();
 }
 
