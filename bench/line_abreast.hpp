@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,11 +12,6 @@
 #include "scenario/scenario.hpp"
 
 namespace eyrie::bench {
-
-inline std::string home() {
-  const char* set = std::getenv("EYRIE_HOME");
-  return set ? set : EYRIE_SOURCE_DIR;
-}
 
 /// "a", "b", ... "z", "ba" ...: flight names must not end in a digit.
 inline std::string letters(int i) {
@@ -66,7 +60,7 @@ inline std::shared_ptr<const scenario::Scenario> line_abreast(int aircraft,
       "      - follow_lead: {vote: 5}\n      - navigate: {vote: 10}\n" +
       side("blue", aircraft / 2, -20, 90, apart(0)) +
       side("red", aircraft - aircraft / 2, 20, 270, apart(2000));
-  auto source = scenario::Source::disk(home());
+  auto source = scenario::Source::disk(EYRIE_SOURCE_DIR);
   source.add("line_abreast.yaml", text);
   return scenario::load({"line_abreast.yaml", {}}, std::move(source));
 }

@@ -39,6 +39,12 @@ void count(benchmark::State& state, const net::Pacing& pacing) {
   state.counters["most_%"] = 100 * pacing.work().max() / pacing.frame();
 }
 
+void once_each(benchmark::internal::Benchmark* flown) {
+  for (const auto& [aircraft, clients] : {std::pair{6, 1}, {100, 0}, {100, 3}, {1000, 3}})
+    flown->Args({aircraft, clients});
+  flown->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
+}
+
 void live(benchmark::State& state) {
   const auto scene = bench::line_abreast(static_cast<int>(state.range(0)), true);
   const auto folder = std::filesystem::temp_directory_path() / "eyrie-live-bench";
@@ -91,14 +97,7 @@ void live(benchmark::State& state) {
   }
   std::filesystem::remove_all(folder);
 }
-BENCHMARK(live)
-    ->Args({6, 1})
-    ->Args({100, 0})
-    ->Args({100, 3})
-    ->Args({1000, 3})
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kSecond);
+BENCHMARK(live)->Apply(once_each);
 
 /// What a viewer gets, besides the first message.
 std::size_t look(std::uint16_t port) {
@@ -144,14 +143,7 @@ void serve(benchmark::State& state) {
   }
   std::filesystem::remove_all(folder);
 }
-BENCHMARK(serve)
-    ->Args({6, 1})
-    ->Args({100, 0})
-    ->Args({100, 3})
-    ->Args({1000, 3})
-    ->Iterations(1)
-    ->UseRealTime()
-    ->Unit(benchmark::kSecond);
+BENCHMARK(serve)->Apply(once_each);
 
 }  // namespace
 

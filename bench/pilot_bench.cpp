@@ -35,30 +35,29 @@ pilot::testing::Desk desk(std::int64_t tracks) {
   return d;
 }
 
-void perceive(benchmark::State& state) {
-  const pilot::testing::Desk d = desk(state.range(0));
+/// What `make` gives is made, and counts as used.
+template <class Make>
+void measure(benchmark::State& state, Make make) {
   NoAllocation guard;
   guard.dismiss();
   for (auto _ : state) {
-    const State s = d.state();
-    benchmark::DoNotOptimize(&s);
+    const auto made = make();
+    benchmark::DoNotOptimize(&made);
     benchmark::ClobberMemory();
   }
   state.counters["allocs"] = static_cast<double>(guard.count());
+}
+
+void perceive(benchmark::State& state) {
+  const pilot::testing::Desk d = desk(state.range(0));
+  measure(state, [&] { return d.state(); });
 }
 BENCHMARK(perceive)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(8)->Arg(16);
 
 void decide(benchmark::State& state, const char* tree) {
   const pilot::testing::Desk d = desk(state.range(0));
   pilot::testing::Pilot pilot(tree);
-  NoAllocation guard;
-  guard.dismiss();
-  for (auto _ : state) {
-    const pilot::testing::Decided decision = pilot.decide(d);
-    benchmark::DoNotOptimize(&decision);
-    benchmark::ClobberMemory();
-  }
-  state.counters["allocs"] = static_cast<double>(guard.count());
+  measure(state, [&] { return pilot.decide(d); });
 }
 BENCHMARK_CAPTURE(decide, abreast, kAbreast)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(16);
 BENCHMARK_CAPTURE(decide, attack, kAttack)->ArgName("tracks")->Arg(0)->Arg(2)->Arg(8)->Arg(16);
@@ -93,15 +92,11 @@ void learned(benchmark::State& state, const char* second, std::size_t gates) {
   const State s = d.state();
   std::vector<float> seen(policy.observation.size()), memory(policy.network.memory());
   std::vector<float> answer(policy.network.outputs());
-  NoAllocation guard;
-  guard.dismiss();
-  for (auto _ : state) {
+  measure(state, [&] {
     policy.observation.write(s, seen.data());
     policy.network.evaluate(seen, memory, answer);
-    benchmark::DoNotOptimize(answer.data());
-    benchmark::ClobberMemory();
-  }
-  state.counters["allocs"] = static_cast<double>(guard.count());
+    return answer.data();
+  });
 }
 BENCHMARK_CAPTURE(learned, mlp_64_64, "linear b tanh", 1);
 BENCHMARK_CAPTURE(learned, gru_64, "gru b", 3);

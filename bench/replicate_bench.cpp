@@ -3,8 +3,6 @@
 /// workers. "efficiency" is what each worker flies beside what one flies alone.
 #include <benchmark/benchmark.h>
 
-#include <cstdlib>
-
 #include "campaign/in_order.hpp"
 #include "campaign/replicate.hpp"
 
@@ -13,11 +11,8 @@ namespace {
 using namespace eyrie;
 
 const std::shared_ptr<const scenario::Scenario>& sweep() {
-  static const auto scenario = [] {
-    const char* home = std::getenv("EYRIE_HOME");
-    return scenario::load({"scenarios/sweep.yaml", {}},
-                          scenario::Source::disk(home ? home : EYRIE_SOURCE_DIR));
-  }();
+  static const auto scenario =
+      scenario::load({"scenarios/sweep.yaml", {}}, scenario::Source::disk(EYRIE_SOURCE_DIR));
   return scenario;
 }
 

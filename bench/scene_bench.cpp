@@ -23,7 +23,6 @@
 namespace {
 
 using namespace eyrie;
-using bench::home;
 
 void count_bytes(benchmark::State& state, const scenario::Scenario& s) {
   std::size_t bytes = 0;
@@ -96,9 +95,14 @@ void bare_loop(benchmark::State& state) {
 }
 BENCHMARK(bare_loop)->Arg(6)->Arg(1000);
 
+std::shared_ptr<const scenario::Scenario> load(const std::string& file,
+                                               const std::vector<std::string>& sets) {
+  return scenario::load({.file = fmt::format("{}/{}", EYRIE_SOURCE_DIR, file), .sets = sets},
+                        scenario::Source::disk(EYRIE_SOURCE_DIR));
+}
+
 void fly(benchmark::State& state, const char* name) {
-  const auto scene = scenario::load({fmt::format("{}/scenarios/{}.yaml", home(), name), {}},
-                                    scenario::Source::disk(home()));
+  const auto scene = load(fmt::format("scenarios/{}.yaml", name), {});
   double time = 0, allocations = 0;
   std::uint64_t hash = 0;
   for (auto _ : state) {
@@ -127,8 +131,7 @@ BENCHMARK_CAPTURE(fly, sweep_even, "sweep_even")->Unit(benchmark::kMillisecond);
 /// The sweep again from its run file: flown alone, with every decision of every player traced, and
 /// made into the debrief page. What the debrief costs; recording a run costs nothing of it.
 debrief::Recorded recorded(const std::string& file, const std::vector<std::string>& sets) {
-  const auto scene = scenario::load({.file = fmt::format("{}/{}", home(), file), .sets = sets},
-                                    scenario::Source::disk(home()));
+  const auto scene = load(file, sets);
   sim::TrailRecorder trail;
   scenario::Mission mission(scene, scene->spec.seed);
   mission.run().attach(trail);

@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "core/draw.hpp"
@@ -17,11 +16,6 @@ namespace {
 
 using namespace eyrie;
 
-std::string home() {
-  const char* set = std::getenv("EYRIE_HOME");
-  return set ? set : EYRIE_SOURCE_DIR;
-}
-
 /// kB that the process has in memory.
 double resident() {
   double all = 0, pages = 0;
@@ -31,7 +25,7 @@ double resident() {
 
 void merge(benchmark::State& state) {
   train::TaskSpec task = train::task("merge");
-  train::VectorEnv env(std::move(task), scenario::Source::disk(home()),
+  train::VectorEnv env(std::move(task), scenario::Source::disk(EYRIE_SOURCE_DIR),
                        {.envs = static_cast<std::size_t>(state.range(0)),
                         .workers = static_cast<unsigned>(state.range(1)),
                         .keep_episodes = 0});

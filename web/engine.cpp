@@ -49,9 +49,8 @@ Parameter parameter(const ParamInfo& info) {
 
 /// A mission with those who watch it.
 struct Engine::Flight {
-  Flight(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t with_seed,
-         std::optional<double> until)
-      : mission(scenario, with_seed, until),
+  Flight(const std::shared_ptr<const scenario::Scenario>& scenario, std::uint64_t with_seed)
+      : mission(scenario, with_seed),
         seed(with_seed),
         tally(*scenario),
         story(*scenario, [this](const record::StoryLine& line) {
@@ -70,11 +69,12 @@ struct Engine::Flight {
   record::Story story;
 };
 
-void Engine::take_zones(std::string_view file) {
+Nothing Engine::take_zones(std::string_view file) {
   model::weapon::kept_zones().take(file);
+  return {};
 }
 
-NodeTypes Engine::node_types() {
+NodeTypes Engine::node_types(const Nothing&) const {
   const scenario::Plugins plugins;
   const auto types = [](std::span<const ubf::NodeInfo> infos) {
     std::vector<NodeType> all;
@@ -103,7 +103,7 @@ Problems problems_of(const ConfigError& error) {
   return all;
 }
 
-Problems Engine::validate(const Texts& texts) {
+Problems Engine::validate(const Texts& texts) const {
   try {
     static_cast<void>(loaded(texts));
     return {};
@@ -121,25 +121,19 @@ About Engine::load(const Load& load) {
       throw BadRequest("seed: expected digits of a number below 2^64");
     seed = *given;
   }
-  if (load.until)
-    if (const auto problem = scenario::until_problem(scenario->spec, *load.until))
-      throw BadRequest("until: " + *problem);
   reflown_.reset();
   recorded_.reset();
   here_.reset();
-  flight_ = std::make_shared<Flight>(scenario, seed, load.until);
-  return about(*scenario, seed, "", flight_->mission.until());
+  flight_ = std::make_shared<Flight>(scenario, seed);
+  return about(*scenario, seed, flight_->mission.until());
 }
 
-About Engine::about(const scenario::Scenario& scenario, std::uint64_t seed, std::string build,
-                    double until) const {
+About Engine::about(const scenario::Scenario& scenario, std::uint64_t seed, double until) const {
   const Geodetic& origin = scenario.library->reference.origin();
-  About about{scenario.spec.name,       scenario.spec.help_text,   std::to_string(seed),
-              std::move(build),         scenario.simulation->dt(), until,
+  About about{scenario.spec.name,       std::to_string(seed),      until,
               degrees(origin.latitude), degrees(origin.longitude), {}};
   for (const auto& player : scenario.roster.players)
-    about.players.push_back(
-        {player.name, std::string(scenario::side_name(player.side)), player.label});
+    about.players.push_back({player.name, std::string(scenario::side_name(player.side))});
   return about;
 }
 
@@ -150,13 +144,10 @@ Flown Engine::fly(const Until& until) {
   bool over = false;
   while (!over && (!until.until || mission.run().time() < *until.until)) {
     over = !mission.step();
-    if (progress_ && mission.run().world().step() % kTell == 0)
-      progress_(mission.run().time());
+    tell(mission.run().world(), mission.run().simulation().dt());
   }
-  Flown flown{mission.run().world().step(),
-              mission.run().time(),
+  Flown flown{mission.run().time(),
               hash_text(mission.run().world().hash()),
-              std::string(enum_name(mission.outcome())),
               {},
               std::exchange(flight_->lines, {})};
   if (!over)
@@ -169,14 +160,15 @@ Flown Engine::fly(const Until& until) {
   run.trail = flight_->trail.trail();
   const auto orders = mission.run().orders();
   run.orders.assign(orders.begin(), orders.end());
-  run.outcome = flown.outcome;
+  run.outcome = std::string(enum_name(mission.outcome()));
   flight_.reset();
   open(record::encode(run));
   return flown;
 }
 
-std::string Engine::run_file() {
-  return record::encode(run_with_trail().run);
+Nothing Engine::run_file(const Nothing&, std::string& bytes) {
+  bytes = record::encode(run_with_trail().run);
+  return {};
 }
 
 About Engine::open(std::string_view run_file) {
@@ -192,7 +184,7 @@ About Engine::open(std::string_view run_file) {
   reflown_.reset();
   recorded_ = std::move(opened.recorded);
   here_ = recorded_->scenario->world(recorded_->run.seed);
-  return about(*recorded_->scenario, recorded_->run.seed, recorded_->run.build, recorded_->until());
+  return about(*recorded_->scenario, recorded_->run.seed, recorded_->until());
 }
 
 }  // namespace eyrie::web

@@ -71,9 +71,10 @@ struct Engine::Reflown {
   std::optional<sim::TrailRecorder> trail;  ///< if others are flying it
 };
 
-void Engine::tell(const sim::World& world) const {
+void Engine::tell(const sim::World& world, double dt) const {
+  constexpr std::uint64_t kTell = 1024;
   if (progress_ && world.step() % kTell == 0)
-    progress_(static_cast<double>(world.step()) * run().scenario->simulation->dt());
+    progress_(static_cast<double>(world.step()) * dt);
 }
 
 Moment Engine::page(const Until& until, std::string& packed) {
@@ -89,7 +90,7 @@ Moment Engine::page(const Until& until, std::string& packed) {
       reflown_->over = true;
       break;
     }
-    tell(world);
+    tell(world, dt);
   }
   packed = reflown_->packer->packed(page::facts_of(recorded));
   return moment(world, dt);
@@ -119,13 +120,14 @@ Advanced Engine::advance(const Advance& wanted, std::string& packed) {
                   order);
   }
   const sim::World& world = reflown_->flight.after();
+  const double dt = recorded_->scenario->simulation->dt();
   recorded_->run.trail.last_step = std::max(wanted.step, world.step());
   while (world.step() < wanted.step) {
     reflown_->step();
-    tell(world);
+    tell(world, dt);
   }
   recorded_->run.outcome = wanted.outcome;
-  Advanced advanced{moment(world, recorded_->scenario->simulation->dt()), true};
+  Advanced advanced{moment(world, dt), true};
   advanced.agrees = wanted.hash.empty() || wanted.hash == advanced.moment.hash;
   recorded_->run.trail.last_hash = world.hash();
   if (wanted.draw)
@@ -180,10 +182,10 @@ PlayerId Engine::player(const std::string& name) const {
   return *found;
 }
 
-std::shared_ptr<const scenario::Scenario> Engine::other(
-    const std::string& name, const std::vector<std::string>& sets) const {
+std::shared_ptr<const scenario::Scenario> Engine::other(const Otherwise& otherwise) const {
   Diagnostics wrong;
-  auto overrides = debrief::read_overrides(*run().scenario, player(name), sets, wrong);
+  auto overrides =
+      debrief::read_overrides(*run().scenario, player(otherwise.player), otherwise.sets, wrong);
   wrong.throw_if_any();
   auto changed = debrief::with_overrides(run(), overrides.sets, std::move(overrides.changes));
   if (changed->tree_count() != run().scenario->tree_count())
@@ -203,32 +205,31 @@ Decided Engine::explain(const Decider& decider) const {
 }
 
 debrief::WhatIf Engine::what_if(const Otherwise& otherwise) {
-  return debrief::what_if(run_with_trail(), *other(otherwise.player, otherwise.sets),
-                          player(otherwise.player), otherwise.from.value_or(0));
+  return debrief::what_if(run_with_trail(), *other(otherwise), player(otherwise.player), 0);
 }
 
-debrief::Outcome Engine::outcome() const {
+debrief::Outcome Engine::outcome(const Nothing&) const {
   const debrief::Recorded& recorded = run();
   return debrief::Branch(recorded, recorded.scenario, past(recorded.last_step(), true),
                          recorded.until())
       .fly();
 }
 
-debrief::Outcome Engine::branch(const Branch& wanted, std::string& packed) const {
+debrief::Outcome Engine::branch(const Otherwise& otherwise, std::string& packed) const {
   const debrief::Recorded& recorded = run();
-  const auto changed = other(wanted.player, wanted.sets);
+  const auto changed = other(otherwise);
   const debrief::Past before = past(here_->step(), true);
   std::string problem;
-  const auto branch = debrief::branch(recorded, changed, before, wanted.until, problem);
+  const auto branch = debrief::branch(recorded, changed, before, {}, problem);
   if (!branch)
     throw BadRequest(problem);
-  const auto packer = page::make_packer(*changed, wanted.until.value_or(changed->spec.until));
+  const auto packer = page::make_packer(*changed, changed->spec.until);
   for (const debrief::Happened& happened : before.events)
     packer->remember(branch->after(), happened);
   branch->attach(*packer);
   while (branch->step()) {
     packer->look(branch->before(), branch->after(), branch->orders());
-    tell(branch->after());
+    tell(branch->after(), changed->simulation->dt());
   }
   debrief::Outcome outcome = branch->outcome();
   const sim::World& end = branch->after();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-/// \file  The questions that the engine answers in a page, and its answers. engine.hpp says what
+/// \file  The questions that the engine answers in a page, and its answers. questions.hpp says what
 /// each does; numbers are SI, times are s of simulated time.
 #include "debrief/decision.hpp"
 #include "debrief/what_if.hpp"
@@ -12,14 +12,10 @@ namespace eyrie::web {
 
 template <>
 inline constexpr auto described<debrief::Changed> =
-    Description{"Changed",
-                "A field that would have been another.",
+    Description{"Changed", "A field that would have been another.",
                 Member{"name", &debrief::Changed::name, "Such as heading."},
-                Member{"unit", &debrief::Changed::unit, "SI."},
                 Member{"flown", &debrief::Changed::flown, "For people; - for nothing."},
-                Member{"other", &debrief::Changed::other, "For people; - for nothing."},
-                Member{"difference", &debrief::Changed::difference,
-                       "Other minus flown, directions the short way round."}};
+                Member{"other", &debrief::Changed::other, "For people; - for nothing."}};
 template <>
 inline constexpr auto described<debrief::Otherwise> =
     Description{"FirstOther",
@@ -73,11 +69,9 @@ struct Texts {
 struct Load {
   Texts texts;
   std::optional<std::string> seed;
-  std::optional<double> until;
   static constexpr Description kMessage{
       "Load", "A scenario to be flown.", Member{"texts", &Load::texts, "What it is made of."},
-      Member{"seed", &Load::seed, "In digits; the scenario's own without it."},
-      Member{"until", &Load::until, "s, when it ends at the latest, instead of the scenario's."}};
+      Member{"seed", &Load::seed, "In digits; the scenario's own without it."}};
 };
 struct Until {
   std::optional<double> until;
@@ -99,47 +93,31 @@ struct Decider {
 struct Otherwise {
   std::string player;
   std::vector<std::string> sets;
-  std::optional<double> from;
   static constexpr Description kMessage{
-      "Otherwise", "Other trees for a player's states.",
-      Member{"player", &Otherwise::player, "Whose."},
-      Member{"sets", &Otherwise::sets, "What is other, as `eyrie whatif --set` takes it."},
-      Member{"from", &Otherwise::from, "s, from when on; from the start without it."}};
-};
-struct Branch {
-  std::vector<std::string> sets;
-  std::string player;
-  std::optional<double> until;
-  static constexpr Description kMessage{
-      "Branch", "Another future, from the moment of seek() on.",
-      Member{"sets", &Branch::sets,
-             "What is other from there on, as `eyrie whatif --set` takes it."},
-      Member{"player", &Branch::player, "Whose tree is meant where a path names none."},
-      Member{"until", &Branch::until, "s, when it ends at the latest, instead of the scenario's."}};
+      "Otherwise", "Other trees.",
+      Member{"player", &Otherwise::player,
+             "Whose, where a path names none; whose states are meant."},
+      Member{"sets", &Otherwise::sets, "What is other, as `eyrie whatif --set` takes it."}};
 };
 struct Nothing {
   static constexpr Description kMessage{"Nothing", "No parameters."};
 };
 
 struct Player {
-  std::string name, side, type;
+  std::string name, side;
   static constexpr Description kMessage{"Player", "Somebody in the scenario.",
                                         Member{"name", &Player::name, "As the scenario says."},
-                                        Member{"side", &Player::side, "blue or red."},
-                                        Member{"type", &Player::type, "Of aircraft or vehicle."}};
+                                        Member{"side", &Player::side, "blue or red."}};
 };
 struct About {
-  std::string scenario, help, seed, build;
-  double dt = 0, until = 0, latitude = 0, longitude = 0;
+  std::string scenario, seed;
+  double until = 0, latitude = 0, longitude = 0;
   std::vector<Player> players;
   static constexpr Description kMessage{
       "About",
       "What was loaded.",
       Member{"scenario", &About::scenario, "Its name."},
-      Member{"help", &About::help, "What it says of itself."},
       Member{"seed", &About::seed, "In digits."},
-      Member{"build", &About::build, "Who recorded it; empty before it was flown."},
-      Member{"dt", &About::dt, "s per step."},
       Member{"until", &About::until, "s, when it ends, at the latest if it was not flown yet."},
       Member{"latitude", &About::latitude, "deg, of the middle of the map."},
       Member{"longitude", &About::longitude, "deg, of the same."},
@@ -153,18 +131,15 @@ struct Line {
       Member{"who", &Line::who, "Who does it."}, Member{"text", &Line::text, "What happens."}};
 };
 struct Flown {
-  std::uint64_t step = 0;
   double time = 0;
-  std::string hash, outcome;
+  std::string hash;
   std::optional<debrief::Outcome> result;
   std::vector<Line> story;
   static constexpr Description kMessage{
       "Flown",
       "How far a flight is.",
-      Member{"step", &Flown::step, "Steps made."},
       Member{"time", &Flown::time, "s."},
       Member{"hash", &Flown::hash, "Of the world, as the terminal prints it."},
-      Member{"outcome", &Flown::outcome, "running, or why it is over."},
       Member{"result", &Flown::result, "How it ended, once it is over."},
       Member{"story", &Flown::story, "What happened since the last answer."}};
 };

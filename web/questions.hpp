@@ -18,41 +18,19 @@ struct Question {
   std::string_view name, help;
 };
 
-namespace detail {
-
-inline Nothing run_file(Engine& engine, const Nothing&, std::string& bytes) {
-  bytes = engine.run_file();
-  return {};
-}
-inline debrief::Outcome outcome(Engine& engine, const Nothing&) {
-  return engine.outcome();
-}
-inline Nothing take_zones(Engine&, std::string_view file) {
-  Engine::take_zones(file);
-  return {};
-}
-inline NodeTypes node_types(Engine&, const Nothing&) {
-  return Engine::node_types();
-}
-inline Problems validate(Engine&, const Texts& texts) {
-  return Engine::validate(texts);
-}
-
-}  // namespace detail
-
 inline constexpr std::tuple kQuestions{
-    Question<Nothing, Nothing, Bytes::asked, detail::take_zones>{
+    Question<Nothing, Nothing, Bytes::asked, &Engine::take_zones>{
         "take_zones", "Launch zones of the shipped missiles, which then need not be flown."},
-    Question<Nothing, NodeTypes, Bytes::none, detail::node_types>{"node_types",
-                                                                  "What trees may be made of."},
-    Question<Texts, Problems, Bytes::none, detail::validate>{
+    Question<Nothing, NodeTypes, Bytes::none, &Engine::node_types>{"node_types",
+                                                                   "What trees may be made of."},
+    Question<Texts, Problems, Bytes::none, &Engine::validate>{
         "validate", "Every mistake in a scenario and its files."},
     Question<Load, About, Bytes::none, &Engine::load>{
         "load", "Reads a scenario; fly() begins at its start."},
     Question<Until, Flown, Bytes::none, &Engine::fly>{
         "fly", "On with what was loaded; when it is over it has become a run."},
-    Question<Nothing, Nothing, Bytes::answered, detail::run_file>{
-        "run_file", "The run file of what was flown to its end."},
+    Question<Nothing, Nothing, Bytes::answered, &Engine::run_file>{
+        "run_file", "The run file of what was flown to its end, or so far."},
     Question<Nothing, About, Bytes::asked, &Engine::open>{"open", "Opens a run file."},
     Question<Until, Moment, Bytes::answered, &Engine::page>{
         "page",
@@ -71,12 +49,12 @@ inline constexpr std::tuple kQuestions{
     Question<Otherwise, debrief::WhatIf, Bytes::none, &Engine::what_if>{
         "what_if",
         "What it would have decided during the whole run, its states being what they were."},
-    Question<Nothing, debrief::Outcome, Bytes::none, detail::outcome>{"outcome",
-                                                                      "How the run ended."},
-    Question<Branch, debrief::Outcome, Bytes::answered, &Engine::branch>{
+    Question<Nothing, debrief::Outcome, Bytes::none, &Engine::outcome>{"outcome",
+                                                                       "How the run ended."},
+    Question<Otherwise, debrief::Outcome, Bytes::answered, &Engine::branch>{
         "branch",
-        "How it would have ended, flown on from there with other trees and models; the bytes are "
-        "as of page()."},
+        "How it would have ended, flown on from the moment of seek() with other trees and models; "
+        "the bytes are as of page()."},
 };
 
 }  // namespace eyrie::web

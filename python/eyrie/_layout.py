@@ -21,26 +21,19 @@ _SCALARS = {"f64": "f8", "f32": "f4", "u8": "u1", "u16": "u2", "u32": "u4", "u64
             "i16": "i2", "i32": "i4", "i64": "i8"}
 
 
-class Layouts:
-    """The types of the rows of a scenario's worlds, made when they are first asked for."""
+#: By column: the type of its rows, and what stands in their fields.
+Layout = dict[str, tuple[np.dtype[np.void], dict[str, Field]]]
 
-    def __init__(self, scenario: _core.Scenario) -> None:
-        self._scenario = scenario
-        self._made: dict[tuple[str, str], tuple[np.dtype[np.void], dict[str, Field]]] = {}
 
-    def tables(self) -> dict[str, list[str]]:
-        return {
-            table: [column for column, _, _ in columns]
-            for table, _, columns in self._scenario.schema
+def layouts_of(scenario: _core.Scenario) -> dict[str, Layout]:
+    """The columns of each table of a scenario's worlds."""
+    return {
+        table: {
+            column: (_dtype(stride, fields), {one[0]: Field(one[4], one[5]) for one in fields})
+            for column, stride, fields in columns
         }
-
-    def of(self, table: str, column: str) -> tuple[np.dtype[np.void], dict[str, Field]]:
-        if not self._made:
-            for table_name, _, columns in self._scenario.schema:
-                for name, stride, fields in columns:
-                    about = {one[0]: Field(one[4], one[5]) for one in fields}
-                    self._made[table_name, name] = (_dtype(stride, fields), about)
-        return self._made[table, column]
+        for table, columns in scenario.schema
+    }
 
 
 def _dtype(stride: int, fields: list[Any]) -> np.dtype[np.void]:

@@ -16,7 +16,6 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import number, path, several, switch, text, whole
-from ._errors import Error
 from ._run import Run
 from ._scenario import Scenario, Sets, home, override_lines
 
@@ -66,12 +65,13 @@ class Native:
         self,
         task: str,
         worlds: int,
-        *,
+        threads: int,
         set: Sets,
         opponents: Opponents,
         rewards: Rewards,
-        threads: int,
         privileged: bool,
+        *,
+        several_learn: bool = False,
     ) -> None:
         if not isinstance(opponents, Mapping):
             raise TypeError(f"opponents: {opponents!r} is no mapping of players to lists of trees")
@@ -84,7 +84,7 @@ class Native:
             ]
             for who, its in opponents.items()
         }
-        self._core: _core.VectorEnv | None = _core.vector_env(
+        self.core = core = _core.vector_env(
             text("task", task),
             override_lines(set) + override_lines(pool.trees),
             trees,
@@ -95,8 +95,9 @@ class Native:
             home(),
             pool.folders,
         )
-        core = self._core
         self.learners = core.learners
+        if len(self.learners) != 1 and not several_learn:
+            raise ValueError(f"in {task} several learn: eyrie.envs.parallel({task!r})")
         self.actions = core.actions
         self.observations = core.observations
         self.last_observations = core.last_observations
@@ -107,17 +108,6 @@ class Native:
         self.over = core.over.view(np.bool_)
         self.masks = core.masks.view(np.bool_)
         self.last_masks = core.last_masks.view(np.bool_)
-
-    @property
-    def core(self) -> _core.VectorEnv:
-        if self._core is None:
-            raise Error("this environment is closed")
-        return self._core
-
-    def close(self) -> None:
-        if self._core is not None:
-            self._core.close()
-        self._core = None
 
     def __reduce__(self) -> Any:
         raise TypeError(
@@ -153,6 +143,10 @@ class Played:
     def actions(self) -> list[str]:
         """What the numbers of an action mean."""
         return self._native.actions
+
+    def episode(self, *, last: bool = False) -> Run:
+        """The run of this episode so far, or of the one that ended last."""
+        return self._native.episode(0, last)
 
     @property
     def policy_words(self) -> dict[str, str]:

@@ -3,18 +3,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 from pettingzoo import ParallelEnv
 
-from ._native_env import Native, Played, Saved, as_actions
+from ._native_env import Floats, Infos, Native, Played, Saved, as_actions
 
-if TYPE_CHECKING:
-    from ._run import Run
-
-Floats = npt.NDArray[np.float32]
+#: What step() gives, of each agent: observation, reward, terminated, truncated, info.
+Results = tuple[
+    dict[str, Floats], dict[str, float], dict[str, bool], dict[str, bool], dict[str, Infos]
+]
 
 
 class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
@@ -40,20 +39,14 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
 
     def reset(
         self, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
+    ) -> tuple[dict[str, Floats], dict[str, Infos]]:
         if seed is not None:
             self._seeds = np.random.default_rng(seed)
         self._native.core.reset(int(self._seeds.integers(2**32)))
         self.agents = list(self.possible_agents)
         return self._seen(self._native.observations), self._infos()
 
-    def step(self, actions: dict[str, Floats]) -> tuple[
-        dict[str, Floats],
-        dict[str, float],
-        dict[str, bool],
-        dict[str, bool],
-        dict[str, dict[str, Any]],
-    ]:
+    def step(self, actions: dict[str, Floats]) -> Results:
         native = self._native
         if missing := [who for who in self.agents if who not in actions]:
             raise ValueError(f"actions: there is none of {', '.join(missing)}")
@@ -77,15 +70,11 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         ]
         return results
 
-    def episode(self, *, last: bool = False) -> Run:
-        """The run of this episode so far, or of the one that ended last."""
-        return self._native.episode(0, last)
-
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again."""
         return self._native.save(self._seeds)
 
-    def restore(self, saved: Saved) -> tuple[dict[str, Floats], dict[str, dict[str, Any]]]:
+    def restore(self, saved: Saved) -> tuple[dict[str, Floats], dict[str, Infos]]:
         """Goes on from there; what reset() gives."""
         native = self._native
         native.restore(saved, self._seeds)
@@ -93,11 +82,11 @@ class Parallel(Played, ParallelEnv[str, Floats, Floats]):  # type: ignore[misc]
         return self._seen(native.observations), self._infos()
 
     def close(self) -> None:
-        self._native.close()
+        self._native.core.close()
 
     def _seen(self, values: Floats) -> dict[str, Floats]:
         return {who: values[0, self._row[who]].copy() for who in self.agents}
 
-    def _infos(self, over: bool = False) -> dict[str, dict[str, Any]]:
+    def _infos(self, over: bool = False) -> dict[str, Infos]:
         masks = self._native.last_masks if over else self._native.masks
         return {who: {"mask": masks[0, self._row[who]].copy()} for who in self.agents}

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -15,7 +16,7 @@ from . import _core
 from ._arguments import number, path, paths, several, text as checked_text, whole
 from ._behavior import Behavior
 from ._errors import Error
-from ._layout import Layouts
+from ._layout import Layout, layouts_of
 
 if TYPE_CHECKING:
     from ._world import World
@@ -48,7 +49,10 @@ class Scenario:
     def __init__(self, core: _core.Scenario, behaviors: Iterable[Behavior] = ()) -> None:
         self._core = core
         self._behaviors = list(behaviors)
-        self._layouts = Layouts(core)
+
+    @cached_property
+    def _layouts(self) -> dict[str, Layout]:
+        return layouts_of(self._core)
 
     @property
     def name(self) -> str:

@@ -113,12 +113,12 @@ class World:
     @property
     def tables(self) -> dict[str, list[str]]:
         """The columns of each table."""
-        return self._scenario._layouts.tables()
+        return {table: list(columns) for table, columns in self._scenario._layouts.items()}
 
     def fields(self, table: str, column: str) -> dict[str, Field]:
         """What stands in each field of a column."""
         self.rows(table, column)  # which knows what is wrong with the names
-        return dict(self._scenario._layouts.of(table, column)[1])
+        return dict(self._scenario._layouts[table][column][1])
 
     def rows(self, table: str, column: str) -> npt.NDArray[np.void]:
         """The live rows of a column: a structured array of shape (players,), in spawn order.
@@ -130,7 +130,7 @@ class World:
         keep what was. The units are in :meth:`fields`.
         """
         values = self._core.rows(text("table", table), text("column", column))  # which knows what is wrong with the names
-        return values.view(self._scenario._layouts.of(table, column)[0])
+        return values.view(self._scenario._layouts[table][column][0])
 
     def row(self, player: str, column: str) -> np.void | None:
         """The row of one player, as in :meth:`rows`; None if it is gone.
@@ -148,7 +148,7 @@ class World:
             raise Error("a world that has come to a fault cannot be pickled: " + self._core.fault)
         core = self._core
         state = (core.seed, core.until, core.workers, core.orders(), core.steps, core.hash)
-        return (_flown_again, (_core.version_text(), self.scenario, *state))
+        return (_flown_again, (_core.version_text(), self.scenario, state))
 
 
 def _plain(value: Any) -> Any:
@@ -158,17 +158,11 @@ def _plain(value: Any) -> Any:
 
 
 def _flown_again(
-    build: str,
-    scenario: Scenario,
-    seed: int,
-    until: float,
-    workers: int,
-    orders: bytes,
-    steps: int,
-    hash: str,
+    build: str, scenario: Scenario, state: tuple[int, float, int, bytes, int, str]
 ) -> World:
     if build != _core.version_text():
         raise Error(f"this world was pickled by {build}; this is {_core.version_text()}")
+    seed, until, workers, orders, steps, hash = state
     core = _core.world(scenario._core, seed, until, workers)
     core.set_orders(orders)
     core.step_to(steps)

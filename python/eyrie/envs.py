@@ -87,17 +87,7 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         privileged: bool = False,
         render_mode: None = None,
     ) -> None:
-        self._native = Native(
-            task,
-            1,
-            set=set,
-            opponents=opponents,
-            rewards=rewards,
-            threads=1,
-            privileged=privileged,
-        )
-        if len(self._native.learners) != 1:
-            raise ValueError(f"in {task} several learn: eyrie.envs.parallel({task!r})")
+        self._native = Native(task, 1, 1, set, opponents, rewards, privileged)
         self.render_mode = render_mode
         self.observation_space = self._native.observation_space()
         self.action_space = self._native.action_space()
@@ -117,10 +107,6 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         seen = (native.last_observations if over else native.observations)[0, 0].copy()
         return seen, float(native.rewards[0, 0]), terminated, truncated, self._info(over)
 
-    def episode(self, *, last: bool = False) -> Run:
-        """The run of this episode so far, or of the one that ended last."""
-        return self._native.episode(0, last)
-
     def save(self) -> Saved:
         """Where the episode stands, to go on from there again: for search, and for tests."""
         return self._native.save(self.np_random)
@@ -131,7 +117,7 @@ class Env(Played, gymnasium.Env[Floats, Floats]):
         return self._native.observations[0, 0].copy(), self._info()
 
     def close(self) -> None:
-        self._native.close()
+        self._native.core.close()
 
     def _info(self, over: bool = False) -> Infos:
         native = self._native
@@ -170,17 +156,7 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         copy: bool = False,
         render_mode: None = None,
     ) -> None:
-        self._native = Native(
-            task,
-            num_envs,
-            set=set,
-            opponents=opponents,
-            rewards=rewards,
-            threads=threads,
-            privileged=privileged,
-        )
-        if len(self._native.learners) != 1:
-            raise ValueError(f"in {task} several learn: eyrie.envs.parallel({task!r})")
+        self._native = Native(task, num_envs, threads, set, opponents, rewards, privileged)
         self.num_envs = num_envs
         self.render_mode = render_mode
         self._copy = copy
@@ -230,7 +206,7 @@ class VectorEnv(Played, gymnasium.vector.VectorEnv[Floats, Floats, npt.NDArray[A
         return self._given(self._native.observations[:, 0]), self._infos()
 
     def close_extras(self, **kwargs: Any) -> None:
-        self._native.close()
+        self._native.core.close()
 
     def _given(self, values: npt.NDArray[Any]) -> npt.NDArray[Any]:
         return values.copy() if self._copy else values
@@ -261,15 +237,7 @@ def parallel(
     """
     from ._parallel import Parallel
 
-    native = Native(
-        task,
-        1,
-        set=set,
-        opponents=opponents,
-        rewards=rewards,
-        threads=1,
-        privileged=privileged,
-    )
+    native = Native(task, 1, 1, set, opponents, rewards, privileged, several_learn=True)
     return Parallel(task, native)
 
 

@@ -10,31 +10,19 @@ namespace {
 
 constexpr std::size_t kMostParameters = 16;
 
-/// The parameters of one node, by place.
-struct Values {
-  std::array<double, kMostParameters> numbers{};
-  std::array<bool, kMostParameters> switches{};
-  std::array<std::string, kMostParameters> texts{};
-};
+/// A parameter of a node is one of these.
+using Value = std::variant<double, bool, std::string>;
+/// Those of one node, by place; each is of its type from the start.
+using Values = std::array<Value, kMostParameters>;
 
-template <std::size_t I>
-void* number_at(void* values) {
-  return &static_cast<Values*>(values)->numbers[I];
+template <class T, std::size_t I>
+void* place(void* values) {
+  return &std::get<T>((*static_cast<Values*>(values))[I]);
 }
-template <std::size_t I>
-void* switch_at(void* values) {
-  return &static_cast<Values*>(values)->switches[I];
-}
-template <std::size_t I>
-void* text_at(void* values) {
-  return &static_cast<Values*>(values)->texts[I];
-}
-using Place = void* (*)(void*);
-struct Places {
-  std::array<Place, kMostParameters> numbers, switches, texts;
-};
-constexpr Places kPlaces = []<std::size_t... I>(std::index_sequence<I...>) {
-  return Places{{number_at<I>...}, {switch_at<I>...}, {text_at<I>...}};
+/// By its number where a parameter of that type is.
+template <class T>
+constexpr auto kPlaces = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array<void* (*)(void*), kMostParameters>{place<T, I>...};
 }
 (std::make_index_sequence<kMostParameters>{});
 
@@ -88,16 +76,13 @@ std::string traceback_of(const nb::python_error& e) {
   return {bytes.c_str(), bytes.size()};
 }
 
-/// The value of a parameter as a function of Python gets it.
-nb::object value_at(const BehaviorType& type, const Values& values, std::size_t i) {
-  switch (type.lines[i].type->kind) {
-    case ParamKind::boolean:
-      return nb::bool_(values.switches[i]);
-    case ParamKind::text:
-      return text(values.texts[i]);
-    default:
-      return nb::float_(values.numbers[i]);
-  }
+/// A parameter as a function of Python gets it.
+nb::object object_of(const Value& value) {
+  if (const auto* words = std::get_if<std::string>(&value))
+    return text(*words);
+  if (const auto* is_on = std::get_if<bool>(&value))
+    return nb::bool_(*is_on);
+  return nb::float_(std::get<double>(value));
 }
 
 nb::object field_value(const ubf::StateFieldInfo& info, double value) {
@@ -129,7 +114,7 @@ class Node final : public ubf::Behavior<S, Action> {
       nb::list arguments;
       arguments.append(nb::cast(state));
       for (std::size_t i = 0; i < type_->lines.size(); ++i)
-        arguments.append(value_at(*type_, values, i));
+        arguments.append(object_of(values[i]));
       return take(type_->function(*nb::tuple(arguments)), out);
     } catch (nb::python_error& e) {
       const std::string words = traceback_of(e);
@@ -201,12 +186,15 @@ double in_si(const std::string& parameter, double number, const std::string& uni
   return to_si(number, *info);
 }
 
-/// The default of a parameter. Throws TypeError.
+/// Gives the next parameter of a behavior its type and default. Throws TypeError.
 template <class T>
-T default_of(const std::string& parameter, const nb::object& value) {
-  T got{};
+T& put(BehaviorType& type, Parameter& line, const nb::object& value) {
+  const std::size_t i = type.lines.size();
+  line.type = &eyrie::detail::TypeOf<T>::value;
+  line.member = kPlaces<T>[i];
+  T& got = type.defaults[i].emplace<T>();
   if (!nb::try_cast(value, got))
-    throw nb::type_error(fmt::format("{}: its default cannot be {}", parameter,
+    throw nb::type_error(fmt::format("{}: its default cannot be {}", line.name,
                                      nb::cast<std::string>(nb::repr(value)))
                              .c_str());
   return got;
@@ -228,34 +216,25 @@ Behavior behavior(std::string name, std::string help, const std::string& platfor
   type->function = std::move(function);
   type->for_drivers = platform == "driver";
   type->words.reserve(2 * parameters.size());
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto& [its_name, kind, unit, value, least, most, its_help] = parameters[i];
+  for (const auto& [its_name, kind, unit, value, least, most, its_help] : parameters) {
     Parameter line;
     line.name = type->words.emplace_back(its_name);
     line.help = type->words.emplace_back(its_help);
     if (kind == "switch") {
-      line.type = &eyrie::detail::TypeOf<bool>::value;
-      line.member = kPlaces.switches[i];
-      type->defaults.switches[i] = default_of<bool>(its_name, value);
+      put<bool>(*type, line, value);
     } else if (kind == "text") {
-      line.type = &eyrie::detail::TypeOf<std::string>::value;
-      line.member = kPlaces.texts[i];
-      type->defaults.texts[i] = default_of<std::string>(its_name, value);
+      put<std::string>(*type, line, value);
     } else {
-      line.type = &eyrie::detail::TypeOf<double>::value;
-      line.member = kPlaces.numbers[i];
-      if (!unit.empty())
-        static_cast<void>(in_si(its_name, 0, unit));
+      double& number = put<double>(*type, line, value);
+      number = in_si(its_name, number, unit);
       line.unit = Unit(unit.empty() ? Dimension::none : find_unit(unit)->dimension);
       if (least)
         line.limits.min = in_si(its_name, *least, unit);
       if (most)
         line.limits.max = in_si(its_name, *most, unit);
-      const double number = in_si(its_name, default_of<double>(its_name, value), unit);
       if (!std::isfinite(number) || !line.limits.contains(number))
         throw nb::value_error(
             fmt::format("{}: its default {} is outside its limits", its_name, number).c_str());
-      type->defaults.numbers[i] = number;
     }
     type->lines.push_back(line);
   }
@@ -315,7 +294,7 @@ void add_behavior(nb::module_& m) {
           [](const Behavior& b) {
             std::vector<nb::object> all;
             for (std::size_t i = 0; i < b.type->lines.size(); ++i)
-              all.push_back(value_at(*b.type, b.type->defaults, i));
+              all.push_back(object_of(b.type->defaults[i]));
             return all;
           },
           "Of its parameters, in their order, in SI.");

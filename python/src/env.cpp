@@ -11,9 +11,6 @@
 namespace eyrie::python {
 namespace {
 
-template <class T>
-using Array = nb::ndarray<nb::numpy, T>;
-
 /// Everything of an environment that changes.
 struct Saved {
   std::shared_ptr<const train::VectorEnv::Snapshot> snapshot;
@@ -87,33 +84,34 @@ class VectorEnv {
     return {std::move(*opened.recorded)};
   }
 
-  // what reset() and step() write, for who keeps the environment
-  [[nodiscard]] Array<const float> observations(nb::handle self) const {
-    return numbers(observations_, shape_.observation, self);
-  }
-  [[nodiscard]] Array<const float> last_observations(nb::handle self) const {
-    return numbers(last_observations_, shape_.observation, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> masks(nb::handle self) const {
-    return numbers(masks_, shape_.action, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> last_masks(nb::handle self) const {
-    return numbers(last_masks_, shape_.action, self);
-  }
-  [[nodiscard]] Array<const float> rewards(nb::handle self) const {
-    return of_agents(rewards_, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> alive(nb::handle self) const {
-    return of_agents(alive_, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> terminated(nb::handle self) const {
-    return of_agents(terminated_, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> truncated(nb::handle self) const {
-    return of_agents(truncated_, self);
-  }
-  [[nodiscard]] Array<const std::uint8_t> over(nb::handle self) const {
-    return Array<const std::uint8_t>(over_.data(), {over_.size()}, self);
+  /// Properties of what reset() and step() write, which keep the environment: by world, by world
+  /// and learner, or by world, learner and number.
+  static void add_arrays(nb::class_<VectorEnv>& c) {
+    const auto add = [&]<class T>(const char* name, std::vector<T> VectorEnv::*values,
+                                  std::size_t dimensions, const char* help) {
+      c.def_prop_ro(
+          name,
+          [=](nb::handle_t<VectorEnv> self) {
+            const auto& env = nb::cast<const VectorEnv&>(self);
+            const auto& [envs, agents, observation, action] = env.shape_;
+            const auto& all = env.*values;
+            const std::array shape{envs, agents, all.size() / (envs * agents)};
+            return nb::ndarray<nb::numpy, const T>(all.data(), dimensions, shape.data(), self);
+          },
+          help);
+    };
+    add("observations", &VectorEnv::observations_, 3, "(worlds, learners, numbers)");
+    add("last_observations", &VectorEnv::last_observations_, 3,
+        "As observations, of the episodes that are over; else 0.");
+    add("rewards", &VectorEnv::rewards_, 2, "(worlds, learners)");
+    add("alive", &VectorEnv::alive_, 2, "(worlds, learners), 0 or 1");
+    add("terminated", &VectorEnv::terminated_, 2, "(worlds, learners), 0 or 1");
+    add("truncated", &VectorEnv::truncated_, 2, "(worlds, learners), 0 or 1");
+    add("over", &VectorEnv::over_, 1, "(worlds,): 1 if the episode was.");
+    add("masks", &VectorEnv::masks_, 3,
+        "(worlds, learners, actions): 1 where the action can do anything now.");
+    add("last_masks", &VectorEnv::last_masks_, 3,
+        "As masks, of the episodes that are over; else 0.");
   }
   [[nodiscard]] const train::VectorEnv& env() const {
     demand_open();
@@ -121,15 +119,6 @@ class VectorEnv {
   }
 
  private:
-  template <class T>
-  [[nodiscard]] Array<const T> numbers(const std::vector<T>& values, std::size_t each,
-                                       nb::handle self) const {
-    return Array<const T>(values.data(), {shape_.envs, shape_.agents, each}, self);
-  }
-  template <class T>
-  [[nodiscard]] Array<const T> of_agents(const std::vector<T>& values, nb::handle self) const {
-    return Array<const T>(values.data(), {shape_.envs, shape_.agents}, self);
-  }
   [[nodiscard]] train::Arrays arrays() {
     return {.observations = observations_,
             .masks = masks_,
@@ -242,12 +231,6 @@ std::unique_ptr<VectorEnv> make(const std::string& name, const std::vector<std::
                                      train::Options{.envs = envs, .workers = workers});
 }
 
-/// A property of arrays: they keep the environment.
-template <auto member>
-auto of_self(nb::handle_t<VectorEnv> self) {
-  return (nb::cast<const VectorEnv&>(self).*member)(self);
-}
-
 }  // namespace
 
 void add_env(nb::module_& m) {
@@ -268,8 +251,9 @@ void add_env(nb::module_& m) {
         arg("envs"), arg("workers"), arg("privileged"), arg("home"), arg("allowed"),
         "Many worlds of a task.");
   nb::class_<Saved>(m, "SavedEnv", "Everything of an environment that changes.");
-  nb::class_<VectorEnv>(m, "VectorEnv", "Many worlds of one task, stepped at once.")
-      .def("reset", &VectorEnv::reset, arg("seed"), "Begins an episode in every world.")
+  nb::class_<VectorEnv> envs(m, "VectorEnv", "Many worlds of one task, stepped at once.");
+  VectorEnv::add_arrays(envs);
+  envs.def("reset", &VectorEnv::reset, arg("seed"), "Begins an episode in every world.")
       .def("step", &VectorEnv::step, arg("actions"),
            "One decision of everybody: (worlds, learners, actions) numbers in [-1, 1].")
       .def("close", &VectorEnv::close, "Ends its threads and frees its worlds.")
@@ -277,19 +261,6 @@ void add_env(nb::module_& m) {
       .def("restore", &VectorEnv::restore, arg("saved"), "Goes on from there.")
       .def("episode", &VectorEnv::episode, arg("world"), arg("last"),
            "The run of an episode of one of the worlds that are kept.")
-      .def_prop_ro("observations", &of_self<&VectorEnv::observations>,
-                   "(worlds, learners, numbers), written by reset() and step().")
-      .def_prop_ro("last_observations", &of_self<&VectorEnv::last_observations>,
-                   "As observations, of the episodes that are over; else 0.")
-      .def_prop_ro("rewards", &of_self<&VectorEnv::rewards>, "(worlds, learners)")
-      .def_prop_ro("alive", &of_self<&VectorEnv::alive>, "(worlds, learners), 0 or 1")
-      .def_prop_ro("over", &of_self<&VectorEnv::over>, "(worlds,): 1 if the episode was.")
-      .def_prop_ro("terminated", &of_self<&VectorEnv::terminated>, "(worlds, learners), 0 or 1")
-      .def_prop_ro("truncated", &of_self<&VectorEnv::truncated>, "(worlds, learners), 0 or 1")
-      .def_prop_ro("masks", &of_self<&VectorEnv::masks>,
-                   "(worlds, learners, actions): 1 where the action can do anything now.")
-      .def_prop_ro("last_masks", &of_self<&VectorEnv::last_masks>,
-                   "As masks, of the episodes that are over; else 0.")
       .def_prop_ro(
           "learners", [](const VectorEnv& e) { return e.env().task().learners; }, "Who learns.")
       .def_prop_ro(

@@ -265,25 +265,15 @@ void add_run(nb::module_& m) {
         "it or an empty text.");
   m.def("open", &open, arg("path"), arg("plugins"), arg("behaviors"),
         "Opens a run folder or a run file.");
-  nb::class_<Recorded>(m, "Recorded", "A run: all that it was made from, to be flown again.")
-      .def_prop_ro(
-          "scenario", [](const Recorded& r) { return Scenario{r.recorded.scenario}; },
-          "What was flown.")
-      .def_prop_ro(
-          "seed", [](const Recorded& r) { return r.recorded.run.seed; }, "Of its draws.")
-      .def_prop_ro(
-          "steps", [](const Recorded& r) { return r.recorded.last_step(); }, "How many it has.")
-      .def_prop_ro(
-          "until", [](const Recorded& r) { return r.recorded.until(); }, "s, when it ends.")
-      .def_prop_ro(
-          "hash", [](const Recorded& r) { return hash_text(r.recorded.run.trail.last_hash); },
-          "0x and 16 hexadecimal digits: of the world at its end.")
-      .def_prop_ro(
-          "outcome", [](const Recorded& r) { return printable(r.recorded.run.outcome); },
-          "One line for people.")
-      .def_prop_ro(
-          "build", [](const Recorded& r) { return printable(r.recorded.run.build); },
-          "Who recorded it.")
+  nb::class_<Recorded>(m, "Recorded", "A run, to be flown again: eyrie.Run says more.")
+      .def_prop_ro("scenario", [](const Recorded& r) { return Scenario{r.recorded.scenario}; })
+      .def_prop_ro("seed", [](const Recorded& r) { return r.recorded.run.seed; })
+      .def_prop_ro("steps", [](const Recorded& r) { return r.recorded.last_step(); })
+      .def_prop_ro("until", [](const Recorded& r) { return r.recorded.until(); })
+      .def_prop_ro("hash",
+                   [](const Recorded& r) { return hash_text(r.recorded.run.trail.last_hash); })
+      .def_prop_ro("outcome", [](const Recorded& r) { return printable(r.recorded.run.outcome); })
+      .def_prop_ro("build", [](const Recorded& r) { return printable(r.recorded.run.build); })
       .def("events", &events, "Everything that happened, as columns.")
       .def("tracks", &tracks, arg("player").none(), arg("every").none(),
            "Where one or everybody was, as columns.")

@@ -85,8 +85,8 @@ using Field = std::tuple<std::string, std::uint32_t, std::string, std::uint32_t,
                          std::map<std::uint64_t, std::string>>;
 /// (name, bytes per row, fields)
 using Column = std::tuple<std::string, std::uint32_t, std::vector<Field>>;
-/// (name, room, columns)
-using Table = std::tuple<std::string, std::uint32_t, std::vector<Column>>;
+/// (name, columns)
+using Table = std::tuple<std::string, std::vector<Column>>;
 
 std::vector<Table> schema_of(const Scenario& s) {
   std::vector<Table> tables;
@@ -102,7 +102,7 @@ std::vector<Table> schema_of(const Scenario& s) {
                             std::string(field.unit), choices_of(field));
       columns.emplace_back(column.name, column.stride, std::move(fields));
     }
-    tables.emplace_back(table.name, table.capacity, std::move(columns));
+    tables.emplace_back(table.name, std::move(columns));
   }
   return tables;
 }
@@ -116,30 +116,18 @@ void add_scenario(nb::module_& m) {
         "text of that name.");
   m.def("load_texts", &load_texts, nb::arg("file"), nb::arg("files"), nb::arg("sets"),
         nb::arg("plugins"), nb::arg("behaviors"), "Loads a scenario from the texts of its files.");
-  nb::class_<Scenario>(m, "Scenario", "A scenario that is ready to fly.")
-      .def_prop_ro(
-          "name", [](const Scenario& s) { return printable(s.loaded->spec.name); }, "Its name.")
-      .def_prop_ro(
-          "file", [](const Scenario& s) { return printable(s.loaded->file); },
-          "The file that it was loaded from.")
-      .def_prop_ro(
-          "files", [](const Scenario& s) { return s.loaded->files; },
-          "Every text it was made from, by name.")
-      .def_prop_ro(
-          "sets", [](const Scenario& s) { return s.loaded->sets; }, "Overrides: path=value.")
+  nb::class_<Scenario>(m, "Scenario", "A scenario that is ready to fly: eyrie.Scenario says more.")
+      .def_prop_ro("name", [](const Scenario& s) { return printable(s.loaded->spec.name); })
+      .def_prop_ro("file", [](const Scenario& s) { return printable(s.loaded->file); })
+      .def_prop_ro("files", [](const Scenario& s) { return s.loaded->files; })
+      .def_prop_ro("sets", [](const Scenario& s) { return s.loaded->sets; })
       .def_prop_ro("plugins", &plugins_of, "The files of its plug-ins.")
-      .def_prop_ro(
-          "seed", [](const Scenario& s) { return s.loaded->spec.seed; }, "The one it names.")
-      .def_prop_ro(
-          "until", [](const Scenario& s) { return s.loaded->spec.until; },
-          "s, when a flight ends at the latest.")
-      .def_prop_ro(
-          "dt", [](const Scenario& s) { return s.loaded->simulation->dt(); },
-          "s, length of a step.")
+      .def_prop_ro("seed", [](const Scenario& s) { return s.loaded->spec.seed; })
+      .def_prop_ro("until", [](const Scenario& s) { return s.loaded->spec.until; })
+      .def_prop_ro("dt", [](const Scenario& s) { return s.loaded->simulation->dt(); })
       .def_prop_ro("players", &players_of, "(name, kind, type, label, side, flight, rank)")
       .def_prop_ro("schema", &schema_of,
-                   "(table, room, [(column, bytes per row, [(field, offset, "
-                   "type, count, unit, "
+                   "(table, [(column, bytes per row, [(field, offset, type, count, unit, "
                    "choices)])])");
 }
 

@@ -22,9 +22,6 @@ class World {
     if (until)
       if (const auto problem = scenario::until_problem(scenario_->spec, *until))
         throw nb::value_error(("until: " + *problem).c_str());
-    constexpr unsigned kMost = 256;  // of an Executor
-    if (workers < 1 || workers > kMost)
-      throw nb::value_error(fmt::format("workers: {} is outside [1, {}]", workers, kMost).c_str());
     mission_.reset(new scenario::Mission(scenario_, seed, until, {.workers = workers}));
     orders_.assign(run().orders().begin(), run().orders().end());
   }

@@ -54,8 +54,7 @@ export function run_clock(store: Store, watch = kWatch): () => void {
 
 /** Whether time is all that changed. */
 function only_time(now: View, before: View): boolean {
-  for (const key of Object.keys(now) as (keyof View)[]) if (key !== 'time' && now[key] !== before[key]) return false;
-  return true;
+  return (Object.keys(now) as (keyof View)[]).every((key) => key === 'time' || now[key] === before[key]);
 }
 
 /** One for all panels of a store, so that they redraw in one go. */

@@ -18,8 +18,15 @@ import { link_pages } from './ui/compare.tsx';
 import type { Back } from './ui/header.tsx';
 import { follow_address, read_link, remembered, said_in } from './ui/link.ts';
 import { first_moment } from './ui/moments.tsx';
-import { speak } from './words/units.ts';
+import { speak } from './words/text.ts';
 import { grown, make_page, type Page } from './ui/page.ts';
+
+declare global {
+  interface Window {
+    /** What the page shows of itself to tests: all runs, and of the first its store and its air picture. */
+    eyrie?: { run: Run; store: Store; scene: AirPicture; runs: Run[] };
+  }
+}
 
 const kDamaged = 'the data of the run is damaged or incomplete';
 

@@ -20,10 +20,9 @@ export interface Ghost {
 export type Pose = readonly [x: number, y: number, z: number, height: number, azimuth: number, polar: number];
 
 export interface View {
-  /** s */
-  time: number;
+  time: number;  // s
   playing: boolean;
-  end: number;  // s: how far the timeline goes.
+  end: number;  // s: how far the timeline goes; of the longer one of two runs, or of the other future.
   rate: number;  // Times real time.
   selected: number;  // Index into Run.players.
   camera: Camera;

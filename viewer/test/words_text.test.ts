@@ -5,8 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import type { Run } from '../src/run/run.ts';
-import { speak } from '../src/words/units.ts';
-import { fixed, general, read_clock, reworded, side_text, value_text, type FieldInfo } from '../src/words/text.ts';
+import { fixed, general, read_clock, reworded, side_text, value_text, type FieldInfo, speak } from '../src/words/text.ts';
 
 const kRun = { texts: ['hold', 'follow'] } as unknown as Run;
 

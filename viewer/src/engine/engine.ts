@@ -5,18 +5,13 @@ import { EngineError } from './module.ts';
 import type { Engine } from './questions.ts';
 import type { Said } from './worker.ts';
 
-interface Waiting {
-  done(answer: unknown): void;
-  failed(error: EngineError): void;
-}
-
 /** `end` stops it at once: what was asked and is not answered is rejected. */
 export type RunningEngine = Engine & { end(): void };
 
 /** An engine of its own; `progress` is told s of simulated time during long answers. */
 export function start(module: WebAssembly.Module, progress: (time: number) => void): RunningEngine {
   const worker = new Worker(URL.createObjectURL(new Blob([worker_code], { type: 'text/javascript' })));
-  const waiting = new Map<number, Waiting>();
+  const waiting = new Map<number, { done(answer: unknown): void; failed(error: EngineError): void }>();
   let last = 0;
   let over = '';  // Why nothing is answered any more.
   worker.onmessage = ({ data }: MessageEvent<Said>) => {

@@ -4,10 +4,7 @@
 /** What was loaded. */
 export interface About {
   scenario: string;  // Its name.
-  help: string;  // What it says of itself.
   seed: string;  // In digits.
-  build: string;  // Who recorded it; empty before it was flown.
-  dt: number | null;  // s per step.
   until: number | null;  // s, when it ends, at the latest if it was not flown yet.
   latitude: number | null;  // deg, of the middle of the map.
   longitude: number | null;  // deg, of the same.
@@ -29,20 +26,11 @@ export interface Advanced {
   agrees: boolean;  // Whether the world is the one that others have.
 }
 
-/** Another future, from the moment of seek() on. */
-export interface Branch {
-  sets: Array<string>;  // What is other from there on, as `eyrie whatif --set` takes it.
-  player: string;  // Whose tree is meant where a path names none.
-  until?: number | null;  // s, when it ends at the latest, instead of the scenario's.
-}
-
 /** A field that would have been another. */
 export interface Changed {
   name: string;  // Such as heading.
-  unit: string;  // SI.
   flown: string;  // For people; - for nothing.
   other: string;  // For people; - for nothing.
-  difference?: number | null;  // Other minus flown, directions the short way round.
 }
 
 /** A decision, if one was due. */
@@ -66,10 +54,8 @@ export interface FirstOther {
 
 /** How far a flight is. */
 export interface Flown {
-  step: number;  // Steps made.
   time: number | null;  // s.
   hash: string;  // Of the world, as the terminal prints it.
-  outcome: string;  // running, or why it is over.
   result?: Outcome;  // How it ended, once it is over.
   story: Array<Line>;  // What happened since the last answer.
 }
@@ -91,7 +77,6 @@ export interface Line {
 export interface Load {
   texts: Texts;  // What it is made of.
   seed?: string;  // In digits; the scenario's own without it.
-  until?: number | null;  // s, when it ends at the latest, instead of the scenario's.
 }
 
 /** Where the run is looked at. */
@@ -120,11 +105,10 @@ export interface NodeTypes {
 export interface Nothing {
 }
 
-/** Other trees for a player's states. */
+/** Other trees. */
 export interface Otherwise {
-  player: string;  // Whose.
+  player: string;  // Whose, where a path names none; whose states are meant.
   sets: Array<string>;  // What is other, as `eyrie whatif --set` takes it.
-  from?: number | null;  // s, from when on; from the start without it.
 }
 
 /** How a run ended. */
@@ -151,7 +135,6 @@ export interface Parameter {
 export interface Player {
   name: string;  // As the scenario says.
   side: string;  // blue or red.
-  type: string;  // Of aircraft or vehicle.
 }
 
 /** A mistake in a text. */
@@ -214,7 +197,7 @@ export interface Engine {
   load(request: Load): Promise<About>;
   /** On with what was loaded; when it is over it has become a run. */
   fly(request: Until): Promise<Flown>;
-  /** The run file of what was flown to its end. */
+  /** The run file of what was flown to its end, or so far. */
   run_file(): Promise<Nothing & { bytes: Uint8Array }>;
   /** Opens a run file. */
   open(file: Uint8Array): Promise<About>;
@@ -232,6 +215,6 @@ export interface Engine {
   what_if(request: Otherwise): Promise<WhatIf>;
   /** How the run ended. */
   outcome(): Promise<Outcome>;
-  /** How it would have ended, flown on from there with other trees and models; the bytes are as of page(). */
-  branch(request: Branch): Promise<Outcome & { bytes: Uint8Array }>;
+  /** How it would have ended, flown on from the moment of seek() with other trees and models; the bytes are as of page(). */
+  branch(request: Otherwise): Promise<Outcome & { bytes: Uint8Array }>;
 }

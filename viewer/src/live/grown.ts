@@ -64,8 +64,7 @@ function stand<K extends string>(at: Table<K>, keys: readonly K[], values: (numb
 type Held = PlayerData<Growing> & { pairs: Map<string, Growing> };
 
 export class GrownRun {
-  /** The same object all the time. */
-  readonly run: Run;
+  readonly run: Run;  // The same object all the time.
   private readonly players: Held[] = [];
   private readonly missiles = new Map<number, { place: number; data: MissileData<Growing> }>();
 

@@ -5,6 +5,7 @@ import { listen } from '../events.ts';
 import { convergence } from '../scene/geo.ts';
 import { last_at, type Player, type TrackSeen } from '../run/run.ts';
 import { Cell } from '../store.ts';
+import { keep, kept } from '../ui/link.ts';
 import type { Live } from './live.ts';
 
 /** What is asked for: directions true, SI. */
@@ -107,10 +108,14 @@ export function order_of(wanted: Wanted, once: Record<string, unknown>): Record<
 
 /** With shift or without: it may be let go between pressing and releasing. */
 const kSameKeys = [['+', '='], ['-', '_']];
+/** In the browser's memory: the card has been seen. */
+const kKnown = 'eyrie-hands';
+
+const place_now = ({ motion }: Player): { east: number; north: number } => ({ east: motion.east.at(-1)!, north: motion.north.at(-1)! });
+const key_of = ({ key }: KeyboardEvent): string => (key.length === 1 ? key.toLowerCase() : key);
 
 export class Hands {
-  /** Null: nobody is flown. */
-  readonly wanted = new Cell<Wanted | null>(null);
+  readonly wanted = new Cell<Wanted | null>(null);  // Null: nobody is flown.
   readonly help = new Cell(false);
   private held = new Set<string>();
   private taken = -Infinity;  // ms
@@ -134,10 +139,9 @@ export class Hands {
     if (!page || this.wanted.get()) return;
     const { run, store } = page;
     const index = store.get().selected;
-    const { motion, gauges, end, kind } = run.players[index]!;
-    const last = motion.t.length - 1;
-    if (end || kind !== 'aircraft' || last < 0) return;
-    const place = { east: motion.east[last]!, north: motion.north[last]! };
+    const player = run.players[index]!;
+    const { motion, gauges, end, kind } = player;
+    if (end || kind !== 'aircraft' || !motion.t.length) return;
     present?.now();
     this.taken = performance.now();
     store.set({ camera: 'follow' });
@@ -145,10 +149,10 @@ export class Hands {
     this.held.clear();
     this.pressed = [];
     this.wanted.set({
-      player: index, heading: wrapped(motion.heading[last]! + convergence(run.origin, place)), altitude: motion.up[last]!, speed: gauges.speed[last]!,
+      player: index, heading: this.true_way(player, motion.heading.at(-1)!), altitude: motion.up.at(-1)!, speed: gauges.speed.at(-1)!,
       climb: null, load_factor: null, target: this.tracks(index).find(({ is_target }) => is_target)?.id ?? 0, gun: false, radar: true, pointer: false, stick: false,
     });
-    if (!knows_help()) this.help.set(true);
+    if (!kept(kKnown)) this.help.set(true);
     const stops = [
       listen(window, { keydown: (event) => this.press(event), keyup: (event) => this.release(event) }, { capture: true }),
       listen(window, { pointermove: (event) => void (event.target instanceof Element && event.target.closest('.scene') && (this.pointed = [event.clientX, event.clientY])) }),
@@ -191,14 +195,11 @@ export class Hands {
       const level = { climb: null, load_factor: null, altitude: this.player!.motion.up.at(-1)! };
       change({ ...level, pointer: act === 'pointer' && !wanted.pointer, stick: act === 'stick' && !wanted.stick });
     }
-    else if (act === 'next') {
-      const { motion } = this.player!;
-      change({ target: next_target(this.tracks(wanted.player), { east: motion.east.at(-1)!, north: motion.north.at(-1)! }, wanted.target) });
-    }
+    else if (act === 'next') change({ target: next_target(this.tracks(wanted.player), place_now(this.player!), wanted.target) });
   }
   toggle_help(): void {
     this.help.set(!this.help.get());
-    if (!this.help.get()) remember_help();
+    if (!this.help.get()) keep(kKnown, '1');
   }
   tracks(player: number): TrackSeen[] {
     const { sights } = this.live.page!.run.players[player]!;
@@ -206,7 +207,7 @@ export class Hands {
   }
 
   private press(event: KeyboardEvent): void {
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const key = key_of(event);
     if (!kActs.has(key) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.target instanceof Element && event.target.matches('input:not([type=checkbox]), select, textarea')) return;
     event.preventDefault();
@@ -219,14 +220,16 @@ export class Hands {
     else this.tick();
   }
   private release(event: KeyboardEvent): void {
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const key = key_of(event);
     for (const one of kSameKeys.find((keys) => keys.includes(key)) ?? [key]) this.held.delete(one);
-    const wanted = this.wanted.get();
-    if (key === 'g' && wanted?.gun) this.wanted.set({ ...wanted, gun: false });
+    if (key === 'g') this.cease();
   }
   /** Of all keys: they are let go unseen. */
   private let_go(): void {
     this.held.clear();
+    this.cease();
+  }
+  private cease(): void {
     const wanted = this.wanted.get();
     if (wanted?.gun) this.wanted.set({ ...wanted, gun: false });
   }
@@ -265,38 +268,26 @@ export class Hands {
     this.once = {};
     this.live.order('manual', { player: player.name, ...order });
   }
+  /** From the map's north there where he is to true north. */
+  private true_way(player: Player, heading: number): number {
+    return wrapped(heading + convergence(this.live.page!.run.origin, place_now(player)));
+  }
   /** Which way he flies, true. */
-  private flown({ motion }: Player): { heading: number; climb: number } {
+  private flown(player: Player): { heading: number; climb: number } {
+    const { motion } = player;
     const now = motion.t.at(-1)!;
     const before = motion.t.findLastIndex((t) => t < now - kTick / 1000);
     const [east, north, up] = [motion.east, motion.north, motion.up].map((all) => all.at(-1)! - all.at(before)!) as [number, number, number];
     const heading = before < 0 ? motion.heading.at(-1)! : Math.atan2(east, north);
-    const place = { east: motion.east.at(-1)!, north: motion.north.at(-1)! };
-    return { heading: wrapped(heading + convergence(this.live.page!.run.origin, place)), climb: before < 0 ? 0 : Math.atan2(up, Math.hypot(east, north)) };
+    return { heading: this.true_way(player, heading), climb: before < 0 ? 0 : Math.atan2(up, Math.hypot(east, north)) };
   }
   /** Where the pointer shows: to its side of the aircraft, above it or below. */
   private to_pointer(wanted: Wanted): Wanted {
     const way = wanted.pointer && this.pointed && this.live.scene?.way_to(wanted.player, ...this.pointed);
     if (!way) return wanted;
-    const { run } = this.live.page!;
-    const { motion } = run.players[wanted.player]!;
-    const place = { east: motion.east.at(-1)!, north: motion.north.at(-1)! };
-    return { ...wanted, heading: wrapped(way.heading + convergence(run.origin, place)), climb: within(way.climb, -0.8, 0.8), altitude: motion.up.at(-1)! };
+    const player = this.player!;
+    return { ...wanted, heading: this.true_way(player, way.heading), climb: within(way.climb, -0.8, 0.8), altitude: player.motion.up.at(-1)! };
   }
-}
-
-const kKnown = 'eyrie-hands';
-function knows_help(): boolean {
-  try {
-    return localStorage.getItem(kKnown) !== null;
-  } catch {
-    return false;
-  }
-}
-function remember_help(): void {
-  try {
-    localStorage.setItem(kKnown, '1');
-  } catch { /* it is shown again */ }
 }
 
 /** What his tree proposes now, by field. */

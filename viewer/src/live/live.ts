@@ -17,12 +17,6 @@ export interface Status {
   outcome: string;  // running, or why it is over.
   broken: string;  // Why there is no line to the program now; "" if there is.
 }
-/** Where the world here is not the one of the program. */
-export interface Disagreement {
-  step: number;
-  here: string;
-  there: string;
-}
 
 export const kRates = [0.1, 0.25, 0.5, 1, 2, 4, 8, 20, 50, 100, Infinity];
 /** ms: how long words stay that answer something. */
@@ -31,7 +25,8 @@ const kSaid = 6000;
 export class Live {
   readonly status = new Cell<Status>({ rate: 1, paused: true, viewers: 0, shared: false, outcome: 'running', broken: '' });
   readonly pacing = new Cell<Pacing | null>(null);
-  readonly disagreement = new Cell<Disagreement | null>(null);
+  /** Where the world here is not the one of the program, and the hashes of both. */
+  readonly disagreement = new Cell<{ step: number; here: string; there: string } | null>(null);
   readonly checked = new Cell(-1);  // The last step whose hash was compared.
   readonly said = new Cell('');  // What the program refused, for some seconds.
   readonly pointing = new Cell(false);  // A click in the air picture is the point to fly to.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The time that the page shows of a mission that goes on: smooth, and hardly behind what was flown. Who looks back is left alone until he
  * comes to the present again. */
-import type { Store } from '../store.ts';
-import { Cell } from '../store.ts';
+import { Cell, type Store } from '../store.ts';
 
 /** s of the clock behind what is flown: what comes in leaps is smooth then. */
 const kBehind = 0.05;
@@ -20,8 +19,7 @@ export function next_shown(shown: number, flown: number, rate: number, passed: n
 }
 
 export class Present {
-  /** The page shows the present. */
-  readonly following = new Cell(true);
+  readonly following = new Cell(true);  // The page shows the present.
   private flown = 0;
   private rate = 1;  // Of the mission; Infinity: as fast as it goes.
   private paused = true;

@@ -38,8 +38,7 @@ export interface Player {
   name: string;
   side: Side;
   kind: PlayerKind;
-  /** "F-15C" */
-  type: string;
+  type: string;  // "F-15C"
   model: string;  // "f15c"
   flight: number;  // Index into Run.flights.
   born: number;
@@ -55,11 +54,9 @@ export interface Player {
 
 export interface Missile {
   id: number;
-  /** "AIM-120" */
-  type: string;
+  type: string;  // "AIM-120"
   side: Side;
-  /** Indices into Run.players; -1: nobody. */
-  shooter: number;
+  shooter: number;  // Index into Run.players; -1: nobody.
   target: number;
   born: number;
   gone: number;
@@ -114,8 +111,7 @@ export interface Platform {
 
 export interface TreeNode {
   label: string;
-  /** "winner_takes_all", "pursue" ... */
-  type: string;
+  type: string;  // "winner_takes_all", "pursue" ...
   path: string;  // "root/bvr/pursue": what `eyrie whatif --set` calls it.
   kind: 'behavior' | 'arbiter' | 'control' | 'decorator' | 'condition';
   parent: number;  // Index of the parent in the tree; -1 for the root.
@@ -151,9 +147,8 @@ export interface Shape {
 }
 
 export interface Decisions {
-  /** By time; `step` is the world's. */
   t: Float64Array;
-  step: Float64Array;
+  step: Float64Array;  // Of the world.
   shape: Int32Array;  // Indices into Run.shapes.
   /** What `node` proposed itself for `field` at each decision; NaN where it did not. Null: never. */
   value(node: number, field: number): Float64Array | null;

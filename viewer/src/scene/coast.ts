@@ -19,7 +19,7 @@ type Point = [x: number, y: number];
 type Ring = Point[];
 
 export interface Coast {
-  land: Float32Array;  // Triangles, x y of each corner: km east, km north.
+  land: Float32Array;  // Triangles, x y z of each corner in the scene.
   shore: Float32Array;  // Segments, x y of both ends.
   graticule: Float32Array;  // Segments of the lines of equal latitude and longitude each five degrees.
 }
@@ -104,7 +104,7 @@ function fill(rings: number[][][], origin: Origin, out: number[]): void {
   if (!outer) return;
   const corners = clipped.flat();
   for (const triangle of ShapeUtils.triangulateShape(outer, holes))
-    for (const corner of triangle) out.push(corners[corner]!.x, corners[corner]!.y);
+    for (const corner of triangle) out.push(corners[corner]!.x, 0, -corners[corner]!.y);
 }
 
 /** The part of a segment within reach, appended. */

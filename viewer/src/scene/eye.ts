@@ -10,8 +10,7 @@ const kAround = 40;
 
 export class Eye {
   readonly camera = new PerspectiveCamera();
-  /** CSS px */
-  width = 1;
+  width = 1;  // CSS px
   height = 1;
   ui = 1;  // How much larger than on a small screen writing and marks are.
   /** Of the last project(): CSS px, and how far in front of the eye (km). */

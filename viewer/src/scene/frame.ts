@@ -2,8 +2,7 @@
 /** What every layer draws from and into. Each is a function of this alone, so a picture depends on nothing before it. */
 import type { Place, Run } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { height_text } from '../words/text.ts';
-import { size_of_unit, spoken } from '../words/units.ts';
+import { height_text, size_of_unit, spoken } from '../words/text.ts';
 import type { Eyesight } from './beliefs.ts';
 import type { Eye } from './eye.ts';
 import type { Poses } from './motion.ts';

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** What belongs to the picture and not to a place in it: figures along the grid, the scale, and north. */
-import { spoken } from '../words/units.ts';
+import { spoken } from '../words/text.ts';
 import { far_km, type Frame, near_km } from './frame.ts';
 import { type Grid, grid_of, round_down, round_up } from './grid.ts';
 import { css } from './palette.ts';

@@ -3,8 +3,7 @@
 import { last_at, type Motion, type Place } from '../run/run.ts';
 
 export interface Pose extends Place {
-  /** rad, as in Motion. */
-  heading: number;
+  heading: number;  // rad, as in Motion.
   pitch: number;
   roll: number;
 }

@@ -45,7 +45,6 @@ const kPatience = 25;
 export class Meter {
   private count = 0;
   private worst = 0;
-  private sum = 0;
   private began = -Infinity;
   private ended = -Infinity;
   private waiting = false;
@@ -61,19 +60,17 @@ export class Meter {
    */
   drawn(began: number, ended: number): number | null {
     const interval = this.waiting ? began - this.began : null;
-    const ms = interval ?? ended - began;
+    this.worst = Math.max(this.worst, interval ?? ended - began);
     this.began = began;
     this.ended = ended;
     this.waiting = false;
     ++this.count;
-    this.sum += ms;
-    this.worst = Math.max(this.worst, ms);
     return interval;
   }
 
-  read(): { count: number; worst_ms: number; mean_ms: number } {
-    const out = { count: this.count, worst_ms: this.worst, mean_ms: this.count ? this.sum / this.count : 0 };
-    this.count = this.worst = this.sum = 0;
+  read(): { count: number; worst_ms: number } {
+    const out = { count: this.count, worst_ms: this.worst };
+    this.count = this.worst = 0;
     return out;
   }
 }

@@ -23,6 +23,8 @@ export interface Discs {
 }
 
 export interface Painter {
+  readonly canvas: HTMLCanvasElement;
+  readonly flat: boolean;  // There is no graphics card.
   readonly lines: Pens;
   readonly puffs: Discs;
   /** Size of the picture in CSS px, and how many of its own pixels are drawn for each of those. */
@@ -54,26 +56,20 @@ function new_canvas(): HTMLCanvasElement {
   return canvas;
 }
 
-export interface Easel {
-  canvas: HTMLCanvasElement;
-  painter: Painter;
-  flat: boolean;  // There is no graphics card.
-}
-
-function with_card(run: Run, eye: Eye): Easel | null {
+function with_card(run: Run, eye: Eye): Painter | null {
   const canvas = new_canvas();
   const context = canvas.getContext('webgl2', { antialias: true, alpha: false, powerPreference: 'high-performance' });
   if (!context) return null;
-  if (wish() === 'webgl' || !is_stand_in(context)) return { canvas, painter: new GlPainter(canvas, context, run, eye), flat: false };
+  if (wish() === 'webgl' || !is_stand_in(context)) return new GlPainter(canvas, context, run, eye);
   context.getExtension('WEBGL_lose_context')?.loseContext();
   return null;
 }
 
-export function set_up(run: Run, eye: Eye): Easel {
-  const easel = wish() === 'canvas' ? null : with_card(run, eye);
-  if (easel) return easel;
+export function painter_for(run: Run, eye: Eye): Painter {
+  const painter = wish() === 'canvas' ? null : with_card(run, eye);
+  if (painter) return painter;
   const canvas = new_canvas();
   const context = canvas.getContext('2d', { alpha: false, willReadFrequently: true });
   if (!context) throw new Error('this browser offers neither WebGL 2 nor a 2-D canvas');
-  return { canvas, painter: new FlatPainter(canvas, context, run), flat: true };
+  return new FlatPainter(canvas, context, run);
 }

@@ -36,11 +36,6 @@ export function palette_of(theme: View['theme']): Palette {
   return theme === 'dark' ? kDark : kLight;
 }
 
-/** Red, green and blue of one, as the screen shows them: for shaders, which write without conversion. */
-export function shares(tint: number): [red: number, green: number, blue: number] {
-  return [(tint >> 16) / 255, ((tint >> 8) & 255) / 255, (tint & 255) / 255];
-}
-
 const styles = new Map<number, string>();
 
 /** What a 2-D canvas calls the colour. */

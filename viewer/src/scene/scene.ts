@@ -16,7 +16,7 @@ import { Poses } from './motion.ts';
 import { Notes } from './notes.ts';
 import { draw_other, type Other } from './other.ts';
 import { FlatPainter } from './flat/painter.ts';
-import { set_up, type Easel, type Painter } from './painter.ts';
+import { painter_for, type Painter } from './painter.ts';
 import { css, palette_of } from './palette.ts';
 import { draw_bullseye, draw_rings } from './rings.ts';
 import { draw_radar, type Volume } from './radar.ts';
@@ -40,7 +40,7 @@ const kKeyStep = 24;
 /** Fills `host`, whose size it follows. */
 export class AirPicture {
   private readonly camera: SceneCamera;
-  private readonly easel: Easel;
+  private readonly painter: Painter;
   private readonly frame: Frame;
   private readonly meter = new Meter();
   private readonly sharpness = new Sharpness();
@@ -58,19 +58,17 @@ export class AirPicture {
   constructor(private readonly host: HTMLElement, private readonly run: Run, readonly store: Store, private readonly other: Cell<Other | null>) {
     const palette = palette_of(store.get().theme);
     const eye = new Eye();
-    this.easel = set_up(run, eye);
-    const { painter, flat } = this.easel;
+    const painter = (this.painter = painter_for(run, eye));
     this.camera = new SceneCamera(globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false);
     this.frame = {
       run, other: other.get(), view: store.get(), players: new Poses(run.players), missiles: new Poses(run.missiles), sight: null, eye,
-      lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, flat), palette, hovered: -1,
+      lines: painter.lines, puffs: painter.puffs, notes: new Notes(palette, painter.flat), palette, hovered: -1,
     };
     const over = this.frame.notes.canvas;
-    over.style.cssText = this.easel.canvas.style.cssText;
-    over.style.touchAction = 'none';
+    over.style.cssText = `${painter.canvas.style.cssText};touch-action:none`;
     host.setAttribute('role', 'application');
     host.tabIndex = 0;
-    host.append(this.easel.canvas, over);
+    host.append(painter.canvas, over);
     this.watch();
     this.resize();
   }
@@ -78,12 +76,15 @@ export class AirPicture {
   private watch(): void {
     const observer = new ResizeObserver(() => this.resize());
     observer.observe(this.host);
-    this.easel.canvas.addEventListener('webglcontextrestored', () => this.wake());
+    this.painter.canvas.addEventListener('webglcontextrestored', () => this.wake());
     this.stops.push(
       () => observer.disconnect(), this.other.subscribe((now) => {
         this.frame.other = now;
         this.wake();
-      }), this.store.subscribe((now, before) => this.follow(now, before)),
+      }), this.store.subscribe((now, before) => {
+        this.frame.view = now;
+        if (kSeen.some((key) => now[key] !== before[key])) this.wake();
+      }),
       watch_hand(this.frame.notes.canvas, this.hand()), listen(this.host, { keydown: (event) => this.press(event) }),
       this.print_too());
   }
@@ -91,26 +92,19 @@ export class AirPicture {
   /** On paper is a copy in light colors: a graphics card keeps nothing to be printed. */
   private print_too(): () => void {
     const { frame, host } = this;
-    let paper: HTMLCanvasElement | null = null;
-    const afterprint = (): void => {
-      paper?.remove();
-      paper = null;
-      frame.view = this.store.get();
-      this.wake();
-    };
-    const beforeprint = (): void => {
-      paper?.remove();
-      frame.view = { ...frame.view, theme: 'light' };
-      paper = this.picture();
-      paper.style.cssText = this.easel.canvas.style.cssText;
-      host.append(paper);
-    };
-    return listen(window, { beforeprint, afterprint });
-  }
-
-  private follow(now: View, before: View): void {
-    this.frame.view = now;
-    if (kSeen.some((key) => now[key] !== before[key])) this.wake();
+    const paper = document.createElement('canvas');
+    paper.style.cssText = this.painter.canvas.style.cssText;
+    return listen(window, {
+      beforeprint: () => {
+        frame.view = { ...frame.view, theme: 'light' };
+        host.append(this.picture(paper));
+      },
+      afterprint: () => {
+        paper.remove();
+        frame.view = this.store.get();
+        this.wake();
+      },
+    });
   }
 
   private wake(): void {
@@ -148,7 +142,7 @@ export class AirPicture {
   /** The writing keeps all its pixels. */
   private sharpen(): void {
     const ratio = Math.min(kSharpest, globalThis.devicePixelRatio || 1) * this.sharpness.scale;
-    this.easel.painter.resize(this.frame.eye.width, this.frame.eye.height, ratio);
+    this.painter.resize(this.frame.eye.width, this.frame.eye.height, ratio);
   }
 
   private rest(): void {
@@ -162,7 +156,7 @@ export class AirPicture {
     this.theme = frame.view.theme;
     frame.palette = palette_of(frame.view.theme);
     frame.notes.palette = frame.palette;
-    this.easel.painter.paint(frame.palette);
+    this.painter.paint(frame.palette);
     host.style.backgroundColor = css(frame.palette.sky);
   }
 
@@ -179,15 +173,16 @@ export class AirPicture {
     this.drawn_at = now;
     eye.look(camera.rig.stance());
 
-    this.easel.painter.draw(frame, this.fill(frame, this.easel.painter));
+    this.painter.draw(frame, this.fill(frame, this.painter));
     this.filmed?.();
     const interval = this.meter.drawn(now, performance.now());
     if (this.sharpness.judge(interval, frame.notes.canvas.width * frame.notes.canvas.height)) this.sharpen();
     this.tell(now);
     clearTimeout(this.rester);
     this.rester = window.setTimeout(() => this.rest(), kRest);
+    const pose = moving ? null : camera.rested(view);
     if (moving) this.wake();
-    else this.tell_pose();
+    else if (pose) this.store.set({ pose });
   }
 
   /** Of the selected player: its target, or else who of the other side is nearest; -1: nobody. */
@@ -205,13 +200,12 @@ export class AirPicture {
 
   /** What is seen, with all that is written in it. */
   picture(canvas = document.createElement('canvas')): HTMLCanvasElement {
-    const { frame, easel } = this;
-    const over = frame.notes.canvas;
+    const over = this.frame.notes.canvas;
     // drawn at once, as a graphics card keeps nothing
     if (!this.filmed) this.draw(performance.now());
     if (canvas.width !== over.width || canvas.height !== over.height) [canvas.width, canvas.height] = [over.width, over.height];
     const pen = canvas.getContext('2d')!;
-    pen.drawImage(easel.canvas, 0, 0, over.width, over.height);
+    pen.drawImage(this.painter.canvas, 0, 0, over.width, over.height);
     pen.drawImage(over, 0, 0);
     return canvas;
   }
@@ -241,11 +235,6 @@ export class AirPicture {
       pen.append(over);
     });
     return pen.text(eye.width, eye.height);
-  }
-
-  private tell_pose(): void {
-    const pose = this.camera.rested(this.frame.view);
-    if (pose) this.store.set({ pose });
   }
 
   /** Lines, puffs and marks of all layers; what is left is what the radar sweeps. */
@@ -350,8 +339,8 @@ export class AirPicture {
     clearTimeout(this.teller);
     clearTimeout(this.rester);
     for (const stop of this.stops) stop();
-    this.easel.painter.dispose();
-    this.easel.canvas.remove();
+    this.painter.dispose();
+    this.painter.canvas.remove();
     this.frame.notes.canvas.remove();
   }
 }

@@ -3,7 +3,7 @@
  * altitudes; and where the selected flight was told to go. */
 import type { Motion } from '../run/run.ts';
 import type { View } from '../store.ts';
-import { spoken } from '../words/units.ts';
+import { spoken } from '../words/text.ts';
 import { kSideMark, near_km, x_of, y_of, z_of, type Frame } from './frame.ts';
 import { place_at } from './motion.ts';
 import type { Pens } from './painter.ts';

@@ -10,13 +10,13 @@ export const kRates = [0.5, 1, 2, 4, 8, 16, 32, 64];
 /** s: the shortest stretch that the strips show. */
 const kShortest = 2;
 
-export function jump({ store, duration }: Page, time: number): void {
-  const t = Math.min(Math.max(time, 0), duration);
-  const zoom = store.get().zoom;
+export function jump({ store }: Page, time: number): void {
+  const { zoom, end } = store.get();
+  const t = Math.min(Math.max(time, 0), end);
   // what is jumped to must be in sight
   if (zoom && (t < zoom[0] || t > zoom[1])) {
     const half = (zoom[1] - zoom[0]) / 2;
-    const middle = Math.min(Math.max(t, half), duration - half);
+    const middle = Math.min(Math.max(t, half), end - half);
     store.set({ time: t, zoom: [middle - half, middle + half] });
   } else {
     store.set({ time: t });
@@ -30,10 +30,10 @@ export function show_cause(page: Page, line: number): void {
   jump(page, decided);
 }
 
-export function toggle_play({ store, duration, live }: Page): void {
+export function toggle_play({ store, live }: Page): void {
   if (live) return live.toggle();
-  const { playing, time } = store.get();
-  store.set(playing ? { playing: false } : { playing: true, time: time >= duration - 0.01 ? 0 : time });
+  const { playing, time, end } = store.get();
+  store.set(playing ? { playing: false } : { playing: true, time: time >= end - 0.01 ? 0 : time });
 }
 
 export function change_rate({ store, live }: Page, direction: 1 | -1): void {
@@ -87,16 +87,16 @@ export function toggle_theme({ store }: Page): void {
 export function zoom_by(page: Page, factor: number, around: number): void {
   const [from, to] = range_of(page.store.get());
   const width = Math.max((to - from) * factor, kShortest);
-  if (width >= page.duration) return page.store.set({ zoom: null });
   const part = (around - from) / (to - from);
   zoom_to(page, around - part * width, around + (1 - part) * width);
 }
 
 /** The strips show [from, to], moved into the run. */
-export function zoom_to({ store, duration }: Page, from: number, to: number): void {
+export function zoom_to({ store }: Page, from: number, to: number): void {
+  const { end } = store.get();
   const width = Math.max(to - from, kShortest);
-  if (width >= duration) return store.set({ zoom: null });
-  const begin = Math.min(Math.max(from, 0), duration - width);
+  if (width >= end) return store.set({ zoom: null });
+  const begin = Math.min(Math.max(from, 0), end - width);
   store.set({ zoom: [begin, begin + width] });
 }
 
@@ -107,10 +107,10 @@ export function pan_by(page: Page, seconds: number): void {
 
 /** While it plays, what the strips show goes along. Returns how to stop it. */
 export function keep_in_sight(page: Page): () => void {
-  return page.store.subscribe(({ playing, time, zoom }) => {
+  return page.store.subscribe(({ playing, time, zoom, end }) => {
     if (!playing || !zoom || (time >= zoom[0] && time <= zoom[1])) return;
     const width = zoom[1] - zoom[0];
-    const begin = Math.max(0, Math.min(time - 0.05 * width, page.duration - width));
+    const begin = Math.max(0, Math.min(time - 0.05 * width, end - width));
     // this listener hears of its own change, too
     if (Math.abs(begin - zoom[0]) > 1e-6) zoom_to(page, begin, begin + width);
   });

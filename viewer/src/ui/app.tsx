@@ -8,7 +8,7 @@ import { rem_size } from './canvas.ts';
 import { CompareRows } from './compare.tsx';
 import { Header, type Back } from './header.tsx';
 import { LiveOver } from '../live/over.tsx';
-import { Orders } from '../live/orders.tsx';
+import { Orders } from '../live/controls.tsx';
 import { Inspector } from './inspector.tsx';
 import { Help, use_keys, mind_manners } from './keys.tsx';
 import { Moments } from './moments.tsx';

@@ -7,29 +7,29 @@ import { use_size, use_view } from './use.ts';
 
 export interface Sheet {
   pen: CanvasRenderingContext2D;
-  /** CSS pixels. */
-  width: number;
+  width: number;  // CSS pixels.
   height: number;
-  /** CSS pixels of one rem. */
-  rem: number;
-  /** A custom property of the style sheet, such as "ink". */
-  color(name: string): string;
+  rem: number;  // CSS pixels of one.
 }
 
 export function rem_size(): number {
   return parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
-interface Drawn {
-  box: RefObject<HTMLDivElement | null>;
-  canvas: RefObject<HTMLCanvasElement | null>;
+/** A custom property of the style sheet, such as "ink". */
+export function color(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/** Draws again if the box, the theme or one of `inputs` changes. The canvas fills the element `box`. */
-export function use_canvas(draw: (sheet: Sheet) => void, inputs: readonly unknown[]): Drawn {
-  const box = useRef<HTMLDivElement>(null);
+/** px: where times stand on an axis that shows `range` (s) so wide. */
+export function on_axis([from, to]: readonly [number, number], width: number): (t: number) => number {
+  return (t) => ((t - from) / (to - from)) * width;
+}
+
+/** Draws again if the size of the canvas, the theme or one of `inputs` changes. */
+export function use_canvas(draw: (sheet: Sheet) => void, inputs: readonly unknown[]): RefObject<HTMLCanvasElement | null> {
   const canvas = useRef<HTMLCanvasElement>(null);
-  const [width, height] = use_size(box);
+  const [width, height] = use_size(canvas);
   const theme = use_view(use_page().store, (v) => v.theme);
   useLayoutEffect(() => {
     const pen = canvas.current?.getContext('2d');
@@ -39,10 +39,9 @@ export function use_canvas(draw: (sheet: Sheet) => void, inputs: readonly unknow
     sheet.width = Math.round(width * scale);
     sheet.height = Math.round(height * scale);
     pen.setTransform(scale, 0, 0, scale, 0, 0);
-    const style = getComputedStyle(document.documentElement);
-    draw({ pen, width, height, rem: parseFloat(style.fontSize), color: (name) => style.getPropertyValue(`--${name}`).trim() });
+    draw({ pen, width, height, rem: rem_size() });
   }, [width, height, theme, ...inputs]);
-  return { box, canvas };
+  return canvas;
 }
 
 /** "a long na…": as much of `text` as fits. */

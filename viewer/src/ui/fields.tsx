@@ -7,7 +7,7 @@ import { contest, type Rival, type Won } from '../words/contest.ts';
 import { told_text, number_text } from '../words/text.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
-import { use_rove } from './rove.ts';
+import { use_rove } from './use.ts';
 
 /** Where `node` would have led; null: it says nothing of where to fly. */
 export function ghost_of(run: Run, player: Player, index: number, node: number): Ghost | null {

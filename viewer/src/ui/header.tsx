@@ -59,13 +59,6 @@ export function Logo() {
   );
 }
 
-export interface PanelSwitch {
-  panel: 'left' | 'bottom' | 'right';
-  label: string;
-  shown: boolean;
-  flip: () => void;
-}
-
 /** Where the page was opened from, and how to go back there. */
 export interface Back {
   label: string;
@@ -73,8 +66,9 @@ export interface Back {
 }
 
 export function Header({ pages, active, back, help, panels, onSwitch, ghosts, onGhosts }: {
-  pages: Page[]; active: Page; back: Back | undefined; help: Cell<boolean>; panels: PanelSwitch[]; onSwitch: (page: Page) => void;
+  pages: Page[]; active: Page; back: Back | undefined; help: Cell<boolean>; onSwitch: (page: Page) => void;
   ghosts: boolean; onGhosts: (wanted: boolean) => void;
+  panels: { panel: 'left' | 'bottom' | 'right'; label: string; shown: boolean; flip: () => void }[];
 }) {
   const theme = use_view(active.store, (v) => v.theme);
   return (

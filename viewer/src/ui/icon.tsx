@@ -26,15 +26,9 @@ export function Icon({ name }: { name: IconName }) {
   return <svg class={kFilled.has(name) ? 'icon' : 'icon stroked'} viewBox="0 0 16 16" aria-hidden="true"><path d={kIcons[name]} /></svg>;
 }
 
-interface ButtonProps {
-  icon: IconName;
-  label: string;
-  keys?: string;
-  pressed?: boolean;
-  onClick: () => void;
-}
-
-export function IconButton({ icon, label, keys, pressed, onClick }: ButtonProps) {
+export function IconButton({ icon, label, keys, pressed, onClick }: {
+  icon: IconName; label: string; keys?: string; pressed?: boolean; onClick: () => void;
+}) {
   const title = keys ? `${label} (${keys})` : label;
   return (
     <button type="button" class="tool" aria-label={label} aria-pressed={pressed} title={title} onClick={onClick}>

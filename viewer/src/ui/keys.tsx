@@ -30,7 +30,7 @@ const kKeys: Key[] = [
   { keys: ['-'], shown: '−', help: 'slower', does: (p) => change_rate(p, -1) },
   { keys: ['+', 'Shift++', '='], shown: '+', help: 'faster', does: (p) => change_rate(p, 1) },
   { keys: ['Home'], shown: 'home', help: 'to the beginning', does: (p) => jump(p, 0) },
-  { keys: ['End'], shown: 'end', help: 'to the end', does: (p) => jump(p, p.duration) },
+  { keys: ['End'], shown: 'end', help: 'to the end', does: (p) => jump(p, p.store.get().end) },
   ...Array.from({ length: 9 }, (_, i): Key => ({
     keys: [String(i + 1)], shown: i ? '' : '1 … 9', help: 'select a player of the list', does: (p) => select(p, i),
   })),

@@ -4,7 +4,7 @@ import { useEffect, useMemo } from 'preact/hooks';
 import type { Player, Run } from '../run/run.ts';
 import { kFlownOn } from '../scene/other.ts';
 import { clock_text } from '../words/text.ts';
-import { fitted, use_canvas, type Sheet } from './canvas.ts';
+import { color, fitted, on_axis, use_canvas, type Sheet } from './canvas.ts';
 import { namesake, use_page } from './page.ts';
 import { fill_of, label_of, leader_spans, spans_of, type Span } from './spans.ts';
 import { Row } from './stack.tsx';
@@ -14,18 +14,11 @@ import { use_answer, would_lead } from './what_if_answer.ts';
 /** CSS pixels: a single decision can be seen in a run of half an hour. */
 const kNarrowest = 1.5;
 
-export interface Lane {
-  top: number;
-  height: number;
-  words: boolean;
-}
-
-export function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, number], lane: Lane): void {
+function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [number, number], top: number, height: number, words: boolean): void {
   const [from, to] = range;
-  const { top, height, words } = lane;
   pen.font = `${0.85 * rem}px system-ui, sans-serif`;
   pen.textBaseline = 'middle';
-  const x_of = (t: number): number => ((t - from) / (to - from)) * width;
+  const x_of = on_axis(range, width);
   const short: Span[] = [];
   for (const span of spans) {
     if (span.to < from || span.from > to) continue;
@@ -49,8 +42,7 @@ export function draw_spans({ pen, width, rem }: Sheet, spans: Span[], range: [nu
 }
 
 /** A line through a strip with a notch above it. */
-function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, to]: [number, number]): void {
-  const x = ((t - from) / (to - from)) * width;
+function draw_cut({ pen, height, rem }: Sheet, x: number): void {
   const notch = 0.4 * rem;
   pen.fillStyle = color('ink');
   pen.fillRect(x - 1, 0, 2, height);
@@ -64,18 +56,16 @@ function draw_cut({ pen, width, height, rem, color }: Sheet, t: number, [from, t
 /** A strip of spans; `marked` stretches (s) get a bar above them, and `cut` (s) a line through them. */
 function SpanStrip({ spans, marked, cut, label }: { spans: Span[]; marked?: [number, number][]; cut?: number | undefined; label: string }) {
   const range = use_range();
-  const { box, canvas } = use_canvas((sheet) => {
+  const canvas = use_canvas((sheet) => {
     const bar = marked ? Math.round(0.28 * sheet.rem) : 0;
-    draw_spans(sheet, spans, range, { top: bar, height: sheet.height - bar, words: true });
-    sheet.pen.fillStyle = sheet.color('accent');
-    for (const [a, b] of marked ?? []) {
-      const x = ((a - range[0]) / (range[1] - range[0])) * sheet.width;
-      const end = ((b - range[0]) / (range[1] - range[0])) * sheet.width;
+    const x_of = on_axis(range, sheet.width);
+    draw_spans(sheet, spans, range, bar, sheet.height - bar, true);
+    sheet.pen.fillStyle = color('accent');
+    for (const [x, end] of (marked ?? []).map((ends) => ends.map(x_of) as [number, number]))
       if (end >= 0 && x <= sheet.width) sheet.pen.fillRect(x, 0, Math.max(end - x, 2), bar - 1);
-    }
-    if (cut !== undefined) draw_cut(sheet, cut, range);
+    if (cut !== undefined) draw_cut(sheet, x_of(cut));
   }, [spans, marked, cut, range]);
-  return <div class="fill" ref={box}><canvas ref={canvas} role="img" aria-label={label} /></div>;
+  return <canvas class="fill" ref={canvas} role="img" aria-label={label} />;
 }
 
 /** Says under the pointer whose span it is. */
@@ -155,13 +145,13 @@ export function EveryoneRow() {
   const range = use_range();
   const selected = use_view(page.store, (v) => v.selected);
   const { players } = page.run;
-  const { box, canvas } = use_canvas((sheet) => {
+  const canvas = use_canvas((sheet) => {
     const lane = sheet.height / players.length;
     players.forEach((player, i) => {
       const twin = page.twin?.run.players[namesake(page.twin, player)];
       const height = (lane - 1.5) / (twin ? 2 : 1);
-      draw_spans(sheet, leader_spans(page.run, player), range, { top: i * lane, height, words: false });
-      if (twin) draw_spans(sheet, leader_spans(page.twin!.run, twin), range, { top: i * lane + height, height, words: false });
+      draw_spans(sheet, leader_spans(page.run, player), range, i * lane, height, false);
+      if (twin) draw_spans(sheet, leader_spans(page.twin!.run, twin), range, i * lane + height, height, false);
     });
   }, [page, range]);
   return (
@@ -171,9 +161,7 @@ export function EveryoneRow() {
           <span key={player.name} class={`lane-name ${player.side} ${player.index === selected ? 'strong' : ''}`}>{player.name}</span>
         ))}
       </div>
-      <div class="row-plot">
-        <div class="fill" ref={box}><canvas ref={canvas} role="img" aria-label="Which behavior led every player" /></div>
-      </div>
+      <div class="row-plot"><canvas class="fill" ref={canvas} role="img" aria-label="Which behavior led every player" /></div>
     </div>
   );
 }

@@ -44,19 +44,26 @@ function read_taste(said: URLSearchParams): Partial<Taste> {
   return taste;
 }
 
-/** What this browser was told on any page before. */
-export function remembered(): Partial<Taste> {
+/** What this browser keeps from page to page; "" for nothing: some are closed to files. */
+export function kept(name: string): string {
   try {
-    return read_taste(said_in(localStorage.getItem(kMemory) ?? ''));
+    return localStorage.getItem(name) ?? '';
   } catch {
-    return {};  // there is none, or it is closed to files
+    return '';
   }
 }
-
-function remember(taste: Taste): void {
+export function keep(name: string, text: string): void {
   try {
-    localStorage.setItem(kMemory, taste_text(taste).join('&'));
+    localStorage.setItem(name, text);
   } catch { /* as above */ }
+}
+
+/** What this browser was told on any page before. */
+export function remembered(): Partial<Taste> {
+  return read_taste(said_in(kept(kMemory)));
+}
+function remember(taste: Taste): void {
+  keep(kMemory, taste_text(taste).join('&'));
 }
 
 /** Of a page that shows no run. */

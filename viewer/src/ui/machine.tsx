@@ -7,7 +7,7 @@ import { clock_text, reworded } from '../words/text.ts';
 import { jump } from './actions.ts';
 import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
-import { use_rove } from './rove.ts';
+import { use_rove } from './use.ts';
 
 interface Visit {
   t: number;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** The events of the story that stand on the timeline, each kind with its own glyph. */
-import type { Run, Side, StoryLine } from '../run/run.ts';
+import type { Run, Side } from '../run/run.ts';
 
 export type MarkKind = 'contact' | 'launch' | 'defend' | 'kill' | 'phase' | 'lead' | 'home';
 
@@ -31,11 +31,8 @@ export const kMarkKinds = Object.keys(kMarks) as MarkKind[];
 export function mark_of(run: Run, line: number): Mark | null {
   const told = run.story[line]!;
   const kind = kKinds[told.kind];
-  return kind ? { line, t: told.t, kind, side: side_of(run, told) } : null;
-}
-
-function side_of(run: Run, told: StoryLine): Side {
-  return run.players[told.who]?.side ?? (told.tone === 'blue' || told.tone === 'red' ? told.tone : 'none');
+  const side = run.players[told.who]?.side ?? (told.tone === 'blue' || told.tone === 'red' ? told.tone : 'none');
+  return kind ? { line, t: told.t, kind, side } : null;
 }
 
 export function marks_of(run: Run): Mark[] {

@@ -8,8 +8,7 @@ import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
 import { use_page } from './page.ts';
-import { use_rove } from './rove.ts';
-import { use_paced } from './use.ts';
+import { use_paced, use_rove } from './use.ts';
 
 export interface Moment {
   line: number;  // Index into Run.story.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** One node of the tree at one decision: what it answered, what it asked for, and what could be asked of it. */
-import { VoteOrder } from '../live/orders.tsx';
+import { VoteOrder } from '../live/controls.tsx';
 import type { Parameter } from '../engine/questions.ts';
 import type { Player, Shape, Tree } from '../run/run.ts';
 import { answer_words } from '../words/contest.ts';
@@ -36,15 +36,11 @@ function Proposed({ player, index, tree, shape, node }: Looked) {
   );
 }
 
-interface EditProps {
-  parameter: Parameter;
-  value: string | undefined;  // What is asked; undefined: as flown.
-  flown: string;
-  onChange: (value: string | undefined) => void;
-}
-
-/** A slider where there is a span without a unit, and words where there is none: the engine reads them as a file's. */
-function Edit({ parameter, value, flown, onChange }: EditProps) {
+/** A slider where there is a span without a unit, and words where there is none: the engine reads them as a file's. `value` is what is
+ * asked; undefined: as flown. */
+function Edit({ parameter, value, flown, onChange }: {
+  parameter: Parameter; value: string | undefined; flown: string; onChange: (value: string | undefined) => void;
+}) {
   const { name, kind, unit, help, min, max, choices, standard } = parameter;
   const put = (text: string): void => onChange(text === '' || text === flown ? undefined : text);
   const words = kind === 'flag' ? ['false', 'true'] : choices;

@@ -18,8 +18,7 @@ export interface StripChoice {
 }
 
 export interface Hover {
-  /** s */
-  t: number;
+  t: number;  // s
   row: string;  // As in data-row.
   y: number;  // CSS pixels from the upper edge of the rows.
   part: number;  // Of the height of the row, from above.
@@ -31,8 +30,6 @@ export interface Page {
   letter: string;  // "" for the only run, otherwise "A" or "B".
   twin: Page | null;  // The other one of two runs.
   live: Live | null;  // It is being flown.
-  /** s: how far the timeline goes; of the longer one of the runs, or of the other future. */
-  readonly duration: number;
   other: Cell<Other | null>;  // The run flown on otherwise from a moment on, beside the one that was flown.
   marks: Mark[];  // In order of time.
   changes: Cell<Change[]>;  // What is asked of the trees instead of what was flown.
@@ -67,7 +64,6 @@ export function view_in(to: Run, from: Run, view: View): Partial<View> {
 export function make_page(run: Run, store: Store, letter: string): Page {
   return {
     run, store, letter, twin: null, live: null, marks: marks_of(run),
-    get duration() { return store.get().end; },
     other: new Cell<Other | null>(null),
     changes: new Cell<Change[]>([]),
     future: new Cell<FlownOn | null>(null),
@@ -81,10 +77,7 @@ export function make_page(run: Run, store: Store, letter: string): Page {
 
 /** The same page when there is more of its run. */
 export function grown(page: Page): Page {
-  const run = { ...page.run };
-  return Object.defineProperties({}, {
-    ...Object.getOwnPropertyDescriptors(page), ...Object.getOwnPropertyDescriptors({ run, marks: marks_of(run) }),
-  }) as Page;
+  return { ...page, run: { ...page.run }, marks: marks_of(page.run) };
 }
 
 export const PageContext = createContext<Page | null>(null);

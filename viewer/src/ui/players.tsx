@@ -6,9 +6,8 @@ import { clock_text } from '../words/text.ts';
 import { measure, select } from './actions.ts';
 import { Chip } from './leaders.tsx';
 import { use_page } from './page.ts';
-import { use_rove } from './rove.ts';
 import { label_of } from './spans.ts';
-import { use_paced, use_view } from './use.ts';
+import { use_paced, use_rove, use_view } from './use.ts';
 
 export type Fate = 'not yet' | 'alive' | 'home' | 'lost';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Quantities over time for the strips, in the units people fly by. */
 import type { Player, Run } from '../run/run.ts';
-import { size_of_unit, spoken, type Unit } from '../words/units.ts';
+import { size_of_unit, spoken, type Unit } from '../words/text.ts';
 
 export type QuantityKey = 'altitude' | 'mach' | 'g' | 'fuel' | 'energy' | 'range' | 'closure' | 'vote';
 

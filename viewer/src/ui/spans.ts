@@ -3,11 +3,9 @@
 import type { Player, Run } from '../run/run.ts';
 
 export interface Span {
-  /** Decisions [first, end). */
-  first: number;
+  first: number;  // Decisions [first, end).
   end: number;
-  /** s */
-  from: number;
+  from: number;  // s
   to: number;
   tree: number;  // Index of the tree; -1: unknown.
   node: number;  // The node that led; -1: nobody, -2: unknown.

@@ -4,8 +4,7 @@ import { useRef } from 'preact/hooks';
 import { rem_size } from './canvas.ts';
 
 export interface Limits {
-  /** rem */
-  least: number;
+  least: number;  // rem
   most: number;
 }
 

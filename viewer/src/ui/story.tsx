@@ -7,8 +7,7 @@ import { show_cause } from './actions.ts';
 import { Glyph } from './icon.tsx';
 import { mark_of } from './marks.ts';
 import { use_page, type Page } from './page.ts';
-import { use_rove } from './rove.ts';
-import { use_paced } from './use.ts';
+import { use_paced, use_rove } from './use.ts';
 
 export interface Filter {
   who: number;  // Index into Run.players; -1: everybody.
@@ -29,10 +28,8 @@ export function filtered(run: Run, { who, kind, text }: Filter): number[] {
 
 /** The position in `lines` of the last one that has happened, or has been decided, by `t`; -1: none. */
 function current(run: Run, lines: number[], t: number): number {
-  let at = -1;
-  const due = ({ t: then, decided }: StoryLine): boolean => Math.min(then, decided) <= t + 0.011;
-  while (at + 1 < lines.length && due(run.story[lines[at + 1]!]!)) ++at;
-  return at;
+  const next = lines.findIndex((line) => Math.min(run.story[line]!.t, run.story[line]!.decided) > t + 0.011);
+  return (next < 0 ? lines.length : next) - 1;
 }
 
 function Filters({ filter, onChange }: { filter: Filter; onChange: (filter: Filter) => void }) {

@@ -4,7 +4,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import uPlot from 'uplot';
 import type { Player, Run } from '../run/run.ts';
 import { count_text } from '../words/text.ts';
-import { rem_size } from './canvas.ts';
+import { color, rem_size } from './canvas.ts';
 import { namesake, use_page, type Page } from './page.ts';
 import { kQuantities, resample, series_of, type Quantity } from './series.ts';
 import { ticks_of } from './timeline.tsx';
@@ -20,13 +20,6 @@ interface Line {
   run: Run;
   name: string;
   selected: boolean;
-}
-
-function color(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-}
-function side_color(player: Player): string {
-  return color(player.side === 'none' ? 'ink' : player.side);
 }
 
 function data_of(quantity: Quantity, lines: Line[], [from, to]: [number, number], width: number): uPlot.AlignedData {
@@ -70,7 +63,7 @@ function options_of(quantity: Quantity, lines: Line[], width: number, height: nu
       },
     ],
     series: [{}, ...lines.map(({ player, name, selected }, i): uPlot.Series => ({
-      label: name, stroke: side_color(player), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
+      label: name, stroke: color(player.side === 'none' ? 'ink' : player.side), width: (selected ? 0.16 : 0.1) * rem, points: { show: false },
       ...(selected ? {} : { dash: kDashes[(i - 1) % kDashes.length]! }),
       ...(quantity.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
     }))],

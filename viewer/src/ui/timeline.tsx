@@ -3,7 +3,7 @@
 import { useMemo, useRef } from 'preact/hooks';
 import { tick_text } from '../words/text.ts';
 import { pan_by, zoom_to } from './actions.ts';
-import { use_canvas, type Sheet } from './canvas.ts';
+import { color, on_axis, use_canvas, type Sheet } from './canvas.ts';
 import { clusters_of, kBeside, kHalfGlyph, kLanesFrom, kMarks, lanes_of, type Mark, type MarkKind } from './marks.ts';
 import { use_page, type Page } from './page.ts';
 import { Row } from './stack.tsx';
@@ -19,29 +19,24 @@ export function ticks_of(from: number, to: number, pixels: number, rem: number):
   return { step, ticks: Array.from({ length: count }, (_, i) => (first + i) * step) };
 }
 
-const kPaths = new Map<MarkKind, Path2D>();
-function path_of(kind: MarkKind): Path2D {
-  let path = kPaths.get(kind);
-  if (!path) kPaths.set(kind, (path = new Path2D(kMarks[kind].path)));
-  return path;
-}
-
 function draw_glyph(pen: CanvasRenderingContext2D, kind: MarkKind, x: number, y: number, size: number): void {
   pen.save();
   pen.translate(x, y);
   pen.scale(size / 5, size / 5);
   pen.lineWidth = kind === 'kill' ? 2.4 : 1.6;
-  if (kMarks[kind].open) pen.stroke(path_of(kind));
-  else pen.fill(path_of(kind));
+  const path = new Path2D(kMarks[kind].path);
+  if (kMarks[kind].open) pen.stroke(path);
+  else pen.fill(path);
   pen.restore();
 }
 
-function draw_ticks({ pen, width, height, rem, color }: Sheet, from: number, to: number): void {
-  const { step, ticks } = ticks_of(from, to, width, rem);
+function draw_ticks({ pen, width, height, rem }: Sheet, range: [number, number]): void {
+  const { step, ticks } = ticks_of(...range, width, rem);
+  const x_of = on_axis(range, width);
   pen.font = `${0.82 * rem}px system-ui, sans-serif`;
   pen.textBaseline = 'top';
   for (const t of ticks) {
-    const x = Math.round(((t - from) / (to - from)) * width) + 0.5;
+    const x = Math.round(x_of(t)) + 0.5;
     pen.fillStyle = color('line');
     pen.fillRect(x, 0, 1, height);
     pen.fillStyle = color('dim');
@@ -50,17 +45,18 @@ function draw_ticks({ pen, width, height, rem, color }: Sheet, from: number, to:
 }
 
 /** Blue above red, phases and leads of flights on the lane of their side. */
-function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], from: number, to: number): void {
+function draw_marks({ pen, width, height, rem }: Sheet, marks: Mark[], range: [number, number]): void {
   const top = kLanesFrom * height;
+  const x_of = on_axis(range, width);
   const lane_height = (height - top) / lanes_of(marks).length;
   pen.font = `600 ${0.8 * rem}px system-ui, sans-serif`;
   pen.textBaseline = 'middle';
-  for (const { marks: all, kind, side, lane, x } of clusters_of(marks, [from, to], width, rem)) {
+  for (const { marks: all, kind, side, lane, x } of clusters_of(marks, range, width, rem)) {
     const y = top + (lane + 0.5) * lane_height;
     pen.fillStyle = pen.strokeStyle = color(side === 'none' ? 'ink' : side);
     pen.globalAlpha = 0.35;
     for (const mark of all)
-      if (mark.kind === 'phase' || mark.kind === 'kill') pen.fillRect(Math.round(((mark.t - from) / (to - from)) * width), top, 1, height - top);
+      if (mark.kind === 'phase' || mark.kind === 'kill') pen.fillRect(Math.round(x_of(mark.t)), top, 1, height - top);
     pen.globalAlpha = 1;
     const size = Math.min(0.42 * lane_height, kHalfGlyph * rem);
     draw_glyph(pen, kind, x, y, size);
@@ -69,16 +65,15 @@ function draw_marks({ pen, width, height, rem, color }: Sheet, marks: Mark[], fr
 }
 
 export function Events() {
-  const page = use_page();
-  const [from, to] = use_range();
-  const { marks } = page;
-  const { box, canvas } = use_canvas((sheet) => {
-    draw_ticks(sheet, from, to);
-    draw_marks(sheet, marks, from, to);
-  }, [marks, from, to]);
+  const { marks } = use_page();
+  const range = use_range();
+  const canvas = use_canvas((sheet) => {
+    draw_ticks(sheet, range);
+    draw_marks(sheet, marks, range);
+  }, [marks, range]);
   return (
     <Row row="events" label="events" class="events" scrub>
-      <div class="fill" ref={box}><canvas ref={canvas} aria-label="Events of the run; the story lists them in words" role="img" /></div>
+      <canvas class="fill" ref={canvas} aria-label="Events of the run; the story lists them in words" role="img" />
     </Row>
   );
 }
@@ -90,7 +85,7 @@ export function Overview() {
   const time = use_paced(page.store, (v) => v.time);
   const end = use_view(page.store, (v) => v.end);
   const marks = useMemo(() => page.marks.filter((m) => m.kind !== 'contact'), [page]);
-  const { box, canvas } = use_canvas(({ pen, width, height, color }) => {
+  const canvas = use_canvas(({ pen, width, height }) => {
     for (const { t, kind, side } of marks) {
       pen.fillStyle = color(side === 'none' ? 'dim' : side);
       const tall = kind === 'kill' ? height : height * 0.5;
@@ -102,7 +97,7 @@ export function Overview() {
   return (
     <div class="overview" title="The whole run; drag the window to move it">
       <div class="row-label" />
-      <div class="overview-plot" ref={box}
+      <div class="overview-plot"
         onPointerDown={(event) => {
           moving.current = event.clientX;
           event.currentTarget.setPointerCapture(event.pointerId);
@@ -110,13 +105,13 @@ export function Overview() {
         }}
         onPointerMove={(event) => {
           if (moving.current === null) return;
-          const seconds = ((event.clientX - moving.current) / event.currentTarget.clientWidth) * page.duration;
+          const seconds = ((event.clientX - moving.current) / event.currentTarget.clientWidth) * end;
           moving.current = event.clientX;
           if (page.store.get().zoom) pan_by(page, seconds);
           else go_there(page, event);
         }}
         onPointerUp={() => (moving.current = null)} onPointerCancel={() => (moving.current = null)}>
-        <canvas ref={canvas} aria-hidden="true" />
+        <canvas class="fill" ref={canvas} aria-hidden="true" />
         <div class="overview-passed" style={{ width: percent(time) }} />
         {zoom && <div class="overview-window" style={{ left: percent(zoom[0]), width: percent(zoom[1] - zoom[0]) }} />}
       </div>
@@ -127,8 +122,8 @@ export function Overview() {
 /** Without a zoom the time goes where the pointer is, otherwise the window. */
 function go_there(page: Page, event: { clientX: number; currentTarget: HTMLElement }): void {
   const { left, width } = event.currentTarget.getBoundingClientRect();
-  const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * page.duration;
-  const { zoom } = page.store.get();
+  const { zoom, end } = page.store.get();
+  const t = Math.min(Math.max((event.clientX - left) / width, 0), 1) * end;
   if (!zoom) return page.store.set({ time: t });
   const half = (zoom[1] - zoom[0]) / 2;
   if (t < zoom[0] || t > zoom[1]) zoom_to(page, t - half, t + half);

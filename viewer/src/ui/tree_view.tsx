@@ -7,8 +7,7 @@ import { answer_words, path_of_leader } from '../words/contest.ts';
 import { number_text, reworded } from '../words/text.ts';
 import { text_width } from './canvas.ts';
 import { use_page } from './page.ts';
-import { use_rove } from './rove.ts';
-import { use_cell, use_view } from './use.ts';
+import { use_cell, use_rove, use_view } from './use.ts';
 import { change_of } from './what_if_answer.ts';
 
 interface Placed {

@@ -13,8 +13,7 @@ import { use_cell, use_view } from './use.ts';
 export interface Change {
   tree: number;  // Index into Run.trees.
   node: number;
-  /** Another type for the node. */
-  type?: string;
+  type?: string;  // Another one for the node.
   /** Values of parameters as a file has them: "30", "12 nmi", "{heading: {min: 0 deg}}". */
   params: Record<string, string>;
 }

@@ -48,12 +48,6 @@ const kFar = 0.3;
 /** The antenna, then one row of the front. */
 const face = new Float32Array(3 * (kColumns + 2));
 
-function take_face(corners: Float32Array, row: number): void {
-  const from = 3 * corner_of(0, row);
-  face.set(corners.subarray(0, 3));
-  face.set(corners.subarray(from, from + 3 * (kColumns + 1)), 3);
-}
-
 /** Brightest at the antenna, if that is in front of the eye. */
 function shade_of(context: CanvasRenderingContext2D, eye: Eye, tint: number, veil: number): CanvasGradient | string {
   const middle = 3 * (1 + kColumns / 2);
@@ -70,7 +64,9 @@ function shade_of(context: CanvasRenderingContext2D, eye: Eye, tint: number, vei
 export function draw_volume(context: CanvasRenderingContext2D, eye: Eye, palette: Palette, { corners, track }: Volume): void {
   const veil = (palette.veil * (track ? kTrackVeil : 1)) / 2;
   for (const row of [0, kRows]) {
-    take_face(corners, row);
+    const from = 3 * corner_of(0, row);
+    face.set(corners.subarray(0, 3));
+    face.set(corners.subarray(from, from + 3 * (kColumns + 1)), 3);
     const path = new Path2D();
     trace_area(path, eye, face);
     context.fillStyle = shade_of(context, eye, palette.radar, veil);

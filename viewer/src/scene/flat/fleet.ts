@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** Everybody's model on a flat canvas: faces from back to front, or of a crowd the outlines alone. Faces
  * have the colours that a renderer which knows of light in linear shares makes. */
-import { Vector3, type Matrix4 } from 'three';
+import { Color, Vector3, type Matrix4 } from 'three';
 import type { Missile, Player } from '../../run/run.ts';
 import type { Eye } from '../eye.ts';
 import { kCrowd } from '../frame.ts';
 import type { Poses } from '../motion.ts';
-import { kDiffuse, kGround, kSky, kSun, kSunlight, css, shares, type Palette } from '../palette.ts';
+import { kDiffuse, kGround, kSky, kSun, kSunlight, css, type Palette } from '../palette.ts';
 import { kShapes, shape_of, matrix_of, size_of, type ShapeName } from '../shapes.ts';
 
 interface Model {
@@ -112,15 +112,10 @@ const kLevels = 24;
 /** What is brighter is white already. */
 const kBrightest = (kDiffuse + kSunlight) / Math.PI;
 
-function to_linear(share: number): number {
-  return share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
-}
-function to_screen(light: number): number {
-  const share = Math.min(1, light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055);
-  return Math.round(share * 255);
-}
+/** Light, in linear shares. */
 function grey_of(tint: number): number {
-  return shares(tint).reduce((sum, share) => sum + to_linear(share), 0) / 3;
+  const { r, g, b } = new Color(tint);
+  return (r + g + b) / 3;
 }
 
 const sky = grey_of(kSky);
@@ -141,11 +136,7 @@ const shades = new Map<number, string[]>();
 export function shades_of(tint: number): string[] {
   let all = shades.get(tint);
   if (!all) {
-    const linear = shares(tint).map(to_linear);
-    all = Array.from({ length: kLevels + 1 }, (_, level) => {
-      const [r, g, b] = linear.map((share) => to_screen((share * level * kBrightest) / kLevels)) as [number, number, number];
-      return css((r << 16) | (g << 8) | b);
-    });
+    all = Array.from({ length: kLevels + 1 }, (_, level) => css(new Color(tint).multiplyScalar((level * kBrightest) / kLevels).getHex()));
     shades.set(tint, all);
   }
   return all;

@@ -18,16 +18,12 @@ function smooth(share: number): number {
 
 export class FlatGround {
   private readonly coast: Coast;
-  private readonly land: Float32Array;  // x y z of the corners of triangles.
   private readonly shores = new FlatLines();  // They stay as they are until the colours change.
   private readonly grid = new FlatLines();
   private readonly disc = circle_on_ground(0, 0, kReach);
 
   constructor(origin: Origin) {
     this.coast = coast_of(origin);
-    const { land } = this.coast;
-    this.land = new Float32Array((land.length / 2) * 3);
-    for (let i = 0; i < land.length / 2; ++i) this.land.set([land[2 * i]!, 0, -land[2 * i + 1]!], 3 * i);
   }
 
   paint(palette: Palette): void {
@@ -55,7 +51,8 @@ export class FlatGround {
 
   private draw_land(context: CanvasRenderingContext2D, eye: Eye, palette: Palette): void {
     const land = new Path2D();
-    for (let i = 0; i < this.land.length / 3; i += 3) trace_area(land, eye, this.land, i, 3);
+    const { land: corners } = this.coast;
+    for (let i = 0; i < corners.length / 3; i += 3) trace_area(land, eye, corners, i, 3);
     context.fillStyle = css(palette.land);
     context.fill(land);
     this.shores.draw(context, eye);

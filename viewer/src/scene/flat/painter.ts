@@ -12,6 +12,7 @@ import { draw_volume } from './areas.ts';
 import { FlatPuffs } from './puffs.ts';
 
 export class FlatPainter implements Painter {
+  readonly flat = true;
   readonly lines = new FlatLines();
   readonly puffs = new FlatPuffs();
   private readonly ground: FlatGround;
@@ -19,7 +20,7 @@ export class FlatPainter implements Painter {
   private readonly missiles: FlatFleet;
   private ratio = 1;
 
-  constructor(private readonly canvas: HTMLCanvasElement, private readonly context: CanvasRenderingContext2D, run: Run) {
+  constructor(readonly canvas: HTMLCanvasElement, private readonly context: CanvasRenderingContext2D, run: Run) {
     this.ground = new FlatGround(run.origin);
     this.players = new FlatFleet(run.players);
     this.missiles = new FlatFleet(run.missiles);

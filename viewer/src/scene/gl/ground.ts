@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /** The map below: sea, land, shores and graticule, and a grid in nautical miles. */
-import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial, Vector2 } from 'three';
+import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, LinearSRGBColorSpace, Mesh, ShaderMaterial, Vector2 } from 'three';
 import { type Coast, coast_of, draw_shores, kReach } from '../coast.ts';
 import type { Eye } from '../eye.ts';
 import type { Origin } from '../geo.ts';
 import { draw_grid, grid_of, kClear, kHazy } from '../grid.ts';
 import { Lines, type Screen } from './lines.ts';
-import { type Palette, shares } from '../palette.ts';
+import type { Palette } from '../palette.ts';
 
 type Flat = Mesh<BufferGeometry, ShaderMaterial>;
 
@@ -27,13 +27,6 @@ function flat(geometry: BufferGeometry, order: number, middle: { value: Vector2 
   return mesh;
 }
 
-/** From x y of the corners of triangles. */
-function geometry_of(corners: Float32Array): BufferGeometry {
-  const places = new Float32Array((corners.length / 2) * 3);
-  for (let i = 0; i < corners.length / 2; ++i) places.set([corners[2 * i]!, 0, -corners[2 * i + 1]!], 3 * i);
-  return new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3));
-}
-
 export class Ground {
   readonly group = new Group();
   private readonly coast: Coast;
@@ -47,16 +40,18 @@ export class Ground {
   constructor(origin: Origin, screen: Screen) {
     this.coast = coast_of(origin);
     this.sea = flat(new CircleGeometry(kReach, 64).rotateX(-Math.PI / 2), 0, this.middle, this.sky);
-    this.land = flat(geometry_of(this.coast.land), 1, this.middle, this.sky);
+    this.land = flat(new BufferGeometry().setAttribute('position', new BufferAttribute(this.coast.land, 3)), 1, this.middle, this.sky);
     this.shores = new Lines(screen, 2);
     this.grid = new Lines(screen, 3);
     this.group.add(this.sea, this.land, this.shores.mesh, this.grid.mesh);
   }
 
   paint(palette: Palette): void {
-    this.sky.value.setRGB(...shares(palette.sky));
-    (this.sea.material.uniforms.tint!.value as Color).setRGB(...shares(palette.sea));
-    (this.land.material.uniforms.tint!.value as Color).setRGB(...shares(palette.land));
+    // as the screen shows it: shaders write without conversion
+    const put = (color: Color, tint: number): Color => color.setHex(tint, LinearSRGBColorSpace);
+    put(this.sky.value, palette.sky);
+    put(this.sea.material.uniforms.tint!.value as Color, palette.sea);
+    put(this.land.material.uniforms.tint!.value as Color, palette.land);
     this.shores.begin();
     draw_shores(this.shores, this.coast, palette);
     this.shores.end();

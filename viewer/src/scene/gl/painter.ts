@@ -14,6 +14,7 @@ import { Puffs } from './puffs.ts';
 import { RadarVolume } from './radar.ts';
 
 export class GlPainter implements Painter {
+  readonly flat = false;
   private readonly screen: Screen = { pixels: { value: new Vector2(1, 1) }, ratio: { value: 1 } };
   private readonly scene = new Scene();
   private readonly players: Fleet;
@@ -24,7 +25,7 @@ export class GlPainter implements Painter {
   readonly lines: Lines;
   readonly puffs: Puffs;
 
-  constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext, run: Run, private readonly eye: Eye) {
+  constructor(readonly canvas: HTMLCanvasElement, context: WebGL2RenderingContext, run: Run, private readonly eye: Eye) {
     this.renderer = new WebGLRenderer({ canvas, context, alpha: false });
     // to ask for errors is to wait for the compiler
     this.renderer.debug.checkShaderErrors = false;

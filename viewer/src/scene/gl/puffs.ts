@@ -29,6 +29,7 @@ const kFragment = /* glsl */ `
   }`;
 
 const kFloats = 5;
+const kMost = 1024;
 
 /** As many as fit; what is beyond is left out. */
 export class Puffs implements Discs {
@@ -37,10 +38,10 @@ export class Puffs implements Discs {
   private readonly floats: InterleavedBuffer;
   private readonly tints: BufferAttribute;
 
-  constructor(screen: Screen, order: number, private readonly capacity = 1024) {
+  constructor(screen: Screen, order: number) {
     const geometry = new BufferGeometry();
-    this.floats = new InterleavedBuffer(new Float32Array(capacity * kFloats), kFloats).setUsage(DynamicDrawUsage);
-    this.tints = new BufferAttribute(new Uint8Array(capacity * 4), 4, true).setUsage(DynamicDrawUsage);
+    this.floats = new InterleavedBuffer(new Float32Array(kMost * kFloats), kFloats).setUsage(DynamicDrawUsage);
+    this.tints = new BufferAttribute(new Uint8Array(kMost * 4), 4, true).setUsage(DynamicDrawUsage);
     geometry.setAttribute('position', new InterleavedBufferAttribute(this.floats, 3, 0));
     geometry.setAttribute('size', new InterleavedBufferAttribute(this.floats, 2, 3));
     geometry.setAttribute('tint', this.tints);
@@ -58,20 +59,9 @@ export class Puffs implements Discs {
   }
 
   add(x: number, y: number, z: number, radius: number, least: number, tint: number, alpha: number): void {
-    if (this.count === this.capacity) return;
-    const f = this.floats.array as Float32Array;
-    const b = this.tints.array as Uint8Array;
-    let i = this.count * kFloats;
-    f[i++] = x;
-    f[i++] = y;
-    f[i++] = z;
-    f[i++] = radius;
-    f[i] = least;
-    i = this.count * 4;
-    b[i] = tint >> 16;
-    b[i + 1] = (tint >> 8) & 255;
-    b[i + 2] = tint & 255;
-    b[i + 3] = alpha * 255;
+    if (this.count === kMost) return;
+    (this.floats.array as Float32Array).set([x, y, z, radius, least], this.count * kFloats);
+    (this.tints.array as Uint8Array).set([tint >> 16, (tint >> 8) & 255, tint & 255, alpha * 255], this.count * 4);
     ++this.count;
   }
 

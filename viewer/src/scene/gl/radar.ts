@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** The radar's volume as triangles. */
-import { BackSide, BufferAttribute, BufferGeometry, Mesh, ShaderMaterial, Vector4 } from 'three';
-import { type Palette, shares } from '../palette.ts';
+import { BackSide, BufferAttribute, BufferGeometry, Color, LinearSRGBColorSpace, Mesh, ShaderMaterial, Vector4 } from 'three';
+import type { Palette } from '../palette.ts';
 import { corner_of as at, kColumns, kRows, kTrackVeil, type Volume } from '../radar.ts';
 
 export class RadarVolume {
@@ -41,8 +41,8 @@ export class RadarVolume {
     if (!volume) return;
     (this.corners.array as Float32Array).set(volume.corners);
     this.corners.needsUpdate = true;
-    const tint = this.mesh.material.uniforms.tint!.value as Vector4;
-    tint.set(...shares(palette.radar), palette.veil * (volume.track ? kTrackVeil : 1));
+    const { r, g, b } = new Color().setHex(palette.radar, LinearSRGBColorSpace);
+    (this.mesh.material.uniforms.tint!.value as Vector4).set(r, g, b, palette.veil * (volume.track ? kTrackVeil : 1));
   }
 
   dispose(): void {
