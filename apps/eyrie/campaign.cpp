@@ -55,11 +55,10 @@ Spec spec_for(const CampaignOptions& options) {
 /// the most replicates.
 std::uint64_t wide_cells(const Stopping& stop, const std::string& folder) {
   const Summary summary = read_summary(folder, stop.confidence);
-  return static_cast<std::uint64_t>(
-      std::count_if(summary.cells.begin(), summary.cells.end(), [&](const auto& cell) {
-        const auto& interval = cell.estimates[stop.measure].interval;
-        return !interval || interval->width() > stop.width;
-      }));
+  return static_cast<std::uint64_t>(std::ranges::count_if(summary.cells, [&](const auto& cell) {
+    const auto& interval = cell.estimates[stop.measure].interval;
+    return !interval || interval->width() > stop.width;
+  }));
 }
 
 /// Where the results go.

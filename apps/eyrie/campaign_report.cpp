@@ -159,10 +159,8 @@ int unheard(void*) {
 std::optional<std::size_t> measure_named(const std::string& name, const Summary& summary) {
   if (name.empty())
     return {};
-  std::vector<std::string_view> names;
-  for (const Measure& m : summary.measures)
-    names.push_back(m.name);
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto names = listed(summary.measures, &Measure::name);
+  const auto found = std::ranges::find(names, name);
   if (const std::string hint = did_you_mean(name, names); found == names.end())
     refuse("--of: there is no measure {}{}", quote(name),
            hint.empty() ? fmt::format(", only {}", fmt::join(names, ", ")) : hint);

@@ -22,14 +22,14 @@ void demand_trust(const Spec& spec, const std::vector<std::string>& typed) {
     const auto same = [&](const std::string& other) {
       return fs::equivalent(plugin, other, ignored);
     };
-    if (std::any_of(typed.begin(), typed.end(), same))
+    if (std::ranges::any_of(typed, same))
       continue;
     const disk::FileRead read = scenario::read_plugin_file(plugin);
     const std::string why =
         scenario::refusal(trusted(), fs::weakly_canonical(plugin, ignored).string(), read.bytes);
     if (read.problem.empty() && !why.empty())
-      throw ConfigError(spec.plugins_where[i], fmt::format("plug-in {}: {}", quote_path(plugin),
-                                                           scenario::not_opened(why, plugin)));
+      throw ConfigError(spec.plugins_where[i], "plug-in {}: {}", quote_path(plugin),
+                        scenario::not_opened(why, plugin));
   }
 }
 

@@ -47,8 +47,7 @@ std::string page_of(const disk::FileRead& shell, std::vector<page::Part> parts) 
     parts.push_back(page::part_of("zones", launch_zones()));
   std::string page = page::page_with(shell.bytes, parts);
   if (page.empty())
-    throw disk::Failed(
-        fmt::format("{} is no debrief page of this version; build it again", viewer_file()));
+    throw disk::Failed("{} is no debrief page of this version; build it again", viewer_file());
   return page;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "help.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <map>
 
@@ -368,7 +366,7 @@ std::string completions(const CLI::App& app, std::span<char*> words) {
   } else if (words.size() > 1 && !help) {
     return "";
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   std::string text;
   for (const std::string& name : names)
     if (name.starts_with(begun))

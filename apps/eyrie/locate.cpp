@@ -103,7 +103,7 @@ std::vector<std::string> names_in(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(fs::path(home()) / folder, ignored))
     if (entry.path().extension() == ".yaml")
       names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 
@@ -179,7 +179,7 @@ std::string run_hint(const std::string& run) {
        at.increment(ignored))
     if (fs::exists(at->path() / record::kRunFileName, ignored))
       names.push_back((folder / at->path().filename()).string());
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   if (std::string hint = did_you_mean(run, names); !hint.empty())
     return hint;
   return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";

@@ -186,8 +186,7 @@ int optimize(const FlightsOptions& options) {
   }
   if (found->generation)
     say("\nthe scenario refuses the middle of the last generation; the best candidate of "
-        "generation "
-        "{} takes its place:\n{}\n",
+        "generation {} takes its place:\n{}\n",
         *found->generation + 1, lines(found->refusal));
   say("\n{}\n{}\n", cell_text(search->spec, found->cell), lines(table));
   for (const std::string& set : sets)

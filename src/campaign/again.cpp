@@ -41,8 +41,7 @@ std::vector<Again::Flight> Again::flights(const std::string& which, double param
     const auto whole = [&](int i) { return static_cast<std::uint64_t>(found.integer(i)); };
     all.push_back({whole(0), whole(1), whole(2), found.text(3)});
     if (all.back().cell >= cells_.size())
-      throw disk::Refused(
-          fmt::format("the results are damaged: there is no cell {}", all.back().cell));
+      throw disk::Refused("the results are damaged: there is no cell {}", all.back().cell);
   }
   return all;
 }
@@ -50,9 +49,9 @@ std::vector<Again::Flight> Again::flights(const std::string& which, double param
 void Again::demand_the_same(const Flight& flight, std::uint64_t hash) {
   if (hash_text(hash) != flight.hash)
     throw disk::Refused(
-        fmt::format("cell {}, replicate {} ends otherwise than it did: the campaign was flown by "
-                    "another program",
-                    flight.cell, flight.replicate));
+        "cell {}, replicate {} ends otherwise than it did: the campaign was flown by "
+        "another program",
+        flight.cell, flight.replicate);
 }
 
 }  // namespace eyrie::campaign

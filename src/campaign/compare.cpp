@@ -217,7 +217,7 @@ std::optional<Variance> crossed(const Summary& summary, std::size_t measure,
     return variance(summary, measure, levels).by_level.size();
   };
   const bool balanced = v.by_level.size() == count(one) * count(other) &&
-                        std::all_of(v.by_level.begin(), v.by_level.end(), [&](const auto& level) {
+                        std::ranges::all_of(v.by_level, [&](const auto& level) {
                           return level.second.n() == v.by_level.begin()->second.n();
                         });
   return balanced ? std::optional(std::move(v)) : std::nullopt;
@@ -284,15 +284,14 @@ std::vector<Effect> effects(const Summary& summary) {
         const stats::Moments& moments = v.by_level.at(level);
         effect.levels.push_back({level, static_cast<std::size_t>(moments.n()), moments.mean()});
       }
-      std::stable_sort(effect.levels.begin(), effect.levels.end(),
-                       [](const auto& a, const auto& b) {
-                         return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
-                       });
+      std::ranges::stable_sort(effect.levels, [](const auto& a, const auto& b) {
+        return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
+      });
       if (v.part > 1e-12)  // more than rounding
         some.push_back(std::move(effect));
     }
-    std::stable_sort(some.begin(), some.end(),
-                     [](const Effect& a, const Effect& b) { return a.part > b.part; });
+    std::ranges::stable_sort(some,
+                             [](const Effect& a, const Effect& b) { return a.part > b.part; });
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

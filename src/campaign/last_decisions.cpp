@@ -3,7 +3,6 @@
 
 #include "campaign/again.hpp"
 #include "campaign/in_order.hpp"
-#include "campaign/store.hpp"
 #include "debrief/decision.hpp"
 #include "record/names.hpp"
 

@@ -61,14 +61,12 @@ void check(const MeasureSpec& spec, Diagnostics& diagnostics) {
   const auto [may, must] = words_of(spec.what);
   for (const Value::Entry& e : spec.text.entries)
     if (e.key != "what" && may.find(fmt::format(" {} ", e.key)) == may.npos)
-      diagnostics.error(e.where, fmt::format("{}: '{}' says nothing of {}", spec.name, e.key,
-                                             enum_name(spec.what)));
-  if (std::find(spec.is.begin(), spec.is.end(), scenario::Outcome::running) != spec.is.end())
-    diagnostics.error(spec.text.where_of("is"),
-                      fmt::format("{}: no flight ends 'running'", spec.name));
+      diagnostics.error(e.where, "{}: '{}' says nothing of {}", spec.name, e.key,
+                        enum_name(spec.what));
+  if (std::ranges::find(spec.is, scenario::Outcome::running) != spec.is.end())
+    diagnostics.error(spec.text.where_of("is"), "{}: no flight ends 'running'", spec.name);
   if (!must.empty() && !spec.text.find(must))
-    diagnostics.error(spec.text.where,
-                      fmt::format("{}: {} needs '{}'", spec.name, enum_name(spec.what), must));
+    diagnostics.error(spec.text.where, "{}: {} needs '{}'", spec.name, enum_name(spec.what), must);
   else if (spec.what == What::event || spec.what == What::decision)
     Query::check(spec, diagnostics);
 }
@@ -165,7 +163,7 @@ class Watcher final : public Watch {
     const auto shots = [](const Player& p) { return p.shots; };
     switch (spec.what) {
       case What::outcome:
-        return {std::find(spec.is.begin(), spec.is.end(), outcome) != spec.is.end(), 0};
+        return {std::ranges::find(spec.is, outcome) != spec.is.end(), 0};
       case What::end_time:
         return {time, 0};
       case What::losses:
@@ -201,8 +199,7 @@ class Watcher final : public Watch {
     const auto& flights = scenario_.roster.flights;
     for (std::uint16_t f = 0; f < flights.size(); ++f) {
       const auto& members = flights[f].members;
-      if (std::none_of(members.begin(), members.end(),
-                       [&](PlayerId m) { return who[m.value - 1]; }))
+      if (std::ranges::none_of(members, [&](PlayerId m) { return who[m.value - 1]; }))
         continue;
       double left = 0;  // when its last member was gone
       for (const PlayerId m : members) {
@@ -240,10 +237,9 @@ class Watcher final : public Watch {
           if (const auto& node = tree->node(static_cast<ubf::NodeIndex>(n)); node.is_sequencer())
             for (const auto& child : node.children())
               names.emplace_back(child->label());
-    if (std::find(names.begin(), names.end(), spec.phase) == names.end())
-      wrong.error(spec.text.where_of("phase"),
-                  fmt::format("{}: there is no phase {}{}", spec.name, quote(spec.phase),
-                              nearest_or_all(spec.phase, names)));
+    if (std::ranges::find(names, spec.phase) == names.end())
+      wrong.error(spec.text.where_of("phase"), "{}: there is no phase {}{}", spec.name,
+                  quote(spec.phase), nearest_or_all(spec.phase, names));
   }
 
   const Measures& measures_;

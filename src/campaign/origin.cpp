@@ -117,9 +117,8 @@ void demand_the_same(Database& database, const Origin& origin, const std::string
     before[stored.text(0)] = stored.text(1);
   if (const auto all = differences(before, origin); !all.empty())
     throw disk::Refused(
-        fmt::format("{} was begun with something else; undo that, or begin anew with another --out"
-                    "\n  {}",
-                    quote_path(folder), fmt::join(all, "\n  ")));
+        "{} was begun with something else; undo that, or begin anew with another --out\n  {}",
+        quote_path(folder), fmt::join(all, "\n  "));
 }
 
 }  // namespace eyrie::campaign

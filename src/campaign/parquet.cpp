@@ -51,10 +51,10 @@ struct Parquet::Calls {
 Parquet::Parquet(const std::string& library) : calls_(std::make_unique<Calls>()) {
   const auto refuse = [](const std::string& why) {
     throw disk::Refused(
-        fmt::format("Parquet is written by DuckDB's library: {}. 'npm install "
-                    "@duckdb/node-bindings-linux-x64' (or -arm64) gets it; then say EYRIE_DUCKDB="
-                    "node_modules/@duckdb/node-bindings-linux-x64/libduckdb.so",
-                    why));
+        "Parquet is written by DuckDB's library: {}. 'npm install "
+        "@duckdb/node-bindings-linux-x64' (or -arm64) gets it; then say EYRIE_DUCKDB="
+        "node_modules/@duckdb/node-bindings-linux-x64/libduckdb.so",
+        why);
   };
   void* const opened = ::dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!opened)
@@ -88,7 +88,7 @@ void Parquet::run(const std::string& sql) {
   const std::string why = words ? words : "DuckDB does not say why";
   calls_->destroy(&result);
   if (failed)
-    throw disk::Failed(fmt::format("no {}: {}", kParquetName, why));
+    throw disk::Failed("no {}: {}", kParquetName, why);
 }
 
 void Parquet::write(Database& database, const std::string& folder) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/summary.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "campaign/store.hpp"
@@ -23,10 +21,9 @@ std::vector<std::string> names_from(Database& database, std::string_view table, 
 
 void read_measures(Database& database, const std::vector<std::string>& columns, Summary& summary) {
   const auto index = [&](const std::string& name) {
-    const auto found = std::find(columns.begin(), columns.end(), name);
+    const auto found = std::ranges::find(columns, name);
     if (found == columns.end())
-      throw disk::Refused(
-          fmt::format("the results are damaged: there is no column {}", quote(name)));
+      throw disk::Refused("the results are damaged: there is no column {}", quote(name));
     return static_cast<std::size_t>(found - columns.begin());
   };
   Statement all = database.prepare(

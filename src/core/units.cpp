@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/units.hpp"
 
-#include <fmt/format.h>
 #include <version>
 #ifndef __cpp_lib_to_chars  // libc++ 19
 #include <fast_float/fast_float.h>
@@ -214,7 +213,7 @@ std::string three_digits(double x, int more) {
 std::size_t reading_cost(std::string_view number) {
   const auto is_significant = [](char c) { return c >= '1' && c <= '9'; };
   const std::string_view mantissa = number.substr(0, number.find('e'));
-  const auto first = std::find_if(mantissa.begin(), mantissa.end(), is_significant);
+  const auto first = std::ranges::find_if(mantissa, is_significant);
   const auto last = std::find_if(mantissa.rbegin(), mantissa.rend(), is_significant).base();
   const auto digits =
       first < last ? std::count_if(first, last, [](char c) { return c != '.'; }) : 0;

@@ -80,15 +80,15 @@ namespace {
 template <class Visit>
 void each_value(Decision& d, Visit visit) {
   for (Answer& answer : d.nodes)
-    std::for_each(answer.action.begin(), answer.action.end(), visit);
+    std::ranges::for_each(answer.action, visit);
   for (Won& won : d.action) {
     visit(won.value);
     for (Rival& rival : won.rivals)
       visit(rival.value);
   }
-  std::for_each(d.state.begin(), d.state.end(), visit);
+  std::ranges::for_each(d.state, visit);
   for (Perceived& one : d.perceived)
-    std::for_each(one.values.begin(), one.values.end(), visit);
+    std::ranges::for_each(one.values, visit);
 }
 
 /// "#3 (bogey1)": as the agent knows it, and who it really was.
@@ -367,9 +367,8 @@ std::string decisions_csv(std::span<const Decision> decisions, const scenario::R
       if (node.action.empty())
         fmt::format_to(to, "{},,,,\n", who);
       for (const Value& value : node.action) {
-        const bool won = std::any_of(d.action.begin(), d.action.end(), [&](const Won& w) {
-          return w.value.name == value.name && w.winner == i;
-        });
+        const bool won = std::ranges::any_of(
+            d.action, [&](const Won& w) { return w.value.name == value.name && w.winner == i; });
         const std::string shown = value.number        ? fmt::format("{}", *value.number)
                                   : value.text == "-" ? ""  // no value
                                                       : record::csv_quoted(value.text);

@@ -132,14 +132,13 @@ void Reflight::demand_the_same() {
   // up to the next mark, which knows the field
   while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
     run_.step();
-  throw std::runtime_error(
-      fmt::format("{}: this is not the run that was recorded by {}: {}{}", recorded_.file,
-                  recorded_.run.build, checker_->departure()->reason,
-                  recorded_.scenario->has_foreign_nodes
-                      ? "; a behavior of one's own must answer the same whenever it perceives and "
-                        "remembers the same: nothing kept beside its memory, no clock, "
-                        "no chance but draw()"
-                      : ""));
+  throw std::runtime_error(fmt::format(
+      "{}: this is not the run that was recorded by {}: {}{}", recorded_.file, recorded_.run.build,
+      checker_->departure()->reason,
+      recorded_.scenario->has_foreign_nodes
+          ? "; a behavior of one's own must answer the same whenever it perceives and remembers "
+            "the same: nothing kept beside its memory, no clock, no chance but draw()"
+          : ""));
 }
 
 namespace {
@@ -200,7 +199,7 @@ std::pair<std::string, std::string> wants_text(const Reflight& a, const Reflight
   std::vector<std::string> names;
   for (const Decision* decision : {&*mine, &*its})
     for (const Won& won : decision->action)
-      if (std::find(names.begin(), names.end(), won.value.name) == names.end())
+      if (std::ranges::find(names, won.value.name) == names.end())
         names.push_back(won.value.name);
   for (const bool exact : {false, true}) {  // to the digit if all are the same for people
     const std::string before = one + other;
@@ -289,8 +288,8 @@ std::optional<RunDifference> compare(const Recorded& left, const Recorded& right
                                      std::string& problem) {
   if (left.run.layout_hash != right.run.layout_hash) {
     problem = fmt::format(
-        "{} and {} have worlds of other tables: other kinds of players, or trees "
-        "that remember more",
+        "{} and {} have worlds of other tables: other kinds of players, or trees that remember "
+        "more",
         left.file, right.file);
     return std::nullopt;
   }

@@ -30,7 +30,7 @@ class OtherTrees {
   /// Puts what they remember now into a row of a world of theirs.
   void remember(sim::World& world, std::size_t row) {
     const std::span<std::byte> memory = other_.agents->memory(world, row);
-    std::fill(memory.begin(), memory.end(), std::byte{0});
+    std::ranges::fill(memory, std::byte{0});
     if (tree_ != team::kNoTree)
       std::copy_n(bytes(), other_.trees[tree_]->memory_bytes(), memory.begin());
   }
@@ -262,17 +262,17 @@ bool read_change(const scenario::Scenario& scenario, PlayerId who, const std::st
     if (path.starts_with(node) && text.compare(begin, path.size(), path) == 0)
       equals = std::max(equals, std::min(text.find('=', begin + path.size()), text.size()));
   node = text.substr(begin, equals - begin);
-  auto found = std::find(paths.begin(), paths.end(), node);
+  auto found = std::ranges::find(paths, node);
   const std::size_t point = node.rfind('.');
   const bool names_key = found == paths.end() && point != node.npos;
   if (names_key) {
     key = node.substr(point + 1);
     node.resize(point);
-    found = std::find(paths.begin(), paths.end(), node);
+    found = std::ranges::find(paths, node);
   }
   for (std::size_t p = node.rfind('.'); found == paths.end() && p != node.npos && p > 0;
        p = node.rfind('.', p - 1))
-    if (std::find(paths.begin(), paths.end(), node.substr(0, p)) != paths.end())
+    if (std::ranges::find(paths, node.substr(0, p)) != paths.end())
       return wrong(begin + p + 1,
                    fmt::format("{} is inside a parameter; behind a node stands a whole one, as in "
                                "{}={{...}}, and the path of a file (trees. ...) goes on into it",

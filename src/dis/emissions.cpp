@@ -22,7 +22,7 @@ void point(Emission::Beam& beam, const model::Kinematics& k, const Vec3& line) {
 }
 
 void track(Emission::Beam& beam, std::vector<EntityId> targets) {
-  std::sort(targets.begin(), targets.end());
+  std::ranges::sort(targets);
   beam.crowded = targets.size() > kMostTargets;
   if (!beam.crowded)
     for (const EntityId& who : targets)

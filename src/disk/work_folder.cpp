@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "disk/work_folder.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 
@@ -23,16 +21,16 @@ Handle work_folder(const std::string& path, const char* kind,
   const std::string named = quote_path(place.path());
   std::vector<std::string> names;
   if (!made && files().list(folder.get(), names) == 0 && !names.empty()) {
-    if (std::none_of(names.begin(), names.end(), is_ours))
-      throw Refused(fmt::format("{} is there already, and is no {}", named, kind));
+    if (std::ranges::none_of(names, is_ours))
+      throw Refused("{} is there already, and is no {}", named, kind);
     if (!resume)
-      throw Refused(fmt::format(
-          "{} is there already: --resume goes on with it, --out names another folder", named));
+      throw Refused("{} is there already: --resume goes on with it, --out names another folder",
+                    named);
   }
   if (files().lock(folder.get()) != 0)
-    throw Refused(fmt::format(
+    throw Refused(
         "another process is working on the {} in {}; wait until it has ended, or interrupt it",
-        kind, named));
+        kind, named);
   return folder;
 }
 

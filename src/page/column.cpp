@@ -47,8 +47,7 @@ ColumnPlace ColumnBytes::put(const Column& column) {
     for (std::size_t order = 0; order < sizes.size(); ++order)
       sizes[order] += varint_size(numbers[order]);
   }
-  const auto order =
-      static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
+  const auto order = static_cast<std::size_t>(std::ranges::min_element(sizes) - sizes.begin());
   const ColumnPlace place{bytes_.size(), column.values().size(), column.quantum(),
                           static_cast<int>(order)};
   Differences written;

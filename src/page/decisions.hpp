@@ -204,8 +204,7 @@ class Decisions {
     for (std::size_t i = 0; i < blank.size(); ++i) {
       const auto node = static_cast<ubf::NodeIndex>(i);
       const auto& row = trace.row(node);
-      if (row.ticked &&
-          std::find(row.supplier.begin(), row.supplier.end(), node) != row.supplier.end())
+      if (row.ticked && std::ranges::find(row.supplier, node) != row.supplier.end())
         suppliers_.push_back(node);
     }
     fields_ = ubf::kFields<Action>;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "record/acmi.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 

@@ -16,8 +16,7 @@ constexpr std::size_t kFixed = 15;
 std::size_t place_of(std::string_view column) {
   const auto& all = event_columns();
   return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(), [&](const auto& c) { return c.name == column; }) -
-      all.begin());
+      std::ranges::find_if(all, [&](const auto& c) { return c.name == column; }) - all.begin());
 }
 
 Cell cell_of(std::string text) {
@@ -74,8 +73,7 @@ const std::vector<EventColumn>& event_columns() {
     };
     for (const model::EventInfo& info : model::event_infos())
       for (const model::EventValue& value : model::event_values(info.kind))
-        if (std::none_of(columns.begin(), columns.end(),
-                         [&](const auto& c) { return c.name == value.column; }))
+        if (std::ranges::none_of(columns, [&](const auto& c) { return c.name == value.column; }))
           columns.push_back({value.column,
                              // of some kinds true, of others believed
                              value.column == "range_m"

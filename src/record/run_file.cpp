@@ -204,8 +204,8 @@ std::string RunFileWriter::close(std::span<const sim::Order> orders, std::string
     const std::string error = sink_.error();
     if (!sink_.cut(end.size))
       continue;
-    const auto later = std::find_if(orders.begin(), orders.end(),
-                                    [&](const sim::Order& o) { return o.step >= end.step; });
+    const auto later =
+        std::ranges::find_if(orders, [&](const sim::Order& o) { return o.step >= end.step; });
     sink_.write(end.encoder.tail(trail_.steps_per_second(), {orders.begin(), later}, outcome));
     kept_until_ = static_cast<double>(end.step) / trail_.steps_per_second();
     lost =

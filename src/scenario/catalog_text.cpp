@@ -187,8 +187,7 @@ std::string example(const ubf::NodeInfo& node) {
     else if (short_default && words.size() < kFew && p.kind != ParamKind::list)
       words.push_back(fmt::format("{}: {}", p.name, p.default_text));
   }
-  const bool many = std::find(node.child_keys.begin(), node.child_keys.end(), "children") !=
-                    node.child_keys.end();
+  const bool many = std::ranges::find(node.child_keys, "children") != node.child_keys.end();
   for (const std::string& key : node.child_keys)
     if (key != "child" || !many)
       words.push_back(key == "children" ? "children: [navigate, follow_lead]" : key + ": navigate");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenario/node_files.hpp"
 
-#include <fmt/format.h>
-
 namespace eyrie::scenario {
 
 std::string file_named(const Value& name) {
@@ -15,10 +13,10 @@ std::optional<std::string> NodeFiles::read(const Value& name, Diagnostics& diagn
   auto bytes = source_.read_bytes(path);
   if (bytes && bytes->size() <= Source::kLargestBytes)
     return bytes;
-  diagnostics.error(name.where, bytes ? fmt::format("{} is larger than {} MB", quote_path(path),
-                                                    Source::kLargestBytes >> 20)
-                                      : source_.why_unread(path, asker));
-  return std::nullopt;
+  return diagnostics.error(
+      name.where,
+      bytes ? fmt::format("{} is larger than {} MB", quote_path(path), Source::kLargestBytes >> 20)
+            : source_.why_unread(path, asker));
 }
 
 }  // namespace eyrie::scenario

@@ -11,27 +11,23 @@ void share_out(const std::vector<std::string>& ours, const Value& list, Roster& 
                Diagnostics& diagnostics) {
   if (ours.empty())
     return;
-  std::vector<std::string> names{"blue", "red"};
-  for (const auto& flight : roster.flights)
-    names.push_back(flight.name);
-  for (const auto& player : roster.players)
-    names.push_back(player.name);
+  const std::vector<std::string> names = roster.names();
   for (std::size_t i = 0; i < ours.size(); ++i)
-    if (std::find(names.begin(), names.end(), ours[i]) == names.end())
+    if (std::ranges::find(names, ours[i]) == names.end())
       diagnostics.error(i < list.items.size() ? list.items[i].where : list.where,
-                        fmt::format("there is no side, flight or player {}{}", quote(ours[i]),
-                                    did_you_mean(ours[i], names)));
+                        "there is no side, flight or player {}{}", quote(ours[i]),
+                        did_you_mean(ours[i], names));
   const auto named = [&](std::string_view name) {
-    return std::find(ours.begin(), ours.end(), name) != ours.end();
+    return std::ranges::find(ours, name) != ours.end();
   };
   for (auto& player : roster.players) {
     player.remote = !named(player.name) && !named(roster.flights[player.flight].name) &&
                     !named(side_name(player.side));
     if (player.remote && player.fleet != 0)
       diagnostics.error(list.where,
-                        fmt::format("{} is no aircraft, and only these can be flown by another "
-                                    "program: name it, or its side, among ours",
-                                    player.name));
+                        "{} is no aircraft, and only these can be flown by another "
+                        "program: name it, or its side, among ours",
+                        player.name);
   }
 }
 

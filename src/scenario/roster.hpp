@@ -50,12 +50,18 @@ struct Roster {
         return PlayerId{static_cast<std::uint32_t>(i + 1)};
     return std::nullopt;
   }
+  /// By which some of the players can be meant: sides, flights, themselves.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all = listed(flights, &Flight::name);
+    all.insert(all.begin(), {"blue", "red"});
+    for (const Player& player : players)
+      all.push_back(player.name);
+    return all;
+  }
   /// "there is no player 'eagel1'; did you mean 'eagle1'?"
   [[nodiscard]] std::string unknown(std::string_view name) const {
-    std::vector<std::string> names;
-    for (const Player& player : players)
-      names.push_back(player.name);
-    return fmt::format("there is no player {}{}", quote(name), nearest_or_all(name, names));
+    return fmt::format("there is no player {}{}", quote(name),
+                       nearest_or_all(name, listed(players, &Player::name)));
   }
 };
 

@@ -77,7 +77,7 @@ std::optional<Interval> Ratio::fieller(double confidence) const {
 std::vector<double> holm(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return p[a] < p[b]; });
+  std::ranges::stable_sort(order, [&](auto a, auto b) { return p[a] < p[b]; });
   std::vector<double> corrected(p.size());
   double least = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -68,7 +68,7 @@ void VectorEnv::begin(Slot& slot, std::uint64_t seed) const {
   for (Slot::Agent& agent : slot.agents) {
     agent.alive = true;
     agent.merit = {};
-    std::fill(agent.votes.begin(), agent.votes.end(), -1.0F);
+    std::ranges::fill(agent.votes, -1.0F);
   }
 }
 

@@ -69,8 +69,7 @@ class Parser {
  private:
   /// Of UTF-8: "°" is one of them.
   static int characters(std::string_view text) {
-    return static_cast<int>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<int>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
   }
   bool fail(std::size_t at, std::string message) {
     if (!failed_) {
@@ -154,9 +153,8 @@ class Parser {
     if (!left)
       return false;
     space();
-    const auto sign = std::find_if(kComparisons.begin(), kComparisons.end(), [&](const auto& c) {
-      return text_.substr(at_).starts_with(c.sign);
-    });
+    const auto sign = std::ranges::find_if(
+        kComparisons, [&](const auto& c) { return text_.substr(at_).starts_with(c.sign); });
     if (sign == kComparisons.end()) {
       if (at_ < text_.size() && text_[at_] == '=')
         return fail(at_, "write '==' to compare");
@@ -279,7 +277,7 @@ class Parser {
   std::optional<Operand> number(const Side& field, const Side& other) {
     const StateFieldInfo& f = info(field);
     if (f.kind == FieldKind::choice) {
-      const auto choice = std::find(f.choices.begin(), f.choices.end(), other.text);
+      const auto choice = std::ranges::find(f.choices, other.text);
       if (choice != f.choices.end())
         return Operand{.field = Operand::kNumber,
                        .number = static_cast<double>(choice - f.choices.begin())};
@@ -314,11 +312,9 @@ std::optional<std::vector<Instruction>> parse_expression(const Value& text,
                                                          std::span<const StateFieldInfo> fields,
                                                          FieldNames& names,
                                                          Diagnostics& diagnostics) {
-  if (!text.is_scalar()) {
-    diagnostics.error(text.where,
-                      "expected a condition in words, as in range < 10 nmi, got " + text.shown());
-    return std::nullopt;
-  }
+  if (!text.is_scalar())
+    return diagnostics.error(
+        text.where, "expected a condition in words, as in range < 10 nmi, got " + text.shown());
   return Parser(text, fields, names, diagnostics).parse();
 }
 
