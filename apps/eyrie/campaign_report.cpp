@@ -3,21 +3,17 @@
 /// SQL.
 #include <fmt/ranges.h>
 
+#include "campaign/again.hpp"
 #include "campaign/compare.hpp"
-#include "campaign/last_decisions.hpp"
 #include "campaign/parquet.hpp"
 #include "campaign/store.hpp"
-#include "campaign/ways.hpp"
-#include "campaign_debrief.hpp"
-#include "campaign_json.hpp"
 #include "campaign_page.hpp"
-#include "campaign_text.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "core/units.hpp"
 #include "disk/output.hpp"
 #include "locate.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign_text.hpp"
+#include "campaigns.hpp"
 
 #include "core/text.hpp"
 #include "say.hpp"

@@ -11,7 +11,6 @@
 #include "locate.hpp"
 #include "page/page.hpp"
 #include "page/page_data.hpp"
-#include "progress.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
 

@@ -8,7 +8,6 @@
 #include "campaign/seed_table.hpp"
 #include "command.hpp"
 #include "commands.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"

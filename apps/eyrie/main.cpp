@@ -7,12 +7,10 @@
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "help.hpp"
 #include "line.hpp"
 #include "locate.hpp"
 #include "say.hpp"
 #include "scenario/end_guard.hpp"
-#include "typed.hpp"
 
 namespace {
 

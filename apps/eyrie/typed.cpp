@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "typed.hpp"
 
 #include <fmt/ranges.h>
 
@@ -9,7 +8,7 @@
 #include "arguments.hpp"
 #include "core/diagnostics.hpp"
 #include "core/text.hpp"
-#include "help.hpp"
+#include "line.hpp"
 #include "say.hpp"
 #include "scenario/plugin_file.hpp"
 

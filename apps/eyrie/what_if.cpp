@@ -9,7 +9,6 @@
 #include "debrief/look.hpp"
 #include "debrief/what_if.hpp"
 #include "locate.hpp"
-#include "progress.hpp"
 #include "record/json_text.hpp"
 #include "say.hpp"
 #include "stats/sample.hpp"

@@ -11,7 +11,7 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
-#include "disk/work_folder.hpp"
+#include "disk/output.hpp"
 #include "record/csv.hpp"
 
 namespace eyrie::campaign {

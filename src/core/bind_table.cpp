@@ -25,8 +25,10 @@ class TableReader {
     for (const TableAxis& axis : table.axes)
       names.push_back(axis.name);
     names.push_back(kValueKey);
-    if (!map.is_map())
-      return error(map, table.name, "expected a table, got {}", map.shown());
+    if (!map.is_map()) {
+      error(map, table.name, "expected a table, got {}", map.shown());
+      return;
+    }
     check_keys(map, "the table", table.name, names, std::array{kUnitsKey}, diagnostics);
     if (const Value* units = map.find(kUnitsKey))
       check_keys(*units, "units", fmt::format("{}.units", table.name), names, {}, diagnostics);
@@ -90,7 +92,7 @@ class TableReader {
     if (known && known->dimension == unit.dimension)
       result.shared = known;
     else
-      error(*symbol, fmt::format("{}.units.{}", table_.name, key),
+      error(*symbol, fmt::format("{}.units.{}", table_.name, key), "{}",
             unit.dimension == Dimension::none
                 ? fmt::format("these are plain numbers and have no unit, got {}", symbol->shown())
                 : fmt::format("expected the unit of {}, such as '{}', got {}",

@@ -177,8 +177,8 @@ class Reader {
   void player(Plan& group, const Value& document, const Value& item) {
     const bool overrides = item.is_map() && item.entries.size() == 1;
     if (!item.is_scalar() && !overrides)
-      return error(item.where,
-                   "players: expected a name or a name with a map, got " + item.shown());
+      return error(item.where, "players: expected a name or a name with a map, got {}",
+                   item.shown());
     typename Plan::Member plan{.name = overrides ? item.entries[0].key : item.text,
                                .where = item.where,
                                .spec = group.spec,

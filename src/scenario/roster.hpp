@@ -3,6 +3,7 @@
 /// \file  Who is who in a scenario: names for reports, tables and recordings.
 #include "core/diagnostics.hpp"
 #include "core/id.hpp"
+#include "core/value.hpp"
 #include "model/fit.hpp"
 #include "model/kinematics.hpp"
 #include "model/library.hpp"
@@ -132,5 +133,11 @@ class Fleet {
       ++standings[world.rows(fit)[i].flight].players;
   }
 };
+
+/// Everybody is remote whom `ours` names neither itself nor by his flight or side; nobody if it
+/// names nobody. `list` is what it was read from. Refused: names of nobody, and a remote player who
+/// is no aircraft.
+void share_out(const std::vector<std::string>& ours, const Value& list, Roster& roster,
+               Diagnostics& diagnostics);
 
 }  // namespace eyrie::scenario

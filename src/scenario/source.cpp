@@ -138,4 +138,9 @@ std::string relative_to(std::string_view file, std::string_view name) {
   return (fs::path(file).parent_path() / fs::path(name)).lexically_normal().generic_string();
 }
 
+std::string file_named(const Value& name) {
+  const std::string_view asker = name.where.file.text();
+  return asker.starts_with("--") ? name.text : relative_to(asker, name.text);
+}
+
 }  // namespace eyrie::scenario

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "scenario/node_files.hpp"
 #include "scenario/player_kind.hpp"
 
 namespace eyrie::scenario {
@@ -14,6 +13,26 @@ namespace {
 constexpr std::size_t kMostTrees = 2000;
 /// Of all trees together: a few hundred bytes each.
 constexpr std::size_t kMostTreeNodes = 500'000;
+
+/// The files that nodes of a scenario are made of, such as networks: beside the file that names
+/// them, or, named by an option, as it was typed. They go into run files as the others do.
+class NodeFiles final : public ubf::NodeFiles {
+ public:
+  explicit NodeFiles(Source& source) : source_(source) {}
+  std::optional<std::string> read(const Value& name, Diagnostics& diagnostics) override {
+    const std::string asker(name.where.file.text()), path = file_named(name);
+    auto bytes = source_.read_bytes(path);
+    if (bytes && bytes->size() <= Source::kLargestBytes)
+      return bytes;
+    return diagnostics.error(name.where,
+                             bytes ? fmt::format("{} is larger than {} MB", quote_path(path),
+                                                 Source::kLargestBytes >> 20)
+                                   : source_.why_unread(path, asker));
+  }
+
+ private:
+  Source& source_;
+};
 
 /// Somebody who uses a tree, and where that is said.
 struct User {

@@ -186,9 +186,11 @@ NodeReader::Child NodeReader::make(const NodeSpec& spec) {
     return make(*registry_.types_[found->second], spec);
   } catch (const std::bad_alloc&) {  // nobody's mistake
     throw;
-  } catch (const std::exception& e) return no_node(
-      diagnostics_.error(spec.where, "node {} (of {}) could not be made: {}", quote(spec.type),
-                         registry_.infos_[found->second].origin, e.what()));
+  } catch (const std::exception& e) {
+    return no_node(diagnostics_.error(spec.where, "node {} (of {}) could not be made: {}",
+                                      quote(spec.type), registry_.infos_[found->second].origin,
+                                      e.what()));
+  }
 }
 
 /// The mistakes in what are children whatever the node is.
@@ -308,9 +310,11 @@ void NodeReader::read_children(AnyNode& node, const NodeSpec& spec) {
   const bool takes_one = node.type_->grammar == Grammar::list_or_one;
   const Value* list = spec.body;
   const Value* only = nullptr;
-  if (spec.body->is_scalar())
-    return diagnostics_.error(spec.body->where, "{}: write children as a list: [{}]", spec.type,
-                              printable(spec.body->text, 40));
+  if (spec.body->is_scalar()) {
+    diagnostics_.error(spec.body->where, "{}: write children as a list: [{}]", spec.type,
+                       printable(spec.body->text, 40));
+    return;
+  }
   if (spec.body->is_list()) {
     bind(node, Value::map({}, spec.where), {});
   } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenario/ours.hpp"
+#include "scenario/roster.hpp"
 
 #include <algorithm>
 
