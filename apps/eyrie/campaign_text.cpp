@@ -63,7 +63,7 @@ void print_comparisons(const campaign::Summary& summary,
   if (comparisons.empty())
     return;
   std::vector<campaign::Comparison> surest = comparisons;
-  std::ranges::stable_sort(surest, [](const auto& a, const auto& b) { return a.holm < b.holm; });
+  std::ranges::stable_sort(surest, {}, &campaign::Comparison::holm);
   std::vector<std::vector<std::string>> rows{
       {"measure", "cell", "less cell", "difference", "pairs", "p", "p (Holm)"}};
   for (std::size_t i = 0; i < std::min(surest.size(), most); ++i) {

@@ -7,6 +7,7 @@
 
 #include "campaign/compare.hpp"
 #include "campaign/store.hpp"
+#include "record/story.hpp"
 
 namespace eyrie::app {
 
@@ -55,6 +56,9 @@ void print_effects(const campaign::Summary& summary, const std::vector<campaign:
   return std::isfinite(x) ? nlohmann::ordered_json(x) : nlohmann::ordered_json();
 }
 
+[[nodiscard]] inline nlohmann::ordered_json side_json(const record::Tally::OfSide& s) {
+  return {{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
+}
 /// [low, high], null for what there is not.
 [[nodiscard]] inline nlohmann::ordered_json interval_json(const std::optional<stats::Interval>& i) {
   if (!i)

@@ -107,6 +107,17 @@ std::vector<std::string> names_in(const std::string& folder) {
   return names;
 }
 
+std::vector<std::string> runs_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, ignored); at != end(at);
+       at.increment(ignored))
+    if (fs::exists(at->path() / record::kRunFileName, ignored))
+      names.push_back((folder / at->path().filename()).string());
+  std::ranges::sort(names);
+  return names;
+}
+
 std::string scenario_file(const std::string& name) {
   const std::string wanted = name.empty() ? "sweep" : name;
   std::error_code ignored;
@@ -173,14 +184,7 @@ std::string run_hint(const std::string& run) {
   std::error_code ignored;
   if (fs::exists(run, ignored))
     return "";
-  const fs::path folder = fs::path(run).parent_path();
-  std::vector<std::string> names;
-  for (fs::directory_iterator at(folder.empty() ? "." : folder, ignored); at != end(at);
-       at.increment(ignored))
-    if (fs::exists(at->path() / record::kRunFileName, ignored))
-      names.push_back((folder / at->path().filename()).string());
-  std::ranges::sort(names);
-  if (std::string hint = did_you_mean(run, names); !hint.empty())
+  if (std::string hint = did_you_mean(run, runs_in(fs::path(run).parent_path())); !hint.empty())
     return hint;
   return is_scenario(run) ? "; 'eyrie fly' makes a run of this scenario" : "";
 }

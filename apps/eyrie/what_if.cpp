@@ -4,6 +4,7 @@
 
 #include "campaign/in_order.hpp"
 #include "campaign/seed_table.hpp"
+#include "campaigns.hpp"
 #include "command.hpp"
 #include "commands.hpp"
 #include "debrief/look.hpp"
@@ -40,13 +41,10 @@ Json first_json(const debrief::Otherwise& first) {
 }
 
 Json outcome_json(const debrief::Outcome& outcome) {
-  const auto side = [](const record::Tally::OfSide& s) {
-    return Json{{"losses", s.losses}, {"shots", s.shots}, {"kills", s.kills}, {"home", s.home}};
-  };
   return {{"outcome", outcome.outcome},
           {"time_s", outcome.time},
-          {"blue", side(outcome.blue)},
-          {"red", side(outcome.red)}};
+          {"blue", side_json(outcome.blue)},
+          {"red", side_json(outcome.red)}};
 }
 
 void print_outcome(std::string_view name, const debrief::Outcome& o) {

@@ -284,14 +284,12 @@ std::vector<Effect> effects(const Summary& summary) {
         const stats::Moments& moments = v.by_level.at(level);
         effect.levels.push_back({level, static_cast<std::size_t>(moments.n()), moments.mean()});
       }
-      std::ranges::stable_sort(effect.levels, [](const auto& a, const auto& b) {
-        return number_of(a.name).value_or(0) < number_of(b.name).value_or(0);
-      });
+      std::ranges::stable_sort(
+          effect.levels, {}, [](const Effect::Level& l) { return number_of(l.name).value_or(0); });
       if (v.part > 1e-12)  // more than rounding
         some.push_back(std::move(effect));
     }
-    std::ranges::stable_sort(some,
-                             [](const Effect& a, const Effect& b) { return a.part > b.part; });
+    std::ranges::stable_sort(some, std::ranges::greater(), &Effect::part);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

@@ -351,15 +351,20 @@ disk::OutputFile table_in(const std::string& folder) {
   return {fmt::format("{}/{}", folder, kTableName), true};
 }
 
+std::vector<std::string> columns_of(Database& database, std::string_view table, int first) {
+  const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
+  std::vector<std::string> names;
+  for (int i = first; i < all.columns(); ++i)
+    names.push_back(all.column_name(i));
+  return names;
+}
+
 void write_table(Database& database, const std::string& folder) {
   std::string columns = "r.cell";
-  const auto add = [&](const char* table, char letter, int first) {
-    const Statement all = database.prepare(fmt::format("SELECT * FROM {}", table));
-    for (int i = first; i < all.columns(); ++i)
-      columns += fmt::format(", {}.{}", letter, sql_name(all.column_name(i)));
-  };
-  add("cells", 'c', 2);
-  add("replicates", 'r', 1);
+  for (const std::string& name : columns_of(database, "cells", 2))
+    columns += ", c." + sql_name(name);
+  for (const std::string& name : columns_of(database, "replicates", 1))
+    columns += ", r." + sql_name(name);
   Statement rows = database.prepare(fmt::format(
       "SELECT {} FROM replicates r JOIN cells c USING (cell) ORDER BY r.cell, r.replicate",
       columns));

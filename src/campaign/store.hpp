@@ -86,6 +86,10 @@ class Store {
 [[nodiscard]] Database open_results(const std::string& folder,
                                     Database::Access access = Database::Access::read);
 
+/// The columns of a table from the one numbered `first` on.
+[[nodiscard]] std::vector<std::string> columns_of(Database& database, std::string_view table,
+                                                  int first);
+
 /// results.csv in a folder, to be written; throws if it cannot be.
 [[nodiscard]] disk::OutputFile table_in(const std::string& folder);
 /// results.csv in the folder of the database: a row per replicate with the values of its cell.

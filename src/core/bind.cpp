@@ -18,11 +18,6 @@ bool report(Diagnostics& diagnostics, const Value& value, const ParamInfo& info,
   return false;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// A quantity that only rounding keeps from a limit is at the limit: 90 deg is half of pi.
 double snapped(double x, const ParamInfo& info) {
   if (info.unit.dimension == Dimension::none)

@@ -111,21 +111,8 @@ constexpr bool habits_are_no_units_and_lead_to_one() {
 }
 static_assert(habits_are_no_units_and_lead_to_one());
 
-constexpr bool is_space(char c) {
-  return c == ' ' || c == '\t';
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_space(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
-
 bool equal_but_for_case(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return to_small(x) == to_small(y); });
+  return std::ranges::equal(a, b, [](char x, char y) { return to_small(x) == to_small(y); });
 }
 
 /// The unit that an unknown spelling was meant to be, preferring the expected dimension.

@@ -218,9 +218,9 @@ class Decisions {
     Json values = Json::array();
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (!values_[i].values().empty())
-        values.push_back({i / fields_, i % fields_, put(bytes, values_[i])});
-    return {{"step", put(bytes, step_)},
-            {"shape", put(bytes, shape_column_)},
+        values.push_back({i / fields_, i % fields_, bytes.put(values_[i])});
+    return {{"step", bytes.put(step_)},
+            {"shape", bytes.put(shape_column_)},
             {"values", std::move(values)}};
   }
   [[nodiscard]] bool empty() const { return step_.values().empty(); }

@@ -15,8 +15,7 @@ constexpr std::size_t kFixed = 15;
 /// Where the column of a value stands.
 std::size_t place_of(std::string_view column) {
   const auto& all = event_columns();
-  return static_cast<std::size_t>(
-      std::ranges::find_if(all, [&](const auto& c) { return c.name == column; }) - all.begin());
+  return static_cast<std::size_t>(std::ranges::find(all, column, &EventColumn::name) - all.begin());
 }
 
 Cell cell_of(std::string text) {

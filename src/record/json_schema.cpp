@@ -142,8 +142,7 @@ Json reference_schema() {
 /// What stands below the name of a node.
 Json body(const ubf::NodeInfo& node) {
   Json map = node_map(node);
-  if (std::equal(node.child_keys.begin(), node.child_keys.end(), ubf::kSequencerKeys.begin(),
-                 ubf::kSequencerKeys.end()))
+  if (std::ranges::equal(node.child_keys, ubf::kSequencerKeys))
     return sequencer(std::move(map));
   if (has(node, "cases"))
     return switch_body(std::move(map));

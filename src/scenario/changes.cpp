@@ -55,9 +55,8 @@ class Changer {
     if (!sound_)
       return;
     // deep ones first: a map or list that changes moves what is below it
-    std::ranges::stable_sort(changes_, [](const Change& a, const Change& b) {
-      return a.passed.size() > b.passed.size();
-    });
+    std::ranges::stable_sort(changes_, std::ranges::greater(),
+                             [](const Change& c) { return c.passed.size(); });
     for (auto first = changes_.begin(); first != changes_.end();) {
       const auto last = std::stable_partition(
           first, changes_.end(), [in = first->in](const Change& c) { return c.in == in; });

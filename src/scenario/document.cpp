@@ -177,6 +177,9 @@ class Composer {
   }
 
  private:
+  /// No document, and it has been reported why.
+  static Value none(std::nullopt_t) { return {}; }
+
   /// The document of a scenario as if one file said it all.
   Value whole(Value own, const std::string& file) {
     chain_.push_back(normal(file));
@@ -203,31 +206,26 @@ class Composer {
 
   /// The scenario that another extends; null after saying why there is none.
   Value base(const Value& name, const std::string& file) {
-    if (!name.is_scalar() || name.text.empty()) {
-      diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown());
-      return {};
-    }
+    if (!name.is_scalar() || name.text.empty())
+      return none(
+          diagnostics_.error(name.where, "extends: expected a scenario, got " + name.shown()));
     const bool is_shipped = name.text.find_first_of("./") == name.text.npos;
     const std::string base_file = is_shipped ? source_.shipped(name.text)
                                              : source_.named_by(file, relative_to(file, name.text));
-    if (base_file.empty()) {
-      diagnostics_.error(
+    if (base_file.empty())
+      return none(diagnostics_.error(
           name.where,
           "there is no scenario {} (a file is named with its ending, as in '{}.yaml'){}",
           quote(name.text), printable(name.text, 40),
-          did_you_mean(name.text, source_.shipped_names()));
-      return {};
-    }
+          did_you_mean(name.text, source_.shipped_names())));
     if (refuse_cycle(normal(base_file), "extends", name.where) || !fits(base_file, name.where))
       return {};
     Value own = read(base_file, name.where);
     if (own.is_null())
       return {};
-    if (is_package(own)) {
-      diagnostics_.error(name.where, "{} is no scenario but a package: 'include' it",
-                         quote_path(base_file));
-      return {};
-    }
+    if (is_package(own))
+      return none(diagnostics_.error(name.where, "{} is no scenario but a package: 'include' it",
+                                     quote_path(base_file)));
     return whole(std::move(own), base_file);
   }
 
@@ -251,10 +249,9 @@ class Composer {
   /// The document in a file; null after saying why there is none.
   Value read(const std::string& file, const Location& from) {
     const auto text = source_.read(file);
-    if (!text) {
-      diagnostics_.error(from, source_.why_unread(file, std::string(from.file.text())));
-      return {};
-    }
+    if (!text)
+      return none(
+          diagnostics_.error(from, source_.why_unread(file, std::string(from.file.text()))));
     const std::size_t before = diagnostics_.count();
     Value document = parse_yaml(*text, file, diagnostics_);
     if (document.is_null() && diagnostics_.count() != before)
@@ -262,19 +259,15 @@ class Composer {
     values_ += values_in(document);
     if (values_ > kMostValues) {
       stopped_ = true;
-      diagnostics_.error(from, "with {} the scenario has more than {} values", quote_path(file),
-                         kMostValues);
-      return {};
+      return none(diagnostics_.error(from, "with {} the scenario has more than {} values",
+                                     quote_path(file), kMostValues));
     }
-    if (const auto newer = newer_format(document)) {
-      diagnostics_.error(newer->where, newer->message);
-      return {};
-    }
+    if (const auto newer = newer_format(document))
+      return none(diagnostics_.error(newer->where, newer->message));
     if (document.is_map())
       return document;
-    diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
-                       "expected a map, got " + document.shown());
-    return {};
+    return none(diagnostics_.error(document.is_null() ? Location{file, 1, 1} : document.where,
+                                   "expected a map, got " + document.shown()));
   }
 
   void follow(const Value& include, const std::string& file, Merger& merger) {

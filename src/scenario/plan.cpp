@@ -165,7 +165,7 @@ class Reader {
                               .group = &entry.value});
       return plans.push_back(std::move(plan));
     }
-    std::ranges::sort(plan.players, [](const auto& a, const auto& b) { return a.rank < b.rank; });
+    std::ranges::sort(plan.players, {}, &Plan::Member::rank);
     // a player that was refused may have been meant as the lead
     if (plan.players.size() == players->items.size() && plan.players.front().rank != 1)
       error(players->where, "{0} '{1}' has no lead: none of its players is '{1}1'", Plan::word,
