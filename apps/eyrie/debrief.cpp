@@ -10,7 +10,6 @@
 #include "disk/output.hpp"
 #include "locate.hpp"
 #include "page/page.hpp"
-#include "page/page_data.hpp"
 #include "record/run_file.hpp"
 #include "say.hpp"
 

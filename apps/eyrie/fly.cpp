@@ -56,6 +56,24 @@ void fly_to_the_end(Flight& flight, const FlyOptions& options) {
   flight.timing().note(precedence);
 }
 
+namespace fs = std::filesystem;
+
+using Stamp = std::pair<fs::file_time_type, std::uintmax_t>;
+
+/// When each was written, and its size: a file in the current folder or in Eyrie's home.
+std::map<std::string, Stamp> stamps(const std::set<std::string>& files) {
+  std::map<std::string, Stamp> all;
+  std::error_code missing;
+  for (const std::string& file : files) {
+    const std::string& own = scenario::Source::kOwn;
+    const std::string name = file.starts_with(own) ? file.substr(own.size()) : file;
+    const fs::path there =
+        name == file && fs::exists(file, missing) ? fs::path(file) : fs::path(home()) / name;
+    all[file] = {fs::last_write_time(there, missing), fs::file_size(there, missing)};
+  }
+  return all;
+}
+
 }  // namespace
 
 int fly(const FlyOptions& options) {
@@ -84,27 +102,6 @@ int fly(const FlyOptions& options, Flown& flown) {
   flown.folder = flight.folder();
   return code;
 }
-
-namespace {
-namespace fs = std::filesystem;
-
-using Stamp = std::pair<fs::file_time_type, std::uintmax_t>;
-
-/// When each was written, and its size: a file in the current folder or in Eyrie's home.
-std::map<std::string, Stamp> stamps(const std::set<std::string>& files) {
-  std::map<std::string, Stamp> all;
-  std::error_code missing;
-  for (const std::string& file : files) {
-    const std::string& own = scenario::Source::kOwn;
-    const std::string name = file.starts_with(own) ? file.substr(own.size()) : file;
-    const fs::path there =
-        name == file && fs::exists(file, missing) ? fs::path(file) : fs::path(home()) / name;
-    all[file] = {fs::last_write_time(there, missing), fs::file_size(there, missing)};
-  }
-  return all;
-}
-
-}  // namespace
 
 int fly_and_watch(const FlyOptions& options) {
   FlyOptions again = options;

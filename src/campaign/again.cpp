@@ -107,38 +107,6 @@ struct FlownWays {
   std::vector<Way> ways;
 };
 
-}  // namespace
-
-std::vector<Way> ways_flown(const std::string& folder, std::uint64_t count, unsigned workers,
-                            const std::vector<std::string>& plugins,
-                            const std::function<bool(std::uint64_t, std::uint64_t)>& tell) {
-  Database database = open_results(folder);
-  Again again(database, plugins, workers);
-  const auto flights = again.flights("WHERE replicate < ?", static_cast<double>(count));
-  std::vector<Way> all;
-  in_order<FlownWays>(
-      flights.size(), workers,
-      [&](std::uint64_t i) {
-        const auto scenario = again.scenario(flights[i].cell);
-        WayWatcher watcher(*scenario);
-        sim::Observer* const observer = &watcher;
-        const std::uint64_t hash = fly(scenario, flights[i].seed, {&observer, 1}).hash;
-        return FlownWays{hash, std::move(watcher.ways)};
-      },
-      [&](std::uint64_t i, FlownWays&& flown) {
-        Again::demand_the_same(flights[i], flown.hash);
-        for (Way& way : flown.ways) {
-          way.cell = flights[i].cell;
-          way.replicate = flights[i].replicate;
-          all.push_back(std::move(way));
-        }
-        return tell(i + 1, flights.size());
-      });
-  return all;
-}
-
-namespace {
-
 constexpr const char* kLossTables = R"(
 CREATE TABLE IF NOT EXISTS losses (cell INTEGER, replicate INTEGER, loss INTEGER, time_s REAL, player TEXT,
                                    side TEXT, by TEXT, PRIMARY KEY (cell, replicate, loss)) WITHOUT ROWID;
@@ -191,6 +159,34 @@ void note(const team::Decision& decision, std::size_t loss, std::vector<Contest>
 }
 
 }  // namespace
+
+std::vector<Way> ways_flown(const std::string& folder, std::uint64_t count, unsigned workers,
+                            const std::vector<std::string>& plugins,
+                            const std::function<bool(std::uint64_t, std::uint64_t)>& tell) {
+  Database database = open_results(folder);
+  Again again(database, plugins, workers);
+  const auto flights = again.flights("WHERE replicate < ?", static_cast<double>(count));
+  std::vector<Way> all;
+  in_order<FlownWays>(
+      flights.size(), workers,
+      [&](std::uint64_t i) {
+        const auto scenario = again.scenario(flights[i].cell);
+        WayWatcher watcher(*scenario);
+        sim::Observer* const observer = &watcher;
+        const std::uint64_t hash = fly(scenario, flights[i].seed, {&observer, 1}).hash;
+        return FlownWays{hash, std::move(watcher.ways)};
+      },
+      [&](std::uint64_t i, FlownWays&& flown) {
+        Again::demand_the_same(flights[i], flown.hash);
+        for (Way& way : flown.ways) {
+          way.cell = flights[i].cell;
+          way.replicate = flights[i].replicate;
+          all.push_back(std::move(way));
+        }
+        return tell(i + 1, flights.size());
+      });
+  return all;
+}
 
 LastDecisions last_decisions(const std::shared_ptr<const scenario::Scenario>& scenario,
                              std::uint64_t seed, double window) {

@@ -53,65 +53,6 @@ Comparison compared(const Pairs& pairs, Comparison c, Measure::Kind kind, double
   return c;
 }
 
-}  // namespace
-
-std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
-                                      const std::function<void(const TakePair&)>& each,
-                                      double confidence) {
-  const auto known = [&](const Measure& m, const std::vector<double>& values) {
-    return !std::isnan(values[m.column]) &&
-           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
-  };
-  std::vector<Pairs> all(measures.size());
-  each([&](const auto& a, const auto& b) {
-    for (std::size_t i = 0; i < measures.size(); ++i) {
-      const Measure& m = measures[i];
-      if (!known(m, a) || !known(m, b))
-        continue;
-      Pairs& pairs = all[i];
-      if (m.kind == Measure::ratio) {
-        pairs.ratios[0].add(a[m.column], a[m.per]);
-        pairs.ratios[1].add(b[m.column], b[m.per]);
-        continue;
-      }
-      pairs.differences.add(a[m.column] - b[m.column]);
-      pairs.both += a[m.column] != 0 && b[m.column] != 0;
-      pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
-      pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
-    }
-  });
-  const auto has_ratio = [&](std::size_t i) {
-    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
-           all[i].ratios[1].divides(confidence);
-  };
-  std::vector<std::size_t> ratios;
-  for (std::size_t i = 0; i < measures.size(); ++i)
-    if (has_ratio(i))
-      ratios.push_back(i);
-  if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
-    each([&](const auto& a, const auto& b) {
-      for (const std::size_t i : ratios) {
-        const Measure& m = measures[i];
-        if (!known(m, a) || !known(m, b))
-          continue;
-        Pairs& pairs = all[i];
-        const auto part = [&](std::size_t side, const std::vector<double>& values) {
-          const double ratio = *pairs.ratios[side].value();
-          return ratio +
-                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
-        };
-        pairs.differences.add(part(0, a) - part(1, b));
-      }
-    });
-  std::vector<Comparison> comparisons;
-  for (std::size_t i = 0; i < measures.size(); ++i)
-    if (all[i].differences.n() > 1)
-      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
-  return comparisons;
-}
-
-namespace {
-
 void correct(std::vector<Comparison>& comparisons, std::size_t measures) {
   for (std::size_t m = 0; m < measures; ++m) {
     std::vector<Comparison*> family;
@@ -243,6 +184,61 @@ void subtract_chance(std::vector<Variance>& factors, bool all_crossed) {
 }
 
 }  // namespace
+
+std::vector<Comparison> compare_pairs(std::span<const Measure> measures,
+                                      const std::function<void(const TakePair&)>& each,
+                                      double confidence) {
+  const auto known = [&](const Measure& m, const std::vector<double>& values) {
+    return !std::isnan(values[m.column]) &&
+           (m.kind != Measure::ratio || !std::isnan(values[m.per]));
+  };
+  std::vector<Pairs> all(measures.size());
+  each([&](const auto& a, const auto& b) {
+    for (std::size_t i = 0; i < measures.size(); ++i) {
+      const Measure& m = measures[i];
+      if (!known(m, a) || !known(m, b))
+        continue;
+      Pairs& pairs = all[i];
+      if (m.kind == Measure::ratio) {
+        pairs.ratios[0].add(a[m.column], a[m.per]);
+        pairs.ratios[1].add(b[m.column], b[m.per]);
+        continue;
+      }
+      pairs.differences.add(a[m.column] - b[m.column]);
+      pairs.both += a[m.column] != 0 && b[m.column] != 0;
+      pairs.only_one += a[m.column] != 0 && b[m.column] == 0;
+      pairs.only_other += a[m.column] == 0 && b[m.column] != 0;
+    }
+  });
+  const auto has_ratio = [&](std::size_t i) {
+    return measures[i].kind == Measure::ratio && all[i].ratios[0].divides(confidence) &&
+           all[i].ratios[1].divides(confidence);
+  };
+  std::vector<std::size_t> ratios;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (has_ratio(i))
+      ratios.push_back(i);
+  if (!ratios.empty())  // now that both ratios are known, each replicate's part in their difference
+    each([&](const auto& a, const auto& b) {
+      for (const std::size_t i : ratios) {
+        const Measure& m = measures[i];
+        if (!known(m, a) || !known(m, b))
+          continue;
+        Pairs& pairs = all[i];
+        const auto part = [&](std::size_t side, const std::vector<double>& values) {
+          const double ratio = *pairs.ratios[side].value();
+          return ratio +
+                 (values[m.column] - ratio * values[m.per]) / pairs.ratios[side].under().mean();
+        };
+        pairs.differences.add(part(0, a) - part(1, b));
+      }
+    });
+  std::vector<Comparison> comparisons;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (all[i].differences.n() > 1)
+      comparisons.push_back(compared(all[i], {.measure = i}, measures[i].kind, confidence));
+  return comparisons;
+}
 
 std::vector<Comparison> compare(const std::string& folder, const Summary& summary,
                                 std::optional<std::size_t> measure, double confidence) {

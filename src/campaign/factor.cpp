@@ -89,6 +89,10 @@ std::string in_quotes(std::string_view text) {
   return quoted + '"';
 }
 
+std::vector<std::string> sets_to(const std::string& value, const std::vector<std::string>& paths) {
+  return listed(paths, [&](const std::string& path) { return path + "=" + value; });
+}
+
 class Reader {
  public:
   Reader(const Value::Entry& entry, Diagnostics& diagnostics)
@@ -111,7 +115,7 @@ class Reader {
     else if ((factor_.paths = texts(*path, "a path")).empty())
       return std::move(factor_);
     else if (values->is_map() && values->tag.empty())
-      named(*values, [&](const Value& v) { return sets(yaml_text(v)); });
+      named(*values, [&](const Value& v) { return sets_to(yaml_text(v), factor_.paths); });
     else if (values->tag.empty() || values->tag == "!choice")
       listed(*values);
     else
@@ -124,12 +128,6 @@ class Reader {
   void error(const Location& where, fmt::format_string<T...> words, T&&... values) {
     diagnostics_.error(where, "{}: {}", factor_.name,
                        fmt::format(words, std::forward<T>(values)...));
-  }
-  std::vector<std::string> sets(const std::string& value) const {
-    std::vector<std::string> all;
-    for (const std::string& path : factor_.paths)
-      all.push_back(path + "=" + value);
-    return all;
   }
   /// One text or several.
   std::vector<std::string> texts(const Value& v, std::string_view what) {
@@ -159,7 +157,7 @@ class Reader {
       error(where, "{} is there twice{}", quote(text),
             same->second == text ? "" : ", first as " + quote(same->second));
     else
-      factor_.levels.push_back({text, sets(text), where});
+      factor_.levels.push_back({text, sets_to(text, factor_.paths), where});
   }
   void listed(const Value& list) {
     if (!list.is_list() || list.items.size() < 2)
@@ -258,10 +256,7 @@ std::vector<std::string> Factor::sets_of(const std::string& value) const {
   for (const Level& level : levels)
     if (level.name == value)
       return level.sets;
-  std::vector<std::string> all;
-  for (const std::string& path : paths)
-    all.push_back(path + "=" + value);
-  return all;
+  return sets_to(value, paths);
 }
 
 std::vector<Factor> read_factors(const Value& map, Diagnostics& diagnostics) {

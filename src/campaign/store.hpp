@@ -42,8 +42,6 @@ class Store {
   Store(const std::string& folder, const Spec& spec, std::span<const Cell> cells,
         const Origin& origin, bool resume);
   ~Store();
-  Store(const Store&) = delete;
-  Store& operator=(const Store&) = delete;
 
   /// Keeps a result; it is committed with others after a second at most, if others come.
   void put(const Result& result);

@@ -37,112 +37,6 @@ std::vector<std::string> false_claims(const record::RunFile& run,
   return problems;
 }
 
-}  // namespace
-
-Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
-            std::string_view build, const scenario::AddNodes& add) {
-  Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr, add};
-  try {
-    recorded.scenario = with_overrides(recorded, {});
-  } catch (const ConfigError& e) {
-    return {std::nullopt,
-            {fmt::format("recorded by {}; {} refuses the scenario inside:\n{}",
-                         printable(recorded.run.build), build, e.diagnostics().text())}};
-  }
-  const auto& scenario = *recorded.scenario;
-  if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash)
-    return {std::nullopt,
-            {fmt::format("recorded by {}, whose world has another layout than that of {}; fly it "
-                         "again with that build",
-                         printable(recorded.run.build), build)}};
-  if (auto problems = false_claims(recorded.run, *scenario.simulation); !problems.empty())
-    return {std::nullopt, std::move(problems)};
-  return {std::move(recorded), {}};
-}
-
-std::shared_ptr<const scenario::Scenario> with_overrides(
-    const Recorded& recorded, const std::vector<std::string>& sets,
-    std::vector<scenario::TreeChange> changes) {
-  std::vector<std::string> all = recorded.run.sets;
-  all.insert(all.end(), sets.begin(), sets.end());
-  return scenario::load({.file = recorded.run.scenario,
-                         .sets = std::move(all),
-                         .plugins = recorded.plugins,
-                         .changes = std::move(changes),
-                         .add = recorded.add},
-                        scenario::Source::bundle(recorded.run.files));
-}
-
-std::map<std::string, std::string> tree_paths(const Recorded& recorded) {
-  Diagnostics none;  // open() has read the same
-  scenario::Source source = scenario::Source::bundle(recorded.run.files);
-  eyrie::Value document = scenario::load_document(recorded.run.scenario, source, none);
-  scenario::apply_overrides(document, recorded.run.sets, none);
-  std::map<std::string, std::string> paths;
-  if (const eyrie::Value* trees = document.find("trees"))
-    scenario::paths_below(*trees, "trees", paths);
-  return paths;
-}
-
-Past past_at(const Recorded& recorded, std::uint64_t step) {
-  Reflight flight(recorded);
-  std::vector<Happened> events;
-  while (flight.after().step() < step && flight.step())
-    if (!flight.events().empty())
-      events.push_back(flight.happened());
-  return {flight.after(), std::move(events)};
-}
-
-Reflight::Reflight(const Recorded& recorded, sim::World from)
-    : recorded_(recorded),
-      run_(recorded.scenario->simulation, std::move(from)),
-      before_(run_.world()) {
-  for (const sim::Order& order : recorded.run.orders)
-    if (order.step >= before_.step())
-      EYRIE_DEMAND(run_.submit(order).empty(), "open() refuses such orders");
-}
-
-Reflight::Reflight(const Recorded& recorded)
-    : Reflight(recorded, recorded.scenario->world(recorded.run.seed)) {
-  run_.attach(checker_.emplace(recorded.run.trail));
-}
-
-Happened Reflight::happened() const {
-  return {{before_.step(), recorded_.run.seed, run_.simulation().dt()},
-          {events_.begin(), events_.end()}};
-}
-
-bool Reflight::step() {
-  demand_the_same();  // also as it began
-  if (run_.world().step() >= recorded_.last_step())
-    return false;
-  before_.become(run_.world());
-  events_ = run_.step();
-  if (const sim::Fault* fault = run_.fault())
-    throw std::runtime_error(fmt::format(
-        "{}: it cannot be flown again: {}", recorded_.file,
-        scenario::fault_text(*fault, recorded_.scenario->roster, run_.simulation().dt())));
-  demand_the_same();
-  return true;
-}
-
-void Reflight::demand_the_same() {
-  if (!checker_ || !checker_->departure())
-    return;
-  // up to the next mark, which knows the field
-  while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
-    run_.step();
-  throw std::runtime_error(fmt::format(
-      "{}: this is not the run that was recorded by {}: {}{}", recorded_.file, recorded_.run.build,
-      checker_->departure()->reason,
-      recorded_.scenario->has_foreign_nodes
-          ? "; a behavior of one's own must answer the same whenever it perceives and remembers "
-            "the same: nothing kept beside its memory, no clock, no chance but draw()"
-          : ""));
-}
-
-namespace {
-
 /// The players, fleet by fleet and by id, who ask for something else.
 std::vector<PlayerId> ask_otherwise(const scenario::Scenario& s, const sim::World& a,
                                     const sim::World& b) {
@@ -283,6 +177,108 @@ std::optional<std::string> other_event(const Reflight& a, const Reflight& b,
 }
 
 }  // namespace
+
+Opened open(record::RunFile run, std::string file, std::vector<std::string> plugins,
+            std::string_view build, const scenario::AddNodes& add) {
+  Recorded recorded{std::move(file), std::move(run), std::move(plugins), nullptr, add};
+  try {
+    recorded.scenario = with_overrides(recorded, {});
+  } catch (const ConfigError& e) {
+    return {std::nullopt,
+            {fmt::format("recorded by {}; {} refuses the scenario inside:\n{}",
+                         printable(recorded.run.build), build, e.diagnostics().text())}};
+  }
+  const auto& scenario = *recorded.scenario;
+  if (scenario.simulation->schema().layout_hash() != recorded.run.layout_hash)
+    return {std::nullopt,
+            {fmt::format("recorded by {}, whose world has another layout than that of {}; fly it "
+                         "again with that build",
+                         printable(recorded.run.build), build)}};
+  if (auto problems = false_claims(recorded.run, *scenario.simulation); !problems.empty())
+    return {std::nullopt, std::move(problems)};
+  return {std::move(recorded), {}};
+}
+
+std::shared_ptr<const scenario::Scenario> with_overrides(
+    const Recorded& recorded, const std::vector<std::string>& sets,
+    std::vector<scenario::TreeChange> changes) {
+  std::vector<std::string> all = recorded.run.sets;
+  all.insert(all.end(), sets.begin(), sets.end());
+  return scenario::load({.file = recorded.run.scenario,
+                         .sets = std::move(all),
+                         .plugins = recorded.plugins,
+                         .changes = std::move(changes),
+                         .add = recorded.add},
+                        scenario::Source::bundle(recorded.run.files));
+}
+
+std::map<std::string, std::string> tree_paths(const Recorded& recorded) {
+  Diagnostics none;  // open() has read the same
+  scenario::Source source = scenario::Source::bundle(recorded.run.files);
+  eyrie::Value document = scenario::load_document(recorded.run.scenario, source, none);
+  scenario::apply_overrides(document, recorded.run.sets, none);
+  std::map<std::string, std::string> paths;
+  if (const eyrie::Value* trees = document.find("trees"))
+    scenario::paths_below(*trees, "trees", paths);
+  return paths;
+}
+
+Past past_at(const Recorded& recorded, std::uint64_t step) {
+  Reflight flight(recorded);
+  std::vector<Happened> events;
+  while (flight.after().step() < step && flight.step())
+    if (!flight.events().empty())
+      events.push_back(flight.happened());
+  return {flight.after(), std::move(events)};
+}
+
+Reflight::Reflight(const Recorded& recorded, sim::World from)
+    : recorded_(recorded),
+      run_(recorded.scenario->simulation, std::move(from)),
+      before_(run_.world()) {
+  for (const sim::Order& order : recorded.run.orders)
+    if (order.step >= before_.step())
+      EYRIE_DEMAND(run_.submit(order).empty(), "open() refuses such orders");
+}
+
+Reflight::Reflight(const Recorded& recorded)
+    : Reflight(recorded, recorded.scenario->world(recorded.run.seed)) {
+  run_.attach(checker_.emplace(recorded.run.trail));
+}
+
+Happened Reflight::happened() const {
+  return {{before_.step(), recorded_.run.seed, run_.simulation().dt()},
+          {events_.begin(), events_.end()}};
+}
+
+bool Reflight::step() {
+  demand_the_same();  // also as it began
+  if (run_.world().step() >= recorded_.last_step())
+    return false;
+  before_.become(run_.world());
+  events_ = run_.step();
+  if (const sim::Fault* fault = run_.fault())
+    throw std::runtime_error(fmt::format(
+        "{}: it cannot be flown again: {}", recorded_.file,
+        scenario::fault_text(*fault, recorded_.scenario->roster, run_.simulation().dt())));
+  demand_the_same();
+  return true;
+}
+
+void Reflight::demand_the_same() {
+  if (!checker_ || !checker_->departure())
+    return;
+  // up to the next mark, which knows the field
+  while (!checker_->done() && !run_.fault() && run_.world().step() < recorded_.last_step())
+    run_.step();
+  throw std::runtime_error(fmt::format(
+      "{}: this is not the run that was recorded by {}: {}{}", recorded_.file, recorded_.run.build,
+      checker_->departure()->reason,
+      recorded_.scenario->has_foreign_nodes
+          ? "; a behavior of one's own must answer the same whenever it perceives and remembers "
+            "the same: nothing kept beside its memory, no clock, no chance but draw()"
+          : ""));
+}
 
 std::optional<RunDifference> compare(const Recorded& left, const Recorded& right,
                                      std::string& problem) {

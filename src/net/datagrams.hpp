@@ -31,8 +31,6 @@ class DatagramSender {
   /// Throws std::system_error if there is no such address or interface here.
   explicit DatagramSender(const DatagramOptions& options);
   ~DatagramSender();
-  DatagramSender(const DatagramSender&) = delete;
-  DatagramSender& operator=(const DatagramSender&) = delete;
 
   /// By one thread. At most kLongest bytes.
   void send(std::span<const std::byte> bytes);
@@ -74,8 +72,6 @@ class DatagramReceiver {
   /// Throws std::system_error if it cannot listen there.
   explicit DatagramReceiver(const ReceiverOptions& options);
   ~DatagramReceiver();
-  DatagramReceiver(const DatagramReceiver&) = delete;
-  DatagramReceiver& operator=(const DatagramReceiver&) = delete;
 
   [[nodiscard]] std::uint16_t port() const;
   /// By one thread: calls `use` with each that has come since, until now.

@@ -41,6 +41,20 @@ Cell defense_word(float number) {
   return std::string(kNames[std::min(i, kNames.size() - 1)]);
 }
 
+/// who and whom as the names of columns.
+std::string marked(std::string_view help) {
+  std::string text;
+  while (!help.empty()) {
+    const std::size_t end = std::min(help.find_first_of(" .,:;"), help.size());
+    const std::string_view word = help.substr(0, end);
+    const std::string_view after = help.substr(end, 1);
+    const std::string_view mark = word == "who" || word == "whom" ? "`" : "";
+    text += fmt::format("{0}{1}{0}{2}", mark, word, after);
+    help.remove_prefix(end + after.size());
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string_view unit_of(const EventColumn& column) {
@@ -150,24 +164,6 @@ std::vector<Cell> EventTable::row(const sim::Event& e, const sim::StepInfo& info
     cells[place_of(what.column)] = value(e, what, *number++);
   return cells;
 }
-
-namespace {
-
-/// who and whom as the names of columns.
-std::string marked(std::string_view help) {
-  std::string text;
-  while (!help.empty()) {
-    const std::size_t end = std::min(help.find_first_of(" .,:;"), help.size());
-    const std::string_view word = help.substr(0, end);
-    const std::string_view after = help.substr(end, 1);
-    const std::string_view mark = word == "who" || word == "whom" ? "`" : "";
-    text += fmt::format("{0}{1}{0}{2}", mark, word, after);
-    help.remove_prefix(end + after.size());
-  }
-  return text;
-}
-
-}  // namespace
 
 std::string events_markdown() {
   std::string text =

@@ -42,6 +42,9 @@ bool same_bytes(const std::vector<sim::Order>& a, const std::vector<sim::Order>&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(sim::Order)) == 0);
 }
 
+constexpr std::size_t kChunk = 1 << 12;
+constexpr std::size_t kEnds = 32;  // more than a sink holds back
+
 }  // namespace
 
 bool operator==(const RunFile& a, const RunFile& b) {
@@ -178,11 +181,6 @@ Decoded read_run_file(const std::string& path) {
   const disk::FileRead read = disk::read_file(path, kLargest);
   return read.problem.empty() ? decode(read.bytes) : Decoded{{}, read.problem};
 }
-
-namespace {
-constexpr std::size_t kChunk = 1 << 12;
-constexpr std::size_t kEnds = 32;  // more than a sink holds back
-}  // namespace
 
 RunFileWriter::RunFileWriter(disk::Sink& sink, const RunFile& run) : sink_(sink) {
   sink_.write(encoder_.head(run));
